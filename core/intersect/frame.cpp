@@ -1,0 +1,50 @@
+#include "core/intersect/frame.h"
+
+#include "core/numerics/rounding.h"
+
+namespace etalon {
+namespace {
+
+constexpr double largest_origin = 3;
+constexpr double largest_distance = 0x1p24;
+
+}  // namespace
+
+float FrameRay::tmin(double t) const { return float_down((t - shift) * scale); }
+float FrameRay::tmax(double t) const { return float_up((t - shift) * scale); }
+
+Frame::Frame(const Box3& world) {
+    if (world.isEmpty()) return;
+    centre_ = world.center();
+    const double half = std::max(max_abs(world.max - centre_), max_abs(world.min - centre_));
+    scale_ = power_of_two_reciprocal(half) / 2;
+}
+
+Box3f Frame::box(const Box3& world) const {
+    constexpr double pad = unit_roundoff_f * (7 * largest_origin + 5);
+    const Box3 local((world.min - centre_) * scale_ - Vec3(pad),
+                     (world.max - centre_) * scale_ + Vec3(pad));
+    return round_outward(local);
+}
+
+std::optional<FrameRay> Frame::ray(const Ray& ray) const {
+    const double shrink = power_of_two_reciprocal(max_abs(ray.direction));
+    const Vec3 direction = ray.direction * shrink;
+    Vec3 origin = (ray.origin - centre_) * scale_;
+    double shift = 0;
+    if (max_abs(origin) > largest_origin) {
+        // The scene lies within sqrt(3) of the frame's origin: start 2 before the closest approach.
+        const double length2 = direction.dot(direction);
+        shift = -origin.dot(direction) / length2 - 2 / std::sqrt(length2);
+        origin += shift * direction;
+        if (max_abs(origin) > largest_origin) return std::nullopt;
+    }
+    const double scale = scale_ / shrink;
+    return FrameRay{Vec3f(origin), Vec3f(direction), shift / scale, scale};
+}
+
+bool Frame::resolves(const Ray& ray) const {
+    return max_abs(ray.origin - centre_) * scale_ < largest_distance;
+}
+
+}  // namespace etalon

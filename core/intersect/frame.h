@@ -1,0 +1,45 @@
+// The frame in which accelerators work: the bounded part of the scene moved to the origin and scaled
+// by a power of two into [-1, 1]^3, so that float boxes are as good far from the origin, and for
+// scenes of any size, as they are for the unit box.
+#pragma once
+
+#include <optional>
+
+#include "core/intersect/ray.h"
+
+namespace etalon {
+
+/// A float ray in the frame. `scale` turns a double t of the world into a float t of the frame:
+/// t_frame = (t - shift) * scale.
+struct FrameRay {
+    Vec3f origin, direction;  ///< |origin| <= 3, the direction's largest component in [1, 2)
+    double shift, scale;
+
+    float tmin(double t) const;  ///< rounded down
+    float tmax(double t) const;  ///< rounded up: what lies at t exactly is never culled
+};
+
+class Frame {
+  public:
+    Frame() = default;
+    explicit Frame(const Box3& world);
+
+    /// `world` in the frame, rounded outward and padded so that a float slab test with a reciprocal
+    /// good to 2.6 units of rounding cannot miss what a double ray hits. Each axis grows by
+    /// u (7 |o| + 5 |b|), u = 2^-24, |o| <= 3 the largest origin a FrameRay can have, |b| <= 1.
+    Box3f box(const Box3& world) const;
+
+    /// Rays that start far away are first advanced, in double, to the neighbourhood of the scene.
+    /// Nothing where the ray's line passes the scene by.
+    std::optional<FrameRay> ray(const Ray& ray) const;
+
+    /// False for rays from so far (2^24 times the scene's size) that a rounding of their double
+    /// coordinates is no longer small against the padding. They must be tested against everything.
+    bool resolves(const Ray& ray) const;
+
+  private:
+    Vec3 centre_{0};
+    double scale_ = 1;
+};
+
+}  // namespace etalon

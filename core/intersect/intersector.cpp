@@ -1,0 +1,54 @@
+#include "core/intersect/intersector.h"
+
+#include "core/intersect/kernels.h"
+
+namespace etalon {
+namespace {
+
+bool is_valid(const Ray& ray) {
+    return is_finite(ray.origin) && is_finite(ray.direction) && max_abs(ray.direction) > 0 &&
+           ray.tmin < ray.tmax;
+}
+
+bool reaches(const Scene& scene, std::uint32_t id, const RayQuery& query) {
+    return primitive_first_hit(scene, id, query) <= query.ray.tmax;
+}
+
+}  // namespace
+
+Intersector::Intersector(const Scene& scene) : scene_(scene), bounds_(scene) {}
+
+std::optional<Hit> Intersector::closest(const Ray& ray) const {
+    if (!is_valid(ray)) return std::nullopt;
+    const RayQuery query(ray);
+    NearestHit nearest(ray.tmax);
+    if (!bounds_.frame.resolves(ray)) {
+        for (std::uint32_t id = 0; id < scene_.primitives.size(); ++id) {
+            nearest.offer(primitive_first_hit(scene_, id, query), id);
+        }
+        return nearest.result();
+    }
+    for (const std::uint32_t id : bounds_.unbounded) {
+        nearest.offer(primitive_first_hit(scene_, id, query), id);
+    }
+    if (const auto local = bounds_.frame.ray(ray)) closest_bounded(query, *local, nearest);
+    return nearest.result();
+}
+
+bool Intersector::occluded(const Ray& ray) const {
+    if (!is_valid(ray)) return false;
+    const RayQuery query(ray);
+    if (!bounds_.frame.resolves(ray)) {
+        for (std::uint32_t id = 0; id < scene_.primitives.size(); ++id) {
+            if (reaches(scene_, id, query)) return true;
+        }
+        return false;
+    }
+    for (const std::uint32_t id : bounds_.unbounded) {
+        if (reaches(scene_, id, query)) return true;
+    }
+    const auto local = bounds_.frame.ray(ray);
+    return local && occluded_bounded(query, *local);
+}
+
+}  // namespace etalon

@@ -1,0 +1,65 @@
+// The seam between what is rendered and how hits are found.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/intersect/bounded.h"
+#include "core/intersect/ray.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+/// Finds hits in a scene. A backend derives from it and says only *which* kernels are called; what
+/// counts as a hit, ties and unbounded primitives are settled here, alike for all. Thread-safe.
+/// The scene must outlive the intersector.
+class Intersector {
+  public:
+    explicit Intersector(const Scene& scene);
+    virtual ~Intersector() = default;
+    Intersector(const Intersector&) = delete;
+    Intersector& operator=(const Intersector&) = delete;
+
+    /// The nearest hit with tmin < t <= tmax; at equal t the lower primitive number. A ray with a
+    /// zero or non-finite direction, or a non-finite origin, hits nothing.
+    std::optional<Hit> closest(const Ray& ray) const;
+
+    /// True exactly where closest(ray) finds something.
+    bool occluded(const Ray& ray) const;
+
+    /// Bytes of the backend's own structure.
+    virtual std::size_t memory_bytes() const = 0;
+
+    /// The instruction set the traversal uses, e.g. "avx2".
+    virtual std::string isa() const { return "baseline"; }
+
+  protected:
+    /// Offers `nearest` every bounded primitive that could be nearer than, or as near as, nearest.t.
+    virtual void closest_bounded(const RayQuery& query, const FrameRay& local,
+                                 NearestHit& nearest) const = 0;
+
+    /// Whether any bounded primitive is hit with t <= query.ray.tmax.
+    virtual bool occluded_bounded(const RayQuery& query, const FrameRay& local) const = 0;
+
+    const Scene& scene() const { return scene_; }
+    const SceneBounds& scene_bounds() const { return bounds_; }
+
+    /// Gives back the list that only building needed.
+    void release_bounds() { std::vector<BoundedPrimitive>().swap(bounds_.bounded); }
+
+  private:
+    const Scene& scene_;
+    SceneBounds bounds_;
+};
+
+/// A way to build an intersector. Backends publish lists of these; programs pick by name.
+struct Backend {
+    std::string_view name;
+    std::string_view summary;
+    bool exact;  ///< hits are decided by the kernels, so bit-identical to every other exact backend
+    std::unique_ptr<Intersector> (*build)(const Scene& scene);
+};
+
+}  // namespace etalon

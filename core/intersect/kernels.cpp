@@ -1,0 +1,27 @@
+#include "core/intersect/kernels.h"
+
+#include "core/intersect/shapes/all.h"
+
+namespace etalon {
+
+Box3 primitive_bounds(const Scene& scene, std::uint32_t primitive) {
+    const Primitive& p = scene.primitives[primitive];
+    return with_shape(
+        p.kind, [&]<class Shape>() { return bounds(scene, scene.get<Shape>(p)); });
+}
+
+double primitive_first_hit(const Scene& scene, std::uint32_t primitive, const RayQuery& query) {
+    const Primitive& p = scene.primitives[primitive];
+    return with_shape(p.kind, [&]<class Shape>() {
+        return first_hit(scene, scene.get<Shape>(p), p.sides, query);
+    });
+}
+
+SurfacePoint surface_at(const Scene& scene, const Ray& ray, const Hit& hit) {
+    const Primitive& p = scene.primitives[hit.primitive];
+    const RayQuery query(ray);
+    return with_shape(
+        p.kind, [&]<class Shape>() { return surface(scene, scene.get<Shape>(p), query, hit.t); });
+}
+
+}  // namespace etalon

@@ -1,0 +1,16 @@
+// A primitive's kernels, whatever its kind. They are compiled once, in kernels.cpp, so every backend
+// runs the same instructions and gets the same bits.
+#pragma once
+
+#include "core/intersect/ray.h"
+#include "core/intersect/surface.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+/// See core/intersect/shapes/all.h for what these promise.
+Box3 primitive_bounds(const Scene& scene, std::uint32_t primitive);
+double primitive_first_hit(const Scene& scene, std::uint32_t primitive, const RayQuery& query);
+SurfacePoint surface_at(const Scene& scene, const Ray& ray, const Hit& hit);
+
+}  // namespace etalon

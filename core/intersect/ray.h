@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+
+#include "core/numerics/vec.h"
+#include "core/scene/shapes.h"
+
+namespace etalon {
+
+/// Points origin + t * direction with tmin < t <= tmax. The direction need not be of unit length:
+/// t is in units of it.
+struct Ray {
+    Vec3 origin, direction;
+    double tmin = 0;
+    double tmax = infinity;
+};
+
+struct Hit {
+    double t;
+    std::uint32_t primitive;  ///< its number in Scene::primitives
+};
+
+/// A ray and what every triangle and polygon test needs of it, worked out once: the axes permuted
+/// so that z is the direction's dominant one (Woop, Benthin & Wald 2013, JCGT 2(1)).
+struct RayQuery {
+    explicit RayQuery(const Ray& r) : ray(r), kz(dominant_axis(r.direction)) {
+        kx = (kz + 1) % 3;
+        ky = (kz + 2) % 3;
+        dx = r.direction[kx];
+        dy = r.direction[ky];
+        dz = r.direction[kz];
+    }
+
+    Ray ray;
+    int kz, kx, ky;
+    double dx, dy, dz;
+};
+
+/// What a kernel returns when the ray misses: compares false with everything.
+inline constexpr double no_hit = nan_value;
+
+/// The nearest hit so far, and the one rule by which all backends keep it: the smaller t, and at
+/// equal t the lower primitive number.
+struct NearestHit {
+    explicit NearestHit(double tmax) : t(tmax) {}
+
+    void offer(double candidate, std::uint32_t id) {
+        if (candidate < t || (candidate == t && id < primitive && t < infinity)) {
+            t = candidate;
+            primitive = id;
+        }
+    }
+
+    std::optional<Hit> result() const {
+        if (primitive == no_index) return std::nullopt;
+        return Hit{t, primitive};
+    }
+
+    double t;
+    std::uint32_t primitive = no_index;
+};
+
+}  // namespace etalon

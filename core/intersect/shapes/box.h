@@ -1,0 +1,58 @@
+#pragma once
+
+#include "core/intersect/ray.h"
+#include "core/intersect/shapes/roots.h"
+#include "core/intersect/surface.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+inline Box3 bounds(const Scene&, const Box& b) {
+    if (!is_finite(b.min) || !is_finite(b.max)) return {};
+    return {b.min, b.max};  // empty where min > max
+}
+
+/// Where a line is inside all three slabs of a box, and through which axis' faces it comes and goes.
+struct SlabCrossing {
+    double entry = -infinity, exit = infinity;
+    int entry_axis = 0, exit_axis = 0;
+};
+
+/// entry > exit where the line misses the closed box.
+inline SlabCrossing cross_slabs(const Box& b, const Ray& ray) {
+    SlabCrossing c;
+    for (int k = 0; k < 3; ++k) {
+        const double d = ray.direction[k], o = ray.origin[k];
+        if (d == 0) {
+            if (o < b.min[k] || o > b.max[k]) return {infinity, -infinity, k, k};
+            continue;
+        }
+        const double near = ((d > 0 ? b.min : b.max)[k] - o) / d;
+        const double far = ((d > 0 ? b.max : b.min)[k] - o) / d;
+        if (near > c.entry) c.entry = near, c.entry_axis = k;
+        if (far < c.exit) c.exit = far, c.exit_axis = k;
+    }
+    return c;
+}
+
+inline double first_hit(const Scene&, const Box& b, Sides sides, const RayQuery& q) {
+    const SlabCrossing c = cross_slabs(b, q.ray);
+    if (!(c.entry <= c.exit)) return no_hit;
+    return first_visible(c.entry, c.exit, sides, q.ray.tmin);
+}
+
+inline SurfacePoint surface(const Scene&, const Box& b, const RayQuery& q, double t) {
+    const SlabCrossing c = cross_slabs(b, q.ray);
+    const bool entering = std::abs(t - c.entry) <= std::abs(t - c.exit);
+    const int axis = entering ? c.entry_axis : c.exit_axis;
+    const bool at_max = (q.ray.direction[axis] > 0) != entering;
+    Vec3 position = q.ray.origin + t * q.ray.direction;
+    for (int k = 0; k < 3; ++k) position[k] = std::clamp(position[k], b.min[k], b.max[k]);
+    position[axis] = (at_max ? b.max : b.min)[axis];
+    Vec3 normal(0);
+    normal[axis] = at_max ? 1 : -1;
+    const Vec3 magnitude(std::max(max_abs(b.min), max_abs(b.max)));
+    return {position, position_error(magnitude, 0), normal, normal};
+}
+
+}  // namespace etalon

@@ -1,0 +1,45 @@
+// The sign on which every edge of a triangle or polygon is decided. It is exact, so that two faces
+// that share an edge agree on which of them a ray passes through: closed surfaces do not leak.
+#pragma once
+
+#include "core/intersect/ray.h"
+#include "core/numerics/exact.h"
+#include "core/numerics/rounding.h"
+
+namespace etalon {
+
+/// A corner as the ray sees it: shifted to the ray's origin and sheared along its direction, so
+/// that the ray is the z axis. x and y carry a factor dz.
+struct ShearedCorner {
+    double x, y, z;
+};
+
+inline ShearedCorner shear(const Vec3& corner, const RayQuery& q) {
+    const double ax = corner[q.kx] - q.ray.origin[q.kx];
+    const double ay = corner[q.ky] - q.ray.origin[q.ky];
+    const double az = corner[q.kz] - q.ray.origin[q.kz];
+    return {q.dz * ax - q.dx * az, q.dz * ay - q.dy * az, az};
+}
+
+/// Bound on the error of the edge function of two corners whose sheared coordinates are at most
+/// `extent` and whose depths are at most `depth` in magnitude.
+///
+/// u = 2^-53. A coordinate is off by at most E = 5u (extent + |dz| depth): one rounding of each
+/// difference, product and sum, with |dx|, |dy| <= |dz|. The edge function adds 4 extent E + 2 E^2
+/// from its inputs and less than extent E from its own roundings.
+inline double edge_error(double extent, double depth, const RayQuery& q) {
+    const double e = 5 * unit_roundoff * (extent + std::abs(q.dz) * depth);
+    return e * (5 * extent + 2 * e);
+}
+
+/// Twice the signed area of (ray, a, b), times dz. Antisymmetric in a and b to the last bit.
+inline double edge_function(const ShearedCorner& a, const ShearedCorner& b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+/// The same with the exact sign, and good to a few ulp; slow.
+inline double exact_edge_function(const Vec3& a, const Vec3& b, const RayQuery& q) {
+    return q.dz * exact_edge_volume(q.ray.origin, q.ray.direction, a, b);
+}
+
+}  // namespace etalon

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "core/intersect/ray.h"
+#include "core/intersect/shapes/edges.h"
+#include "core/intersect/shapes/roots.h"
+#include "core/intersect/surface.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+inline std::array<Vec3, 3> corners(const Scene& scene, const Triangle& t) {
+    return {scene.vertices[t.vertices[0]], scene.vertices[t.vertices[1]],
+            scene.vertices[t.vertices[2]]};
+}
+
+inline Vec3 front_normal(const std::array<Vec3, 3>& p) {
+    return (p[1] - p[0]).cross(p[2] - p[0]);
+}
+
+inline Box3 bounds(const Scene& scene, const Triangle& t) {
+    Box3 box;
+    for (const Vec3& p : corners(scene, t)) {
+        if (!is_finite(p)) return {};
+        box.extendBy(p);
+    }
+    return box;
+}
+
+/// Where the ray passes a triangle: the weights of the corners times their sum, and the depths.
+struct TriangleCrossing {
+    std::array<double, 3> weight, depth;
+    double sum;
+};
+
+/// Edge functions decided in double where their error bound allows it, exactly where not. Where the
+/// triangle is so thin or edge-on that the weights would mean little, they are taken exactly too:
+/// t is then a true mean of the corners' depths and never leaves the triangle's bounds.
+inline TriangleCrossing cross_triangle(const std::array<Vec3, 3>& p, const RayQuery& q) {
+    const ShearedCorner a = shear(p[0], q), b = shear(p[1], q), c = shear(p[2], q);
+    TriangleCrossing r{{edge_function(b, c), edge_function(c, a), edge_function(a, b)},
+                       {a.z, b.z, c.z},
+                       0};
+    r.sum = r.weight[0] + r.weight[1] + r.weight[2];
+    const auto largest = [](double x, double y, double z) {
+        return std::max(std::abs(x), std::max(std::abs(y), std::abs(z)));
+    };
+    const double extent = std::max(largest(a.x, b.x, c.x), largest(a.y, b.y, c.y));
+    const double error = edge_error(extent, largest(a.z, b.z, c.z), q);
+    const auto [u, v, w] = r.weight;
+    const bool surely_outside = std::min({u, v, w}) < -error && std::max({u, v, w}) > error;
+    const double least = std::min({std::abs(u), std::abs(v), std::abs(w)});
+    if (surely_outside || (least > error && std::abs(r.sum) > 0x1p28 * error)) return r;
+    for (int k = 0; k < 3; ++k) r.weight[k] = exact_edge_function(p[(k + 1) % 3], p[(k + 2) % 3], q);
+    r.sum = r.weight[0] + r.weight[1] + r.weight[2];
+    return r;
+}
+
+/// An edge belongs to the triangle; a ray in the triangle's plane misses.
+inline double first_hit(const Scene& scene, const Triangle& tri, Sides sides, const RayQuery& q) {
+    const TriangleCrossing c = cross_triangle(corners(scene, tri), q);
+    const auto [u, v, w] = c.weight;
+    const bool inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+    if (!inside || c.sum == 0 || !faces(c.sum / q.dz, sides)) return no_hit;
+    const double t = (u * c.depth[0] + v * c.depth[1] + w * c.depth[2]) / (c.sum * q.dz);
+    return t > q.ray.tmin ? t : no_hit;
+}
+
+/// The position is built from the corners and so as exact as they are, however far the ray came.
+inline SurfacePoint surface(const Scene& scene, const Triangle& tri, const RayQuery& q, double) {
+    const std::array<Vec3, 3> p = corners(scene, tri);
+    TriangleCrossing c = cross_triangle(p, q);
+    double sum = 0;
+    for (double& w : c.weight) sum += w = std::max(0.0, c.sum < 0 ? -w : w);
+    if (sum == 0) c.weight = {1, 1, 1}, sum = 3;
+    for (double& w : c.weight) w /= sum;
+    const auto& [u, v, w] = c.weight;
+
+    const Vec3 n = front_normal(p);
+    const Vec3 normal = n / std::sqrt(n.dot(n));
+    Vec3 shading = normal;
+    if (tri.normals != no_index) {
+        const Vec3* corner = &scene.normals[tri.normals];
+        const Vec3 mean = u * corner[0] + v * corner[1] + w * corner[2];
+        if (mean.dot(mean) > 0) shading = mean / std::sqrt(mean.dot(mean));
+    }
+    Box3 box;
+    for (const Vec3& corner : p) box.extendBy(corner);
+    const Vec3 magnitude(std::max(abs(box.min).x, abs(box.max).x),
+                         std::max(abs(box.min).y, abs(box.max).y),
+                         std::max(abs(box.min).z, abs(box.max).z));
+    return {u * p[0] + v * p[1] + w * p[2], position_error(magnitude, max_abs(box.size())), normal,
+            shading};
+}
+
+}  // namespace etalon

@@ -1,0 +1,101 @@
+// The shapes a scene file can ask for: plain data, in world coordinates.
+//
+// To add a shape:
+//   1. its struct here, and its name at the end of ShapeArrays;
+//   2. its kernel, core/intersect/shapes/<shape>.{h,cpp}, listed in core/intersect/shapes/all.h
+//      (the compiler asks for what is missing);
+//   3. its rows in tests/intersect/shape_cases.h, from which every kernel test is generated.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "core/numerics/vec.h"
+
+namespace etalon {
+
+inline constexpr std::uint32_t no_index = 0xFFFFFFFFU;
+
+struct Sphere {
+    static constexpr std::string_view name = "sphere";
+    Vec3 centre;
+    double radius;  ///< > 0; an inside-only sphere is a matter of Sides
+};
+
+/// Corners, and corner normals if `normals` is an index: both into the scene's arrays.
+/// The front is where the corners run counter-clockwise.
+struct Triangle {
+    static constexpr std::string_view name = "triangle";
+    std::array<std::uint32_t, 3> vertices;
+    std::uint32_t normals = no_index;  ///< first of three consecutive normals
+};
+
+/// A planar polygon with count >= 4 corners, concave or not: scene.vertices[first ... first+count).
+struct Polygon {
+    static constexpr std::string_view name = "polygon";
+    std::uint32_t first;
+    std::uint32_t count;
+    std::uint32_t normals = no_index;  ///< first of `count` consecutive normals
+};
+
+/// An axis-aligned box, both sides visible; min <= max in each axis.
+struct Box {
+    static constexpr std::string_view name = "box";
+    Vec3 min, max;
+};
+
+/// The infinite plane through `point`; `normal` need not be of unit length.
+struct Plane {
+    static constexpr std::string_view name = "plane";
+    Vec3 point, normal;
+};
+
+/// The lateral surface between two circles about the line base-top: a cylinder where the radii
+/// agree, a cone where one is zero. No caps.
+struct Cone {
+    static constexpr std::string_view name = "cone";
+    Vec3 base, top;
+    double base_radius, top_radius;
+};
+
+/// One array per kind of shape. A kind's number is its place in this list.
+using ShapeArrays = std::tuple<std::vector<Sphere>, std::vector<Triangle>, std::vector<Polygon>,
+                               std::vector<Box>, std::vector<Plane>, std::vector<Cone>>;
+
+inline constexpr std::size_t shape_kinds = std::tuple_size_v<ShapeArrays>;
+
+using ShapeKind = std::uint8_t;
+
+template <std::size_t Kind>
+using ShapeOfKind = typename std::tuple_element_t<Kind, ShapeArrays>::value_type;
+
+/// The number of the kind `Shape`; fails to compile for what is not in the list.
+template <class Shape, std::size_t Kind = 0>
+constexpr ShapeKind kind_of() {
+    if constexpr (std::is_same_v<Shape, ShapeOfKind<Kind>>) {
+        return static_cast<ShapeKind>(Kind);
+    } else {
+        return kind_of<Shape, Kind + 1>();
+    }
+}
+
+/// Calls f.template operator()<Shape>() for the shape of number `kind`.
+template <std::size_t Kind = 0, class F>
+decltype(auto) with_shape(ShapeKind kind, F&& f) {
+    if constexpr (Kind + 1 == shape_kinds) {
+        return f.template operator()<ShapeOfKind<Kind>>();
+    } else {
+        if (kind == Kind) return f.template operator()<ShapeOfKind<Kind>>();
+        return with_shape<Kind + 1>(kind, std::forward<F>(f));
+    }
+}
+
+/// "sphere", "triangle", ...
+inline std::string_view kind_name(ShapeKind kind) {
+    return with_shape(kind, []<class Shape>() { return Shape::name; });
+}
+
+}  // namespace etalon
