@@ -16,7 +16,10 @@ struct BoundedPrimitive {
 /// A scene's primitives sorted by what an accelerator can do with them. Degenerate ones, which
 /// nothing can hit, are in neither list.
 struct SceneBounds {
-    explicit SceneBounds(const Scene& scene);
+    static SceneBounds of(const Scene& scene);
+
+    /// Every primitive in the list of those that must always be tested.
+    static SceneBounds none_bounded(const Scene& scene);
 
     Frame frame;
     std::vector<BoundedPrimitive> bounded;

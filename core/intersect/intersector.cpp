@@ -16,7 +16,8 @@ bool reaches(const Scene& scene, std::uint32_t id, const RayQuery& query) {
 
 }  // namespace
 
-Intersector::Intersector(const Scene& scene) : scene_(scene), bounds_(scene) {}
+Intersector::Intersector(const Scene& scene, SceneBounds bounds)
+    : scene_(scene), bounds_(std::move(bounds)) {}
 
 std::optional<Hit> Intersector::closest(const Ray& ray) const {
     if (!is_valid(ray)) return std::nullopt;

@@ -17,7 +17,8 @@ namespace etalon {
 /// The scene must outlive the intersector.
 class Intersector {
   public:
-    explicit Intersector(const Scene& scene);
+    explicit Intersector(const Scene& scene) : Intersector(scene, SceneBounds::of(scene)) {}
+    Intersector(const Scene& scene, SceneBounds bounds);
     virtual ~Intersector() = default;
     Intersector(const Intersector&) = delete;
     Intersector& operator=(const Intersector&) = delete;

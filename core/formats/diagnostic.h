@@ -1,0 +1,27 @@
+// What a loader has to say to the user: every message carries the place it is about.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace etalon {
+
+enum class Severity : std::uint8_t { warning, error };
+
+struct Diagnostic {
+    Severity severity;
+    std::string kind;  ///< a short stable tag; messages of one kind are counted together
+    std::string file;
+    int line;    ///< from 1; 0 where the message is about the file as a whole
+    int column;  ///< from 1, in bytes
+    std::string message;  ///< what, and what was expected
+};
+
+/// "FILE:LINE:COLUMN: error|warning: message"
+std::string to_string(const Diagnostic& diagnostic);
+
+/// The diagnostics as text, a line each: at most `limit` of a kind, then how many more there were.
+std::string report(const std::vector<Diagnostic>& diagnostics, int limit = 20);
+
+}  // namespace etalon

@@ -1,0 +1,38 @@
+// Text in, Scene out. Loaders never print, exit or throw; they know no backend.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/formats/diagnostic.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+struct LoadOptions {
+    std::string format;      ///< a format's name; empty: told from the content, then the extension
+    bool strict = false;     ///< warnings are errors
+    bool legacy = false;     ///< shade as the format's own old programs did
+    bool one_sided = false;  ///< surfaces are seen from their front only
+};
+
+struct LoadResult {
+    std::optional<Scene> scene;  ///< nothing if the file holds nothing that can be rendered
+    std::vector<Diagnostic> diagnostics;
+};
+
+/// Reads a scene file; "-" is standard input.
+LoadResult load_scene(const std::string& path, const LoadOptions& options = {});
+
+/// The same for text in memory. `path` names it in diagnostics and tells where files it mentions
+/// are looked for.
+LoadResult load_scene_text(std::string_view text, const std::string& path,
+                           const LoadOptions& options = {});
+
+/// Names of the formats that can be read.
+std::span<const std::string_view> format_names();
+
+}  // namespace etalon

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/numerics/vec.h"
+
+namespace etalon {
+
+/// Pixels by rows from the top, channels interleaved (R, G, B, ...). Eight-bit sources stay bytes:
+/// a skybox is six large pictures.
+struct Image {
+    int width = 0, height = 0, channels = 0;
+    std::variant<std::vector<std::uint8_t>, std::vector<float>> pixels;
+
+    bool empty() const { return width == 0; }
+
+    /// The first three channels as stored: bytes divided by 255, floats as they are. One channel is
+    /// grey. 0 <= x < width, 0 <= y < height.
+    Color color(int x, int y) const;
+};
+
+/// A result, or the reason why there is none.
+template <class T>
+struct Outcome {
+    T value{};
+    std::string error;  ///< empty on success
+    explicit operator bool() const { return error.empty(); }
+};
+
+}  // namespace etalon

@@ -1,0 +1,23 @@
+// Pictures to files and files to images. Output appears whole or not at all: it is written beside
+// its place and then renamed. OpenEXR is linked; everything else goes through OpenImageIO, whose
+// module is loaded at the first call that needs it.
+#pragma once
+
+#include <string>
+
+#include "core/image/image.h"
+#include "core/image/picture.h"
+
+namespace etalon {
+
+/// Writes .exr (float RGB, ZIP, data window, all metadata) or .png (8 bit), told by the extension.
+/// `exposure` in stops applies to PNG only. Returns the reason of a failure, or an empty string.
+std::string write_picture(const std::string& path, const Picture& picture, double exposure = 0);
+
+/// Whether write_picture knows the extension.
+bool can_write(const std::string& path);
+
+/// Reads a picture file: .exr by OpenEXR, anything else by OpenImageIO.
+Outcome<Image> read_image(const std::string& path);
+
+}  // namespace etalon
