@@ -11,7 +11,9 @@ constexpr double largest_distance = 0x1p24;
 }  // namespace
 
 float FrameRay::tmin(double t) const { return float_down((t - shift) * scale); }
-float FrameRay::tmax(double t) const { return float_up((t - shift) * scale); }
+float FrameRay::tmax(double t) const {
+    return std::min(float_up((t - shift) * scale), std::numeric_limits<float>::max());
+}
 
 Frame::Frame(const Box3& world) {
     if (world.isEmpty()) return;

@@ -16,7 +16,7 @@ struct FrameRay {
     double shift, scale;
 
     float tmin(double t) const;  ///< rounded down
-    float tmax(double t) const;  ///< rounded up: what lies at t exactly is never culled
+    float tmax(double t) const;  ///< rounded up, so what lies at t exactly is never culled; finite
 };
 
 class Frame {

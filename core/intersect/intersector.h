@@ -47,8 +47,8 @@ class Intersector {
     const Scene& scene() const { return scene_; }
     const SceneBounds& scene_bounds() const { return bounds_; }
 
-    /// Gives back the list that only building needed.
-    void release_bounds() { std::vector<BoundedPrimitive>().swap(bounds_.bounded); }
+    /// The bounded primitives, for building; the intersector does not keep them.
+    std::vector<BoundedPrimitive> take_bounded() { return std::move(bounds_.bounded); }
 
   private:
     const Scene& scene_;

@@ -1,0 +1,20 @@
+// Every intersection backend there is, by name.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/intersect/intersector.h"
+
+namespace etalon {
+
+/// In the order of help texts and reports. To add a backend, publish it in its folder's list.
+const std::vector<Backend>& all_backends();
+
+/// nullptr if there is none of that name.
+const Backend* find_backend(std::string_view name);
+
+/// "none, grid, bvh, ..."
+std::vector<std::string> backend_names();
+
+}  // namespace etalon

@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/output.h"
+#include "app/scene_arguments.h"
+#include "app/stats.h"
+
+namespace etalon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+    SceneArguments scene;
+    bool json = false;
+};
+
+bool any_material(const Scene& scene, bool (*test)(const Material&)) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(), test);
+}
+
+/// What a picture of the scene will ask of the renderer.
+std::vector<std::string> needs(const Scene& s) {
+    std::vector<std::string> list;
+    const auto need = [&](bool condition, const char* what) {
+        if (condition) list.emplace_back(what);
+    };
+    const auto is_area = [](const Light& l) { return std::holds_alternative<QuadLight>(l); };
+    need(any_material(s, [](const Material& m) { return m.reflection != Color(0.0F); }),
+         "mirrored rays");
+    need(any_material(s, [](const Material& m) { return m.transmission != Color(0.0F); }),
+         "refracted rays");
+    need(any_material(s, [](const Material& m) { return m.absorption != Color(0.0F); }),
+         "absorption");
+    need(std::any_of(s.lights.begin(), s.lights.end(), is_area), "area light samples");
+    need(s.camera.aperture > 0 && s.samples_per_pixel > 0, "lens samples");
+    need(!s.normals.empty(), "interpolated normals");
+    need(s.environment.skybox.has_value(), "pictures (OpenImageIO)");
+    return list;
+}
+
+Json lights(const Scene& scene) {
+    Json counts = Json::object();
+    for (const Light& light : scene.lights) {
+        const char* kind = std::holds_alternative<QuadLight>(light) ? "quad" : "point";
+        counts[kind] = counts.value(kind, 0) + 1;
+    }
+    return counts;
+}
+
+Json diagnostics(const std::vector<Diagnostic>& list) {
+    Json result = Json::array();
+    for (const Diagnostic& d : list) {
+        result.push_back({{"severity", d.severity == Severity::error ? "error" : "warning"},
+                          {"file", d.file},
+                          {"line", d.line},
+                          {"column", d.column},
+                          {"message", d.message}});
+    }
+    return result;
+}
+
+Json describe(const Arguments& a, const Scene& s, const std::vector<Diagnostic>& found) {
+    const Camera& c = s.camera;
+    const auto vec = [](const Vec3& v) { return Json{v.x, v.y, v.z}; };
+    return {{"scene", a.scene.path},
+            {"format", s.format},
+            {"primitives", primitive_counts(s)},
+            {"vertices", s.vertices.size()},
+            {"materials", s.materials.size()},
+            {"lights", lights(s)},
+            {"camera",
+             {{"eye", vec(c.eye)},
+              {"at", vec(c.at)},
+              {"up", vec(c.up)},
+              {"fov_degrees", c.fov_degrees},
+              {"width", c.width},
+              {"height", c.height},
+              {"aperture", c.aperture},
+              {"focal", c.focal}}},
+            {"samples_per_pixel", s.samples_per_pixel},
+            {"max_depth", s.whitted.max_depth},
+            {"backend", s.backend.empty() ? "bvh" : s.backend},
+            {"background", {s.environment.background.x, s.environment.background.y,
+                            s.environment.background.z}},
+            {"skybox", s.environment.skybox ? Json(s.environment.skybox->faces) : Json()},
+            {"needs", needs(s)},
+            {"memory_bytes", memory_bytes(s)},
+            {"diagnostics", diagnostics(found)}};
+}
+
+std::string counts_line(const Json& counts) {
+    std::string line;
+    for (const auto& [name, count] : counts.items()) {
+        line += fmt::format("{}{} {}", line.empty() ? "" : ", ", count.get<std::uint64_t>(), name);
+    }
+    return line.empty() ? "none" : line;
+}
+
+std::string as_text(const Json& j) {
+    const Json& camera = j["camera"];
+    const auto needed = j["needs"].get<std::vector<std::string>>();
+    return fmt::format(
+        "{}: {}\n  primitives  {}\n  materials   {}\n  lights      {}\n  picture     {} x {}, {} "
+        "samples per pixel\n  backend     {}\n  needs       {}\n  memory      {} bytes\n  "
+        "diagnostics {}\n",
+        j["scene"].get<std::string>(), j["format"].get<std::string>(),
+        counts_line(j["primitives"]), j["materials"].get<std::size_t>(), counts_line(j["lights"]),
+        camera["width"].get<int>(), camera["height"].get<int>(),
+        j["samples_per_pixel"].get<int>(), j["backend"].get<std::string>(),
+        needed.empty() ? "nothing special" : fmt::format("{}", fmt::join(needed, ", ")),
+        j["memory_bytes"].get<std::size_t>(), j["diagnostics"].size());
+}
+
+int run(const Arguments& a) {
+    const LoadedScene loaded = load(a.scene);
+    if (!loaded.scene) {
+        if (a.json) {
+            write_text("-", Json{{"scene", a.scene.path},
+                                 {"diagnostics", diagnostics(loaded.diagnostics)}}.dump(2) + "\n");
+        }
+        return loaded.status;
+    }
+    const Json j = describe(a, *loaded.scene, loaded.diagnostics);
+    return write_text("-", a.json ? j.dump(2) + "\n" : as_text(j)) ? exit_done : exit_not_written;
+}
+
+}  // namespace
+
+Run declare_info(CLI::App& app) {
+    auto a = std::make_shared<Arguments>();
+    declare_scene(app, a->scene);
+    app.add_flag("--json", a->json, "As JSON");
+    return [a] { return run(*a); };
+}
+
+}  // namespace etalon

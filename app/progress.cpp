@@ -1,0 +1,54 @@
+#include "app/progress.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+namespace etalon {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto terminal_interval = 100ms;
+constexpr auto line_interval = 5s;
+constexpr int bar_width = 30;
+
+double seconds(std::chrono::steady_clock::duration d) {
+    return std::chrono::duration<double>(d).count();
+}
+
+}  // namespace
+
+Progress::Progress(std::string what)
+    : what_(std::move(what)),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      start_(Clock::now()),
+      last_(start_) {}
+
+Progress::~Progress() {
+    if (terminal_ && printed_) fmt::print(stderr, "\r\x1b[K");
+}
+
+void Progress::update(double part) {
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    if (!lock) return;  // another thread is telling
+    const Clock::time_point now = Clock::now();
+    if (now - last_ < (terminal_ ? Clock::duration(terminal_interval) : line_interval)) return;
+    last_ = now;
+    printed_ = true;
+    print(part, now);
+}
+
+void Progress::print(double part, Clock::time_point now) {
+    const double elapsed = seconds(now - start_);
+    const double left = part > 0 ? elapsed * (1 - part) / part : 0;
+    if (!terminal_) {
+        fmt::print(stderr, "{}: {:.0f} %, {:.1f} s, {:.0f} s left\n", what_, 100 * part, elapsed, left);
+        return;
+    }
+    const int filled = static_cast<int>(part * bar_width);
+    fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {:3.0f} %  {:.1f} s, {:.0f} s left \x1b[K", what_, "",
+               filled, "", bar_width - filled, 100 * part, elapsed, left);
+    std::fflush(stderr);
+}
+
+}  // namespace etalon

@@ -1,0 +1,48 @@
+#include "app/scene_arguments.h"
+
+#include <fmt/core.h>
+
+#include "app/exit_status.h"
+
+namespace etalon {
+namespace {
+
+std::vector<std::string> formats() {
+    return {format_names().begin(), format_names().end()};
+}
+
+}  // namespace
+
+void declare_scene(CLI::App& app, SceneArguments& a) {
+    app.add_option("SCENE", a.path, "Scene file; - is standard input")->required();
+    const char* group = "Scene";
+    app.add_option("--format", a.options.format,
+                   "Format of the scene (default: told from its content, then its extension)")
+        ->check(CLI::IsMember(formats()))
+        ->group(group);
+    app.add_flag("--strict", a.options.strict, "Warnings about the scene are errors")->group(group);
+    app.add_option("--legacy", a.legacy, "Shade as the old programs of this format did")
+        ->check(CLI::IsMember(formats()))
+        ->group(group);
+    app.add_flag("--one-sided", a.options.one_sided, "Surfaces are seen from their front only")
+        ->group(group);
+}
+
+LoadedScene load(SceneArguments a) {
+    if (a.path == "-" && a.options.format.empty()) {
+        fmt::print(stderr, "etalon: error: a scene on standard input needs --format\n");
+        return {std::nullopt, exit_usage, {}};
+    }
+    a.options.legacy = !a.legacy.empty();
+    LoadResult result = load_scene(a.path, a.options);
+    fmt::print(stderr, "{}", report(result.diagnostics));
+    if (!result.scene) return {std::nullopt, exit_unusable, std::move(result.diagnostics)};
+    if (!a.legacy.empty() && a.legacy != result.scene->format) {
+        fmt::print(stderr, "etalon: error: --legacy {} asked for a {} scene\n", a.legacy,
+                   result.scene->format);
+        return {std::nullopt, exit_usage, {}};
+    }
+    return {std::move(result.scene), exit_done, std::move(result.diagnostics)};
+}
+
+}  // namespace etalon

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/formats/load.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+/// What every subcommand that reads a scene asks for.
+struct SceneArguments {
+    std::string path;
+    std::string legacy;  ///< a format's name, or empty
+    LoadOptions options;
+};
+
+void declare_scene(CLI::App& app, SceneArguments& arguments);
+
+struct LoadedScene {
+    std::optional<Scene> scene;  ///< nothing: give up with `status`
+    int status = 0;
+    std::vector<Diagnostic> diagnostics;
+};
+
+/// Loads the scene and prints its diagnostics on standard error.
+LoadedScene load(SceneArguments arguments);
+
+}  // namespace etalon

@@ -1,0 +1,72 @@
+#include "app/stats.h"
+
+#include <sys/resource.h>
+
+namespace etalon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::size_t peak_resident_bytes() {
+    rusage usage = {};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+Json rays(const RayCounts& r) {
+    return {{"camera", r.camera},
+            {"camera_hits", r.camera_hits},
+            {"shadow", r.shadow},
+            {"shadow_blocked", r.shadow_blocked},
+            {"reflected", r.reflected},
+            {"refracted", r.refracted},
+            {"secondary_hits", r.secondary_hits},
+            {"total", r.total()}};
+}
+
+}  // namespace
+
+Json to_json(const RenderStats& s) {
+    const double total = s.parse.wall + s.build.wall + s.render.wall + s.write.wall;
+    const double rate =
+        s.render.wall > 0 ? static_cast<double>(s.rays.total()) / s.render.wall * 1e-6 : 0;
+    return {{"scene", s.scene},
+            {"format", s.format},
+            {"backend", s.backend},
+            {"threads", s.threads},
+            {"isa", s.isa},
+            {"version", ETALON_VERSION},
+            {"image",
+             {{"width", s.width},
+              {"height", s.height},
+              {"spp", s.samples_per_pixel},
+              {"seed", s.seed}}},
+            {"primitives", s.primitives},
+            {"seconds",
+             {{"parse", s.parse.wall},
+              {"build", s.build.wall},
+              {"render", s.render.wall},
+              {"write", s.write.wall},
+              {"total", total}}},
+            {"cpu_seconds",
+             {{"parse", s.parse.cpu}, {"build", s.build.cpu}, {"render", s.render.cpu}}},
+            {"rays", rays(s.rays)},
+            {"mrays_per_s", rate},
+            {"memory_bytes",
+             {{"scene", s.scene_bytes},
+              {"accelerator", s.accelerator_bytes},
+              {"peak_rss", peak_resident_bytes()}}}};
+}
+
+Json primitive_counts(const Scene& scene) {
+    std::array<std::uint64_t, shape_kinds> counts{};
+    for (const Primitive& p : scene.primitives) ++counts[p.kind];
+    Json result = Json::object();
+    for (std::size_t kind = 0; kind < counts.size(); ++kind) {
+        if (counts[kind] == 0) continue;
+        result[std::string(kind_name(static_cast<ShapeKind>(kind)))] = counts[kind];
+    }
+    return result;
+}
+
+}  // namespace etalon

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/stopwatch.h"
+#include "core/render/ray_counts.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+/// What `render --stats` writes. The keys are a contract.
+struct RenderStats {
+    std::string scene, format, backend, isa;
+    int threads = 0;
+    int width = 0, height = 0, samples_per_pixel = 0;
+    std::uint32_t seed = 0;
+    nlohmann::ordered_json primitives;
+    Duration parse, build, render, write;
+    RayCounts rays;
+    std::size_t scene_bytes = 0, accelerator_bytes = 0;
+};
+
+nlohmann::ordered_json to_json(const RenderStats& stats);
+
+/// {"sphere": 3, ...}: the kinds that occur, in the order of ShapeArrays.
+nlohmann::ordered_json primitive_counts(const Scene& scene);
+
+}  // namespace etalon

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <chrono>
+#include <ctime>
+
+namespace etalon {
+
+/// Seconds on the wall and of processor time, all threads together.
+struct Duration {
+    double wall = 0, cpu = 0;
+};
+
+class Stopwatch {
+  public:
+    /// Since construction or the last lap.
+    Duration lap() {
+        const Stopwatch now;
+        const Duration d{std::chrono::duration<double>(now.wall_ - wall_).count(), now.cpu_ - cpu_};
+        *this = now;
+        return d;
+    }
+
+  private:
+    static double process_cpu() {
+        timespec t = {};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+        return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+    }
+
+    std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+    double cpu_ = process_cpu();
+};
+
+}  // namespace etalon

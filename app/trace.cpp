@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "app/backends.h"
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/output.h"
+#include "app/scene_arguments.h"
+#include "core/intersect/kernels.h"
+
+namespace etalon {
+namespace {
+
+struct Arguments {
+    SceneArguments scene;
+    std::string rays, output = "-", backend;
+};
+
+/// The numbers of one line; what is behind `#` is a comment. False for anything that is no number.
+bool parse_numbers(const std::string& line, std::vector<double>& numbers) {
+    numbers.clear();
+    const std::string text = line.substr(0, line.find('#'));
+    const char* at = text.c_str();
+    while (true) {
+        at += std::strspn(at, " \t\r");
+        if (*at == 0) return true;
+        char* end = nullptr;
+        numbers.push_back(std::strtod(at, &end));  // decimal and hexadecimal floats
+        if (end == at || (*end != 0 && std::strchr(" \t\r", *end) == nullptr)) return false;
+        at = end;
+    }
+}
+
+bool complain(const Arguments& a, int line, const char* what) {
+    fmt::print(stderr,
+               "{}:{}:1: error: {}; expected 'ox oy oz dx dy dz [tmin tmax]'\n", a.rays, line, what);
+    return false;
+}
+
+bool read_rays(const Arguments& a, std::istream& in, std::vector<Ray>& rays) {
+    std::vector<double> n;
+    int number = 0;
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        if (!parse_numbers(line, n)) return complain(a, number, "not a number");
+        if (n.empty()) continue;
+        if (n.size() != 6 && n.size() != 8) return complain(a, number, "wrong count of numbers");
+        Ray ray{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+        if (n.size() == 8) ray.tmin = n[6], ray.tmax = n[7];
+        rays.push_back(ray);
+    }
+    return true;
+}
+
+bool read_rays(const Arguments& a, std::vector<Ray>& rays) {
+    if (a.rays == "-") return read_rays(a, std::cin, rays);
+    std::ifstream in(a.rays);
+    if (in && in.peek() != std::ifstream::traits_type::eof()) return read_rays(a, in, rays);
+    if (in.eof()) return true;
+    fmt::print(stderr, "{}: error: cannot be read as a list of rays\n", a.rays);
+    return false;
+}
+
+std::string describe(const Scene& scene, const Ray& ray, const std::optional<Hit>& hit) {
+    if (!hit) return "miss\n";
+    const Vec3 n = surface_at(scene, ray, *hit).normal;
+    return fmt::format("hit {:.17g} {} {} {:.17g} {:.17g} {:.17g}\n", hit->t,
+                       kind_name(scene.primitives[hit->primitive].kind), hit->primitive, n.x, n.y,
+                       n.z);
+}
+
+int run(const Arguments& a) {
+    if (a.rays == "-" && a.scene.path == "-") {
+        fmt::print(stderr, "etalon: error: the scene and the rays cannot both be standard input\n");
+        return exit_usage;
+    }
+    LoadedScene loaded = load(a.scene);
+    if (!loaded.scene) return loaded.status;
+    const Scene& scene = *loaded.scene;
+    std::vector<Ray> rays;
+    if (!read_rays(a, rays)) return exit_unusable;
+    const std::string& chosen = !a.backend.empty() ? a.backend : scene.backend;
+    const auto intersector = find_backend(chosen.empty() ? "bvh" : chosen)->build(scene);
+    if (!intersector) return exit_unusable;
+    std::string text;
+    for (const Ray& ray : rays) text += describe(scene, ray, intersector->closest(ray));
+    return write_text(a.output, text) ? exit_done : exit_not_written;
+}
+
+}  // namespace
+
+Run declare_trace(CLI::App& app) {
+    auto a = std::make_shared<Arguments>();
+    declare_scene(app, a->scene);
+    app.add_option("--rays", a->rays,
+                   "One ray a line, 'ox oy oz dx dy dz [tmin tmax]', decimal or hexadecimal floats;"
+                   " - is standard input")
+        ->required();
+    app.add_option("-o,--output", a->output, "Hits, a line for each ray (default: standard output)");
+    app.add_option("-b,--backend", a->backend, "How hits are found (default: the scene's, else bvh)")
+        ->check(CLI::IsMember(backend_names()));
+    return [a] { return run(*a); };
+}
+
+}  // namespace etalon

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/intersect/ray.h"
+#include "core/scene/camera.h"
+
+namespace etalon {
+
+/// A camera worked out for making rays.
+class CameraRays {
+  public:
+    explicit CameraRays(const Camera& camera);
+
+    /// `pixel` in pixels from the picture's top left corner (centres at .5); `lens` in [0,1)^2, of
+    /// no effect on a pinhole. The direction is of unit length.
+    Ray ray(const Vec2& pixel, const Vec2& lens) const;
+
+    bool has_lens() const { return lens_radius_ > 0; }
+
+    /// World to a right-handed frame that looks down -z; row vectors, as OpenEXR stores it.
+    Imath::M44d world_to_camera() const;
+
+    /// World to [-1,1]^2 over the picture, x to the right, y upwards.
+    Imath::M44d world_to_ndc() const;
+
+  private:
+    Vec3 eye_, u_, v_, n_;  ///< u right, v up, n backwards: unit vectors
+    double distance_;       ///< of the view plane
+    double pixel_size_;     ///< on the view plane
+    double width_, height_;
+    double lens_radius_, focal_;
+};
+
+}  // namespace etalon

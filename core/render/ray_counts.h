@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+namespace etalon {
+
+/// How many rays of each kind a picture took. The same for every backend and thread count.
+struct RayCounts {
+    std::uint64_t camera = 0, camera_hits = 0;
+    std::uint64_t shadow = 0, shadow_blocked = 0;
+    std::uint64_t reflected = 0, refracted = 0;
+    std::uint64_t secondary_hits = 0;  ///< of reflected and refracted rays
+
+    std::uint64_t total() const { return camera + shadow + reflected + refracted; }
+    RayCounts& operator+=(const RayCounts& other);
+};
+
+}  // namespace etalon

@@ -1,0 +1,152 @@
+#include "core/render/whitted.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/intersect/kernels.h"
+#include "core/shading/fresnel.h"
+
+namespace etalon {
+namespace {
+
+/// A light's own place is not part of the way to it: what lies within this part of the distance
+/// casts no shadow, so that a light may lie on a surface. Well above the roundings of a double.
+constexpr double shadow_end = 1 - 0x1p-32;
+
+bool is_black(const Color& c) { return c == Color(0.0F); }
+
+Color clamped(const Color& c) {
+    return {std::clamp(c.x, 0.0F, 1.0F), std::clamp(c.y, 0.0F, 1.0F), std::clamp(c.z, 0.0F, 1.0F)};
+}
+
+/// Beer-Lambert over a distance.
+Color transmittance(const Color& absorption, double distance) {
+    const auto along = [&](float a) { return static_cast<float>(std::exp(-a * distance)); };
+    return {along(absorption.x), along(absorption.y), along(absorption.z)};
+}
+
+Vec3 normalized(const Vec3& v) { return v / std::sqrt(v.dot(v)); }
+
+}  // namespace
+
+Whitted::Whitted(const Scene& scene, const Intersector& intersector,
+                 const EnvironmentMap& environment, int samples_per_pixel, int max_depth)
+    : scene_(scene),
+      intersector_(intersector),
+      environment_(environment),
+      max_depth_(max_depth) {
+    for (const Light& light : scene.lights) lights_.emplace_back(light, samples_per_pixel);
+}
+
+Color Whitted::radiance(const Ray& ray, const SampleSource& sample, RayCounts& counts) const {
+    Context context{sample, counts};
+    ++counts.camera;
+    const std::optional<Hit> hit = intersector_.closest(ray);
+    if (hit) ++counts.camera_hits;
+    return trace({ray, 1, 1, Color(0.0F)}, hit, context);
+}
+
+Color Whitted::trace(const Path& path, std::optional<Hit> hit, Context& context) const {
+    Color color;
+    if (hit) {
+        const Encounter at = encounter(path.ray, *hit);
+        color = direct(path, at, context);
+        if (path.depth < max_depth_) color += secondary(path, at, context);
+        if (!is_black(path.absorption)) color *= transmittance(path.absorption, hit->t);
+    } else {
+        color = environment_.radiance(path.ray.direction);
+    }
+    return scene_.whitted.clamp_each_ray ? clamped(color) : color;
+}
+
+Whitted::Encounter Whitted::encounter(const Ray& ray, const Hit& hit) const {
+    const Material& material = scene_.materials[scene_.primitives[hit.primitive].material];
+    Encounter at{surface_at(scene_, ray, hit), Vec3(0), material, false};
+    at.entering = ray.direction.dot(at.surface.normal) < 0;
+    const bool towards_ray = ray.direction.dot(at.surface.shading_normal) < 0;
+    at.normal = towards_ray ? at.surface.shading_normal : -at.surface.shading_normal;
+    return at;
+}
+
+Color Whitted::direct(const Path& path, const Encounter& at, Context& context) const {
+    Color sum(0.0F);
+    if (is_black(at.material.diffuse) && is_black(at.material.specular)) return sum;
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        const LightSamples& light = lights_[i];
+        const std::uint32_t dimension = hash(path.name, static_cast<std::uint32_t>(i) + 2);
+        Color reflected(0.0F);
+        for (int k = 0; k < light.count(); ++k) {
+            const Vec3 position = light.position(k, context.sample, dimension);
+            reflected += lit_by(position, path, at, context);
+        }
+        sum += reflected * light.color();
+    }
+    return sum;
+}
+
+/// The part of a white point light's colour that the surface sends back along the ray.
+Color Whitted::lit_by(const Vec3& light, const Path& path, const Encounter& at,
+                      Context& context) const {
+    const Vec3 towards = normalized(light - at.surface.position);
+    const double cosine = at.normal.dot(towards);
+    const double facing = at.surface.normal.dot(towards);
+    if (!(cosine > 0) || (at.entering ? facing <= 0 : facing >= 0)) return Color(0.0F);
+
+    const Vec3 origin = spawn_origin(at.surface, towards);
+    ++context.counts.shadow;
+    if (intersector_.occluded({origin, light - origin, 0, shadow_end})) {
+        ++context.counts.shadow_blocked;
+        return Color(0.0F);
+    }
+    const Vec3 half = normalized(towards - path.ray.direction);
+    const double highlight = std::pow(std::max(0.0, at.normal.dot(half)), at.material.shininess);
+    return at.material.diffuse * static_cast<float>(cosine) +
+           at.material.specular * static_cast<float>(highlight);
+}
+
+Color Whitted::secondary(const Path& path, const Encounter& at, Context& context) const {
+    const Material& m = at.material;
+    const Vec3& direction = path.ray.direction;
+    Color reflection = m.reflection, transmission = m.transmission;
+    const double cosine = std::clamp(-direction.dot(at.normal), 0.0, 1.0);
+    const double eta = at.entering ? 1 / m.ior : m.ior;
+    Vec3 refracted;
+    if (!is_black(m.transmission)) {
+        const DielectricBorder border = scene_.whitted.schlick ? schlick_border(eta, cosine)
+                                                               : dielectric_border(eta, cosine);
+        if (m.fresnel) {
+            reflection *= static_cast<float>(border.reflectance);
+            transmission *= static_cast<float>(1 - border.reflectance);
+        }
+        if (border.total) transmission = Color(0.0F);
+        refracted = normalized(refract(direction, at.normal, eta, cosine, border.cos_refracted));
+    }
+    Color sum(0.0F);
+    if (!is_black(reflection)) {
+        ++context.counts.reflected;
+        const Vec3 mirrored = normalized(reflect(direction, at.normal));
+        sum += reflection * follow(path, at, mirrored, !at.entering, context);
+    }
+    if (!is_black(transmission)) {
+        ++context.counts.refracted;
+        sum += transmission * follow(path, at, refracted, at.entering, context);
+    }
+    return sum;
+}
+
+/// `inside`: the new ray runs behind the surface.
+Color Whitted::follow(const Path& from, const Encounter& at, const Vec3& direction, bool inside,
+                      Context& context) const {
+    const bool crosses = inside == at.entering;
+    Color absorption = from.absorption;
+    if (crosses) absorption = inside ? at.material.absorption : Color(0.0F);
+    const Path path{{spawn_origin(at.surface, direction), direction},
+                    from.depth + 1,
+                    hash(from.name, crosses ? 1 : 0),
+                    absorption};
+    const std::optional<Hit> hit = intersector_.closest(path.ray);
+    if (hit) ++context.counts.secondary_hits;
+    return trace(path, hit, context);
+}
+
+}  // namespace etalon

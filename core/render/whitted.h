@@ -1,0 +1,62 @@
+// Whitted-style ray tracing (Whitted 1980): point-lit surfaces, mirrors and glass.
+#pragma once
+
+#include <vector>
+
+#include "core/intersect/intersector.h"
+#include "core/intersect/surface.h"
+#include "core/render/ray_counts.h"
+#include "core/sampling/sobol.h"
+#include "core/shading/environment_map.h"
+#include "core/shading/light_samples.h"
+
+namespace etalon {
+
+class Whitted {
+  public:
+    /// All must outlive the integrator. `samples_per_pixel` 0: a deterministic picture.
+    Whitted(const Scene& scene, const Intersector& intersector, const EnvironmentMap& environment,
+            int samples_per_pixel, int max_depth);
+
+    /// What a ray from the eye sees. Thread-safe.
+    Color radiance(const Ray& ray, const SampleSource& sample, RayCounts& counts) const;
+
+  private:
+    /// A ray on its way: its depth (1 for the eye's), its place in the tree of rays, which names
+    /// the sample dimensions used at its end, and what the matter around it absorbs.
+    struct Path {
+        Ray ray;
+        int depth;
+        std::uint32_t name;
+        Color absorption;
+    };
+
+    struct Context {
+        const SampleSource& sample;
+        RayCounts& counts;
+    };
+
+    /// A hit seen from where the ray came.
+    struct Encounter {
+        SurfacePoint surface;
+        Vec3 normal;  ///< for shading, on the ray's side
+        const Material& material;
+        bool entering;  ///< the ray came from in front of the surface
+    };
+
+    Color trace(const Path& path, std::optional<Hit> hit, Context& context) const;
+    Encounter encounter(const Ray& ray, const Hit& hit) const;
+    Color direct(const Path& path, const Encounter& at, Context& context) const;
+    Color lit_by(const Vec3& light, const Path& path, const Encounter& at, Context& context) const;
+    Color secondary(const Path& path, const Encounter& at, Context& context) const;
+    Color follow(const Path& from, const Encounter& at, const Vec3& direction, bool inside,
+                 Context& context) const;
+
+    const Scene& scene_;
+    const Intersector& intersector_;
+    const EnvironmentMap& environment_;
+    std::vector<LightSamples> lights_;
+    int max_depth_;
+};
+
+}  // namespace etalon

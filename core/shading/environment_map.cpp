@@ -1,0 +1,68 @@
+#include "core/shading/environment_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/image/io.h"
+
+namespace etalon {
+namespace {
+
+/// A place on a face: s to the right and t upwards, both in [0, 1].
+struct FacePoint {
+    std::size_t face;
+    double s, t;
+};
+
+/// The faces in the order of Skybox::faces: right is -X, left +X, top +Y, bottom -Y, front +Z,
+/// back -Z, each as seen from inside.
+FacePoint face_point(const Vec3& d) {
+    const Vec3 a = abs(d);
+    const auto at = [](std::size_t face, double s, double t, double major) {
+        return FacePoint{face, (s / major + 1) / 2, (t / major + 1) / 2};
+    };
+    if (a.x > a.y && a.x > a.z) return d.x > 0 ? at(1, d.z, d.y, a.x) : at(0, -d.z, d.y, a.x);
+    if (a.y > a.z) return d.y > 0 ? at(2, -d.x, -d.z, a.y) : at(3, -d.x, d.z, a.y);
+    return d.z > 0 ? at(4, -d.x, d.y, a.z) : at(5, d.x, d.y, a.z);
+}
+
+Color nearest_texel(const Image& image, const FacePoint& p) {
+    const int x = static_cast<int>((image.width - 1) * p.s);
+    const int y = static_cast<int>((image.height - 1) * p.t);
+    return image.color(x, image.height - 1 - y);
+}
+
+/// Texels are samples at their centres; beyond the outermost centres the edge's colour holds.
+Color bilinear(const Image& image, const FacePoint& p) {
+    const double x = std::clamp(p.s * image.width - 0.5, 0.0, image.width - 1.0);
+    const double y = std::clamp((1 - p.t) * image.height - 0.5, 0.0, image.height - 1.0);
+    const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
+    const int x1 = std::min(x0 + 1, image.width - 1), y1 = std::min(y0 + 1, image.height - 1);
+    const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
+    const Color top = image.color(x0, y0) * (1 - fx) + image.color(x1, y0) * fx;
+    const Color bottom = image.color(x0, y1) * (1 - fx) + image.color(x1, y1) * fx;
+    return top * (1 - fy) + bottom * fy;
+}
+
+}  // namespace
+
+EnvironmentMap::EnvironmentMap(const Environment& environment, std::vector<std::string>& problems)
+    : environment_(environment) {
+    if (!environment.skybox) return;
+    has_skybox_ = true;
+    for (std::size_t k = 0; k < faces_.size(); ++k) {
+        Outcome<Image> face = read_image(environment.skybox->faces[k]);
+        if (!face) problems.push_back(face.error);
+        has_skybox_ = has_skybox_ && face;
+        faces_[k] = std::move(face.value);
+    }
+}
+
+Color EnvironmentMap::radiance(const Vec3& direction) const {
+    if (!has_skybox_) return environment_.background;
+    const FacePoint p = face_point(direction);
+    return environment_.skybox->nearest ? nearest_texel(faces_[p.face], p)
+                                        : bilinear(faces_[p.face], p);
+}
+
+}  // namespace etalon

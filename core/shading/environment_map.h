@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/image/image.h"
+#include "core/scene/environment.h"
+
+namespace etalon {
+
+/// What a ray that leaves the scene sees, ready to be asked: a skybox's pictures are read here.
+class EnvironmentMap {
+  public:
+    /// A skybox with a picture that cannot be read is replaced by the background; `problems` gets
+    /// the reasons.
+    EnvironmentMap(const Environment& environment, std::vector<std::string>& problems);
+
+    Color radiance(const Vec3& direction) const;
+
+  private:
+    const Environment& environment_;
+    std::array<Image, 6> faces_;
+    bool has_skybox_ = false;
+};
+
+}  // namespace etalon

@@ -1,0 +1,25 @@
+#include "native_accel/backends.h"
+
+#include "native_accel/bvh/bvh.h"
+#include "native_accel/grid/grid.h"
+#include "native_accel/none.h"
+
+namespace etalon {
+namespace {
+
+template <class Accelerator>
+std::unique_ptr<Intersector> build(const Scene& scene) {
+    return std::make_unique<Accelerator>(scene);
+}
+
+constexpr Backend backends[] = {
+    {"none", "every primitive for every ray: the reference", true, build<None>},
+    {"grid", "uniform grid walked by a 3D-DDA", true, build<Grid>},
+    {"bvh", "binary bounding volume hierarchy by binned SAH", true, build<Bvh>},
+};
+
+}  // namespace
+
+std::span<const Backend> native_backends() { return backends; }
+
+}  // namespace etalon

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/numerics/vec.h"
+
+namespace etalon {
+
+/// Half a cache line. The two children of an inner node stand side by side.
+struct BvhNode {
+    Box3f box;            ///< in the frame, padded: contains all below
+    std::uint32_t first;  ///< inner: index of the first child; leaf: of the first primitive
+    std::uint32_t count;  ///< primitives of a leaf; 0 for an inner node
+
+    bool is_leaf() const { return count != 0; }
+};
+
+static_assert(sizeof(BvhNode) == 32);
+
+}  // namespace etalon

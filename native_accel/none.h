@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/intersect/intersector.h"
+
+namespace etalon {
+
+/// No structure at all. Even the frame's shortcuts are left out: to this backend every primitive is
+/// unbounded, so it is what the others are checked against.
+class None final : public Intersector {
+  public:
+    explicit None(const Scene& scene);
+    std::size_t memory_bytes() const override;
+
+  protected:
+    void closest_bounded(const RayQuery&, const FrameRay&, NearestHit&) const override {}
+    bool occluded_bounded(const RayQuery&, const FrameRay&) const override { return false; }
+};
+
+}  // namespace etalon
