@@ -1,13 +1,9 @@
-// The subcommands. Each declares its options on the given CLI11 app and returns what runs it once
-// the command line has been parsed; the result is the program's exit status.
+// The subcommands of etalon.
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
+#include "app/program.h"
 
 namespace etalon {
-
-using Run = std::function<int()>;
 
 Run declare_render(CLI::App& app);
 Run declare_info(CLI::App& app);

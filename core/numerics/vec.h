@@ -6,6 +6,8 @@
 #include <Imath/ImathMatrix.h>
 #include <Imath/ImathVec.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace etalon {

@@ -60,7 +60,7 @@ class Renderer {
                 if (stopped()) return;
                 render_tile(i, first, last, film);
                 const auto done = samples_done_.fetch_add(last - first) + (last - first);
-                report(static_cast<double>(done) / (static_cast<double>(total) * tiles_.size()));
+                report(static_cast<double>(done) / (static_cast<double>(total) * static_cast<double>(tiles_.size())));
             }
         });
     }

@@ -1,0 +1,49 @@
+#include "app/program.h"
+
+#include <fmt/core.h>
+
+#include <new>
+#include <vector>
+
+#include "app/exit_status.h"
+
+namespace etalon {
+namespace {
+
+int parse_and_run(CLI::App& app, std::span<const Command> commands, int argc, char** argv) {
+    app.require_subcommand(1);
+    app.footer("Exit status: 0 done, 1 found more differences than allowed, 2 wrong usage,\n"
+               "3 the scene (or another input) is unusable, 4 output could not be written.");
+    std::vector<std::pair<CLI::App*, Run>> runs;
+    for (const Command& command : commands) {
+        CLI::App* sub = app.add_subcommand(command.name, command.summary);
+        runs.emplace_back(sub, command.declare(*sub));
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? exit_done : exit_usage;
+    }
+    for (const auto& [sub, run] : runs) {
+        if (sub->parsed()) return run();
+    }
+    return exit_usage;
+}
+
+}  // namespace
+
+int run_program(const char* name, const char* description, std::span<const Command> commands,
+                int argc, char** argv) {
+    try {
+        CLI::App app(description, name);
+        app.set_version_flag("--version", fmt::format("{} {}", name, ETALON_VERSION));
+        return parse_and_run(app, commands, argc, argv);
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "{}: error: not enough memory for what was asked\n", name);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "{}: error: {}\n", name, error.what());
+    }
+    return exit_unusable;
+}
+
+}  // namespace etalon

@@ -1,0 +1,23 @@
+// What the two programs have in common: a table of subcommands, and how they end.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <span>
+
+namespace etalon {
+
+/// Runs a subcommand once the command line has been parsed; returns the exit status.
+using Run = std::function<int()>;
+
+struct Command {
+    const char* name;
+    const char* summary;
+    Run (*declare)(CLI::App&);  ///< declares the subcommand's options
+};
+
+/// Parses the command line and runs what it asks for. No exception escapes.
+int run_program(const char* name, const char* description, std::span<const Command> commands,
+                int argc, char** argv);
+
+}  // namespace etalon

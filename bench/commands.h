@@ -1,0 +1,10 @@
+// The subcommands of etalon-bench.
+#pragma once
+
+#include "app/program.h"
+
+namespace etalon {
+
+Run declare_speed(CLI::App& app);
+
+}  // namespace etalon

@@ -1,0 +1,15 @@
+// etalon-bench: measures accelerators.
+#include "bench/commands.h"
+
+namespace {
+
+constexpr etalon::Command commands[] = {
+    {"speed", "Rays a second, build time and memory of every backend", etalon::declare_speed},
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return etalon::run_program("etalon-bench", "Etalon's accelerator laboratory", commands, argc,
+                               argv);
+}

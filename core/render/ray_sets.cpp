@@ -1,0 +1,170 @@
+#include "core/render/ray_sets.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/intersect/kernels.h"
+#include "core/render/camera_rays.h"
+#include "core/sampling/sobol.h"
+#include "core/shading/light_samples.h"
+
+namespace etalon {
+namespace {
+
+constexpr int tile = 16;
+constexpr std::uint32_t chord_seed = 3, bounce_seed = 5;
+
+/// Pixel centres, tile by tile, every so many that `limit` is kept.
+std::vector<Vec2> pixel_centres(const Camera& camera, std::size_t limit) {
+    const std::size_t all = static_cast<std::size_t>(camera.width) * camera.height;
+    const std::size_t stride = (all + limit - 1) / limit;
+    std::vector<Vec2> centres;
+    std::size_t index = 0;
+    for (int ty = 0; ty < camera.height; ty += tile) {
+        for (int tx = 0; tx < camera.width; tx += tile) {
+            for (int y = ty; y < std::min(ty + tile, camera.height); ++y) {
+                for (int x = tx; x < std::min(tx + tile, camera.width); ++x) {
+                    if (index++ % stride == 0) centres.emplace_back(x + 0.5, y + 0.5);
+                }
+            }
+        }
+    }
+    return centres;
+}
+
+Vec3 normalized(const Vec3& v) { return v / std::sqrt(v.dot(v)); }
+
+Vec3 cosine_direction(const Vec3& normal, const Vec2& uv) {
+    Vec3 u, v;
+    orthonormal_basis(normal, u, v);
+    const double radius = std::sqrt(uv.x), angle = 2 * std::numbers::pi * uv.y;
+    return radius * std::cos(angle) * u + radius * std::sin(angle) * v +
+           std::sqrt(1 - uv.x) * normal;
+}
+
+Vec3 on_unit_sphere(const Vec2& uv) {
+    const double z = 1 - 2 * uv.x, radius = std::sqrt(1 - z * z);
+    const double angle = 2 * std::numbers::pi * uv.y;
+    return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
+Box3 finite_bounds(const Scene& scene) {
+    Box3 box;
+    for (std::uint32_t id = 0; id < scene.primitives.size(); ++id) {
+        const Box3 b = primitive_bounds(scene, id);
+        if (!b.isEmpty() && is_finite(b.min) && is_finite(b.max)) box.extendBy(b);
+    }
+    return box.isEmpty() ? Box3(Vec3(-1), Vec3(1)) : box;
+}
+
+class RaySetMaker {
+  public:
+    RaySetMaker(const Scene& scene, const Intersector& exact, std::size_t limit)
+        : scene_(scene),
+          exact_(exact),
+          limit_(std::max<std::size_t>(limit, 1)),
+          camera_(scene.camera),
+          pixels_(pixel_centres(scene.camera, limit_)) {}
+
+    RaySet camera() const {
+        RaySet set{"camera", false, {}};
+        for (const Vec2& pixel : pixels_) set.rays.push_back(through(pixel));
+        return set;
+    }
+
+    RaySet bounce() const {
+        RaySet set{"bounce", false, {}};
+        for_each_hit([&](const SurfacePoint& p, const Vec3& normal, const SampleSource& sample) {
+            const Vec3 direction = cosine_direction(normal, sample.point(0));
+            set.rays.push_back({spawn_origin(p, direction), direction});
+        });
+        return set;
+    }
+
+    RaySet shadow() const {
+        RaySet set{"shadow", true, {}};
+        if (scene_.lights.empty()) return set;
+        for_each_hit([&](const SurfacePoint& p, const Vec3&, const SampleSource& sample) {
+            const Light& light = scene_.lights[set.rays.size() % scene_.lights.size()];
+            const Vec3 target = LightSamples(light, 1).position(0, sample, 1);
+            const Vec3 origin = spawn_origin(p, target - p.position);
+            set.rays.push_back({origin, target - origin, 0, 1});
+        });
+        return set;
+    }
+
+    RaySet aimed() const {
+        RaySet set{"aimed", false, {}};
+        const std::size_t corners = scene_.vertices.size();
+        const std::size_t stride = std::max<std::size_t>(1, 2 * corners / limit_);
+        for (std::size_t i = 0; i < corners; i += stride) {
+            const Vec3 direction = scene_.vertices[i] - scene_.camera.eye;
+            if (max_abs(direction) > 0) set.rays.push_back({scene_.camera.eye, direction});
+        }
+        for (std::size_t i = 1; i < pixels_.size() && set.rays.size() + 1 < limit_; ++i) {
+            add_border(pixels_[i - 1], pixels_[i], set.rays);
+        }
+        return set;
+    }
+
+    RaySet random() const {
+        const Box3 box = finite_bounds(scene_);
+        const Vec3 centre = box.center();
+        const double radius = std::sqrt(box.size().dot(box.size())) / 2;
+        RaySet set{"random", false, {}};
+        for (std::uint32_t i = 0; i < pixels_.size(); ++i) {
+            const Vec3 a = centre + radius * on_unit_sphere(scrambled_sobol(i, chord_seed));
+            const Vec3 b = centre + radius * on_unit_sphere(scrambled_sobol(i, chord_seed + 1));
+            if (a != b) set.rays.push_back({a, normalized(b - a)});
+        }
+        return set;
+    }
+
+  private:
+    Ray through(const Vec2& pixel) const { return camera_.ray(pixel, Vec2(0.5)); }
+
+    /// f(surface, its normal on the camera's side, a sample source of its own)
+    template <class F>
+    void for_each_hit(const F& f) const {
+        std::uint32_t index = 0;
+        for (const Vec2& pixel : pixels_) {
+            const Ray ray = through(pixel);
+            const std::optional<Hit> hit = exact_.closest(ray);
+            if (!hit) continue;
+            const SurfacePoint p = surface_at(scene_, ray, *hit);
+            const Vec3 normal = p.normal.dot(ray.direction) < 0 ? p.normal : -p.normal;
+            f(p, normal, SampleSource(0, 0, bounce_seed, index++));
+        }
+    }
+
+    std::uint32_t seen(const Vec2& pixel) const {
+        const std::optional<Hit> hit = exact_.closest(through(pixel));
+        return hit ? hit->primitive : no_index;
+    }
+
+    /// If `a` and `b` see different primitives: the two rays nearest to the border between them.
+    void add_border(Vec2 a, Vec2 b, std::vector<Ray>& rays) const {
+        const std::uint32_t at_a = seen(a);
+        if (at_a == seen(b)) return;
+        for (Vec2 middle = (a + b) / 2; middle != a && middle != b; middle = (a + b) / 2) {
+            (seen(middle) == at_a ? a : b) = middle;
+        }
+        rays.push_back(through(a));
+        rays.push_back(through(b));
+    }
+
+    const Scene& scene_;
+    const Intersector& exact_;
+    std::size_t limit_;
+    CameraRays camera_;
+    std::vector<Vec2> pixels_;
+};
+
+}  // namespace
+
+std::vector<RaySet> make_ray_sets(const Scene& scene, const Intersector& exact, std::size_t limit) {
+    const RaySetMaker maker(scene, exact, limit);
+    return {maker.camera(), maker.bounce(), maker.shadow(), maker.aimed(), maker.random()};
+}
+
+}  // namespace etalon

@@ -1,0 +1,27 @@
+// Rays to compare and to time backends with, made from a scene.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/intersect/intersector.h"
+
+namespace etalon {
+
+/// Rays of one kind, made once and then given to every backend.
+struct RaySet {
+    std::string kind;  ///< "camera", "bounce", "shadow", "aimed" or "random"
+    bool occlusion;    ///< asked with occluded() rather than closest()
+    std::vector<Ray> rays;
+};
+
+/// At most about `limit` rays of each kind, hits found with `exact`:
+///   camera  pixel centres, evenly thinned, in tiles of 16 x 16 when all are taken
+///   bounce  from each camera hit, cosine-distributed, on the side of the camera
+///   shadow  from each camera hit to each light in turn
+///   aimed   at corners, and at borders between primitives as the camera sees them, found by
+///           bisection to the last bit
+///   random  chords of the scene's bounding sphere
+std::vector<RaySet> make_ray_sets(const Scene& scene, const Intersector& exact, std::size_t limit);
+
+}  // namespace etalon
