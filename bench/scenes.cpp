@@ -17,7 +17,7 @@ class Random {
     double next() { return hash(stream_, count_++) * 0x1p-32; }
     Vec3 in_cube() {
         const double x = next(), y = next(), z = next();
-        return 2 * Vec3(x, y, z) - Vec3(1);
+        return Vec3(2 * x - 1, 2 * y - 1, 2 * z - 1);
     }
 
   private:

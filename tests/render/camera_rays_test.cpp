@@ -1,0 +1,65 @@
+#include "core/render/camera_rays.h"
+
+#include <cmath>
+
+#include "tests/catch.h"
+
+using namespace etalon;
+
+namespace {
+
+Camera looking_down_z() {
+    return {Vec3(0, 0, 5), Vec3(0), Vec3(0, 1, 0), 90, 200, 100, 0, 1};
+}
+
+}  // namespace
+
+TEST_CASE("The vertical field of view spans the full height of the picture", "[render]") {
+    const CameraRays camera(looking_down_z());
+    const Ray top = camera.ray(Vec2(100, 0), Vec2(0.5));
+    CHECK(top.direction.y == Approx(std::sqrt(0.5)));
+    CHECK(top.direction.z == Approx(-std::sqrt(0.5)));
+    const Ray right = camera.ray(Vec2(200, 50), Vec2(0.5));  // square pixels: twice as wide
+    CHECK(right.direction.x / -right.direction.z == Approx(2));
+    CHECK(camera.ray(Vec2(100, 50), Vec2(0.5)).direction == Vec3(0, 0, -1));
+}
+
+TEST_CASE("A lens moves the origin and keeps the focus plane sharp", "[render]") {
+    Camera c = looking_down_z();
+    c.aperture = 8;  // pixels; one is 2 * 5 * tan(45 deg) / 100 = 0.1 on the view plane
+    c.focal = 2;     // the plane z = 5 - 2 * 5
+    const CameraRays camera(c);
+    const Ray centre = camera.ray(Vec2(30, 70), Vec2(0.5));
+    CHECK(centre.origin == c.eye);
+    const Vec3 focus = centre.origin + centre.direction * (-10 / centre.direction.z);
+    for (const Vec2& lens : {Vec2(0, 0), Vec2(1, 0.3), Vec2(0.5, 1), Vec2(0.9, 0.8)}) {
+        const Ray ray = camera.ray(Vec2(30, 70), lens);
+        CHECK((ray.origin - c.eye).length() <= 0.4 * (1 + 1e-12));
+        const Vec3 there = ray.origin + ray.direction * (-10 / ray.direction.z);
+        CHECK((there - focus).length() < 1e-12);
+    }
+    CHECK((camera.ray(Vec2(30, 70), Vec2(1, 0.5)).origin - c.eye).length() == Approx(0.4));
+}
+
+TEST_CASE("world_to_ndc takes what a pixel sees to the pixel's place", "[render]") {
+    Camera c{Vec3(3, -2, 5), Vec3(0.5, 1, -1), Vec3(0.2, 1, 0.1), 40, 320, 200, 0, 1};
+    const CameraRays camera(c);
+    const Ray ray = camera.ray(Vec2(80, 50), Vec2(0.5));
+    Vec3 ndc;
+    camera.world_to_ndc().multVecMatrix(ray.origin + 7 * ray.direction, ndc);
+    CHECK(ndc.x == Approx(-0.5));
+    CHECK(ndc.y == Approx(0.5));
+    Vec3 in_camera;
+    camera.world_to_camera().multVecMatrix(c.at, in_camera);
+    CHECK(in_camera.x == Approx(0).margin(1e-12));
+    CHECK(in_camera.y == Approx(0).margin(1e-12));
+    CHECK(in_camera.z == Approx(-(c.at - c.eye).length()));
+}
+
+TEST_CASE("An up vector along the view direction still gives a frame", "[render]") {
+    Camera c = looking_down_z();
+    c.up = Vec3(0, 0, 1);
+    const Ray ray = CameraRays(c).ray(Vec2(10, 10), Vec2(0.5));
+    CHECK(is_finite(ray.direction));
+    CHECK(ray.direction.length() == Approx(1));
+}

@@ -1,0 +1,182 @@
+#include "core/render/renderer.h"
+
+#include <cmath>
+
+#include "app/backends.h"
+#include "core/parallel/parallel.h"
+#include "core/shading/fresnel.h"
+#include "tests/catch.h"
+#include "tests/render/test_scenes.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+Rendering render_with(const Scene& scene, const Backend& backend, RenderOptions options) {
+    std::vector<std::string> problems;
+    const EnvironmentMap environment(scene.environment, problems);
+    const auto intersector = backend.build(scene);
+    return render(scene, *intersector, environment, options);
+}
+
+RenderOptions whole(const Scene& scene) {
+    RenderOptions options;
+    options.samples_per_pixel = scene.samples_per_pixel;
+    options.window = {{0, 0}, {scene.camera.width - 1, scene.camera.height - 1}};
+    return options;
+}
+
+std::vector<Color> picture(const Scene& scene, const std::string& backend = "bvh") {
+    return render_with(scene, *find_backend(backend), whole(scene)).film.pixels();
+}
+
+/// What the middle of a one-pixel picture sees.
+Color centre(Scene scene, int max_depth = 5) {
+    scene.camera.width = scene.camera.height = 1;
+    RenderOptions options = whole(scene);
+    options.max_depth = max_depth;
+    return render_with(scene, *find_backend("none"), options).film.pixels()[0];
+}
+
+}  // namespace
+
+TEST_CASE("Every exact backend and any thread count give the same bits", "[render]") {
+    const Scene scene = mixed_scene();
+    const Rendering reference = render_with(scene, *find_backend("none"), whole(scene));
+    for (const Backend& backend : all_backends()) {
+        if (!backend.exact) continue;
+        for (const int threads : {1, 2}) {
+            INFO(backend.name << " with " << threads << " threads");
+            const ThreadLimit limit(threads);
+            const Rendering other = render_with(scene, backend, whole(scene));
+            CHECK(other.film.pixels() == reference.film.pixels());
+            CHECK(other.counts.total() == reference.counts.total());
+            CHECK(other.counts.secondary_hits == reference.counts.secondary_hits);
+            CHECK(other.counts.shadow_blocked == reference.counts.shadow_blocked);
+        }
+    }
+}
+
+TEST_CASE("A scene scaled by a power of two gives the same bits", "[render]") {
+    const Scene scene = mixed_scene();
+    for (const double factor : {0x1p20, 0x1p-20}) {
+        const Scene other = scaled(scene, factor);
+        for (const Backend& backend : all_backends()) {
+            if (!backend.exact) continue;
+            INFO(backend.name << " scaled by " << factor);
+            CHECK(picture(other, std::string(backend.name)) == picture(scene));
+        }
+    }
+}
+
+TEST_CASE("A crop holds the same pixels as the whole", "[render]") {
+    const Scene scene = mixed_scene();
+    const std::vector<Color> all = picture(scene);
+    RenderOptions options = whole(scene);
+    options.window = {{7, 5}, {20, 30}};
+    const std::vector<Color> part =
+        render_with(scene, *find_backend("bvh"), options).film.pixels();
+    std::size_t i = 0;
+    for (int y = 5; y <= 30; ++y) {
+        for (int x = 7; x <= 20; ++x) CHECK(part[i++] == all[y * scene.camera.width + x]);
+    }
+}
+
+TEST_CASE("Another seed gives another picture of the same scene", "[render]") {
+    const Scene scene = mixed_scene();
+    RenderOptions options = whole(scene);
+    options.seed = 1;
+    const auto other = render_with(scene, *find_backend("bvh"), options).film.pixels();
+    CHECK(other != picture(scene));
+}
+
+TEST_CASE("A stop before the start renders nothing and says so", "[render]") {
+    const Scene scene = mixed_scene();
+    const std::atomic<bool> stop = true;
+    RenderOptions options = whole(scene);
+    options.stop = &stop;
+    const Rendering r = render_with(scene, *find_backend("bvh"), options);
+    CHECK_FALSE(r.complete);
+    CHECK(r.samples == 0);
+    CHECK(r.counts.camera == 0);
+}
+
+TEST_CASE("A matte surface sends back diffuse times cosine of each light", "[shading]") {
+    Scene scene = empty_scene();
+    scene.materials = {matte(Color(0.5F))};
+    scene.add(Plane{Vec3(0), Vec3(0, 0, -1)}, 0);  // two-sided: seen from its back
+    scene.lights = {PointLight{Vec3(3, 0, 4), Color(1.0F, 0.5F, 0.0F)}};
+    CHECK(centre(scene).x == Approx(0.5 * 0.8));
+    CHECK(centre(scene).y == Approx(0.25 * 0.8));
+    scene.lights.push_back(PointLight{Vec3(0, 0, -4), Color(1.0F)});  // on the other side
+    CHECK(centre(scene).x == Approx(0.5 * 0.8));
+    scene.add(Sphere{Vec3(1.5, 0, 2), 0.1}, 0);  // in the way of the first
+    CHECK(centre(scene) == Color(0.0F));
+}
+
+TEST_CASE("A light that lies on a surface is not hidden by it", "[shading]") {
+    Scene scene = empty_scene();
+    scene.materials = {matte(Color(1.0F))};
+    scene.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
+    scene.add(Plane{Vec3(0, 0, 10), Vec3(0, 0, 1)}, 0);  // behind the camera
+    scene.lights = {PointLight{Vec3(0, 0, 10), Color(1.0F)}};
+    CHECK(centre(scene).x == Approx(1));
+}
+
+TEST_CASE("A highlight is specular times (N.H)^shininess", "[shading]") {
+    Scene scene = empty_scene();
+    Material shiny;
+    shiny.specular = Color(0.5F);
+    shiny.shininess = 10;
+    scene.materials = {shiny};
+    scene.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
+    scene.lights = {PointLight{Vec3(3, 0, 4), Color(1.0F)}};
+    const double half = std::sqrt((1 + 0.8) / 2);  // cosine of half the angle between L and V
+    CHECK(centre(scene).x == Approx(0.5 * std::pow(half, 10)));
+}
+
+TEST_CASE("A mirror shows what is behind the eye, as deep as allowed", "[shading]") {
+    Scene scene = empty_scene();
+    Material mirror;
+    mirror.reflection = Color(0.5F);
+    scene.materials = {mirror};
+    scene.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
+    CHECK(centre(scene).z == Approx(0.5));
+    CHECK(centre(scene, 1) == Color(0.0F));
+    scene.add(Plane{Vec3(0, 0, 10), Vec3(0, 0, 1)}, 0);  // a second mirror: no light at all
+    CHECK(centre(scene, 1000) == Color(0.0F));
+}
+
+TEST_CASE("Glass of index 1 is not there; absorption goes with the distance inside", "[shading]") {
+    Scene scene = empty_scene();
+    scene.materials = {glass(1)};
+    scene.add(Sphere{Vec3(0), 1.5}, 0);
+    CHECK(centre(scene).z == Approx(1));
+    scene.materials[0].absorption = Color(0.5F, 0.0F, 0.25F);
+    CHECK(centre(scene).x == Approx(0.25 * std::exp(-0.5 * 3)));
+    CHECK(centre(scene).y == Approx(0.5));
+    CHECK(centre(scene).z == Approx(std::exp(-0.25 * 3)));
+}
+
+TEST_CASE("A glass plate in an even environment neither takes nor gives light", "[shading]") {
+    Scene scene = empty_scene();
+    scene.environment.background = Color(1.0F);
+    scene.materials = {glass(1.5)};
+    scene.add(Box{Vec3(-9, -9, -1), Vec3(9, 9, 1)}, 0);
+    const double lost = std::pow(0.04, 11);  // what is still in the plate after 12 rays
+    CHECK(centre(scene, 12).x == Approx(1).margin(lost + 1e-6));
+    CHECK(centre(scene, 2).x == Approx(0.04));  // reflected at the front; the rest is cut off
+}
+
+TEST_CASE("Clamping each ray keeps highlights from glowing through a mirror", "[shading]") {
+    Scene scene = empty_scene();
+    scene.environment.background = Color(4.0F);
+    Material mirror;
+    mirror.reflection = Color(0.5F);
+    scene.materials = {mirror};
+    scene.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
+    CHECK(centre(scene).x == Approx(2));
+    scene.whitted.clamp_each_ray = true;
+    CHECK(centre(scene).x == Approx(0.5));
+}

@@ -1,0 +1,76 @@
+// Small scenes made in memory, for tests of the renderer.
+#pragma once
+
+#include "core/scene/scene.h"
+
+namespace etalon::test {
+
+inline Material matte(const Color& color) {
+    Material m;
+    m.diffuse = color;
+    return m;
+}
+
+inline Material glass(double ior) {
+    Material m;
+    m.reflection = m.transmission = Color(1.0F);
+    m.fresnel = true;
+    m.ior = ior;
+    return m;
+}
+
+/// A camera at (0, 0, 5) looking at the origin, nothing to see yet.
+inline Scene empty_scene(int width = 32, int height = 24) {
+    Scene scene;
+    scene.format = "test";
+    scene.camera = {Vec3(0, 0, 5), Vec3(0), Vec3(0, 1, 0), 45, width, height, 0, 1};
+    scene.environment.background = Color(0.25F, 0.5F, 1.0F);
+    return scene;
+}
+
+/// Some of everything: mirror, glass, matte; spheres, a box, a cone, a mesh, a plane; a point light
+/// and a quad light; a lens.
+inline Scene mixed_scene(int width = 48, int height = 36) {
+    Scene s = empty_scene(width, height);
+    s.lights = {PointLight{Vec3(3, 6, 4), Color(0.6F)},
+                QuadLight{Vec3(-3, 4, 1), Vec3(1, 0, 0), Vec3(0, 0, 1), Color(0.5F), 9}};
+    Material mirror = matte(Color(0.2F));
+    mirror.specular = mirror.reflection = Color(0.7F);
+    mirror.shininess = 40;
+    s.materials = {matte(Color(0.8F, 0.6F, 0.3F)), mirror, glass(1.5)};
+    s.vertices = {Vec3(-2, -1, -1), Vec3(-1, 1.3, -1.5), Vec3(0.2, -1, -1), Vec3(1.7, 0.9, -2)};
+    s.add(Plane{Vec3(0, -1, 0), Vec3(0, 1, 0)}, 0);
+    s.add(Sphere{Vec3(-0.9, 0, 0), 0.7}, 2);
+    s.add(Sphere{Vec3(0.9, 0.2, -0.5), 0.8}, 1);
+    s.add(Triangle{{0, 1, 2}}, 0);
+    s.add(Triangle{{1, 2, 3}}, 1);
+    s.add(Box{Vec3(-0.2, -1, 0.8), Vec3(0.3, -0.4, 1.2)}, 0);
+    s.add(Cone{Vec3(1.2, -1, 1), Vec3(1.3, 0.1, 1.1), 0.3, 0.1}, 1);
+    s.camera.aperture = 3;
+    s.samples_per_pixel = 5;
+    return s;
+}
+
+/// Every length multiplied by `factor`.
+inline Scene scaled(Scene s, double factor) {
+    s.camera.eye *= factor;
+    s.camera.at *= factor;
+    for (Light& light : s.lights) {
+        if (auto* p = std::get_if<PointLight>(&light)) p->position *= factor;
+        if (auto* q = std::get_if<QuadLight>(&light)) {
+            q->corner *= factor;
+            q->edge1 *= factor;
+            q->edge2 *= factor;
+        }
+    }
+    for (Vec3& v : s.vertices) v *= factor;
+    for (Sphere& x : s.all<Sphere>()) x = {x.centre * factor, x.radius * factor};
+    for (Box& x : s.all<Box>()) x = {x.min * factor, x.max * factor};
+    for (Plane& x : s.all<Plane>()) x.point *= factor;
+    for (Cone& x : s.all<Cone>()) {
+        x = {x.base * factor, x.top * factor, x.base_radius * factor, x.top_radius * factor};
+    }
+    return s;
+}
+
+}  // namespace etalon::test

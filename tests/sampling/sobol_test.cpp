@@ -1,0 +1,66 @@
+#include "core/sampling/sobol.h"
+
+#include <set>
+#include <vector>
+
+#include "tests/catch.h"
+
+using namespace etalon;
+
+namespace {
+
+/// How many of the 2^a x 2^b cells of equal area hold exactly one of the points.
+bool one_point_in_every_cell(const std::vector<Vec2>& points, int columns, int rows) {
+    std::set<std::pair<int, int>> cells;
+    for (const Vec2& p : points) {
+        cells.emplace(static_cast<int>(p.x * columns), static_cast<int>(p.y * rows));
+    }
+    return cells.size() == points.size();
+}
+
+std::vector<Vec2> first_points(std::uint32_t count, std::uint32_t seed) {
+    std::vector<Vec2> points;
+    for (std::uint32_t i = 0; i < count; ++i) points.push_back(scrambled_sobol(i, seed));
+    return points;
+}
+
+}  // namespace
+
+TEST_CASE("Scrambled Sobol' points are a (0,2)-sequence", "[sampling]") {
+    for (std::uint32_t seed = 0; seed < 50; ++seed) {
+        const std::vector<Vec2> points = first_points(64, seed);
+        for (int a = 0; a <= 6; ++a) {
+            INFO("seed " << seed << ", " << (1 << a) << " columns");
+            CHECK(one_point_in_every_cell(points, 1 << a, 64 >> a));
+        }
+    }
+}
+
+TEST_CASE("Different seeds give different points, equal names the same", "[sampling]") {
+    CHECK(scrambled_sobol(7, 1) == scrambled_sobol(7, 1));
+    CHECK(scrambled_sobol(7, 1) != scrambled_sobol(7, 2));
+    const SampleSource a(3, 4, 0, 5), b(3, 4, 0, 5), other_pixel(4, 3, 0, 5), other_seed(3, 4, 1, 5);
+    CHECK(a.point(9) == b.point(9));
+    CHECK(a.point(9) != a.point(10));
+    CHECK(a.point(9) != other_pixel.point(9));
+    CHECK(a.point(9) != other_seed.point(9));
+}
+
+TEST_CASE("Parts of a dimension over all samples make one well distributed set", "[sampling]") {
+    std::vector<Vec2> points;
+    for (std::uint32_t sample = 0; sample < 16; ++sample) {
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            points.push_back(SampleSource(1, 2, 3, sample).part(7, k, 4));
+        }
+    }
+    CHECK(one_point_in_every_cell(points, 8, 8));
+}
+
+TEST_CASE("The mean over many seeds is unbiased", "[sampling]") {
+    Vec2 sum(0);
+    constexpr int seeds = 4096;
+    for (std::uint32_t seed = 0; seed < seeds; ++seed) sum += scrambled_sobol(0, seed);
+    // Standard deviation of the mean: 1 / sqrt(12 * 4096) = 0.0045; five of them.
+    CHECK(sum.x / seeds == Approx(0.5).margin(0.0225));
+    CHECK(sum.y / seeds == Approx(0.5).margin(0.0225));
+}
