@@ -46,7 +46,7 @@ TEST_CASE("world_to_ndc takes what a pixel sees to the pixel's place", "[render]
     const CameraRays camera(c);
     const Ray ray = camera.ray(Vec2(80, 50), Vec2(0.5));
     Vec3 ndc;
-    camera.world_to_ndc().multVecMatrix(ray.origin + 7 * ray.direction, ndc);
+    camera.world_to_ndc().multVecMatrix(ray.origin + 7.0 * ray.direction, ndc);
     CHECK(ndc.x == Approx(-0.5));
     CHECK(ndc.y == Approx(0.5));
     Vec3 in_camera;

@@ -1,0 +1,168 @@
+#include <nlohmann/json.hpp>
+
+#include "core/image/io.h"
+#include "tests/app/program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+using Catch::Matchers::Contains;
+using nlohmann::json;
+
+namespace {
+
+std::vector<float> pixels(const std::string& path) {
+    const auto image = etalon::read_image(path);
+    REQUIRE(image.error == "");
+    return std::get<std::vector<float>>(image.value.pixels);
+}
+
+}  // namespace
+
+TEST_CASE("render writes SCENE's name with .exr beside the caller by default", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto r = f.etalon("render ball.p3f -q");
+    CHECK(r.status == 0);
+    CHECK(r.err == "");
+    CHECK(pixels(f.path("ball.exr")).size() == 32 * 24 * 3);
+}
+
+TEST_CASE("render gives identical pixels with every exact backend and thread count", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    REQUIRE(f.etalon("render ball.p3f --spp 3 -b none -t 1 -o a.exr").status == 0);
+    for (const std::string backend : {"grid", "bvh", "embree"}) {
+        REQUIRE(f.etalon("render ball.p3f --spp 3 -o b.exr -t 2 -b " + backend).status == 0);
+        CHECK(pixels(f.path("a.exr")) == pixels(f.path("b.exr")));
+    }
+    REQUIRE(f.etalon("render ball.p3f --spp 3 -o b.exr -b embree-builtin").status == 0);
+}
+
+TEST_CASE("render takes size, crop, depth, seed and several outputs", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto r = f.etalon("render ball.p3f --resolution 64x48 --crop 8,8,24,20 --max-depth 2 "
+                            "--seed 7 --spp 2 --exposure 1 -o a.exr -o a.png --stats s.json");
+    CHECK(r.status == 0);
+    CHECK(pixels(f.path("a.exr")).size() == 16 * 12 * 3);
+    CHECK(f.has("a.png"));
+    const json s = json::parse(f.read("s.json"));
+    CHECK(s["format"] == "p3f");
+    CHECK(s["backend"] == "bvh");
+    CHECK(s["image"] == json{{"width", 64}, {"height", 48}, {"spp", 2}, {"seed", 7}});
+    CHECK(s["primitives"] == json{{"sphere", 1}, {"plane", 1}});
+    CHECK(s["rays"]["camera"] == 16 * 12 * 2);
+    for (const char* key : {"parse", "build", "render", "write", "total"}) {
+        CHECK(s["seconds"].contains(key));
+    }
+    CHECK(s["memory_bytes"]["peak_rss"].get<double>() > 0);
+}
+
+TEST_CASE("The scene may come from standard input", "[app]") {
+    const Folder f;
+    CHECK(f.etalon("render - --format p3f -o a.exr -q", small_scene).status == 0);
+    CHECK(f.has("a.exr"));
+    CHECK(f.etalon("render -", small_scene).status == 2);
+}
+
+TEST_CASE("Wrong usage ends with 2, an unusable scene with 3, an unwritable output with 4",
+          "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    for (const char* wrong :
+         {"", "paint ball.p3f", "render", "render ball.p3f --spp many", "render ball.p3f -b magic",
+          "render ball.p3f --crop 1,2,3", "render ball.p3f --crop 0,0,99,5",
+          "render ball.p3f --resolution 0x5", "render ball.p3f -o a.gif",
+          "render ball.p3f --integrator path", "render ball.p3f --aov N", "trace ball.p3f"}) {
+        INFO(wrong);
+        const auto r = f.etalon(wrong);
+        CHECK(r.status == 2);
+        CHECK(r.err + r.out != "");
+    }
+    f.write("empty.p3f", "");
+    for (const char* unusable : {"missing.p3f", "empty.p3f", "."}) {
+        INFO(unusable);
+        const auto r = f.etalon(std::string("render ") + unusable);
+        CHECK(r.status == 3);
+        CHECK_THAT(r.err, Contains("error:"));
+    }
+    const auto r = f.etalon("render ball.p3f -o no/such/place.exr");
+    CHECK(r.status == 4);
+    CHECK_THAT(r.err, Contains("no/such"));
+}
+
+TEST_CASE("Diagnostics name file, line and column", "[app]") {
+    const Folder f;
+    f.write("odd.p3f", small_scene + "sphere 1 2 3 4\n");
+    const auto r = f.etalon("render odd.p3f -q");
+    CHECK(r.status == 0);
+    CHECK_THAT(r.err, Contains("odd.p3f:17:1: warning:"));
+    CHECK(f.etalon("render odd.p3f -q --strict").status == 3);
+}
+
+TEST_CASE("info tells what a scene holds, as text and as JSON", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    CHECK_THAT(f.etalon("info ball.p3f").out, Contains("1 sphere") && Contains("32 x 24"));
+    const json j = json::parse(f.etalon("info ball.p3f --json").out);
+    CHECK(j["primitives"] == json{{"sphere", 1}, {"plane", 1}});
+    CHECK(j["needs"] == json{"mirrored rays"});
+}
+
+TEST_CASE("trace answers ray by ray", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    f.write("rays.txt",
+            "# a comment\n"
+            "0 0 5 0 0 -1\n"
+            "0 0 5 0 0 -0x1p1 # twice as fast\n"
+            "0 0 5 0 0 -1 0 3.9999999999999996\n"
+            "0 0 5 0 0 -1 0 4\n"
+            "\n"
+            "0 9 0 0 1 0\n"
+            "5 5 0 0 -1 0\n");
+    for (const char* backend : {"none", "grid", "bvh", "embree"}) {
+        const auto r = f.etalon(std::string("trace ball.p3f --rays rays.txt -b ") + backend);
+        CHECK(r.status == 0);
+        CHECK(r.out ==
+              "hit 4 sphere 1 0 0 1\n"
+              "hit 2 sphere 1 0 0 1\n"
+              "miss\n"
+              "hit 4 sphere 1 0 0 1\n"
+              "miss\n"
+              "hit 6 plane 0 0 1 0\n");
+    }
+    f.write("bad.txt", "0 0 5 0 0\n");
+    const auto r = f.etalon("trace ball.p3f --rays bad.txt");
+    CHECK(r.status == 3);
+    CHECK_THAT(r.err, Contains("bad.txt:1:1: error:"));
+}
+
+TEST_CASE("crosscheck finds no difference among the exact backends", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto r = f.etalon("crosscheck ball.p3f -b none,grid,bvh,embree --rays 200 --json c.json");
+    CHECK(r.status == 0);
+    const json j = json::parse(f.read("c.json"));
+    for (const char* backend : {"none", "grid", "bvh", "embree"}) {
+        for (const char* kind : {"camera", "shadow", "bounce", "aimed"}) {
+            INFO(backend << " " << kind);
+            CHECK(j[backend][kind]["class_errors"] == 0);
+            CHECK(j[backend][kind]["primitive_errors"] == 0);
+            CHECK(j[backend][kind]["occlusion_errors"] == 0);
+        }
+    }
+}
+
+TEST_CASE("An interrupted render writes what there is", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    for (const auto& [signal, status] : {std::pair{"INT", 130}, std::pair{"TERM", 143}}) {
+        const auto r = f.shell(std::string(ETALON_BINARY_DIR) +
+                               "/bin/etalon render ball.p3f --spp 10000000 -o cut.exr & pid=$!; "
+                               "sleep 1; kill -" + signal + " $pid; wait $pid");
+        CHECK(r.status == status);
+        CHECK(pixels(f.path("cut.exr")).size() == 32 * 24 * 3);
+    }
+    CHECK(f.shell("ls").out == "ball.p3f\ncut.exr\n");  // nothing half-written stays
+}

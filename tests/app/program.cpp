@@ -1,0 +1,87 @@
+#include "tests/app/program.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace etalon::test {
+namespace {
+
+std::string slurp(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+}  // namespace
+
+const std::string small_scene = R"(accel bvh
+spp 0
+bclr 0.2 0.3 0.4
+camera
+eye 0 1 5
+at 0 0 0
+up 0 1 0
+angle 45
+hither 0.01
+resolution 32 24
+aperture 0
+focal 1
+light punctual 3 5 4 1 1 1
+mat 0.8 0.6 0.4 1 1 1 1 0 10 0 1
+pl 1 -1 0 0 -1 1 -1 -1 0
+mat 1 0.2 0.1 0.7 1 1 1 0.3 30 0 1
+s 0 0 0 1
+)";
+
+Folder::Folder() {
+    path_ = (std::filesystem::temp_directory_path() / "etalon-test-XXXXXX").string();
+    if (mkdtemp(path_.data()) == nullptr) path_.clear();
+}
+
+Folder::~Folder() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+}
+
+std::string Folder::write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
+}
+
+bool Folder::has(const std::string& name) const { return std::filesystem::exists(path(name)); }
+
+std::string Folder::read(const std::string& name) const { return slurp(path(name)); }
+
+Outcome Folder::etalon(const std::string& arguments, const std::string& input) const {
+    return shell(fmt::format("exec {}/bin/etalon {}", ETALON_BINARY_DIR, arguments), input);
+}
+
+Outcome Folder::shell(const std::string& command, const std::string& input) const {
+    const Folder io;
+    io.write("in", input);
+    const std::string line = fmt::format("cd '{}' && {{ {}; }} <'{}' >'{}' 2>'{}'", path_, command,
+                                         io.path("in"), io.path("out"), io.path("err"));
+    const pid_t child = fork();
+    if (child == 0) {
+        execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+        _exit(127);
+    }
+    int status = 0;
+    rusage usage = {};
+    wait4(child, &status, 0, &usage);
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), io.read("out"),
+            io.read("err"), seconds(usage.ru_utime) + seconds(usage.ru_stime),
+            static_cast<std::size_t>(usage.ru_maxrss) * 1024};
+}
+
+}  // namespace etalon::test

@@ -1,0 +1,41 @@
+// Runs the program as a user does, in a folder of its own.
+#pragma once
+
+#include <string>
+
+namespace etalon::test {
+
+struct Outcome {
+    int status;  ///< exit status; 128 + n where signal n ended it
+    std::string out, err;
+    double cpu_seconds;
+    std::size_t peak_bytes;
+};
+
+/// A new empty folder below the system's temporary one, removed at the end.
+class Folder {
+  public:
+    Folder();
+    ~Folder();
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    std::string path(const std::string& name) const { return path_ + "/" + name; }
+    std::string write(const std::string& name, const std::string& text) const;
+    bool has(const std::string& name) const;
+    std::string read(const std::string& name) const;
+
+    /// Runs `etalon ARGUMENTS` (a shell's words) here, `input` on standard input.
+    Outcome etalon(const std::string& arguments, const std::string& input = "") const;
+
+    /// Runs a shell command here.
+    Outcome shell(const std::string& command, const std::string& input = "") const;
+
+  private:
+    std::string path_;
+};
+
+/// A small complete P3F scene with a sphere, a plane, a light.
+extern const std::string small_scene;
+
+}  // namespace etalon::test
