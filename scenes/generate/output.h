@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+namespace etalon::generate {
+
+/// A file that appears whole or not at all: written beside its place, renamed by commit(). An empty
+/// path is standard output; what exists and is no regular file (a pipe, /dev/null) is written in
+/// place. Throws std::system_error where the file cannot be opened or finished.
+class Output {
+  public:
+    explicit Output(const std::string& path);
+    ~Output();  ///< removes what was not committed
+    Output(const Output&) = delete;
+    Output& operator=(const Output&) = delete;
+
+    std::FILE* file() const { return file_; }
+    void commit();
+
+  private:
+    std::string path_, written_;  ///< where it belongs, and where it is being written
+    std::FILE* file_;
+};
+
+}  // namespace etalon::generate
