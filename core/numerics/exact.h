@@ -6,8 +6,9 @@
 // Everything here is exact unless a product leaves the range of double.
 #pragma once
 
+#include <array>
 #include <cmath>
-#include <vector>
+#include <cstddef>
 
 #include "core/numerics/vec.h"
 
@@ -26,7 +27,9 @@ inline TwoTerm two_sum(double a, double b) {
     return {s, (a - (s - bb)) + (b - bb)};
 }
 
-inline TwoTerm two_difference(double a, double b) { return two_sum(a, -b); }
+inline TwoTerm two_difference(double a, double b) {
+    return two_sum(a, -b);
+}
 
 /// Exact product by a fused multiply-add.
 inline TwoTerm two_product(double a, double b) {
@@ -34,27 +37,81 @@ inline TwoTerm two_product(double a, double b) {
     return {p, std::fma(a, b, -p)};
 }
 
-/// A nonoverlapping expansion, terms by increasing magnitude, without zeros.
+/// A nonadjacent expansion, terms by increasing magnitude, without zeros. The capacity is part of
+/// the type, as every operation knows how many terms it can make: nothing is ever allocated.
+template <std::size_t Capacity>
 class Expansion {
   public:
     Expansion() = default;
-    explicit Expansion(TwoTerm t);
+    explicit Expansion(double x) { add(x); }
+    explicit Expansion(TwoTerm t) {
+        add(t.error);
+        add(t.value);
+    }
 
-    void add(double x);
-    Expansion& operator+=(const Expansion& other);
-    Expansion operator*(const Expansion& other) const;
-    Expansion operator-() const;
+    /// Grow-expansion with zero elimination (Shewchuk 1997, fig. 6).
+    void add(double x) {
+        std::size_t kept = 0;
+        for (const double term : *this) {
+            const TwoTerm s = two_sum(x, term);
+            if (s.error != 0) terms_[kept++] = s.error;
+            x = s.value;
+        }
+        if (x != 0) terms_[kept++] = x;
+        size_ = kept;
+    }
 
-    /// The nearest double, to within a few ulp, with the exact sign.
-    double estimate() const;
+    /// The nearest double, to within a few ulp, with the exact sign: no term touches a bit next to
+    /// those of another, so the last one outweighs the rounded sum of all before it.
+    double estimate() const {
+        double sum = 0;
+        for (const double term : *this) sum += term;
+        return sum;
+    }
+
+    const double* begin() const { return terms_.data(); }
+    const double* end() const { return terms_.data() + size_; }
 
   private:
-    std::vector<double> terms_;
+    std::array<double, Capacity> terms_;
+    std::size_t size_ = 0;
 };
 
-/// d . (p x q) for p = a - o and q = b - o: six times the signed volume that the direction d and the
-/// edge (a, b) span seen from o. The sign is exact and the value good to a few ulp.
-/// Swapping a and b gives exactly the negated value, which is what makes a shared edge watertight.
+template <std::size_t N, std::size_t M>
+Expansion<N + M> operator+(const Expansion<N>& a, const Expansion<M>& b) {
+    Expansion<N + M> sum;
+    for (const double term : a) sum.add(term);
+    for (const double term : b) sum.add(term);
+    return sum;
+}
+
+template <std::size_t N, std::size_t M>
+Expansion<N + M> operator-(const Expansion<N>& a, const Expansion<M>& b) {
+    Expansion<N + M> difference;
+    for (const double term : a) difference.add(term);
+    for (const double term : b) difference.add(-term);
+    return difference;
+}
+
+template <std::size_t N, std::size_t M>
+Expansion<2 * N * M> operator*(const Expansion<N>& a, const Expansion<M>& b) {
+    Expansion<2 * N * M> product;
+    for (const double x : a) {
+        for (const double y : b) {
+            const TwoTerm p = two_product(x, y);
+            product.add(p.error);
+            product.add(p.value);
+        }
+    }
+    return product;
+}
+
+/// d . (p x q) for p = a - o and q = b - o: six times the signed volume that the direction d and
+/// the edge (a, b) span seen from o. The sign is exact and the value good to a few ulp. Swapping a
+/// and b gives exactly the negated value, which is what makes a shared edge watertight.
 double exact_edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b);
+
+/// x (a - b) - y (c - e): the sign is exact and the value good to a few ulp.
+double exact_shear(double x, double a, double b, double y, double c, double e);
 
 }  // namespace etalon

@@ -21,14 +21,17 @@ inline ShearedCorner shear(const Vec3& corner, const RayQuery& q) {
     return {q.dz * ax - q.dx * az, q.dz * ay - q.dy * az, az};
 }
 
+/// Bound on the error of a sheared coordinate, u = 2^-53: one rounding of each difference, product
+/// and sum, with |dx|, |dy| <= |dz|.
+inline double shear_error(double extent, double depth, const RayQuery& q) {
+    return 5 * unit_roundoff * (extent + std::abs(q.dz) * depth);
+}
+
 /// Bound on the error of the edge function of two corners whose sheared coordinates are at most
-/// `extent` and whose depths are at most `depth` in magnitude.
-///
-/// u = 2^-53. A coordinate is off by at most E = 5u (extent + |dz| depth): one rounding of each
-/// difference, product and sum, with |dx|, |dy| <= |dz|. The edge function adds 4 extent E + 2 E^2
-/// from its inputs and less than extent E from its own roundings.
+/// `extent` and whose depths are at most `depth` in magnitude: 4 extent E + 2 E^2 from its inputs,
+/// each off by at most E = shear_error, and less than extent E from its own roundings.
 inline double edge_error(double extent, double depth, const RayQuery& q) {
-    const double e = 5 * unit_roundoff * (extent + std::abs(q.dz) * depth);
+    const double e = shear_error(extent, depth, q);
     return e * (5 * extent + 2 * e);
 }
 
@@ -40,6 +43,35 @@ inline double edge_function(const ShearedCorner& a, const ShearedCorner& b) {
 /// The same with the exact sign, and good to a few ulp; slow.
 inline double exact_edge_function(const Vec3& a, const Vec3& b, const RayQuery& q) {
     return q.dz * exact_edge_volume(q.ray.origin, q.ray.direction, a, b);
+}
+
+/// A sheared corner whose y has the exact sign, and its x too where y is zero.
+struct OutlineCorner : ShearedCorner {
+    OutlineCorner(const Vec3& p, const RayQuery& q) : ShearedCorner(shear(p, q)), corner(&p) {
+        const auto exact = [&](double coordinate, int k) {
+            if (std::abs(coordinate) > shear_error(std::abs(coordinate), std::abs(z), q)) {
+                return coordinate;
+            }
+            return exact_shear(q.dz, p[k], q.ray.origin[k], q.ray.direction[k], p[q.kz],
+                               q.ray.origin[q.kz]);
+        };
+        y = exact(y, q.ky);
+        if (y == 0) x = exact(x, q.kx);
+    }
+
+    const Vec3* corner;
+};
+
+/// The edge function with the exact sign.
+inline double edge_side(const OutlineCorner& a, const OutlineCorner& b, const RayQuery& q) {
+    const auto reach = [](const ShearedCorner& c) {
+        return std::max(std::abs(c.x), std::abs(c.y));
+    };
+    const double extent = std::max(reach(a), reach(b));
+    const double depth = std::max(std::abs(a.z), std::abs(b.z));
+    const double side = edge_function(a, b);
+    if (std::abs(side) > edge_error(extent, depth, q)) return side;
+    return exact_edge_function(*a.corner, *b.corner, q);
 }
 
 }  // namespace etalon
