@@ -1,0 +1,78 @@
+#include "embree_backend/builtin.h"
+
+#include <map>
+
+#include "core/numerics/rounding.h"
+#include "embree_backend/float_geometry.h"
+#include "embree_backend/query.h"
+
+namespace etalon {
+namespace {
+
+/// Where a ray starts being tested. A float geometry cannot tell apart what is nearer to the origin
+/// than its own rounding: in the frame, coordinates of 1 or less and an origin of |o|, each off by
+/// u, and the sums of their products. Within this bound a ray may meet the surface it left.
+float first_t(const FrameRay& ray, double tmin) {
+    constexpr float margin = 64 * unit_roundoff_f;
+    const Vec3f& o = ray.origin;
+    const float size = 1 + std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)});
+    return std::max(0.0F, ray.tmin(tmin)) + margin * size;
+}
+
+}  // namespace
+
+EmbreeBuiltin::EmbreeBuiltin(const Scene& scene, Traversal traversal)
+    : Intersector(scene), others_(scene), embree_scene_(rtcNewScene(device_.handle())) {
+    device_.check();
+    if (traversal == Traversal::robust) {
+        rtcSetSceneFlags(embree_scene_.get(), RTC_SCENE_FLAG_ROBUST);
+    }
+    const FloatGeometry geometry(device_, scene, scene_bounds().frame);
+    std::map<RTCGeometryType, std::vector<std::uint32_t>> by_type;
+    std::vector<BoundedPrimitive> others;
+    for (const BoundedPrimitive& p : take_bounded()) {
+        if (const auto type = geometry.type_of(p.id)) {
+            by_type[*type].push_back(p.id);
+        } else {
+            others.push_back(p);
+        }
+    }
+    for (auto& [type, ids] : by_type) {
+        const auto number = static_cast<unsigned>(ids_.size());
+        rtcAttachGeometryByID(embree_scene_.get(), geometry.make(type, ids).get(), number);
+        ids_.push_back(std::move(ids));
+    }
+    others_.build(device_, embree_scene_.get(), static_cast<unsigned>(ids_.size()),
+                  std::move(others));
+}
+
+std::size_t EmbreeBuiltin::memory_bytes() const {
+    std::size_t tables = others_.memory_bytes();
+    for (const auto& ids : ids_) tables += ids.size() * sizeof(std::uint32_t);
+    return device_.bytes() + tables;
+}
+
+void EmbreeBuiltin::closest_bounded(const RayQuery& query, const FrameRay& local,
+                                    NearestHit& nearest) const {
+    EmbreeQuery context(query, local, nearest);
+    RTCRayHit ray;
+    set_ray(ray.ray, local, first_t(local, query.ray.tmin), local.tmax(nearest.t));
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    embree_intersect(embree_scene_.get(), context, ray);
+    if (ray.hit.geomID >= ids_.size()) return;
+    const double t = ray.ray.tfar / local.scale + local.shift;
+    nearest.offer(std::min(t, nearest.t), ids_[ray.hit.geomID][ray.hit.primID]);
+}
+
+bool EmbreeBuiltin::occluded_bounded(const RayQuery& query, const FrameRay& local) const {
+    const float tfar = local.tmax(query.ray.tmax);
+    if (tfar < 0) return false;  // which is how Embree would tell that there is a hit
+    NearestHit unused(query.ray.tmax);
+    EmbreeQuery context(query, local, unused);
+    RTCRay ray;
+    set_ray(ray, local, first_t(local, query.ray.tmin), tfar);
+    embree_occluded(embree_scene_.get(), context, ray);
+    return ray.tfar < 0;
+}
+
+}  // namespace etalon

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <type_traits>
+
+#include "embree_backend/embree_shim.h"
+
+namespace etalon {
+
+struct EmbreeRelease {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+    void operator()(RTCBuffer buffer) const { rtcReleaseBuffer(buffer); }
+};
+
+/// Owns what an rtcNew... function returned.
+template <class Handle>
+using EmbreeOwned = std::unique_ptr<std::remove_pointer_t<Handle>, EmbreeRelease>;
+
+/// An Embree device, and how much memory it holds.
+class EmbreeDevice {
+  public:
+    /// Throws std::runtime_error, with Embree's reason, where there can be none on this machine.
+    EmbreeDevice();
+    EmbreeDevice(const EmbreeDevice&) = delete;
+    EmbreeDevice& operator=(const EmbreeDevice&) = delete;
+
+    RTCDevice handle() const { return device_.get(); }
+
+    /// Throws std::bad_alloc or std::runtime_error if a call since the last check failed.
+    void check() const;
+
+    /// Builds `scene` on the threads of the caller's TBB arena, as many as it may use.
+    void commit(RTCScene scene) const;
+
+    std::size_t bytes() const { return static_cast<std::size_t>(bytes_.load()); }
+
+    /// "sse2", "sse4.2", "avx", "avx2" or "neon".
+    std::string isa() const;
+
+  private:
+    std::atomic<std::ptrdiff_t> bytes_{0};
+    EmbreeOwned<RTCDevice> device_;  ///< reports to bytes_ until its end
+};
+
+}  // namespace etalon

@@ -1,0 +1,119 @@
+#include "embree_backend/float_geometry.h"
+
+#include <array>
+
+#include "core/numerics/rounding.h"
+
+namespace etalon {
+namespace {
+
+struct FloatSphere {
+    Vec3f centre;
+    float radius;
+};
+
+EmbreeOwned<RTCBuffer> float_vertices(const EmbreeDevice& device, const Scene& scene,
+                                      const Frame& frame) {
+    constexpr std::size_t overread = sizeof(float);  // Embree loads the last vertex as a vector
+    EmbreeOwned<RTCBuffer> buffer(
+        rtcNewBuffer(device.handle(), scene.vertices.size() * sizeof(Vec3f) + overread));
+    device.check();
+    auto* to = static_cast<Vec3f*>(rtcGetBufferData(buffer.get()));
+    for (const Vec3& v : scene.vertices) *to++ = Vec3f(frame.point(v));
+    return buffer;
+}
+
+/// A new buffer of the geometry, to be filled with one `Item` for each of `count`.
+template <class Item>
+Item* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count) {
+    return static_cast<Item*>(
+        rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Item), count));
+}
+
+}  // namespace
+
+FloatGeometry::FloatGeometry(const EmbreeDevice& device, const Scene& scene, const Frame& frame)
+    : device_(device),
+      scene_(scene),
+      frame_(frame),
+      vertices_(float_vertices(device, scene, frame)) {}
+
+std::optional<RTCGeometryType> FloatGeometry::type_of(std::uint32_t primitive) const {
+    const Primitive& p = scene_.primitives[primitive];
+    if (p.sides != Sides::both) return std::nullopt;
+    if (p.kind == kind_of<Triangle>()) return RTC_GEOMETRY_TYPE_TRIANGLE;
+    if (p.kind == kind_of<Sphere>()) return RTC_GEOMETRY_TYPE_SPHERE_POINT;
+    if (p.kind == kind_of<Polygon>() && is_quad(scene_.get<Polygon>(p))) {
+        return RTC_GEOMETRY_TYPE_QUAD;
+    }
+    return std::nullopt;
+}
+
+/// Embree takes a quad for two triangles that meet in the diagonal from corner 1 to corner 3. That
+/// is the polygon if it is convex and, to the precision of its float corners, flat.
+bool FloatGeometry::is_quad(const Polygon& polygon) const {
+    if (polygon.count != 4) return false;
+    const Vec3* p = &scene_.vertices[polygon.first];
+    const Vec3 normal = (p[2] - p[0]).cross(p[3] - p[1]);
+    const double height = unit_roundoff_f / frame_.scale() * std::sqrt(normal.dot(normal));
+    for (int i = 0; i < 4; ++i) {
+        const Vec3 edge = p[(i + 1) % 4] - p[i], next = p[(i + 2) % 4] - p[(i + 1) % 4];
+        const bool convex = normal.dot(edge.cross(next)) > 0;
+        if (!convex || std::abs(normal.dot(edge)) > height) return false;
+    }
+    return true;
+}
+
+EmbreeOwned<RTCGeometry> FloatGeometry::make(RTCGeometryType type,
+                                             const std::vector<std::uint32_t>& ids) const {
+    EmbreeOwned<RTCGeometry> geometry(rtcNewGeometry(device_.handle(), type));
+    device_.check();
+    switch (type) {
+        case RTC_GEOMETRY_TYPE_TRIANGLE:
+            fill_triangles(geometry.get(), ids);
+            break;
+        case RTC_GEOMETRY_TYPE_QUAD:
+            fill_quads(geometry.get(), ids);
+            break;
+        default:
+            fill_spheres(geometry.get(), ids);
+    }
+    rtcCommitGeometry(geometry.get());
+    return geometry;
+}
+
+void FloatGeometry::fill_triangles(RTCGeometry geometry,
+                                   const std::vector<std::uint32_t>& ids) const {
+    rtcSetGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, vertices_.get(), 0,
+                         sizeof(Vec3f), scene_.vertices.size());
+    using Corners = std::array<std::uint32_t, 3>;
+    auto* to = new_buffer<Corners>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, ids.size());
+    device_.check();
+    for (const std::uint32_t id : ids) *to++ = get<Triangle>(id).vertices;
+}
+
+void FloatGeometry::fill_quads(RTCGeometry geometry, const std::vector<std::uint32_t>& ids) const {
+    rtcSetGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, vertices_.get(), 0,
+                         sizeof(Vec3f), scene_.vertices.size());
+    using Corners = std::array<std::uint32_t, 4>;
+    auto* to = new_buffer<Corners>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT4, ids.size());
+    device_.check();
+    for (const std::uint32_t id : ids) {
+        const std::uint32_t first = get<Polygon>(id).first;
+        *to++ = {first, first + 1, first + 2, first + 3};
+    }
+}
+
+void FloatGeometry::fill_spheres(RTCGeometry geometry,
+                                 const std::vector<std::uint32_t>& ids) const {
+    auto* to =
+        new_buffer<FloatSphere>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, ids.size());
+    device_.check();
+    for (const std::uint32_t id : ids) {
+        const auto& sphere = get<Sphere>(id);
+        const double radius = sphere.radius * frame_.scale();
+        *to++ = {Vec3f(frame_.point(sphere.centre)), static_cast<float>(radius)};
+    }
+}
+
+}  // namespace etalon

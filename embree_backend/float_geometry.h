@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/intersect/frame.h"
+#include "core/scene/scene.h"
+#include "embree_backend/device.h"
+
+namespace etalon {
+
+/// Makes geometries of Embree's own from a scene's primitives, in the floats of a frame.
+class FloatGeometry {
+  public:
+    FloatGeometry(const EmbreeDevice& device, const Scene& scene, const Frame& frame);
+
+    /// What Embree has for a primitive and hits on the same sides, if it has something.
+    std::optional<RTCGeometryType> type_of(std::uint32_t primitive) const;
+
+    /// The primitives `ids`, all of that type, in this order. Throws as EmbreeDevice does.
+    EmbreeOwned<RTCGeometry> make(RTCGeometryType type,
+                                  const std::vector<std::uint32_t>& ids) const;
+
+  private:
+    bool is_quad(const Polygon& polygon) const;
+    void fill_triangles(RTCGeometry geometry, const std::vector<std::uint32_t>& ids) const;
+    void fill_quads(RTCGeometry geometry, const std::vector<std::uint32_t>& ids) const;
+    void fill_spheres(RTCGeometry geometry, const std::vector<std::uint32_t>& ids) const;
+
+    template <class Shape>
+    const Shape& get(std::uint32_t id) const {
+        return scene_.get<Shape>(scene_.primitives[id]);
+    }
+
+    const EmbreeDevice& device_;
+    const Scene& scene_;
+    const Frame& frame_;
+    EmbreeOwned<RTCBuffer> vertices_;  ///< all of the scene's, so that indices stay what they are
+};
+
+}  // namespace etalon

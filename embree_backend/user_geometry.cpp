@@ -1,0 +1,36 @@
+#include "embree_backend/user_geometry.h"
+
+#include "embree_backend/query.h"
+
+namespace etalon {
+
+EmbreeUserGeometry::EmbreeUserGeometry(const Scene& scene)
+    : Intersector(scene), primitives_(scene), embree_scene_(rtcNewScene(device_.handle())) {
+    device_.check();
+    primitives_.build(device_, embree_scene_.get(), 0, take_bounded());
+}
+
+std::size_t EmbreeUserGeometry::memory_bytes() const {
+    return device_.bytes() + primitives_.memory_bytes();
+}
+
+void EmbreeUserGeometry::closest_bounded(const RayQuery& query, const FrameRay& local,
+                                         NearestHit& nearest) const {
+    EmbreeQuery context(query, local, nearest);
+    RTCRayHit ray;
+    set_ray(ray.ray, local, local.tmin(query.ray.tmin), local.tmax(nearest.t));
+    embree_intersect(embree_scene_.get(), context, ray);
+}
+
+bool EmbreeUserGeometry::occluded_bounded(const RayQuery& query, const FrameRay& local) const {
+    const float tfar = local.tmax(query.ray.tmax);
+    if (tfar < 0) return false;  // which is how Embree would tell that there is a hit
+    NearestHit unused(query.ray.tmax);
+    EmbreeQuery context(query, local, unused);
+    RTCRay ray;
+    set_ray(ray, local, local.tmin(query.ray.tmin), tfar);
+    embree_occluded(embree_scene_.get(), context, ray);
+    return ray.tfar < 0;
+}
+
+}  // namespace etalon

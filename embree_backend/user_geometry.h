@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/intersect/intersector.h"
+#include "embree_backend/device.h"
+#include "embree_backend/user_primitives.h"
+
+namespace etalon {
+
+/// The backend `embree`: Embree's builder and traversal, the project's kernels, so its hits are
+/// those of every other exact backend to the last bit.
+class EmbreeUserGeometry final : public Intersector {
+  public:
+    /// Throws as EmbreeDevice does.
+    explicit EmbreeUserGeometry(const Scene& scene);
+
+    std::size_t memory_bytes() const override;
+    std::string isa() const override { return device_.isa(); }
+
+  protected:
+    void closest_bounded(const RayQuery& query, const FrameRay& local,
+                         NearestHit& nearest) const override;
+    bool occluded_bounded(const RayQuery& query, const FrameRay& local) const override;
+
+  private:
+    EmbreeDevice device_;
+    UserPrimitives primitives_;
+    EmbreeOwned<RTCScene> embree_scene_;
+};
+
+}  // namespace etalon

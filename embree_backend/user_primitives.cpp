@@ -1,0 +1,81 @@
+#include "embree_backend/user_primitives.h"
+
+#include "core/intersect/kernels.h"
+#include "embree_backend/query.h"
+
+namespace etalon {
+namespace {
+
+/// The numbers of `primitives`; empty if they are 0, 1, 2, ...
+std::vector<std::uint32_t> ids_of(const std::vector<BoundedPrimitive>& primitives) {
+    if (primitives.empty() || primitives.back().id == primitives.size() - 1) return {};
+    std::vector<std::uint32_t> ids;
+    ids.reserve(primitives.size());
+    for (const BoundedPrimitive& p : primitives) ids.push_back(p.id);
+    return ids;
+}
+
+/// Embree's single-ray layout is what a packet of one is.
+template <class Ray, class PacketOfOne>
+Ray& single(PacketOfOne* packet) {
+    return *reinterpret_cast<Ray*>(packet);
+}
+
+}  // namespace
+
+void UserPrimitives::build(const EmbreeDevice& device, RTCScene target, unsigned geometry_id,
+                           std::vector<BoundedPrimitive> primitives) {
+    boxes_ = std::move(primitives);
+    ids_ = ids_of(boxes_);
+    const EmbreeOwned<RTCGeometry> geometry(
+        rtcNewGeometry(device.handle(), RTC_GEOMETRY_TYPE_USER));
+    device.check();
+    rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(boxes_.size()));
+    rtcSetGeometryUserData(geometry.get(), this);
+    rtcSetGeometryBoundsFunction(geometry.get(), bounds, nullptr);
+    rtcSetGeometryIntersectFunction(geometry.get(), intersect);
+    rtcSetGeometryOccludedFunction(geometry.get(), occluded);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometryByID(target, geometry.get(), geometry_id);
+    begin_.give();
+    device.commit(target);
+    end_.take();
+    boxes_ = {};
+}
+
+void UserPrimitives::bounds(const RTCBoundsFunctionArguments* arguments) {
+    auto& self = *static_cast<UserPrimitives*>(arguments->geometryUserPtr);
+    self.begin_.take();
+    const Box3f& box = self.boxes_[arguments->primID].box;
+    *arguments->bounds_o = {box.min.x, box.min.y, box.min.z, 0, box.max.x, box.max.y, box.max.z, 0};
+    self.end_.give();
+}
+
+/// What is offered at t may lie behind a hit that is not in `nearest`: one on a geometry of
+/// Embree's own, which its tfar tells.
+void UserPrimitives::intersect(const RTCIntersectFunctionNArguments* arguments) {
+    const auto& self = *static_cast<const UserPrimitives*>(arguments->geometryUserPtr);
+    auto& query = *static_cast<EmbreeQuery*>(arguments->context);
+    auto& [ray, hit] = single<RTCRayHit>(arguments->rayhit);
+    const std::uint32_t id = self.id(arguments->primID);
+    const double t = primitive_first_hit(self.scene_, id, query.query);
+    report(*arguments, false);
+    if (!(t <= query.nearest.t)) return;
+    const float tfar = query.local.tmax(t);
+    if (tfar > ray.tfar) return;
+    query.nearest.offer(t, id);
+    ray.tfar = tfar;
+    hit.geomID = arguments->geomID;
+    report(*arguments, true);
+}
+
+void UserPrimitives::occluded(const RTCOccludedFunctionNArguments* arguments) {
+    const auto& self = *static_cast<const UserPrimitives*>(arguments->geometryUserPtr);
+    const auto& query = *static_cast<const EmbreeQuery*>(arguments->context);
+    const std::uint32_t id = self.id(arguments->primID);
+    const bool hit = primitive_first_hit(self.scene_, id, query.query) <= query.query.ray.tmax;
+    if (hit) single<RTCRay>(arguments->ray).tfar = -std::numeric_limits<float>::infinity();
+    report(*arguments, hit);
+}
+
+}  // namespace etalon
