@@ -1,0 +1,35 @@
+// What each shape *is*, evaluated in quad precision with error bounds: deliberately not the
+// kernels' formulas, which are to be checked against this.
+#pragma once
+
+#include <array>
+
+#include "core/intersect/oracle/tracked.h"
+#include "core/intersect/ray.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+/// A point where the ray's line meets a surface.
+struct Crossing {
+    Tracked t;
+    Truth exists;
+    Truth front;  ///< whether the front is seen there
+};
+
+/// At most two per shape, in no particular order.
+class Crossings {
+  public:
+    void add(const Crossing& c) { list_[count_++] = c; }
+    const Crossing* begin() const { return list_.data(); }
+    const Crossing* end() const { return list_.data() + count_; }
+
+  private:
+    std::array<Crossing, 2> list_;
+    std::size_t count_ = 0;
+};
+
+/// Where the line of `ray`, whose direction is not zero, meets a primitive.
+Crossings crossings(const Scene& scene, std::uint32_t primitive, const Ray& ray);
+
+}  // namespace etalon

@@ -1,0 +1,122 @@
+#include "core/intersect/oracle/oracle.h"
+
+#include <optional>
+
+#include "core/intersect/kernels.h"
+#include "core/intersect/oracle/definitions.h"
+
+namespace etalon {
+namespace {
+
+struct Meeting {
+    Tracked t;
+    Truth exists;
+    std::uint32_t primitive;
+};
+
+Truth is_visible(const Crossing& c, Sides sides) {
+    if (sides == Sides::both) return Truth::yes;
+    return sides == Sides::front ? c.front : !c.front;
+}
+
+/// A kernel compares its rounded t with the ray's ends.
+Truth is_within(const Tracked& t, const Ray& ray, double tie) {
+    const Tracked rounded(t.value, t.error + magnitude(t.value) * Quad(tie));
+    const Truth before_end = ray.tmax == infinity ? Truth::yes : rounded <= ray.tmax;
+    return (Tracked(ray.tmin) < rounded) & before_end;
+}
+
+/// Meetings so far, with the nearest certain one.
+struct Meetings {
+    void add(const Meeting& m) {
+        all.push_back(m);
+        if (m.exists == Truth::yes && (!nearest || m.t.value < nearest->t.value)) nearest = m;
+    }
+
+    std::vector<Meeting> all;
+    std::optional<Meeting> nearest;
+};
+
+OracleAnswer answer_from(const Meetings& meetings, double tie) {
+    OracleAnswer answer;
+    const auto& nearest = meetings.nearest;
+    for (const Meeting& m : meetings.all) {
+        const bool tied = nearest && magnitude(m.t.value - nearest->t.value) <=
+                                         magnitude(nearest->t.value) * Quad(tie) + nearest->t.error;
+        if (tied) {
+            answer.tied.push_back(m.primitive);
+        } else if (!nearest || m.t.value - m.t.error <= nearest->t.value) {
+            answer.kind = OracleAnswer::undecidable;
+            return answer;
+        }
+    }
+    if (!nearest) return answer;
+    std::sort(answer.tied.begin(), answer.tied.end());
+    answer.tied.erase(std::unique(answer.tied.begin(), answer.tied.end()), answer.tied.end());
+    answer.kind = OracleAnswer::hit;
+    answer.exact_t = nearest->t.value;
+    answer.t = static_cast<double>(nearest->t.value);
+    answer.primitive = answer.tied.front();
+    return answer;
+}
+
+}  // namespace
+
+double OracleAnswer::relative_error(double t_measured) const {
+    return static_cast<double>(magnitude(Quad(t_measured) - exact_t) / magnitude(exact_t));
+}
+
+Oracle::Oracle(const Scene& scene) : scene_(scene) {
+    const Box3 everywhere(Vec3(-infinity), Vec3(infinity));
+    for (std::uint32_t id = 0; id < scene.primitives.size(); ++id) {
+        const Box3 box = primitive_bounds(scene, id);
+        const bool finite = !box.isEmpty() && is_finite(box.min) && is_finite(box.max);
+        boxes_.push_back(finite ? box : everywhere);
+        if (finite) extent_ = std::max({extent_, max_abs(box.min), max_abs(box.max)});
+    }
+}
+
+/// Primitives whose boxes the ray may meet, the nearest first. A slab test with a margin that
+/// dwarfs both its own roundings and any a bounding box may have.
+std::vector<Oracle::Candidate> Oracle::candidates(const Ray& ray) const {
+    const double margin = 0x1p-30 * (extent_ + max_abs(ray.origin));
+    const double least = 0x1p-60 * max_abs(ray.direction);
+    Vec3 inverse, slack;
+    for (int k = 0; k < 3; ++k) {
+        const double d = ray.direction[k];
+        inverse[k] = 1 / (std::abs(d) < least ? std::copysign(least, d) : d);
+        slack[k] = margin * std::abs(inverse[k]);
+    }
+    std::vector<Candidate> found;
+    for (std::uint32_t id = 0; id < boxes_.size(); ++id) {
+        double entry = -infinity, exit = infinity;
+        for (int k = 0; k < 3; ++k) {
+            const double a = (boxes_[id].min[k] - ray.origin[k]) * inverse[k];
+            const double b = (boxes_[id].max[k] - ray.origin[k]) * inverse[k];
+            entry = std::max(entry, std::min(a, b) - slack[k]);
+            exit = std::min(exit, std::max(a, b) + slack[k]);
+        }
+        if (entry <= exit && exit >= ray.tmin && entry <= ray.tmax) found.push_back({entry, id});
+    }
+    std::sort(found.begin(), found.end(),
+              [](const Candidate& a, const Candidate& b) { return a.entry < b.entry; });
+    return found;
+}
+
+OracleAnswer Oracle::closest(const Ray& ray, double tie) const {
+    const bool valid = is_finite(ray.origin) && is_finite(ray.direction) &&
+                       max_abs(ray.direction) > 0 && ray.tmin < ray.tmax;
+    if (!valid) return {};
+    Meetings meetings;
+    for (const Candidate& candidate : candidates(ray)) {
+        if (meetings.nearest && Quad(candidate.entry) > meetings.nearest->t.value) break;
+        const Sides sides = scene_.primitives[candidate.primitive].sides;
+        for (const Crossing& c : crossings(scene_, candidate.primitive, ray)) {
+            const Truth exists = c.exists & is_visible(c, sides) & is_within(c.t, ray, tie);
+            if (exists != Truth::no) meetings.add({c.t, exists, candidate.primitive});
+        }
+    }
+    return answer_from(meetings, tie);
+}
+
+}  // namespace etalon

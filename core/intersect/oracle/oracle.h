@@ -1,0 +1,51 @@
+// What a ray hits, decided without a kernel: every primitive of the scene, in quad precision with
+// error bounds, on the exact bits of the input. For tests and measurements.
+#pragma once
+
+#include <vector>
+
+#include "core/intersect/oracle/quad.h"
+#include "core/intersect/ray.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+struct OracleAnswer {
+    enum Kind {
+        hit,
+        miss,
+        undecidable  ///< even 113 bits cannot tell
+    };
+
+    /// |t - the true t| / |the true t|, for a hit.
+    double relative_error(double t) const;
+
+    Kind kind = miss;
+    double t = 0;      ///< the double nearest to the true t
+    Quad exact_t = 0;  ///< good to about 100 bits, less where it is ill-conditioned
+    std::uint32_t primitive = no_index;  ///< the lowest number among `tied`
+    std::vector<std::uint32_t> tied;     ///< what is (or may be) hit at t, to within `tie`; sorted
+};
+
+class Oracle {
+  public:
+    /// The scene must outlive the oracle.
+    explicit Oracle(const Scene& scene);
+
+    /// The nearest hit with tmin < t <= tmax. Hits whose distances differ by less than `tie` times
+    /// t are taken for equally near: a kernel's rounding may put either first.
+    OracleAnswer closest(const Ray& ray, double tie = 0x1p-48) const;
+
+  private:
+    struct Candidate {
+        double entry;  ///< not after the primitive is met
+        std::uint32_t primitive;
+    };
+    std::vector<Candidate> candidates(const Ray& ray) const;
+
+    const Scene& scene_;
+    std::vector<Box3> boxes_;
+    double extent_ = 0;  ///< the largest coordinate of any finite box
+};
+
+}  // namespace etalon
