@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/numerics/rounding.h"
 #include "core/numerics/vec.h"
 
 namespace etalon {
@@ -111,7 +112,15 @@ Expansion<2 * N * M> operator*(const Expansion<N>& a, const Expansion<M>& b) {
 /// and b gives exactly the negated value, which is what makes a shared edge watertight.
 double exact_edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b);
 
-/// x (a - b) - y (c - e): the sign is exact and the value good to a few ulp.
+/// x (a - b) - y (c - e) with the exact sign, and good to a few ulp; slow.
 double exact_shear(double x, double a, double b, double y, double c, double e);
+
+/// The same, in plain double where its error bound shows the sign to be right: two roundings in
+/// either product and one in their difference.
+inline double shear_sign(double x, double a, double b, double y, double c, double e) {
+    const double p = x * (a - b), q = y * (c - e);
+    const double bound = 4 * unit_roundoff * (std::abs(p) + std::abs(q));
+    return std::abs(p - q) > bound ? p - q : exact_shear(x, a, b, y, c, e);
+}
 
 }  // namespace etalon

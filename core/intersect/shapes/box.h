@@ -3,22 +3,27 @@
 #include "core/intersect/ray.h"
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
+#include "core/numerics/exact.h"
 #include "core/scene/scene.h"
 
 namespace etalon {
 
-inline Box3 bounds(const Scene&, const Box& b) {
-    if (!is_finite(b.min) || !is_finite(b.max)) return {};
-    return {b.min, b.max};  // empty where min > max
+inline bool is_degenerate(const Box& b) {
+    return !is_finite(b.min) || !is_finite(b.max) || Box3(b.min, b.max).isEmpty();
 }
 
-/// Where a line is inside all three slabs of a box, and through which axis' faces it comes and goes.
+inline Box3 bounds(const Scene&, const Box& b) {
+    return is_degenerate(b) ? Box3() : Box3(b.min, b.max);
+}
+
+/// Where a line is inside all three slabs of a box, and through which axis' faces it comes and
+/// goes.
 struct SlabCrossing {
     double entry = -infinity, exit = infinity;
     int entry_axis = 0, exit_axis = 0;
 };
 
-/// entry > exit where the line misses the closed box.
+/// entry > exit where the line misses the closed box by more than a few roundings.
 inline SlabCrossing cross_slabs(const Box& b, const Ray& ray) {
     SlabCrossing c;
     for (int k = 0; k < 3; ++k) {
@@ -35,9 +40,28 @@ inline SlabCrossing cross_slabs(const Box& b, const Ray& ray) {
     return c;
 }
 
+/// Whether a line that is in the slabs of the axes it runs along meets the closed box. Exact.
+inline bool meets_box(const Box& b, const Ray& ray) {
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            const double di = ray.direction[i], dj = ray.direction[j];
+            if (i == j || di == 0 || dj == 0) continue;
+            // (near_i - o_i) / d_i <= (far_j - o_j) / d_j, times |d_i d_j|.
+            const double near = (di > 0 ? b.min : b.max)[i], far = (dj > 0 ? b.max : b.min)[j];
+            const double later = shear_sign(dj, near, ray.origin[i], di, far, ray.origin[j]);
+            if (((di > 0) == (dj > 0) ? later : -later) > 0) return false;
+        }
+    }
+    return true;
+}
+
+/// A difference and a quotient put entry and exit off by at most 2u each: where they are closer
+/// than that, as for a ray at an edge, the decision is exact.
 inline double first_hit(const Scene&, const Box& b, Sides sides, const RayQuery& q) {
     const SlabCrossing c = cross_slabs(b, q.ray);
-    if (!(c.entry <= c.exit)) return no_hit;
+    const double doubt = 3 * unit_roundoff * (std::abs(c.entry) + std::abs(c.exit));
+    if (!(c.entry - c.exit <= doubt) || c.entry == infinity) return no_hit;
+    if (is_degenerate(b) || (c.exit - c.entry <= doubt && !meets_box(b, q.ray))) return no_hit;
     return first_visible(c.entry, c.exit, sides, q.ray.tmin);
 }
 

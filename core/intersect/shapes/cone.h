@@ -73,19 +73,18 @@ inline ConeCrossing cross_cone(const Cone& c, const Ray& ray) {
 }
 
 inline double first_hit(const Scene&, const Cone& c, Sides sides, const RayQuery& q) {
-    if (is_degenerate(c)) return no_hit;
+    const ConeCrossing x = cross_cone(c, q.ray);
     const Vec3 h = c.top - c.base;
     const double start = (q.ray.origin - c.base).dot(h), rise = q.ray.direction.dot(h);
     const double height = h.dot(h);
     const auto is_met = [&](double t) {
         const double z = start + t * rise;
-        return t > q.ray.tmin && z >= 0 && z <= height;
+        return is_ahead(t, q.ray.tmin) && z >= 0 && z <= height;
     };
-    const ConeCrossing x = cross_cone(c, q.ray);
     const double entry = sides != Sides::back && is_met(x.entry) ? x.entry : infinity;
     const double exit = sides != Sides::front && is_met(x.exit) ? x.exit : infinity;
     const double t = std::min(entry, exit);
-    return t < infinity ? t : no_hit;
+    return t < infinity && !is_degenerate(c) ? t : no_hit;
 }
 
 /// The position is moved onto the circle at its height. At the apex the normal is the axis'.

@@ -48,15 +48,9 @@ inline double exact_edge_function(const Vec3& a, const Vec3& b, const RayQuery& 
 /// A sheared corner whose y has the exact sign, and its x too where y is zero.
 struct OutlineCorner : ShearedCorner {
     OutlineCorner(const Vec3& p, const RayQuery& q) : ShearedCorner(shear(p, q)), corner(&p) {
-        const auto exact = [&](double coordinate, int k) {
-            if (std::abs(coordinate) > shear_error(std::abs(coordinate), std::abs(z), q)) {
-                return coordinate;
-            }
-            return exact_shear(q.dz, p[k], q.ray.origin[k], q.ray.direction[k], p[q.kz],
-                               q.ray.origin[q.kz]);
-        };
-        y = exact(y, q.ky);
-        if (y == 0) x = exact(x, q.kx);
+        const Vec3 &o = q.ray.origin, &d = q.ray.direction;
+        y = shear_sign(q.dz, p[q.ky], o[q.ky], d[q.ky], p[q.kz], o[q.kz]);
+        if (y == 0) x = shear_sign(q.dz, p[q.kx], o[q.kx], d[q.kx], p[q.kz], o[q.kz]);
     }
 
     const Vec3* corner;

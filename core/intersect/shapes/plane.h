@@ -16,7 +16,7 @@ inline Box3 bounds(const Scene&, const Plane& p) {
 inline double first_hit(const Scene&, const Plane& p, Sides sides, const RayQuery& q) {
     const double cosine = p.normal.dot(q.ray.direction);
     const double t = p.normal.dot(p.point - q.ray.origin) / cosine;
-    return t > q.ray.tmin && faces(cosine, sides) ? t : no_hit;
+    return is_ahead(t, q.ray.tmin) && faces(cosine, sides) ? t : no_hit;
 }
 
 inline SurfacePoint surface(const Scene&, const Plane& p, const RayQuery& q, double t) {

@@ -93,7 +93,7 @@ inline double first_hit(const Scene& scene, const Polygon& polygon, Sides sides,
     double t = plane.normal.dot(plane.point - q.ray.origin) / cosine;
     if (!(t > first)) t = first;
     if (t > last) t = last;
-    return t > q.ray.tmin && t < infinity ? t : no_hit;
+    return is_ahead(t, q.ray.tmin) ? t : no_hit;
 }
 
 /// The mean of the corners' normals at `position`, by mean value coordinates, which hold for

@@ -5,11 +5,16 @@
 
 namespace etalon {
 
+/// Whether a root counts: beyond tmin, and not carried to infinity by a vanishing denominator.
+inline bool is_ahead(double t, double tmin) {
+    return t > tmin && t < infinity;
+}
+
 /// Of the two points where a ray crosses a closed shape, the first visible one beyond tmin: its
 /// front at `entry`, its back at `exit`.
 inline double first_visible(double entry, double exit, Sides sides, double tmin) {
-    if (entry > tmin && sides != Sides::back) return entry;
-    if (exit > tmin && sides != Sides::front) return exit;
+    if (is_ahead(entry, tmin) && sides != Sides::back) return entry;
+    if (is_ahead(exit, tmin) && sides != Sides::front) return exit;
     return no_hit;
 }
 

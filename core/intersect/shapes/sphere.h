@@ -22,7 +22,7 @@ inline double first_hit(const Scene&, const Sphere& s, Sides sides, const RayQue
     const double b = -f.dot(d);
     const Vec3 approach = f + (b / a) * d;
     const double discriminant = s.radius * s.radius - approach.dot(approach);
-    if (!(discriminant >= 0)) return no_hit;
+    if (!(discriminant >= 0 && s.radius > 0)) return no_hit;
     const double c = f.dot(f) - s.radius * s.radius;
     const double root = std::sqrt(a * discriminant);
     if (b >= 0) return first_visible(c / (b + root), (b + root) / a, sides, q.ray.tmin);

@@ -37,9 +37,8 @@ struct TriangleCrossing {
 /// t is then a true mean of the corners' depths and never leaves the triangle's bounds.
 inline TriangleCrossing cross_triangle(const std::array<Vec3, 3>& p, const RayQuery& q) {
     const ShearedCorner a = shear(p[0], q), b = shear(p[1], q), c = shear(p[2], q);
-    TriangleCrossing r{{edge_function(b, c), edge_function(c, a), edge_function(a, b)},
-                       {a.z, b.z, c.z},
-                       0};
+    TriangleCrossing r{
+        {edge_function(b, c), edge_function(c, a), edge_function(a, b)}, {a.z, b.z, c.z}, 0};
     r.sum = r.weight[0] + r.weight[1] + r.weight[2];
     const auto largest = [](double x, double y, double z) {
         return std::max(std::abs(x), std::max(std::abs(y), std::abs(z)));
@@ -50,7 +49,8 @@ inline TriangleCrossing cross_triangle(const std::array<Vec3, 3>& p, const RayQu
     const bool surely_outside = std::min({u, v, w}) < -error && std::max({u, v, w}) > error;
     const double least = std::min({std::abs(u), std::abs(v), std::abs(w)});
     if (surely_outside || (least > error && std::abs(r.sum) > 0x1p28 * error)) return r;
-    for (int k = 0; k < 3; ++k) r.weight[k] = exact_edge_function(p[(k + 1) % 3], p[(k + 2) % 3], q);
+    for (int k = 0; k < 3; ++k)
+        r.weight[k] = exact_edge_function(p[(k + 1) % 3], p[(k + 2) % 3], q);
     r.sum = r.weight[0] + r.weight[1] + r.weight[2];
     return r;
 }
@@ -62,7 +62,7 @@ inline double first_hit(const Scene& scene, const Triangle& tri, Sides sides, co
     const bool inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
     if (!inside || c.sum == 0 || !faces(c.sum / q.dz, sides)) return no_hit;
     const double t = (u * c.depth[0] + v * c.depth[1] + w * c.depth[2]) / (c.sum * q.dz);
-    return t > q.ray.tmin ? t : no_hit;
+    return is_ahead(t, q.ray.tmin) ? t : no_hit;
 }
 
 /// The position is built from the corners and so as exact as they are, however far the ray came.
