@@ -17,8 +17,8 @@ struct Image {
 
     bool empty() const { return width == 0; }
 
-    /// The first three channels as stored: bytes divided by 255, floats as they are. One channel is
-    /// grey. 0 <= x < width, 0 <= y < height.
+    /// The first three channels as stored: bytes divided by 255, floats as they are. One channel,
+    /// or one with alpha, is grey. 0 <= x < width, 0 <= y < height.
     Color color(int x, int y) const;
 };
 

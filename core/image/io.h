@@ -11,13 +11,15 @@
 namespace etalon {
 
 /// Writes .exr (float RGB, ZIP, data window, all metadata) or .png (8 bit), told by the extension.
-/// `exposure` in stops applies to PNG only. Returns the reason of a failure, or an empty string.
+/// A crop's PNG holds the crop. `exposure` in stops applies to PNG only. Returns the reason of a
+/// failure, beginning with the path, or an empty string.
 std::string write_picture(const std::string& path, const Picture& picture, double exposure = 0);
 
 /// Whether write_picture knows the extension.
 bool can_write(const std::string& path);
 
-/// Reads a picture file: .exr by OpenEXR, anything else by OpenImageIO.
+/// Reads a picture file: .exr by OpenEXR, anything else by OpenImageIO. A failure's reason begins
+/// with the path.
 Outcome<Image> read_image(const std::string& path);
 
 }  // namespace etalon

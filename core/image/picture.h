@@ -11,10 +11,10 @@ namespace etalon {
 
 /// A rendered picture: linear scene values in a data window inside the full frame.
 struct Picture {
-    int width = 0, height = 0;        ///< of the full frame (display window)
-    Imath::Box2i window;              ///< pixels present, inclusive on both ends as in OpenEXR
-    std::vector<Color> pixels;        ///< window.size() + 1 in each axis, rows from the top
-    bool display_colors = false;      ///< values are display values: PNG takes them without a curve
+    int width = 0, height = 0;    ///< of the full frame (display window)
+    Imath::Box2i window;          ///< pixels present, inclusive on both ends as in OpenEXR
+    std::vector<Color> pixels;    ///< window.size() + 1 in each axis, rows from the top
+    bool display_colors = false;  ///< values are display values: PNG takes them without a curve
 
     using Attribute = std::variant<int, float, std::string, Imath::M44f>;
     std::map<std::string, Attribute> metadata;

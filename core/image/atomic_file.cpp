@@ -1,0 +1,93 @@
+#include "core/image/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+namespace etalon {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// 0, or the errno of the call that failed.
+using Errno = int;
+
+Errno write_all(int file, std::string_view content) {
+    while (!content.empty()) {
+        const ssize_t n = ::write(file, content.data(), content.size());
+        if (n >= 0) {
+            content.remove_prefix(static_cast<std::size_t>(n));
+        } else if (errno != EINTR) {
+            return errno;
+        }
+    }
+    return 0;
+}
+
+Errno close_after(int file, Errno earlier) {
+    const Errno closing = ::close(file) == 0 ? 0 : errno;  // where network disks report failures
+    return earlier != 0 ? earlier : closing;
+}
+
+Errno write_in_place(const std::string& path, std::string_view content) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    return file < 0 ? errno : close_after(file, write_all(file, content));
+}
+
+/// A new file in the directory of `path`: on the same file system, or rename would have to copy.
+/// Its name does not grow from the target's, whose length may already be the limit.
+int open_beside(const fs::path& path, std::string& name) {
+    static std::atomic<unsigned> serial = 0;
+    int file = -1;
+    do {
+        name = path.parent_path() /
+               (".etalon-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp");
+        file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    } while (file < 0 && errno == EEXIST);
+    return file;
+}
+
+/// `replaced`: what is at `path` now, or nullptr.
+Errno write_and_rename(const std::string& path, std::string_view content,
+                       const struct stat* replaced) {
+    std::string temporary;
+    const int file = open_beside(path, temporary);
+    if (file < 0) return errno;
+    Errno error = write_all(file, content);
+    if (error == 0 && replaced && ::fchmod(file, replaced->st_mode & 0777) != 0) error = errno;
+    // The name must not reach the disk before the content does.
+    if (error == 0 && ::fsync(file) != 0) error = errno;
+    error = close_after(file, error);
+    if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+    if (error != 0) ::unlink(temporary.c_str());
+    return error;
+}
+
+Errno write_file(const std::string& path, std::string_view content) {
+    struct stat present = {};
+    if (::stat(path.c_str(), &present) != 0) return write_and_rename(path, content, nullptr);
+    if (S_ISDIR(present.st_mode)) return EISDIR;
+    if (::access(path.c_str(), W_OK) != 0) return errno;
+    if (!S_ISREG(present.st_mode)) return write_in_place(path, content);
+    return write_and_rename(fs::canonical(path), content, &present);
+}
+
+}  // namespace
+
+std::string write_file_atomically(const std::string& path, std::string_view content) {
+    try {
+        const Errno error = write_file(path, content);
+        if (error == 0) return {};
+        return path + ": cannot be written: " + std::generic_category().message(error);
+    } catch (const std::exception& e) {
+        return path + ": cannot be written: " + e.what();
+    }
+}
+
+}  // namespace etalon

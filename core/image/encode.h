@@ -1,0 +1,22 @@
+// Scene values to the bytes of an 8-bit picture.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/image/picture.h"
+
+namespace etalon {
+
+/// The byte that displays the linear value `gain * value`: sRGB's curve (IEC 61966-2-1), rounded to
+/// nearest. Out of [0, 1] is clamped; NaN is black.
+std::uint8_t srgb_byte(float value, double gain = 1);
+
+/// The byte of a display value as the programs that define such pictures make it: no curve, 255.99
+/// times the value, truncated. Out of [0, 1] is clamped; NaN is black.
+std::uint8_t display_byte(float value, double gain = 1);
+
+/// R, G, B of each pixel of the picture's window. `exposure` in stops.
+std::vector<std::uint8_t> display_bytes(const Picture& picture, double exposure);
+
+}  // namespace etalon

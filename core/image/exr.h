@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "core/image/image.h"
+#include "core/image/picture.h"
+
+namespace etalon {
+
+/// An OpenEXR file in memory: scan lines of 32-bit float R, G, B with ZIP compression, Rec. 709
+/// chromaticities, the picture's window as data window inside its frame as display window, and its
+/// metadata as attributes of the same names and types. Where OpenEXR has a standard attribute of a
+/// name (worldToCamera, ...), the type must be the standard one.
+/// `picture` has the pixels its window asks for.
+Outcome<std::string> encode_exr(const Picture& picture);
+
+/// The data window of the first part of a file, as floats: R, G, B (0 where one of them is missing)
+/// or Y alone. Scan lines or tiles, half, float or integer. Other layouts are refused, and so are
+/// sides above 65536 and files with missing pixels.
+Outcome<Image> read_exr(const std::string& path);
+
+}  // namespace etalon

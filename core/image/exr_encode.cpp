@@ -1,0 +1,79 @@
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFloatAttribute.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfMatrixAttribute.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
+
+#include "core/image/exr.h"
+
+namespace etalon {
+namespace {
+
+constexpr const char* channel_names[] = {"R", "G", "B"};
+
+class MemoryStream : public Imf::OStream {
+  public:
+    explicit MemoryStream(std::string& bytes) : OStream("picture"), bytes_(bytes) {}
+
+    void write(const char data[], int size) override {
+        bytes_.replace(position_, static_cast<std::size_t>(size), data,
+                       static_cast<std::size_t>(size));
+        position_ += static_cast<std::size_t>(size);
+    }
+    std::uint64_t tellp() override { return position_; }
+    void seekp(std::uint64_t position) override { position_ = position; }
+
+  private:
+    std::string& bytes_;
+    std::size_t position_ = 0;
+};
+
+Imf::Header make_header(const Picture& picture) {
+    Imf::Header header({{0, 0}, {picture.width - 1, picture.height - 1}}, picture.window);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const char* name : channel_names) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec. 709
+    for (const auto& [name, value] : picture.metadata) {
+        std::visit(
+            [&, key = name](const auto& v) {
+                header.insert(key, Imf::TypedAttribute<std::decay_t<decltype(v)>>(v));
+            },
+            value);
+    }
+    return header;
+}
+
+void write_pixels(const Picture& picture, Imf::OutputFile& file) {
+    Imf::FrameBuffer buffer;
+    for (int k = 0; k < 3; ++k) {
+        const float* first = &picture.pixels[0][k];
+        buffer.insert(channel_names[k],
+                      Imf::Slice::Make(Imf::FLOAT, first, picture.window, sizeof(Color)));
+    }
+    file.setFrameBuffer(buffer);
+    file.writePixels(picture.window.max.y - picture.window.min.y + 1);
+}
+
+}  // namespace
+
+Outcome<std::string> encode_exr(const Picture& picture) {
+    try {
+        std::string bytes;
+        bytes.reserve(picture.pixels.size() * sizeof(Color));
+        MemoryStream stream(bytes);
+        {
+            Imf::OutputFile file(stream, make_header(picture));
+            write_pixels(picture, file);
+        }  // completes the file
+        return {std::move(bytes), {}};
+    } catch (const std::exception& e) {
+        return {{}, e.what()};
+    }
+}
+
+}  // namespace etalon

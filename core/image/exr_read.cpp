@@ -1,0 +1,79 @@
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+
+#include "core/image/exr.h"
+
+namespace etalon {
+namespace {
+
+constexpr int max_side = 65536;
+
+/// OpenEXR's reason without the name of the file it puts in front.
+std::string reason(const std::exception& e, const std::string& path) {
+    if (dynamic_cast<const std::bad_alloc*>(&e)) return "not enough memory";
+    const std::string text = e.what(), name = "\"" + path + "\". ";
+    const std::size_t at = text.find(name);
+    return at == std::string::npos ? text : text.substr(at + name.size());
+}
+
+/// The file's channels that make the picture.
+std::vector<std::string> picture_channels(const Imf::ChannelList& stored) {
+    const auto has = [&](const char* name) { return stored.findChannel(name) != nullptr; };
+    if (has("R") || has("G") || has("B")) return {"R", "G", "B"};
+    if (has("Y") && !has("RY") && !has("BY")) return {"Y"};
+    std::string names;
+    for (auto c = stored.begin(); c != stored.end(); ++c) names += std::string(" ") + c.name();
+    throw std::runtime_error("expected channels R G B, or Y alone; it has" + names);
+}
+
+/// A few rows at a time: memory grows with what the file really holds, whatever its header claims.
+std::vector<float> read_rows(Imf::InputFile& file, const std::vector<std::string>& names) {
+    constexpr int rows_at_once = 256;  // the most a compressed block has (DWAB)
+    const Imath::Box2i window = file.header().dataWindow();
+    const std::size_t row = names.size() * (static_cast<std::size_t>(window.size().x) + 1);
+    std::vector<float> pixels;
+    pixels.reserve(row * (static_cast<std::size_t>(window.size().y) + 1));
+    for (int y = window.min.y; y <= window.max.y; y += rows_at_once) {
+        const int last = std::min(y + rows_at_once - 1, window.max.y);
+        const std::size_t done = pixels.size();
+        pixels.resize(done + row * static_cast<std::size_t>(last - y + 1));
+        const Imath::Box2i strip({window.min.x, y}, {window.max.x, last});
+        Imf::FrameBuffer buffer;
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            buffer.insert(names[k], Imf::Slice::Make(Imf::FLOAT, &pixels[done + k], strip,
+                                                     names.size() * sizeof(float)));
+        }
+        file.setFrameBuffer(buffer);
+        file.readPixels(y, last);
+    }
+    return pixels;
+}
+
+Image read_image_part(const std::string& path) {
+    static const bool limited = (Imf::Header::setMaxImageSize(max_side, max_side),
+                                 Imf::Header::setMaxTileSize(max_side, max_side), true);
+    static_cast<void>(limited);
+    Imf::InputFile file(path.c_str());
+    if (!file.isComplete()) throw std::runtime_error("some of its pixels are missing");
+    const std::vector<std::string> names = picture_channels(file.header().channels());
+    const Imath::V2i size = file.header().dataWindow().size() + Imath::V2i(1);
+    return {size.x, size.y, static_cast<int>(names.size()), read_rows(file, names)};
+}
+
+}  // namespace
+
+Outcome<Image> read_exr(const std::string& path) {
+    try {
+        return {read_image_part(path), {}};
+    } catch (const std::exception& e) {
+        return {{}, path + ": cannot be read: " + reason(e, path)};
+    }
+}
+
+}  // namespace etalon

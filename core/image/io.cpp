@@ -1,0 +1,73 @@
+#include "core/image/io.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include "core/image/atomic_file.h"
+#include "core/image/encode.h"
+#include "core/image/exr.h"
+#include "core/image/oiio.h"
+
+namespace etalon {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// In lower case, with its dot.
+std::string extension(const std::string& path) {
+    std::string text = fs::path(path).extension().string();
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+bool is_consistent(const Picture& picture) {
+    if (picture.width < 1 || picture.height < 1 || picture.window.isEmpty()) return false;
+    const Imath::V2i last = picture.window.size();
+    return picture.pixels.size() ==
+           (static_cast<std::size_t>(last.x) + 1) * (static_cast<std::size_t>(last.y) + 1);
+}
+
+Outcome<std::string> encode(const std::string& kind, const Picture& picture, double exposure) {
+    if (!is_consistent(picture)) return {{}, "its window and its pixels do not agree"};
+    if (kind == ".exr") return encode_exr(picture);
+    if (kind == ".png") {
+        return encode_png(display_bytes(picture, exposure), picture.window.size() + Imath::V2i(1),
+                          picture.window.min);
+    }
+    return {{}, "expected a name ending in .exr or .png"};
+}
+
+/// Why no file can be read there, as far as the file system knows; libraries say it worse.
+std::string obstacle_to_reading(const std::string& path) {
+    if (::access(path.c_str(), R_OK) != 0) return std::generic_category().message(errno);
+    std::error_code none;
+    if (fs::is_directory(path, none)) return std::generic_category().message(EISDIR);
+    return {};
+}
+
+}  // namespace
+
+bool can_write(const std::string& path) {
+    const std::string kind = extension(path);
+    return kind == ".exr" || kind == ".png";
+}
+
+std::string write_picture(const std::string& path, const Picture& picture, double exposure) {
+    const Outcome<std::string> file = encode(extension(path), picture, exposure);
+    if (!file) return path + ": cannot be written: " + file.error;
+    return write_file_atomically(path, file.value);
+}
+
+Outcome<Image> read_image(const std::string& path) {
+    const std::string obstacle = obstacle_to_reading(path);
+    if (!obstacle.empty()) return {{}, path + ": cannot be read: " + obstacle};
+    return extension(path) == ".exr" ? read_exr(path) : read_oiio(path);
+}
+
+}  // namespace etalon

@@ -1,0 +1,21 @@
+// Picture files by OpenImageIO, whose module is loaded at the first call.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "core/image/image.h"
+
+namespace etalon {
+
+/// The first image of any file OpenImageIO can read (jpg, png, hdr, pfm, tiff, ...), at most four
+/// channels: 8-bit values stay bytes, others become floats, and no colour is converted.
+Outcome<Image> read_oiio(const std::string& path);
+
+/// A PNG file in memory, marked as sRGB: rows of R, G, B from the top, the first pixel at `origin`
+/// of the page.
+Outcome<std::string> encode_png(std::span<const std::uint8_t> rgb, const Imath::V2i& size,
+                                const Imath::V2i& origin);
+
+}  // namespace etalon

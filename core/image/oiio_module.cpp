@@ -1,0 +1,114 @@
+// The only file that includes OpenImageIO. It is a module of its own because an empty program
+// linked to OpenImageIO loads some 260 libraries before main.
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/image/oiio_abi.h"
+
+namespace {
+
+constexpr int max_side = 65536;
+constexpr int max_channels = 4;
+
+/// Thrown when the sink gives up; it knows why.
+struct Refused {};
+
+/// OpenImageIO's messages pile up, a line each; the first is the cause.
+[[noreturn]] void fail(const std::string& messages) {
+    const std::string cause = messages.substr(0, messages.find('\n'));
+    throw std::runtime_error(cause.empty() ? "unknown reason" : cause);
+}
+
+/// Runs `task`; whatever it throws ends here.
+template <class Task>
+int guarded(const EtalonSink& sink, Task task) noexcept {
+    try {
+        task();
+        return 1;
+    } catch (const Refused&) {
+    } catch (const std::exception& e) {
+        sink.fail(sink.context, e.what());
+    }
+    return 0;
+}
+
+void append(const EtalonSink& sink, const void* data, std::size_t size) {
+    if (sink.append(sink.context, data, size) == 0) throw Refused();
+}
+
+std::unique_ptr<OIIO::ImageInput> open(const char* path) {
+    OIIO::ImageSpec options;
+    options["oiio:UnassociatedAlpha"] = 1;  // colours as stored, not multiplied by alpha
+    auto input = OIIO::ImageInput::open(path, &options);
+    if (!input) fail(OIIO::geterror());
+    const OIIO::ImageSpec& spec = input->spec();
+    if (spec.depth != 1 || spec.deep) fail("volumes and deep pictures are not supported");
+    if (std::max(spec.width, spec.height) > max_side) fail("larger than 65536 pixels");
+    return input;
+}
+
+/// Rows of the picture into `rows`, a few at a time: memory grows with what the file really holds.
+void read_rows(OIIO::ImageInput& input, const EtalonImageFormat& format, const EtalonSink& sink) {
+    const OIIO::ImageSpec& spec = input.spec();
+    const OIIO::TypeDesc type = format.is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
+    const int step = spec.tile_height > 0 ? spec.tile_height : 64;
+    const std::size_t row = type.size() * static_cast<std::size_t>(format.width * format.channels);
+    std::vector<char> rows(row * static_cast<std::size_t>(std::min(step, format.height)));
+    for (int y = 0; y < format.height; y += step) {
+        const int count = std::min(step, format.height - y);
+        const int y0 = spec.y + y, y1 = y0 + count, x1 = spec.x + spec.width;
+        const bool read =
+            spec.tile_height > 0
+                ? input.read_tiles(0, 0, spec.x, x1, y0, y1, spec.z, spec.z + 1, 0, format.channels,
+                                   type, rows.data())
+                : input.read_scanlines(0, 0, y0, y1, spec.z, 0, format.channels, type, rows.data());
+        if (!read) fail(input.geterror());
+        append(sink, rows.data(), row * static_cast<std::size_t>(count));
+    }
+    // A JPEG that ends early is read as grey from there on, with no more than a remark.
+    const std::string remark = input.geterror();
+    if (remark.find("Premature end") != std::string::npos) fail(remark);
+}
+
+int read(const char* path, const EtalonSink* sink) {
+    return guarded(*sink, [&] {
+        const auto input = open(path);
+        const OIIO::ImageSpec& spec = input->spec();
+        const EtalonImageFormat format{spec.width, spec.height,
+                                       std::min(spec.nchannels, max_channels),
+                                       spec.format != OIIO::TypeDesc::UINT8};
+        if (sink->begin(sink->context, &format) == 0) throw Refused();
+        read_rows(*input, format, *sink);
+    });
+}
+
+int encode_png(const std::uint8_t* rgb, int width, int height, int x, int y,
+               const EtalonSink* sink) {
+    return guarded(*sink, [&] {
+        OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
+        spec.x = x;
+        spec.y = y;
+        spec["oiio:ColorSpace"] = "sRGB";
+        OIIO::Filesystem::IOVecOutput file;
+        const auto output = OIIO::ImageOutput::create("picture.png");
+        if (!output) fail(OIIO::geterror());
+        if (!output->set_ioproxy(&file) || !output->open("picture.png", spec) ||
+            !output->write_image(OIIO::TypeDesc::UINT8, rgb) || !output->close()) {
+            fail(output->geterror());
+        }
+        append(*sink, file.buffer().data(), file.buffer().size());
+    });
+}
+
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) const EtalonOiio* etalon_oiio() {
+    static constexpr EtalonOiio table = {etalon_oiio_version, read, encode_png};
+    return &table;
+}
