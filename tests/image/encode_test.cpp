@@ -1,0 +1,74 @@
+#include "core/image/encode.h"
+
+#include <cmath>
+#include <limits>
+
+#include "tests/catch.h"
+
+using namespace etalon;
+
+namespace {
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+/// The inverse of sRGB's curve, from its definition.
+double linear_of(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+}  // namespace
+
+TEST_CASE("known linear values have the sRGB bytes of the standard's curve") {
+    struct Row {
+        float linear;
+        int byte;
+    };
+    const Row rows[] = {{0, 0},      {0.0001F, 0},      {0.001F, 3}, {0.0031308F, 10}, {0.01F, 25},
+                        {0.05F, 63}, {0.18F, 118},      {0.5F, 188}, {0.9F, 243},      {0.99F, 254},
+                        {1, 255},    {2, 255},          {inf, 255},  {-0.0F, 0},       {-1, 0},
+                        {-inf, 0},   {not_a_number, 0}, {1e-45F, 0}, {0.2158605F, 128}};
+    for (const Row& row : rows) {
+        INFO(row.linear);
+        CHECK(int(srgb_byte(row.linear)) == row.byte);
+    }
+}
+
+TEST_CASE("sRGB bytes are rounded to nearest: each changes half way between its neighbours") {
+    for (int byte = 0; byte < 256; ++byte) {
+        INFO(byte);
+        CHECK(int(srgb_byte(static_cast<float>(linear_of(byte / 255.0)))) == byte);
+        if (byte == 255) break;
+        CHECK(int(srgb_byte(static_cast<float>(linear_of((byte + 0.49) / 255.0)))) == byte);
+        CHECK(int(srgb_byte(static_cast<float>(linear_of((byte + 0.51) / 255.0)))) == byte + 1);
+    }
+}
+
+TEST_CASE("display values become bytes by truncation of 255.99 times the value") {
+    struct Row {
+        float value;
+        int byte;
+    };
+    const Row rows[] = {{0, 0},        {0.5F, 127},      {0.25F, 63},    {0.0039F, 0},
+                        {0.00391F, 1}, {0.996F, 254},    {0.9961F, 254}, {0.9962F, 255},
+                        {1, 255},      {1.5F, 255},      {inf, 255},     {-1, 0},
+                        {-inf, 0},     {not_a_number, 0}};
+    for (const Row& row : rows) {
+        INFO(row.value);
+        CHECK(int(display_byte(row.value)) == row.byte);
+    }
+    for (int byte = 0; byte < 256; ++byte) {
+        CHECK(int(display_byte(static_cast<float>((byte + 0.001) / 255.99))) == byte);
+        CHECK(int(display_byte(static_cast<float>((byte + 0.999) / 255.99))) ==
+              std::min(byte, 255));
+    }
+}
+
+TEST_CASE("exposure doubles with each stop, before the curve and before the clamp") {
+    Picture picture{2,     1, {{0, 0}, {1, 0}}, {{0.09F, 0.25F, 3}, {not_a_number, inf, -1}},
+                    false, {}};
+    CHECK(display_bytes(picture, 1) == std::vector<std::uint8_t>{118, 188, 255, 0, 255, 0});
+    CHECK(display_bytes(picture, -2)[2] == srgb_byte(0.75F));
+    picture.display_colors = true;
+    CHECK(display_bytes(picture, 1) == std::vector<std::uint8_t>{46, 127, 255, 0, 255, 0});
+}

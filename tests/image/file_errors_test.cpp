@@ -1,0 +1,165 @@
+#include <cstdlib>
+#include <random>
+
+#include "core/image/io.h"
+#include "tests/catch.h"
+#include "tests/image/pictures.h"
+#include "tests/image/temporary_folder.h"
+
+using namespace etalon;
+using namespace etalon::test;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+/// The message must name the file, and be one line that says more.
+void check_unreadable(const std::string& path) {
+    const Outcome<Image> read = read_image(path);
+    INFO(read.error);
+    CHECK_THAT(read.error, StartsWith(path + ": cannot be read: "));
+    CHECK(read.error.size() > path.size() + 25);
+    CHECK(read.error.find('\n') == std::string::npos);
+    CHECK(read.value.empty());
+}
+
+/// A read may succeed or fail, but what succeeds is whole.
+void check_sane(const std::string& path) {
+    const Outcome<Image> read = read_image(path);
+    if (!read) return;
+    const std::size_t size =
+        std::visit([](const auto& values) { return values.size(); }, read.value.pixels);
+    const Image& image = read.value;
+    CHECK(size == std::size_t(image.width) * image.height * image.channels);
+}
+
+}  // namespace
+
+TEST_CASE("what cannot be read is named with the reason") {
+    const TemporaryFolder folder;
+    for (const std::string kind : {".exr", ".png", ".jpg", ".hdr", ".tif", ".unknown", ""}) {
+        CHECK(read_image(folder / ("none" + kind)).error ==
+              (folder / ("none" + kind)) + ": cannot be read: No such file or directory");
+        put(folder / ("text" + kind), "This is no picture.\n");
+        check_unreadable(folder / ("text" + kind));
+        put(folder / ("empty" + kind), "");
+        check_unreadable(folder / ("empty" + kind));
+        std::filesystem::create_directory(folder / ("folder" + kind));
+        CHECK_THAT(read_image(folder / ("folder" + kind)).error,
+                   ContainsSubstring("Is a directory"));
+    }
+}
+
+TEST_CASE("garbage after a true beginning is refused") {
+    const TemporaryFolder folder;
+    std::string garbage(5000, 0);
+    std::mt19937 random(7);
+    for (char& c : garbage) c = static_cast<char>(random());
+    put(folder / "g.jpg", "\xff\xd8\xff\xe0" + garbage);
+    check_unreadable(folder / "g.jpg");
+    put(folder / "g.png", "\x89PNG\r\n\x1a\n" + garbage);
+    check_unreadable(folder / "g.png");
+    put(folder / "g.exr", "\x76\x2f\x31\x01" + garbage);
+    check_unreadable(folder / "g.exr");
+}
+
+TEST_CASE("a file that ends early is refused") {
+    const TemporaryFolder folder;
+    put(folder / "whole.ppm", "P6 40 40 255\n" + std::string(3 * 40 * 40, 'x'));
+    REQUIRE(read_image(folder / "whole.ppm").error == "");
+    REQUIRE(write_picture(folder / "whole.exr", random_picture(40, 40)) == "");
+    for (const std::string kind : {".exr", ".ppm"}) {
+        const std::string whole = content_of(folder / ("whole" + kind));
+        for (const int percent : {1, 20, 50, 90, 99}) {
+            put(folder / ("cut" + kind), whole.substr(0, whole.size() * percent / 100));
+            check_unreadable(folder / ("cut" + kind));
+        }
+    }
+}
+
+TEST_CASE("an EXR with flipped bytes is a picture or an error") {
+    const TemporaryFolder folder;
+    Picture picture = random_picture(40, 40);
+    picture.metadata = {{"software", std::string("Etalon")}};
+    REQUIRE(write_picture(folder / "whole.exr", picture) == "");
+    const std::string whole = content_of(folder / "whole.exr");
+    std::mt19937 random(1);
+    for (int i = 0; i < 500; ++i) {
+        std::string damaged = whole;
+        const std::size_t range = i % 2 == 0 ? damaged.size() : 400;  // the header half of the time
+        damaged[random() % range] = static_cast<char>(random());
+        put(folder / "damaged.exr", damaged);
+        check_sane(folder / "damaged.exr");
+    }
+}
+
+TEST_CASE("a picture that cannot be written says why and leaves nothing behind") {
+    const TemporaryFolder folder;
+    for (const std::string kind : {".exr", ".png"}) {
+        const Picture picture = random_picture(4, 3);
+        CHECK_THAT(write_picture(folder / ("none/p" + kind), picture),
+                   StartsWith(folder / ("none/p" + kind)) &&
+                       ContainsSubstring("No such file or directory"));
+        std::filesystem::create_directory(folder / ("folder" + kind));
+        CHECK_THAT(write_picture(folder / ("folder" + kind), picture),
+                   ContainsSubstring("Is a directory"));
+        std::filesystem::remove(folder / ("folder" + kind));
+        std::filesystem::create_symlink("/dev/full", folder / ("full" + kind));
+        CHECK_THAT(write_picture(folder / ("full" + kind), picture),
+                   ContainsSubstring("No space left"));
+        std::filesystem::remove(folder / ("full" + kind));
+    }
+    CHECK(folder.names().empty());
+}
+
+TEST_CASE("only .exr and .png are written") {
+    const TemporaryFolder folder;
+    CHECK(can_write("a/b.exr"));
+    CHECK(can_write("B.Png"));
+    for (const char* name : {"p.jpg", "p", "exr", ".exr", "p.exr.gz"}) {
+        CHECK_FALSE(can_write(name));
+        CHECK_THAT(write_picture(folder / name, random_picture(1, 1)),
+                   ContainsSubstring(".exr or .png"));
+    }
+    CHECK(folder.names().empty());
+}
+
+TEST_CASE("a picture whose pixels do not fill its window is refused") {
+    const TemporaryFolder folder;
+    Picture picture = random_picture(4, 3);
+    SECTION("too few") {
+        picture.pixels.pop_back();
+    }
+    SECTION("too many") {
+        picture.pixels.emplace_back();
+    }
+    SECTION("no window") {
+        picture.window.makeEmpty();
+    }
+    SECTION("no frame") {
+        picture.width = 0;
+    }
+    for (const char* name : {"p.exr", "p.png"}) {
+        CHECK_THAT(write_picture(folder / name, picture), ContainsSubstring("do not agree"));
+    }
+    CHECK(folder.names().empty());
+}
+
+TEST_CASE("a large JPEG is bytes, and refused if it ends early") {
+    const char* scenes = std::getenv("ETALON_SHARED_SCENES");
+    const std::string skybox = (scenes ? scenes : ETALON_SOURCE_DIR "/../shared/scenes") +
+                               std::string("/p3f/skybox/top.jpg");
+    if (!std::filesystem::exists(skybox)) {
+        WARN(skybox << " does not exist: not tested");
+        return;
+    }
+    const Outcome<Image> read = read_image(skybox);
+    REQUIRE(read.error == "");
+    CHECK(read.value.width == 2048);
+    CHECK(read.value.height == 2048);
+    CHECK(std::holds_alternative<std::vector<std::uint8_t>>(read.value.pixels));
+
+    const TemporaryFolder folder;
+    const std::string whole = content_of(skybox);
+    put(folder / "cut.jpg", std::string_view(whole).substr(0, whole.size() / 2));
+    check_unreadable(folder / "cut.jpg");
+}

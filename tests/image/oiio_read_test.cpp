@@ -1,0 +1,130 @@
+// Files of other formats, written here byte by byte.
+#include <cstring>
+
+#include "core/image/io.h"
+#include "tests/catch.h"
+#include "tests/image/temporary_folder.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+using Floats = std::vector<float>;
+
+std::string text_of(const Bytes& bytes) {
+    return {bytes.begin(), bytes.end()};
+}
+
+Image read(const TemporaryFolder& folder, const std::string& name, const std::string& content) {
+    put(folder / name, content);
+    Outcome<Image> image = read_image(folder / name);
+    REQUIRE(image.error == "");
+    return std::move(image.value);
+}
+
+/// Little-endian numbers of a TIFF file.
+class Tiff {
+  public:
+    void word(unsigned v) { number(v, 2); }
+    void entry(unsigned tag, unsigned type, unsigned count, unsigned value) {
+        word(tag), word(type), number(count, 4), number(value, 4);
+    }
+    void number(unsigned v, int bytes) {
+        for (int i = 0; i < bytes; ++i) text += static_cast<char>(v >> (8 * i));
+    }
+    std::string text = "II*";
+};
+
+/// 32 x 20 grey bytes in four tiles of 16 x 16; the pixel (x, y) is 7 x + y.
+std::string tiled_tiff() {
+    Tiff t;
+    t.number(0, 1);
+    constexpr unsigned entries = 9, directory = 8, offsets = directory + 2 + 12 * entries + 4;
+    constexpr unsigned sizes = offsets + 16, tiles = sizes + 16, tile = 256;
+    t.number(directory, 4);
+    t.word(entries);
+    t.entry(256, 3, 1, 32), t.entry(257, 3, 1, 20);  // width, height
+    t.entry(258, 3, 1, 8), t.entry(259, 3, 1, 1);    // bits, no compression
+    t.entry(262, 3, 1, 1);                           // 0 is black
+    t.entry(322, 3, 1, 16), t.entry(323, 3, 1, 16);  // tile width, height
+    t.entry(324, 4, 4, offsets), t.entry(325, 4, 4, sizes);
+    t.number(0, 4);
+    for (unsigned i = 0; i < 4; ++i) t.number(tiles + i * tile, 4);
+    for (unsigned i = 0; i < 4; ++i) t.number(tile, 4);
+    for (unsigned i = 0; i < 4 * tile; ++i) {
+        const unsigned x = i / tile % 2 * 16 + i % 16, y = i / tile / 2 * 16 + i % tile / 16;
+        t.number((7 * x + y) % 256, 1);
+    }
+    return t.text;
+}
+
+}  // namespace
+
+TEST_CASE("eight-bit values stay as stored") {
+    const TemporaryFolder folder;
+    const Image image = read(folder, "p.ppm", "P6 2 1 255\n" + text_of({0, 1, 127, 128, 254, 255}));
+    CHECK(image.channels == 3);
+    CHECK(std::get<Bytes>(image.pixels) == Bytes{0, 1, 127, 128, 254, 255});
+    CHECK(image.color(0, 0) == Color(0, 1 / 255.0F, 127 / 255.0F));
+    CHECK(image.color(1, 0) == Color(128 / 255.0F, 254 / 255.0F, 1));
+}
+
+TEST_CASE("colours are not multiplied by alpha") {
+    const TemporaryFolder folder;
+    // Truevision: no palette, uncompressed, 1 x 1, 32 bits with 8 of alpha, from the top; B G R A
+    const Image image =
+        read(folder, "p.tga", text_of({0, 0, 2, 0, 0,  0,    0,  0,  0,   0, 0, 0,  //
+                                       1, 0, 1, 0, 32, 0x28, 10, 20, 200, 64}));
+    CHECK(image.channels == 4);
+    CHECK(std::get<Bytes>(image.pixels) == Bytes{200, 20, 10, 64});
+}
+
+TEST_CASE("one channel is grey") {
+    const TemporaryFolder folder;
+    const Image image = read(folder, "p.pgm", "P5 1 2 255\n" + text_of({51, 102}));
+    CHECK(image.channels == 1);
+    CHECK(image.color(0, 0) == Color(51 / 255.0F));
+    CHECK(image.color(0, 1) == Color(102 / 255.0F));
+}
+
+TEST_CASE("sixteen bits become floats") {
+    const TemporaryFolder folder;
+    const Image image = read(folder, "p.ppm", "P6 1 1 65535\n" + text_of({0, 0, 1, 0, 255, 255}));
+    CHECK(std::holds_alternative<Floats>(image.pixels));
+    const Color expected(0, 256 / 65535.0F, 1);  // some versions of the reader lose the last bit
+    CHECK(image.color(0, 0).equalWithAbsError(expected, 1 / 65535.0F));
+}
+
+TEST_CASE("floats beyond one are kept, rows from the top") {
+    const TemporaryFolder folder;
+    const Floats bottom_up = {1, 2, 3, -4, 1e20F, 0.125F};
+    std::string data(sizeof(float) * bottom_up.size(), 0);
+    std::memcpy(data.data(), bottom_up.data(), data.size());
+    const Image image = read(folder, "p.pfm", "PF\n1 2\n-1.0\n" + data);
+    CHECK(std::get<Floats>(image.pixels) == Floats{-4, 1e20F, 0.125F, 1, 2, 3});
+}
+
+TEST_CASE("a Radiance picture is linear floats") {
+    const TemporaryFolder folder;
+    const Image image =
+        read(folder, "p.hdr",
+             "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n" + text_of({128, 64, 32, 130}));
+    const Color c = image.color(0, 0);  // mantissa / 256 * 2^(exponent - 128), or half a step more
+    CHECK(c.x == Approx(2).epsilon(0.01));
+    CHECK(c.y == Approx(1).epsilon(0.01));
+    CHECK(c.z == Approx(0.5).epsilon(0.02));
+}
+
+TEST_CASE("tiles are put in their places, cut at the edge") {
+    const TemporaryFolder folder;
+    const Image image = read(folder, "p.tif", tiled_tiff());
+    REQUIRE(image.width == 32);
+    REQUIRE(image.height == 20);
+    const Bytes& bytes = std::get<Bytes>(image.pixels);
+    REQUIRE(bytes.size() == 32 * 20);
+    int wrong = 0;
+    for (int i = 0; i < 32 * 20; ++i) wrong += bytes[i] != (7 * (i % 32) + i / 32) % 256;
+    CHECK(wrong == 0);
+}

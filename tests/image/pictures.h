@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstring>
+#include <random>
+
+#include "core/image/picture.h"
+
+namespace etalon::test {
+
+/// Every bit pattern of a float, so infinities, NaNs and denormals too, in a window of a frame.
+inline Picture random_picture(int width, int height, const Imath::Box2i& window) {
+    Picture picture{width, height, window, {}, false, {}};
+    const Imath::V2i size = window.size() + Imath::V2i(1);
+    std::mt19937 random(12345);
+    for (int i = 0; i < size.x * size.y; ++i) {
+        Color c;
+        for (int k = 0; k < 3; ++k) {
+            const auto bits = static_cast<std::uint32_t>(random());
+            std::memcpy(&c[k], &bits, sizeof bits);
+        }
+        picture.pixels.push_back(c);
+    }
+    return picture;
+}
+
+inline Picture random_picture(int width, int height) {
+    return random_picture(width, height, {{0, 0}, {width - 1, height - 1}});
+}
+
+}  // namespace etalon::test
