@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -62,16 +63,20 @@ double ulps_between(double a, double b) {
     return std::abs(a - b) / ulp;
 }
 
+bool is_nearest(std::uint32_t primitive, const OracleAnswer& truth) {
+    return std::binary_search(truth.tied.begin(), truth.tied.end(), primitive);
+}
+
 void compare(const OracleAnswer& truth, const std::optional<Hit>& hit, bool occluded, Tally& tally) {
-    if (truth.verdict == OracleAnswer::undecidable) {
+    if (truth.kind == OracleAnswer::undecidable) {
         ++tally.undecidable;
         return;
     }
-    const bool is_hit = truth.verdict == OracleAnswer::hit;
+    const bool is_hit = truth.kind == OracleAnswer::hit;
     if (occluded != is_hit) ++tally.occlusion_errors;
     if (hit.has_value() != is_hit) {
         ++tally.class_errors;
-    } else if (is_hit && !truth.accepts(hit->primitive)) {
+    } else if (is_hit && !is_nearest(hit->primitive, truth)) {
         ++tally.primitive_errors;
     } else if (is_hit) {
         tally.t_max_ulp = std::max(tally.t_max_ulp, ulps_between(hit->t, truth.t));
@@ -107,7 +112,7 @@ void print_row(const std::string& backend, const std::string& kind, const Tally&
     fmt::print("{:<15} {:<7} {:>9} rays {:>8} class {:>8} primitive {:>8} occlusion {:>12.3g} ulp",
                backend, kind, t.rays, t.class_errors, t.primitive_errors, t.occlusion_errors,
                t.t_max_ulp);
-    fmt::print(t.undecidable > 0 ? "  ({} undecidable)\n" : "\n", t.undecidable);
+    fmt::print("{}\n", t.undecidable > 0 ? fmt::format("  ({} undecidable)", t.undecidable) : "");
 }
 
 std::vector<RaySet> ray_sets(const Scene& scene, std::size_t limit) {

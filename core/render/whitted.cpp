@@ -92,7 +92,7 @@ Color Whitted::lit_by(const Vec3& light, const Path& path, const Encounter& at,
     const double facing = at.surface.normal.dot(towards);
     if (!(cosine > 0) || (at.entering ? facing <= 0 : facing >= 0)) return Color(0.0F);
 
-    const Vec3 origin = spawn_origin(at.surface, towards);
+    const Vec3 origin = origin_of(at, towards, false);
     ++context.counts.shadow;
     if (intersector_.occluded({origin, light - origin, 0, shadow_end})) {
         ++context.counts.shadow_blocked;
@@ -134,13 +134,19 @@ Color Whitted::secondary(const Path& path, const Encounter& at, Context& context
     return sum;
 }
 
+Vec3 Whitted::origin_of(const Encounter& at, const Vec3& direction, bool crosses) const {
+    const double bias = scene_.whitted.fixed_bias;
+    if (bias == 0) return spawn_origin(at.surface, direction);
+    return at.surface.position + (crosses ? -bias : bias) * at.normal;
+}
+
 /// `inside`: the new ray runs behind the surface.
 Color Whitted::follow(const Path& from, const Encounter& at, const Vec3& direction, bool inside,
                       Context& context) const {
     const bool crosses = inside == at.entering;
     Color absorption = from.absorption;
     if (crosses) absorption = inside ? at.material.absorption : Color(0.0F);
-    const Path path{{spawn_origin(at.surface, direction), direction},
+    const Path path{{origin_of(at, direction, crosses), direction},
                     from.depth + 1,
                     hash(from.name, crosses ? 1 : 0),
                     absorption};
