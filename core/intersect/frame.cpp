@@ -7,6 +7,7 @@ namespace {
 
 constexpr double largest_origin = 3;
 constexpr double largest_distance = 0x1p24;
+constexpr double largest_speed = 0x1p900;
 
 }  // namespace
 
@@ -46,7 +47,9 @@ std::optional<FrameRay> Frame::ray(const Ray& ray) const {
 }
 
 bool Frame::resolves(const Ray& ray) const {
-    return max_abs(ray.origin - centre_) * scale_ < largest_distance;
+    const double distance = max_abs(ray.origin - centre_) * scale_;
+    const double speed = max_abs(ray.direction) * scale_;
+    return distance < largest_distance && speed > 1 / largest_speed && speed < largest_speed;
 }
 
 }  // namespace etalon

@@ -39,7 +39,9 @@ class Frame {
     std::optional<FrameRay> ray(const Ray& ray) const;
 
     /// False for rays from so far (2^24 times the scene's size) that a rounding of their double
-    /// coordinates is no longer small against the padding. They must be tested against everything.
+    /// coordinates is no longer small against the padding, and for those that pass the scene in so
+    /// little or so much of t (2^+-900) that t would leave the range of double on its way into the
+    /// frame. They must be tested against everything.
     bool resolves(const Ray& ray) const;
 
   private:

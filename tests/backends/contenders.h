@@ -1,0 +1,25 @@
+// The backends under test, and what they are measured by.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/intersect/intersector.h"
+
+namespace etalon::test {
+
+/// Every backend that promises the kernels' own hits.
+std::vector<Backend> exact_backends();
+
+const Backend& backend_named(std::string_view name);
+
+/// Every primitive for this ray, with the one rule for ties; written out here so that no backend
+/// is its own judge. The ray must be valid.
+std::optional<Hit> brute_force(const Scene& scene, const Ray& ray);
+
+/// How `intersector` answers `ray` otherwise than `expected`; empty if it does not.
+std::string difference(const Intersector& intersector, const Ray& ray,
+                       const std::optional<Hit>& expected);
+
+}  // namespace etalon::test

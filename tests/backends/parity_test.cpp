@@ -1,0 +1,146 @@
+// Given the same ray, every exact backend finds the same primitive at the same t, to the last bit,
+// and says that a ray is occluded exactly when it finds something.
+#include "core/intersect/kernels.h"
+#include "tests/backends/contenders.h"
+#include "tests/backends/rays.h"
+#include "tests/backends/scenes.h"
+#include "tests/catch.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+bool is_valid(const Ray& ray) {
+    return is_finite(ray.origin) && is_finite(ray.direction) && max_abs(ray.direction) > 0 &&
+           ray.tmin < ray.tmax;
+}
+
+std::optional<Hit> expected_hit(const Scene& scene, const Ray& ray) {
+    return is_valid(ray) ? brute_force(scene, ray) : std::nullopt;
+}
+
+/// The rays, and those around every fourth's hit, with what they must find.
+struct Question {
+    Ray ray;
+    std::optional<Hit> expected;
+};
+
+std::vector<Question> questions_for(const Scene& scene, std::size_t count, std::uint64_t seed) {
+    Random random(seed);
+    std::vector<Question> questions;
+    for (const Ray& ray : make_rays(scene, count, random)) {
+        const std::optional<Hit> hit = expected_hit(scene, ray);
+        questions.push_back({ray, hit});
+        if (!hit || !random.one_in(4)) continue;
+        for (const Ray& r : around_hit(ray, hit->t))
+            questions.push_back({r, expected_hit(scene, r)});
+    }
+    return questions;
+}
+
+void require_parity(const Scene& scene, const std::vector<Question>& questions) {
+    for (const Backend& backend : exact_backends()) {
+        INFO("backend " << backend.name);
+        const auto intersector = backend.build(scene);
+        std::size_t different = 0;
+        std::string first;
+        for (const Question& q : questions) {
+            const std::string text = difference(*intersector, q.ray, q.expected);
+            if (text.empty()) continue;
+            if (different++ == 0) first = text;
+        }
+        INFO(first);
+        CHECK(different == 0);
+    }
+}
+
+void require_parity(const SceneFamily& family, std::size_t primitives, std::size_t rays) {
+    INFO("scene " << family.name << " of " << primitives);
+    const Scene scene = family.make(primitives);
+    require_parity(scene, questions_for(scene, rays, primitives));
+}
+
+}  // namespace
+
+TEST_CASE("Given any scene, exact backends agree to the last bit", "[backends]") {
+    for (const SceneFamily& family : scene_families()) require_parity(family, 300, 1500);
+}
+
+TEST_CASE("Given a handful of primitives, exact backends agree to the last bit", "[backends]") {
+    for (const std::size_t count : {1, 2, 3, 9}) {
+        for (const SceneFamily& family : scene_families()) require_parity(family, count, 300);
+    }
+}
+
+TEST_CASE("Given large scenes, exact backends agree to the last bit", "[backends][long]") {
+    for (const SceneFamily& family : scene_families()) require_parity(family, 20000, 20000);
+}
+
+TEST_CASE("Given many rays, exact backends agree to the last bit", "[backends][long]") {
+    for (const SceneFamily& family : scene_families()) require_parity(family, 100, 300000);
+}
+
+TEST_CASE("Given no primitives, nothing is hit", "[backends]") {
+    const Scene scene;
+    require_parity(scene, questions_for(scene, 100, 1));
+}
+
+TEST_CASE("Given only degenerate primitives, nothing is hit", "[backends]") {
+    Scene scene;
+    scene.vertices.assign(3, Vec3(1));
+    scene.vertices.emplace_back(nan_value, 0, 0);
+    scene.vertices.emplace_back(infinity, 0, 0);
+    scene.add(Triangle{{0, 1, 2}}, 0);
+    scene.add(Triangle{{0, 1, 3}}, 0);
+    scene.add(Triangle{{0, 1, 4}}, 0);
+    scene.add(Polygon{0, 5}, 0);
+    scene.add(Sphere{Vec3(0), 0}, 0);
+    scene.add(Sphere{Vec3(0), nan_value}, 0);
+    scene.add(Box{Vec3(1), Vec3(-1)}, 0);
+    scene.add(Plane{Vec3(0), Vec3(0)}, 0);
+    scene.add(Cone{Vec3(1), Vec3(1), 1, 1}, 0);
+    Random random(2);
+    for (const Backend& backend : exact_backends()) {
+        INFO("backend " << backend.name);
+        const auto intersector = backend.build(scene);
+        for (const Ray& ray : make_rays(scene, 200, random)) {
+            REQUIRE(difference(*intersector, ray, std::nullopt) == "");
+        }
+    }
+}
+
+TEST_CASE("Given rays that are none, nothing is hit", "[backends]") {
+    const Scene scene = make_scene("mix", 50);
+    const double bad[] = {nan_value, infinity, -infinity};
+    std::vector<Ray> rays = {
+        {Vec3(0), Vec3(0)}, {Vec3(0), Vec3(1), 2, 1}, {Vec3(0), Vec3(1), 1, 1}};
+    for (const double x : bad) {
+        rays.push_back({Vec3(0, x, 0), Vec3(1)});
+        rays.push_back({Vec3(0), Vec3(1, 1, x)});
+    }
+    rays.push_back({Vec3(0), Vec3(1), nan_value, 1});
+    rays.push_back({Vec3(0), Vec3(1), 0, nan_value});
+    for (const Backend& backend : exact_backends()) {
+        INFO("backend " << backend.name);
+        const auto intersector = backend.build(scene);
+        for (const Ray& ray : rays) CHECK(difference(*intersector, ray, std::nullopt) == "");
+    }
+}
+
+TEST_CASE("Given 1e5 equal primitives, the first is hit and building ends", "[backends]") {
+    Scene scene;
+    scene.vertices = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
+    for (int i = 0; i < 50000; ++i) {
+        scene.add(Triangle{{0, 1, 2}}, 0);
+        scene.add(Sphere{Vec3(0), 0.5}, 0);
+    }
+    const Ray at_sphere{Vec3(0, 0, 3), Vec3(0, 0, -1)},
+        at_triangle{Vec3(0.5, -0.875, 3), Vec3(0, 0, -1)};
+    for (const Backend& backend : exact_backends()) {
+        INFO("backend " << backend.name);
+        const auto intersector = backend.build(scene);
+        CHECK(difference(*intersector, at_sphere, Hit{2.5, 1}) == "");
+        CHECK(difference(*intersector, at_triangle, Hit{3, 0}) == "");
+    }
+}

@@ -1,0 +1,250 @@
+#include "tests/backends/scenes.h"
+
+#include <numbers>
+
+#include "tests/backends/random.h"
+#include "tests/catch.h"
+
+namespace etalon::test {
+namespace {
+
+std::uint32_t add_vertices(Scene& scene, std::initializer_list<Vec3> points) {
+    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+    scene.vertices.insert(scene.vertices.end(), points);
+    return first;
+}
+
+void add_triangle(Scene& scene, const Vec3& a, const Vec3& b, const Vec3& c, Sides sides) {
+    const std::uint32_t first = add_vertices(scene, {a, b, c});
+    scene.add(Triangle{{first, first + 1, first + 2}}, 0, sides);
+}
+
+/// A concave or convex outline of 4 to 7 corners around `place`.
+void add_polygon(Scene& scene, Random& random, const Vec3& place, double size, Sides sides) {
+    Vec3 u, v;
+    orthonormal_basis(random.direction(), u, v);
+    const std::uint32_t count = 4 + random.below(4);
+    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double angle = 2 * std::numbers::pi * i / count;
+        const double r = size * random.between(0.3, 1);
+        scene.vertices.push_back(place + r * (std::cos(angle) * u + std::sin(angle) * v));
+    }
+    scene.add(Polygon{first, count}, 0, sides);
+}
+
+/// Adds a shape of number `kind` in the order of ShapeArrays.
+void add_shape(Scene& scene, Random& random, ShapeKind kind, double size, Sides sides) {
+    const Vec3 place = random.in_cube();
+    if (kind == kind_of<Sphere>()) {
+        scene.add(Sphere{place, size * random.between(0.1, 1)}, 0, sides);
+    } else if (kind == kind_of<Triangle>()) {
+        add_triangle(scene, place, place + random.in_cube(size), place + random.in_cube(size),
+                     sides);
+    } else if (kind == kind_of<Polygon>()) {
+        add_polygon(scene, random, place, size, sides);
+    } else if (kind == kind_of<Box>()) {
+        const Vec3 half = abs(random.in_cube(size));
+        scene.add(Box{place - half, place + half}, 0, sides);
+    } else if (kind == kind_of<Plane>()) {
+        scene.add(Plane{3.0 * place, random.direction()}, 0, sides);
+    } else {
+        scene.add(Cone{place, place + random.in_cube(size), size * random.between(0, 0.5),
+                       size * random.between(0.1, 0.5)},
+                  0, sides);
+    }
+}
+
+double usual_size(std::size_t count) {
+    return 1.5 / std::cbrt(static_cast<double>(count + 1));
+}
+
+template <class Shape>
+Scene only(std::size_t count) {
+    Scene scene;
+    Random random(kind_of<Shape>() + 1);
+    for (std::size_t i = 0; i < count; ++i) {
+        add_shape(scene, random, kind_of<Shape>(), usual_size(count), Sides::both);
+    }
+    return scene;
+}
+
+/// One in fifty is a plane, or they would hide the rest.
+ShapeKind any_kind(Random& random) {
+    const auto kind = static_cast<ShapeKind>(random.below(shape_kinds));
+    const bool keep = kind != kind_of<Plane>() || random.one_in(8);
+    return keep ? kind : kind_of<Sphere>();
+}
+
+Scene mix(std::size_t count) {
+    Scene scene;
+    Random random(11);
+    for (std::size_t i = 0; i < count; ++i) {
+        add_shape(scene, random, any_kind(random), usual_size(count), Sides::both);
+    }
+    return scene;
+}
+
+Scene one_sided(std::size_t count) {
+    Scene scene;
+    Random random(12);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto sides = static_cast<Sides>(random.below(3));
+        add_shape(scene, random, any_kind(random), usual_size(count), sides);
+    }
+    return scene;
+}
+
+/// Every shape eight times, the copies far apart in the numbering.
+Scene duplicates(std::size_t count) {
+    Scene scene = mix(count / 8 + 1);
+    const std::vector<Primitive> once = scene.primitives;
+    for (int copy = 1; copy < 8; ++copy) {
+        scene.primitives.insert(scene.primitives.end(), once.begin(), once.end());
+    }
+    Random random(13);
+    for (std::size_t i = scene.primitives.size() - 1; i > 0; --i) {
+        std::swap(scene.primitives[i], scene.primitives[random.below(i + 1)]);
+    }
+    return scene;
+}
+
+/// Triangles and boxes with small integer corners in three planes: all kinds of exact ties.
+Scene coplanar(std::size_t count) {
+    Scene scene;
+    Random random(14);
+    const auto corner = [&](int axis, double level) {
+        Vec3 p(random.below(9), random.below(9), random.below(9));
+        p[axis] = level;
+        return p;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        const int axis = static_cast<int>(random.below(3));
+        const double level = 4;
+        const Vec3 a = corner(axis, level), b = corner(axis, level), c = corner(axis, level);
+        if (random.one_in(6)) {
+            Box3 box(a);
+            box.extendBy(b);
+            scene.add(Box{box.min, box.max}, 0);
+        } else {
+            add_triangle(scene, a, b, c, Sides::both);
+        }
+    }
+    return scene;
+}
+
+Scene huge_and_tiny(std::size_t count) {
+    Scene scene;
+    Random random(15);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double size = random.one_in(20) ? random.magnitude(0, 6) : random.magnitude(-6, -0.5);
+        add_shape(scene, random, any_kind(random), size, Sides::both);
+    }
+    return scene;
+}
+
+Scene slivers(std::size_t count) {
+    Scene scene;
+    Random random(16);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 a = random.in_cube(), along = random.in_cube();
+        const Vec3 across = random.in_cube(random.magnitude(-8, -2));
+        add_triangle(scene, a, a + along, a + random.between(0, 1) * along + across, Sides::both);
+    }
+    return scene;
+}
+
+/// Nothing thicker than a plane.
+Scene flat(std::size_t count) {
+    Scene scene = mix(0);
+    Random random(17);
+    const auto in_square = [&](double half) {
+        Vec3 p = random.in_cube(half);
+        p.z = 0;
+        return p;
+    };
+    const double size = 2 / std::sqrt(static_cast<double>(count + 1));
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 a = in_square(1);
+        if (random.one_in(3)) {
+            const Vec3 half = abs(in_square(size));
+            scene.add(Box{a - half, a + half}, 0);
+        } else {
+            add_triangle(scene, a, a + in_square(size), a + in_square(size), Sides::both);
+        }
+    }
+    return scene;
+}
+
+/// A closed mesh of a sphere: rays from inside always hit it.
+Scene closed_mesh(std::size_t count) {
+    Scene scene;
+    const auto n =
+        static_cast<std::uint32_t>(std::max(3.0, std::sqrt(static_cast<double>(count) / 2)));
+    for (std::uint32_t row = 0; row <= n; ++row) {
+        for (std::uint32_t column = 0; column < n; ++column) {
+            const double theta = std::numbers::pi * row / n,
+                         phi = 2 * std::numbers::pi * column / n;
+            const double ring = row == 0 || row == n ? 0 : std::sin(theta);
+            scene.vertices.emplace_back(
+                Vec3f(Vec3(ring * std::cos(phi), ring * std::sin(phi), std::cos(theta))));
+        }
+    }
+    for (std::uint32_t row = 0; row < n; ++row) {
+        for (std::uint32_t column = 0; column < n; ++column) {
+            const std::uint32_t a = row * n + column, b = row * n + (column + 1) % n;
+            scene.add(Triangle{{a, b, a + n}}, 0);
+            scene.add(Triangle{{b, b + n, a + n}}, 0);
+        }
+    }
+    return scene;
+}
+
+}  // namespace
+
+const std::vector<SceneFamily>& scene_families() {
+    static const std::vector<SceneFamily> families = {
+        {"spheres", only<Sphere>},
+        {"triangles", only<Triangle>},
+        {"polygons", only<Polygon>},
+        {"boxes", only<Box>},
+        {"planes", only<Plane>},
+        {"cones", only<Cone>},
+        {"mix", mix},
+        {"one_sided", one_sided},
+        {"duplicates", duplicates},
+        {"coplanar", coplanar},
+        {"huge_and_tiny", huge_and_tiny},
+        {"slivers", slivers},
+        {"flat", flat},
+        {"closed_mesh", closed_mesh},
+        {"far", [](std::size_t n) { return transformed(mix(n), 1, Vec3(1e6, -1e6, 1e6)); }},
+        {"far_mesh", [](std::size_t n) { return transformed(closed_mesh(n), 1, Vec3(1e6)); }},
+        {"minute", [](std::size_t n) { return transformed(mix(n), 1e-30); }},
+        {"immense", [](std::size_t n) { return transformed(mix(n), 1e30); }},
+    };
+    return families;
+}
+
+Scene make_scene(const std::string& family, std::size_t count) {
+    for (const SceneFamily& f : scene_families()) {
+        if (f.name == family) return f.make(count);
+    }
+    FAIL("no scene family " << family);
+    return {};
+}
+
+Scene transformed(Scene scene, double factor, const Vec3& offset) {
+    const auto move = [&](Vec3& p) { p = factor * p + offset; };
+    for (Vec3& v : scene.vertices) move(v);
+    for (Sphere& s : scene.all<Sphere>()) move(s.centre), s.radius *= factor;
+    for (Box& b : scene.all<Box>()) move(b.min), move(b.max);
+    for (Plane& p : scene.all<Plane>()) move(p.point);
+    for (Cone& c : scene.all<Cone>()) {
+        move(c.base), move(c.top);
+        c.base_radius *= factor, c.top_radius *= factor;
+    }
+    return scene;
+}
+
+}  // namespace etalon::test

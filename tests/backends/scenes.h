@@ -1,0 +1,25 @@
+// Scenes on which backends could go different ways.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace etalon::test {
+
+struct SceneFamily {
+    std::string name;
+    std::function<Scene(std::size_t count)> make;  ///< of about `count` primitives
+};
+
+const std::vector<SceneFamily>& scene_families();
+
+/// The family's scene; fails the test if there is no such family.
+Scene make_scene(const std::string& family, std::size_t count);
+
+/// Every length times `factor`, then every point moved by `offset`.
+Scene transformed(Scene scene, double factor, const Vec3& offset = Vec3(0));
+
+}  // namespace etalon::test
