@@ -38,8 +38,8 @@ const Family* find_family(std::string_view name) {
     return found == table.end() ? nullptr : found;
 }
 
-void ground(Writer& out) {
-    out.material({.diffuse = {1.0F, 0.85F, 0.62F}, .kd = 0.8});
+void ground(Writer& out, const P3fMaterial& material) {
+    out.material(material);
     constexpr double half = 24;
     const std::array<Vec3, 4> corners{Vec3(-half, 0, -half), Vec3(-half, 0, half),
                                       Vec3(half, 0, half), Vec3(half, 0, -half)};

@@ -36,7 +36,8 @@ std::span<const Family> families();
 /// The family called `name`, or nullptr.
 const Family* find_family(std::string_view name);
 
-/// What the classic families share: a large square of matte ground, in its own material.
-void ground(Writer& out);
+/// What the classic families stand on: a large square in a material of its own.
+void ground(Writer& out,
+            const P3fMaterial& material = {.diffuse = {1.0F, 0.85F, 0.62F}, .kd = 0.8});
 
 }  // namespace etalon::generate

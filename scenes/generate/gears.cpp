@@ -68,17 +68,17 @@ void half_of_the_gears(Writer& out, std::int64_t size, int colour) {
 
 void gears(Writer& out, std::int64_t size) {
     out.background({0.08F, 0.36F, 0.75F});
-    out.camera({{1.6, 3.2, 3.2}, {0, 0.2, 0}, {0, 1, 0}, 38, 512, 512});
+    out.camera({{1.9, 2.2, 3.6}, {0, 0.25, 0}, {0, 1, 0}, 36, 512, 512});
     out.light({4, 7, 1}, {0.6F, 0.57F, 0.5F});
     out.light({-5, 6, 4}, {0.35F, 0.37F, 0.42F});
     ground(out);
     out.material({.diffuse = {0.9F, 0.66F, 0.28F},
-                  .kd = 0.7,
+                  .kd = 0.8,
                   .specular = {1.0F, 0.8F, 0.45F},
-                  .ks = 0.3,
+                  .ks = 0.15,
                   .shine = 60});
     half_of_the_gears(out, size, 0);
-    out.material({.diffuse = {0.55F, 0.6F, 0.66F}, .kd = 0.7, .ks = 0.3, .shine = 60});
+    out.material({.diffuse = {0.62F, 0.67F, 0.72F}, .kd = 0.8, .ks = 0.15, .shine = 60});
     half_of_the_gears(out, size, 1);
 }
 

@@ -19,7 +19,8 @@ struct Point {
 
 constexpr std::int64_t lattice = std::int64_t{1} << 30;  ///< of x and z, for one unit of length
 constexpr double roughness = 0.5;  ///< of each subdivision's movement to the one's before
-constexpr std::uint64_t seed = 3;
+constexpr double shore = -0.12;     ///< height of the four corners: under water
+constexpr std::uint64_t seed = 8;
 
 Vec3 position(const Point& p) {
     return {static_cast<double>(p.x) / lattice, p.height, static_cast<double>(p.z) / lattice};
@@ -52,8 +53,8 @@ void four_glass_spheres(Writer& out) {
                   .shine = 100,
                   .transmission = 1,
                   .ior = 1.5});
-    const Vec3 middle(0, 1.1, 0);
-    constexpr double radius = 0.17;
+    const Vec3 middle(0.1, 0.8, 0.1);
+    constexpr double radius = 0.15;
     for (int k = 0; k < 3; ++k) {
         const Vec2 c = on_circle(k / 3.0 + 0.05);
         out.sphere(middle + 1.25 * radius * Vec3(c.x, 0, c.y), radius);
@@ -64,19 +65,19 @@ void four_glass_spheres(Writer& out) {
 }  // namespace
 
 void mountain(Writer& out, std::int64_t size) {
-    out.background({0.45F, 0.62F, 0.85F});
-    out.camera({{1.5, 1.75, 2.4}, {0, 0.35, 0}, {0, 1, 0}, 40, 512, 512});
-    out.light({-8, 9, 3}, {0.85F, 0.78F, 0.66F});
-    out.light({6, 8, 8}, {0.22F, 0.26F, 0.34F});
-    ground(out);
+    out.background({0.62F, 0.75F, 0.9F});
+    out.camera({{1.1, 1.05, 2.7}, {0, 0.4, 0}, {0, 1, 0}, 40, 512, 512});
+    out.light({-8, 7, 4}, {0.8F, 0.73F, 0.62F});
+    out.light({6, 6, 9}, {0.3F, 0.34F, 0.42F});
+    ground(out, {.diffuse = {0.1F, 0.22F, 0.3F}, .ks = 0.4, .shine = 200});  // a lake
     four_glass_spheres(out);
     out.material({.diffuse = {0.62F, 0.52F, 0.42F}});
-    const Point a{-lattice, -lattice, 0};
-    const Point b{-lattice, lattice, 0};
-    const Point c{lattice, lattice, 0};
-    const Point d{lattice, -lattice, 0};
-    divide(out, a, b, c, 0.5, size);
-    divide(out, c, d, a, 0.5, size);
+    const Point a{-lattice, -lattice, shore};
+    const Point b{-lattice, lattice, shore};
+    const Point c{lattice, lattice, shore};
+    const Point d{lattice, -lattice, shore};
+    divide(out, a, b, c, 0.7, size);
+    divide(out, c, d, a, 0.7, size);
 }
 
 }  // namespace etalon::generate

@@ -50,7 +50,11 @@ void rings(Writer& out, std::int64_t size) {
     out.light({-6, 7, 5}, {0.35F, 0.37F, 0.42F});
     out.light({1, 6, 9}, {0.2F, 0.2F, 0.2F});
     ground(out);
-    out.material({.diffuse = {0.95F, 0.72F, 0.42F}, .kd = 0.6, .ks = 0.35, .shine = 50});
+    out.material({.diffuse = {1.0F, 0.72F, 0.35F},
+                  .kd = 0.75,
+                  .specular = {1.0F, 0.8F, 0.5F},
+                  .ks = 0.25,
+                  .shine = 50});
 
     // Piled like cannon balls, on a base two units wide.
     const double reach = 1.0 / static_cast<double>(size);

@@ -56,7 +56,7 @@ void tree(Writer& out, std::int64_t size) {
     });
     out.material({.diffuse = {0.35F, 0.6F, 0.2F}, .kd = 0.9});
     grow(trunk, size, [&](const Branch& b, std::int64_t forks) {
-        if (forks == 0) out.sphere(b.tip(), 4 * b.radius);
+        if (forks == 0) out.sphere(b.tip(), 6 * b.radius);
     });
 }
 
