@@ -4,6 +4,7 @@
 
 #include "core/intersect/intersector.h"
 #include "embree_backend/device.h"
+#include "embree_backend/primitive_ids.h"
 #include "embree_backend/user_primitives.h"
 
 namespace etalon {
@@ -31,9 +32,7 @@ class EmbreeBuiltin final : public Intersector {
 
   private:
     EmbreeDevice device_;
-    /// The scene's number of each primitive of a geometry of Embree's own. The geometry that comes
-    /// after these is made of UserPrimitives.
-    std::vector<std::vector<std::uint32_t>> ids_;
+    std::vector<PrimitiveIds> ids_;  ///< for each geometry of Embree's own; the next is others_
     UserPrimitives others_;
     EmbreeOwned<RTCScene> embree_scene_;
 };

@@ -6,9 +6,7 @@
 namespace etalon {
 namespace {
 
-/// The numbers of `primitives`; empty if they are 0, 1, 2, ...
 std::vector<std::uint32_t> ids_of(const std::vector<BoundedPrimitive>& primitives) {
-    if (primitives.empty() || primitives.back().id == primitives.size() - 1) return {};
     std::vector<std::uint32_t> ids;
     ids.reserve(primitives.size());
     for (const BoundedPrimitive& p : primitives) ids.push_back(p.id);
@@ -26,7 +24,7 @@ Ray& single(PacketOfOne* packet) {
 void UserPrimitives::build(const EmbreeDevice& device, RTCScene target, unsigned geometry_id,
                            std::vector<BoundedPrimitive> primitives) {
     boxes_ = std::move(primitives);
-    ids_ = ids_of(boxes_);
+    ids_ = PrimitiveIds(ids_of(boxes_));
     const EmbreeOwned<RTCGeometry> geometry(
         rtcNewGeometry(device.handle(), RTC_GEOMETRY_TYPE_USER));
     device.check();
@@ -57,7 +55,7 @@ void UserPrimitives::intersect(const RTCIntersectFunctionNArguments* arguments) 
     const auto& self = *static_cast<const UserPrimitives*>(arguments->geometryUserPtr);
     auto& query = *static_cast<EmbreeQuery*>(arguments->context);
     auto& [ray, hit] = single<RTCRayHit>(arguments->rayhit);
-    const std::uint32_t id = self.id(arguments->primID);
+    const std::uint32_t id = self.ids_[arguments->primID];
     const double t = primitive_first_hit(self.scene_, id, query.query);
     report(*arguments, false);
     if (!(t <= query.nearest.t)) return;
@@ -72,7 +70,7 @@ void UserPrimitives::intersect(const RTCIntersectFunctionNArguments* arguments) 
 void UserPrimitives::occluded(const RTCOccludedFunctionNArguments* arguments) {
     const auto& self = *static_cast<const UserPrimitives*>(arguments->geometryUserPtr);
     const auto& query = *static_cast<const EmbreeQuery*>(arguments->context);
-    const std::uint32_t id = self.id(arguments->primID);
+    const std::uint32_t id = self.ids_[arguments->primID];
     const bool hit = primitive_first_hit(self.scene_, id, query.query) <= query.query.ray.tmax;
     if (hit) single<RTCRay>(arguments->ray).tfar = -std::numeric_limits<float>::infinity();
     report(*arguments, hit);

@@ -5,6 +5,7 @@
 #include "core/intersect/intersector.h"
 #include "core/parallel/parallel.h"
 #include "embree_backend/device.h"
+#include "embree_backend/primitive_ids.h"
 
 namespace etalon {
 
@@ -22,18 +23,15 @@ class UserPrimitives {
     void build(const EmbreeDevice& device, RTCScene target, unsigned geometry_id,
                std::vector<BoundedPrimitive> primitives);
 
-    std::size_t memory_bytes() const { return ids_.size() * sizeof(std::uint32_t); }
+    std::size_t memory_bytes() const { return ids_.memory_bytes(); }
 
   private:
     static void bounds(const RTCBoundsFunctionArguments* arguments);
     static void intersect(const RTCIntersectFunctionNArguments* arguments);
     static void occluded(const RTCOccludedFunctionNArguments* arguments);
 
-    std::uint32_t id(unsigned index) const { return ids_.empty() ? index : ids_[index]; }
-
     const Scene& scene_;
-    std::vector<std::uint32_t> ids_;  ///< empty where Embree's numbers are the scene's
-
+    PrimitiveIds ids_;
     std::vector<BoundedPrimitive> boxes_;  ///< while building
     HandOver begin_, end_;
 };
