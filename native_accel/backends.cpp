@@ -15,11 +15,13 @@ std::unique_ptr<Intersector> build(const Scene& scene) {
 constexpr Backend backends[] = {
     {"none", "every primitive for every ray: the reference", true, build<None>},
     {"grid", "uniform grid walked by a 3D-DDA", true, build<Grid>},
-    {"bvh", "binary bounding volume hierarchy by binned SAH", true, build<Bvh>},
+    {"bvh", "bounding volume hierarchy by binned SAH, four-wide", true, build<Bvh>},
 };
 
 }  // namespace
 
-std::span<const Backend> native_backends() { return backends; }
+std::span<const Backend> native_backends() {
+    return backends;
+}
 
 }  // namespace etalon

@@ -14,7 +14,9 @@ constexpr int max_bins = 32;
 
 using Primitives = std::span<BoundedPrimitive>;
 
-Vec3f twice_centre(const Box3f& box) { return box.min + box.max; }
+Vec3f twice_centre(const Box3f& box) {
+    return box.min + box.max;
+}
 
 /// Half the surface; 0 for an empty box.
 float half_area(const Box3f& box) {
@@ -152,8 +154,8 @@ class Builder {
         const bool worthwhile = split.cost + area * config_.traversal_cost < leaf_cost;
         if (!worthwhile && count <= config_.max_leaf) return 0;
         if (split.axis < 0) return count / 2;  // all centres fall into one bin
-        const auto middle = std::partition(
-            primitives.begin(), primitives.end(), [&](const BoundedPrimitive& p) {
+        const auto middle =
+            std::partition(primitives.begin(), primitives.end(), [&](const BoundedPrimitive& p) {
                 return binning.bin(twice_centre(p.box), split.axis) < split.bin;
             });
         return static_cast<std::size_t>(middle - primitives.begin());

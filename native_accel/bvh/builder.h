@@ -9,9 +9,9 @@
 namespace etalon {
 
 struct BvhConfig {
-    int bins = 16;               ///< candidate planes per axis, plus one; at most 32
-    std::uint32_t max_leaf = 8;  ///< a leaf never holds more, whatever the heuristic says
-    float traversal_cost = 1.0F;  ///< of one node, in units of one primitive test
+    int bins = 16;                      ///< candidate planes per axis, plus one; at most 32
+    std::uint32_t max_leaf = 8;         ///< a leaf never holds more, whatever the heuristic says
+    float traversal_cost = 1.0F;        ///< of one node, in units of one primitive test
     std::uint32_t serial_below = 4096;  ///< subtrees of fewer primitives are one thread's work
 };
 
@@ -21,13 +21,14 @@ inline constexpr int bvh_heuristic_depth = 40;
 inline constexpr int bvh_max_depth = bvh_heuristic_depth + 32;
 
 struct BvhTree {
-    std::vector<BvhNode> nodes;  ///< nodes[0] is the root; nodes[1] pads it to a pair; empty if no primitive
+    std::vector<BvhNode>
+        nodes;  ///< nodes[0] is the root; nodes[1] pads it to a pair; empty if no primitive
     std::vector<std::uint32_t> ids;  ///< primitive numbers in the order of the leaves
 };
 
-/// Top-down by binned surface area heuristic (Wald 2007, "On fast Construction of SAH-based Bounding
-/// Volume Hierarchies"), on as many threads as allowed. The tree is the
-/// same for any number of threads, but for the order of its nodes in memory.
+/// Top-down by binned surface area heuristic (Wald 2007, "On fast Construction of SAH-based
+/// Bounding Volume Hierarchies"), on as many threads as allowed. The tree is the same for any
+/// number of threads, but for the order of its nodes in memory.
 BvhTree build_bvh(std::vector<BoundedPrimitive> primitives, const BvhConfig& config = {});
 
 }  // namespace etalon

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "core/intersect/intersector.h"
-#include "native_accel/bvh/builder.h"
+#include "native_accel/bvh/wide_node.h"
 
 namespace etalon {
 
+/// A bounding volume hierarchy, built binary and walked four-wide.
 class Bvh final : public Intersector {
   public:
     explicit Bvh(const Scene& scene);
@@ -16,7 +17,8 @@ class Bvh final : public Intersector {
     bool occluded_bounded(const RayQuery& query, const FrameRay& local) const override;
 
   private:
-    BvhTree tree_;
+    std::vector<WideNode> nodes_;
+    std::vector<std::uint32_t> ids_;  ///< primitive numbers in the order of the leaves
 };
 
 }  // namespace etalon

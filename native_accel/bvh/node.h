@@ -6,7 +6,8 @@
 
 namespace etalon {
 
-/// Half a cache line. The two children of an inner node stand side by side.
+/// A node of the binary tree that building makes. The two children of an inner node stand side by
+/// side.
 struct BvhNode {
     Box3f box;            ///< in the frame, padded: contains all below
     std::uint32_t first;  ///< inner: index of the first child; leaf: of the first primitive
@@ -14,7 +15,5 @@ struct BvhNode {
 
     bool is_leaf() const { return count != 0; }
 };
-
-static_assert(sizeof(BvhNode) == 32);
 
 }  // namespace etalon

@@ -1,70 +1,94 @@
-// How a ray walks a binary BVH, apart from what is done at the leaves.
+// How a ray walks a four-wide BVH, apart from what is done at the leaves.
 #pragma once
 
-#include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/intersect/frame.h"
-#include "native_accel/bvh/builder.h"
+#include "native_accel/bvh/wide_node.h"
 
 namespace etalon {
 
-/// Slab tests in float. The boxes' padding (Frame::box) makes up for every rounding here, including
-/// that of the reciprocal.
+/// Slab tests of four boxes in float. The boxes' padding (Frame::box) makes up for every rounding
+/// here, including that of the reciprocal.
 class SlabTest {
   public:
-    explicit SlabTest(const FrameRay& ray) : origin_(ray.origin) {
+    explicit SlabTest(const FrameRay& ray) {
         for (int k = 0; k < 3; ++k) {
-            // No smaller than 2^-40 of the largest component: no infinity, no NaN, and over the few
-            // units a ray can travel in the frame a drift far below the padding.
+            // No smaller than 2^-40 of the largest component: no infinity times zero, and over the
+            // few units a ray can travel in the frame a drift far below the padding.
             const float d = ray.direction[k];
             const float clamped = std::abs(d) < 0x1p-40F ? std::copysign(0x1p-40F, d) : d;
-            reciprocal_[k] = 1.0F / clamped;
+            origin_[k] = broadcast(ray.origin[k]);
+            reciprocal_[k] = broadcast(1.0F / clamped);
+            near_[k] = clamped > 0 ? k : 3 + k;
         }
     }
 
-    /// Where the ray enters the box, within [tmin, tmax]; infinity if it does not.
-    float entry(const Box3f& box, float tmin, float tmax) const {
+    /// Where the ray enters each box within [tmin, tmax]; infinity where it does not.
+    Float4 entries(const WideNode& node, Float4 tmin, Float4 tmax) const {
         for (int k = 0; k < 3; ++k) {
-            const float a = (box.min[k] - origin_[k]) * reciprocal_[k];
-            const float b = (box.max[k] - origin_[k]) * reciprocal_[k];
-            tmin = std::max(tmin, std::min(a, b));
-            tmax = std::min(tmax, std::max(a, b));
+            const int far = near_[k] < 3 ? 3 + k : k;
+            tmin = max(tmin, (node.planes[near_[k]] - origin_[k]) * reciprocal_[k]);
+            tmax = min(tmax, (node.planes[far] - origin_[k]) * reciprocal_[k]);
         }
-        return tmin <= tmax ? tmin : std::numeric_limits<float>::infinity();
+        return tmin <= tmax ? tmin : broadcast(std::numeric_limits<float>::infinity());
     }
 
   private:
-    Vec3f origin_, reciprocal_;
+    std::array<Float4, 3> origin_, reciprocal_;
+    std::array<int, 3> near_;
 };
 
-/// Visits leaves from near to far. leaf(first, count) tests a range of BvhTree::ids and returns the
-/// new tmax in the frame; anything below tmin ends the walk.
-template <class Leaf>
-void traverse(const BvhTree& tree, const FrameRay& ray, float tmin, float tmax, const Leaf& leaf) {
-    struct Pending {
-        std::uint32_t node;
-        float entry;
+/// What is still to be visited: nodes and leaves, the next one last.
+class TraversalStack {
+  public:
+    struct Entry {
+        float t;  ///< where the ray enters
+        std::uint32_t first, count;
     };
-    std::array<Pending, bvh_max_depth + 1> stack;
-    const SlabTest slabs(ray);
-    std::size_t height = 0;
-    stack[height++] = {0, slabs.entry(tree.nodes[0].box, tmin, tmax)};
-    while (height > 0) {
-        Pending current = stack[--height];
-        if (current.entry > tmax) continue;
-        const BvhNode* node = &tree.nodes[current.node];
-        while (!node->is_leaf()) {
-            Pending near{node->first, slabs.entry(tree.nodes[node->first].box, tmin, tmax)};
-            Pending far{node->first + 1, slabs.entry(tree.nodes[node->first + 1].box, tmin, tmax)};
-            if (far.entry < near.entry) std::swap(near, far);
-            if (near.entry > tmax) break;
-            if (far.entry <= tmax) stack[height++] = far;
-            node = &tree.nodes[near.node];
+
+    bool empty() const { return height_ == 0; }
+    Entry pop() { return entries_[--height_]; }
+    void push(const Entry& e) { entries_[height_++] = e; }
+
+    /// Adds the children that are entered, the nearest last.
+    void push_sorted(const WideNode& node, Float4 t) {
+        const std::size_t bottom = height_;
+        for (std::size_t lane = 0; lane < 4; ++lane) {
+            if (t[lane] == std::numeric_limits<float>::infinity()) continue;
+            std::size_t place = height_++;
+            for (; place > bottom && entries_[place - 1].t < t[lane]; --place) {
+                entries_[place] = entries_[place - 1];
+            }
+            entries_[place] = {t[lane], node.first[lane], node.count[lane]};
         }
-        if (!node->is_leaf()) continue;
-        tmax = leaf(node->first, node->count);
-        if (tmax < tmin) return;
+    }
+
+  private:
+    // Each level leaves at most three siblings behind.
+    std::array<Entry, 3 * bvh_max_depth + 4> entries_;
+    std::size_t height_ = 0;
+};
+
+/// Visits leaves from near to far. leaf(first, count) tests a range of primitives and returns the
+/// new tmax in the frame; anything below tmin ends the walk. tmax must be finite.
+template <class Leaf>
+void traverse(const std::vector<WideNode>& nodes, const FrameRay& ray, float tmin, float tmax,
+              const Leaf& leaf) {
+    const SlabTest slabs(ray);
+    TraversalStack stack;
+    stack.push({tmin, 0, 0});
+    while (!stack.empty()) {
+        const TraversalStack::Entry next = stack.pop();
+        if (next.t > tmax) continue;
+        if (next.count == 0) {
+            const WideNode& node = nodes[next.first];
+            stack.push_sorted(node, slabs.entries(node, broadcast(tmin), broadcast(tmax)));
+        } else {
+            tmax = leaf(next.first, next.count);
+            if (tmax < tmin) return;
+        }
     }
 }
 

@@ -13,8 +13,8 @@ using CellIndex = std::array<int, 3>;
 
 struct GridConfig {
     double cells_per_primitive = 4;  ///< aimed at
-    double max_references = 12;      ///< per primitive, on average: a coarser grid is taken above it
-    int max_resolution = 1024;       ///< cells along one axis
+    double max_references = 12;  ///< per primitive, on average: a coarser grid is taken above it
+    int max_resolution = 1024;   ///< cells along one axis
 };
 
 /// Which cells there are: a box cut evenly along each axis. All in the accelerator's frame.
@@ -40,8 +40,8 @@ struct GridShape {
     Vec3 origin{0}, cell_size{0};
 };
 
-/// Compact lists (Lagae & Dutré 2008, "Compact, Fast and Robust Grids for Ray Tracing"): one offset a
-/// cell, one id a reference.
+/// Compact lists (Lagae & Dutré 2008, "Compact, Fast and Robust Grids for Ray Tracing"): one offset
+/// a cell, one id a reference.
 struct GridCells {
     GridCells() = default;
     GridCells(std::span<const BoundedPrimitive> primitives, const GridConfig& config);

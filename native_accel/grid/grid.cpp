@@ -5,7 +5,9 @@
 
 namespace etalon {
 
-Grid::Grid(const Scene& scene) : Intersector(scene) { cells_ = GridCells(take_bounded(), {}); }
+Grid::Grid(const Scene& scene) : Intersector(scene) {
+    cells_ = GridCells(take_bounded(), {});
+}
 
 std::size_t Grid::memory_bytes() const {
     return (cells_.offsets.capacity() + cells_.ids.capacity()) * sizeof(std::uint32_t);
@@ -14,7 +16,8 @@ std::size_t Grid::memory_bytes() const {
 void Grid::closest_bounded(const RayQuery& query, const FrameRay& local,
                            NearestHit& nearest) const {
     if (cells_.ids.empty()) return;
-    GridWalk walk(cells_.shape, cells_.box, local, local.tmin(query.ray.tmin), local.tmax(nearest.t));
+    GridWalk walk(cells_.shape, cells_.box, local, local.tmin(query.ray.tmin),
+                  local.tmax(nearest.t));
     for (; walk.inside(); walk.advance()) {
         for (const std::uint32_t id : cells_.in(walk.cell())) {
             nearest.offer(primitive_first_hit(scene(), id, query), id);

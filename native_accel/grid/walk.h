@@ -1,6 +1,6 @@
 // A ray's way through a grid (Amanatides & Woo 1987), with two differences that keep it exact: the
-// distance to a plane is always recomputed from the plane's index, so that errors do not add up, and
-// the walk ends by index, never by distance.
+// distance to a plane is always recomputed from the plane's index, so that errors do not add up,
+// and the walk ends by index, never by distance.
 #pragma once
 
 #include "core/intersect/frame.h"
@@ -10,8 +10,10 @@ namespace etalon {
 
 class GridWalk {
   public:
-    /// tmin, tmax in the frame. The primitives' boxes are padded far beyond the roundings made here.
-    GridWalk(const GridShape& shape, const Box3f& box, const FrameRay& ray, double tmin, double tmax)
+    /// tmin, tmax in the frame. The primitives' boxes are padded far beyond the roundings made
+    /// here.
+    GridWalk(const GridShape& shape, const Box3f& box, const FrameRay& ray, double tmin,
+             double tmax)
         : shape_(shape), origin_(ray.origin), direction_(ray.direction) {
         double entry = tmin, exit = tmax;
         for (int k = 0; k < 3; ++k) {
@@ -54,9 +56,8 @@ class GridWalk {
 
     void find_crossing(int k) {
         const int plane = cell_[k] + (step_[k] > 0 ? 1 : 0);
-        crossing_[k] = direction_[k] == 0
-                           ? infinity
-                           : (shape_.plane(plane, k) - origin_[k]) / direction_[k];
+        crossing_[k] =
+            direction_[k] == 0 ? infinity : (shape_.plane(plane, k) - origin_[k]) / direction_[k];
     }
 
     const GridShape& shape_;
