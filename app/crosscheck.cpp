@@ -67,7 +67,8 @@ bool is_nearest(std::uint32_t primitive, const OracleAnswer& truth) {
     return std::binary_search(truth.tied.begin(), truth.tied.end(), primitive);
 }
 
-void compare(const OracleAnswer& truth, const std::optional<Hit>& hit, bool occluded, Tally& tally) {
+void compare(const OracleAnswer& truth, const std::optional<Hit>& hit, bool occluded,
+             Tally& tally) {
     if (truth.kind == OracleAnswer::undecidable) {
         ++tally.undecidable;
         return;
@@ -158,8 +159,9 @@ int run(const Arguments& a) {
 Run declare_crosscheck(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
     declare_scene(app, a->scene);
-    app.add_option("-b,--backend", a->backends, "Which, by commas; an error of embree-builtin is "
-                                                "shown but does not count")
+    app.add_option("-b,--backend", a->backends,
+                   "Which, by commas; an error of embree-builtin is "
+                   "shown but does not count")
         ->delimiter(',')
         ->check(CLI::IsMember(backend_names()))
         ->capture_default_str();

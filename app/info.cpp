@@ -82,8 +82,8 @@ Json describe(const Arguments& a, const Scene& s, const std::vector<Diagnostic>&
             {"samples_per_pixel", s.samples_per_pixel},
             {"max_depth", s.whitted.max_depth},
             {"backend", s.backend.empty() ? "bvh" : s.backend},
-            {"background", {s.environment.background.x, s.environment.background.y,
-                            s.environment.background.z}},
+            {"background",
+             {s.environment.background.x, s.environment.background.y, s.environment.background.z}},
             {"skybox", s.environment.skybox ? Json(s.environment.skybox->faces) : Json()},
             {"needs", needs(s)},
             {"memory_bytes", memory_bytes(s)},
@@ -105,10 +105,10 @@ std::string as_text(const Json& j) {
         "{}: {}\n  primitives  {}\n  materials   {}\n  lights      {}\n  picture     {} x {}, {} "
         "samples per pixel\n  backend     {}\n  needs       {}\n  memory      {} bytes\n  "
         "diagnostics {}\n",
-        j["scene"].get<std::string>(), j["format"].get<std::string>(),
-        counts_line(j["primitives"]), j["materials"].get<std::size_t>(), counts_line(j["lights"]),
-        camera["width"].get<int>(), camera["height"].get<int>(),
-        j["samples_per_pixel"].get<int>(), j["backend"].get<std::string>(),
+        j["scene"].get<std::string>(), j["format"].get<std::string>(), counts_line(j["primitives"]),
+        j["materials"].get<std::size_t>(), counts_line(j["lights"]), camera["width"].get<int>(),
+        camera["height"].get<int>(), j["samples_per_pixel"].get<int>(),
+        j["backend"].get<std::string>(),
         needed.empty() ? "nothing special" : fmt::format("{}", fmt::join(needed, ", ")),
         j["memory_bytes"].get<std::size_t>(), j["diagnostics"].size());
 }
@@ -117,8 +117,10 @@ int run(const Arguments& a) {
     const LoadedScene loaded = load(a.scene);
     if (!loaded.scene) {
         if (a.json) {
-            write_text("-", Json{{"scene", a.scene.path},
-                                 {"diagnostics", diagnostics(loaded.diagnostics)}}.dump(2) + "\n");
+            write_text(
+                "-", Json{{"scene", a.scene.path}, {"diagnostics", diagnostics(loaded.diagnostics)}}
+                             .dump(2) +
+                         "\n");
         }
         return loaded.status;
     }

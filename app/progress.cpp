@@ -42,7 +42,8 @@ void Progress::print(double part, Clock::time_point now) {
     const double elapsed = seconds(now - start_);
     const double left = part > 0 ? elapsed * (1 - part) / part : 0;
     if (!terminal_) {
-        fmt::print(stderr, "{}: {:.0f} %, {:.1f} s, {:.0f} s left\n", what_, 100 * part, elapsed, left);
+        fmt::print(stderr, "{}: {:.0f} %, {:.1f} s, {:.0f} s left\n", what_, 100 * part, elapsed,
+                   left);
         return;
     }
     const int filled = static_cast<int>(part * bar_width);

@@ -33,15 +33,17 @@ struct Arguments {
 void declare_options(CLI::App& app, Arguments& a) {
     declare_scene(app, a.scene);
     const char* what = "Picture";
-    app.add_option("-o,--output", a.outputs, "FILE.exr or FILE.png; may be repeated "
-                                             "(default: the scene's name with .exr, in this folder)")
+    app.add_option("-o,--output", a.outputs,
+                   "FILE.exr or FILE.png; may be repeated "
+                   "(default: the scene's name with .exr, in this folder)")
         ->check([](const std::string& path) {
             return can_write(path) ? "" : path + ": expected a name ending in .exr or .png";
         })
         ->take_all()
         ->expected(1)
         ->group(what);
-    app.add_option("--resolution", a.resolution, "WIDTHxHEIGHT instead of the scene's")->group(what);
+    app.add_option("--resolution", a.resolution, "WIDTHxHEIGHT instead of the scene's")
+        ->group(what);
     app.add_option("--crop", a.crop, "X0,Y0,X1,Y1: only these pixels, half open")->group(what);
     app.add_option("--exposure", a.exposure, "Stops, for PNG only")->group(what);
     const char* how = "Rendering";
@@ -61,7 +63,8 @@ void declare_options(CLI::App& app, Arguments& a) {
     app.add_option("-t,--threads", a.threads, "Default: all there are")
         ->check(CLI::Range(1, 4096))
         ->group(how);
-    app.add_option("--stats", a.stats, "Write counts, times and sizes as JSON; - is standard output");
+    app.add_option("--stats", a.stats,
+                   "Write counts, times and sizes as JSON; - is standard output");
     app.add_flag("-q,--quiet", a.quiet, "No progress and no summary");
 }
 
@@ -88,10 +91,9 @@ bool apply_crop(const std::string& text, const Camera& camera, Imath::Box2i& win
     if (text.empty()) return true;
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     char rest = 0;
-    const bool parsed =
-        std::sscanf(text.c_str(), "%d,%d,%d,%d%c", &x0, &y0, &x1, &y1, &rest) == 4;
-    const bool inside = 0 <= x0 && x0 < x1 && x1 <= camera.width && 0 <= y0 && y0 < y1 &&
-                        y1 <= camera.height;
+    const bool parsed = std::sscanf(text.c_str(), "%d,%d,%d,%d%c", &x0, &y0, &x1, &y1, &rest) == 4;
+    const bool inside =
+        0 <= x0 && x0 < x1 && x1 <= camera.width && 0 <= y0 && y0 < y1 && y1 <= camera.height;
     if (!parsed || !inside) {
         return usage_error(fmt::format("--crop {}: expected X0,Y0,X1,Y1 inside 0,0,{},{}", text,
                                        camera.width, camera.height));
@@ -106,8 +108,7 @@ bool apply(const Arguments& a, Scene& scene, Imath::Box2i& window) {
     if (a.max_depth > 0) scene.whitted.max_depth = a.max_depth;
     if (!a.backend.empty()) scene.backend = a.backend;
     if (scene.backend.empty()) scene.backend = "bvh";
-    return apply_resolution(a.resolution, scene.camera) &&
-           apply_crop(a.crop, scene.camera, window);
+    return apply_resolution(a.resolution, scene.camera) && apply_crop(a.crop, scene.camera, window);
 }
 
 std::string default_output(const std::string& scene) {
@@ -117,7 +118,7 @@ std::string default_output(const std::string& scene) {
 
 Picture make_picture(const Scene& scene, const Rendering& rendering, const RenderStats& stats) {
     const CameraRays camera(scene.camera);
-    Picture picture{scene.camera.width, scene.camera.height, rendering.film.window(),
+    Picture picture{scene.camera.width,      scene.camera.height,  rendering.film.window(),
                     rendering.film.pixels(), scene.display_colors, {}};
     picture.metadata = {{"software", std::string("Etalon " ETALON_VERSION)},
                         {"backend", stats.backend},

@@ -29,8 +29,12 @@ SignalGuard::~SignalGuard() {
     std::signal(SIGTERM, SIG_DFL);
 }
 
-const std::atomic<bool>& SignalGuard::raised() const { return was_raised; }
+const std::atomic<bool>& SignalGuard::raised() const {
+    return was_raised;
+}
 
-int SignalGuard::signal() const { return signal_number; }
+int SignalGuard::signal() const {
+    return signal_number;
+}
 
 }  // namespace etalon

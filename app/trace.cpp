@@ -37,8 +37,8 @@ bool parse_numbers(const std::string& line, std::vector<double>& numbers) {
 }
 
 bool complain(const Arguments& a, int line, const char* what) {
-    fmt::print(stderr,
-               "{}:{}:1: error: {}; expected 'ox oy oz dx dy dz [tmin tmax]'\n", a.rays, line, what);
+    fmt::print(stderr, "{}:{}:1: error: {}; expected 'ox oy oz dx dy dz [tmin tmax]'\n", a.rays,
+               line, what);
     return false;
 }
 
@@ -101,8 +101,10 @@ Run declare_trace(CLI::App& app) {
                    "One ray a line, 'ox oy oz dx dy dz [tmin tmax]', decimal or hexadecimal floats;"
                    " - is standard input")
         ->required();
-    app.add_option("-o,--output", a->output, "Hits, a line for each ray (default: standard output)");
-    app.add_option("-b,--backend", a->backend, "How hits are found (default: the scene's, else bvh)")
+    app.add_option("-o,--output", a->output,
+                   "Hits, a line for each ray (default: standard output)");
+    app.add_option("-b,--backend", a->backend,
+                   "How hits are found (default: the scene's, else bvh)")
         ->check(CLI::IsMember(backend_names()));
     return [a] { return run(*a); };
 }

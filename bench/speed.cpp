@@ -111,10 +111,9 @@ Json measure_set(const Arguments& a, const std::vector<Contender>& contenders, c
         }
         const double per_million =
             1e6 * static_cast<double>(differing) / static_cast<double>(set.rays.size());
-        result[std::string(contenders[i].backend->name)] = {
-            {"mrays_per_s", rates[i] * 1e-6},
-            {"ratio", rates[i] / unit},
-            {"differing_per_million", per_million}};
+        result[std::string(contenders[i].backend->name)] = {{"mrays_per_s", rates[i] * 1e-6},
+                                                            {"ratio", rates[i] / unit},
+                                                            {"differing_per_million", per_million}};
         fmt::print("  {:<8} {:<15} {:9.3f} Mrays/s  {:6.3f}  {:9.1f} differing per million\n",
                    set.kind, contenders[i].backend->name, rates[i] * 1e-6, rates[i] / unit,
                    per_million);

@@ -72,7 +72,6 @@ Errno write_and_rename(const std::string& path, std::string_view content,
 Errno write_file(const std::string& path, std::string_view content) {
     struct stat present = {};
     if (::stat(path.c_str(), &present) != 0) return write_and_rename(path, content, nullptr);
-    if (S_ISDIR(present.st_mode)) return EISDIR;
     if (::access(path.c_str(), W_OK) != 0) return errno;
     if (!S_ISREG(present.st_mode)) return write_in_place(path, content);
     return write_and_rename(fs::canonical(path), content, &present);

@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char* channel_names[] = {"R", "G", "B"};
 
+/// OpenEXR goes back to fill in the table of its blocks, so writing may replace what is there.
 class MemoryStream : public Imf::OStream {
   public:
     explicit MemoryStream(std::string& bytes) : OStream("picture"), bytes_(bytes) {}

@@ -37,8 +37,8 @@ Outcome<std::string> encode(const std::string& kind, const Picture& picture, dou
     if (!is_consistent(picture)) return {{}, "its window and its pixels do not agree"};
     if (kind == ".exr") return encode_exr(picture);
     if (kind == ".png") {
-        return encode_png(display_bytes(picture, exposure), picture.window.size() + Imath::V2i(1),
-                          picture.window.min);
+        const Imath::V2i last = picture.window.size();
+        return encode_png(display_bytes(picture, exposure), last.x + 1, last.y + 1);
     }
     return {{}, "expected a name ending in .exr or .png"};
 }

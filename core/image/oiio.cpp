@@ -74,13 +74,12 @@ Outcome<Image> read_oiio(const std::string& path) {
     return {{}, path + ": cannot be read: " + image.outcome.error};
 }
 
-Outcome<std::string> encode_png(std::span<const std::uint8_t> rgb, const Imath::V2i& size,
-                                const Imath::V2i& origin) {
+Outcome<std::string> encode_png(std::span<const std::uint8_t> rgb, int width, int height) {
     const auto& module = load_oiio();
     if (!module) return {{}, module.error};
     FileCollector file;
     const EtalonSink sink{&file, nullptr, append_to_file, FileCollector::fail};
-    module.value->encode_png(rgb.data(), size.x, size.y, origin.x, origin.y, &sink);
+    module.value->encode_png(rgb.data(), width, height, &sink);
     return std::move(file.outcome);
 }
 

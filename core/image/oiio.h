@@ -13,9 +13,7 @@ namespace etalon {
 /// channels: 8-bit values stay bytes, others become floats, and no colour is converted.
 Outcome<Image> read_oiio(const std::string& path);
 
-/// A PNG file in memory, marked as sRGB: rows of R, G, B from the top, the first pixel at `origin`
-/// of the page.
-Outcome<std::string> encode_png(std::span<const std::uint8_t> rgb, const Imath::V2i& size,
-                                const Imath::V2i& origin);
+/// A PNG file in memory, marked as sRGB, of width * height pixels R, G, B by rows from the top.
+Outcome<std::string> encode_png(std::span<const std::uint8_t> rgb, int width, int height);
 
 }  // namespace etalon

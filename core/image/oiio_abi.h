@@ -27,10 +27,8 @@ struct EtalonOiio {
     /// At most four channels. Returns 0 after fail.
     int (*read)(const char* path, const EtalonSink* sink);
 
-    /// Appends a PNG file of width * height RGB bytes in sRGB, whose first pixel is at (x, y) of
-    /// the page. Returns 0 after fail.
-    int (*encode_png)(const std::uint8_t* rgb, int width, int height, int x, int y,
-                      const EtalonSink* sink);
+    /// Appends a PNG file of width * height RGB bytes in sRGB. Returns 0 after fail.
+    int (*encode_png)(const std::uint8_t* rgb, int width, int height, const EtalonSink* sink);
 };
 
 /// The module's one symbol has this type and the name etalon_oiio.

@@ -88,12 +88,9 @@ int read(const char* path, const EtalonSink* sink) {
     });
 }
 
-int encode_png(const std::uint8_t* rgb, int width, int height, int x, int y,
-               const EtalonSink* sink) {
+int encode_png(const std::uint8_t* rgb, int width, int height, const EtalonSink* sink) {
     return guarded(*sink, [&] {
         OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
-        spec.x = x;
-        spec.y = y;
         spec["oiio:ColorSpace"] = "sRGB";
         OIIO::Filesystem::IOVecOutput file;
         const auto output = OIIO::ImageOutput::create("picture.png");

@@ -21,8 +21,12 @@ namespace etalon {
 class HandOver {
   public:
 #if defined(__SANITIZE_THREAD__)
-    void give() { __tsan_release(this); }
-    void take() { __tsan_acquire(this); }
+    void give() {
+        __tsan_release(this);
+    }
+    void take() {
+        __tsan_acquire(this);
+    }
 #else
     void give() {}
     void take() {}
@@ -33,8 +37,9 @@ class HandOver {
 class ThreadLimit {
   public:
     explicit ThreadLimit(int threads)
-        : control_(tbb::global_control::max_allowed_parallelism,
-                   threads > 0 ? static_cast<std::size_t>(threads) : tbb::info::default_concurrency()) {}
+        : control_(
+              tbb::global_control::max_allowed_parallelism,
+              threads > 0 ? static_cast<std::size_t>(threads) : tbb::info::default_concurrency()) {}
 
   private:
     tbb::global_control control_;

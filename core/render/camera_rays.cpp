@@ -51,15 +51,15 @@ Ray CameraRays::ray(const Vec2& pixel, const Vec2& lens) const {
 }
 
 Imath::M44d CameraRays::world_to_camera() const {
-    return {u_.x,           v_.x,           n_.x,           0,  //
-            u_.y,           v_.y,           n_.y,           0,  //
-            u_.z,           v_.z,           n_.z,           0,  //
+    return {u_.x,          v_.x,          n_.x,          0,  //
+            u_.y,          v_.y,          n_.y,          0,  //
+            u_.z,          v_.z,          n_.z,          0,  //
             -eye_.dot(u_), -eye_.dot(v_), -eye_.dot(n_), 1};
 }
 
 Imath::M44d CameraRays::world_to_ndc() const {
     const double half_width = width_ / 2 * pixel_size_, half_height = height_ / 2 * pixel_size_;
-    const Imath::M44d project(distance_ / half_width, 0, 0, 0,    //
+    const Imath::M44d project(distance_ / half_width, 0, 0, 0,   //
                               0, distance_ / half_height, 0, 0,  //
                               0, 0, -1, -1,                      //
                               0, 0, 0, 0);

@@ -41,7 +41,8 @@ class Renderer {
     Rendering run() {
         Rendering result{Film(options_.window), {}};
         const int total = std::max(1, options_.samples_per_pixel);
-        for (int first = 0, last = 1; first < total; first = last, last = std::min(2 * last, total)) {
+        for (int first = 0, last = 1; first < total;
+             first = last, last = std::min(2 * last, total)) {
             render_pass(first, last, total, result.film);
             if (stopped()) break;
             result.samples = last;
@@ -60,7 +61,8 @@ class Renderer {
                 if (stopped()) return;
                 render_tile(i, first, last, film);
                 const auto done = samples_done_.fetch_add(last - first) + (last - first);
-                report(static_cast<double>(done) / (static_cast<double>(total) * static_cast<double>(tiles_.size())));
+                report(static_cast<double>(done) /
+                       (static_cast<double>(total) * static_cast<double>(tiles_.size())));
             }
         });
     }

@@ -16,9 +16,9 @@ struct RenderOptions {
     int samples_per_pixel = 0;  ///< 0: one ray through each pixel's centre
     int max_depth = 5;          ///< rays in a row, the eye's included
     std::uint32_t seed = 0;
-    Imath::Box2i window;        ///< pixels to render, inclusive on both ends
-    const std::atomic<bool>* stop = nullptr;     ///< set: give up soon and return what there is
-    std::function<void(double)> progress;        ///< called with the part done, from any thread
+    Imath::Box2i window;                      ///< pixels to render, inclusive on both ends
+    const std::atomic<bool>* stop = nullptr;  ///< set: give up soon and return what there is
+    std::function<void(double)> progress;     ///< called with the part done, from any thread
 };
 
 struct Rendering {

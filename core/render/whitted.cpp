@@ -13,7 +13,9 @@ namespace {
 /// casts no shadow, so that a light may lie on a surface. Well above the roundings of a double.
 constexpr double shadow_end = 1 - 0x1p-32;
 
-bool is_black(const Color& c) { return c == Color(0.0F); }
+bool is_black(const Color& c) {
+    return c == Color(0.0F);
+}
 
 Color clamped(const Color& c) {
     return {std::clamp(c.x, 0.0F, 1.0F), std::clamp(c.y, 0.0F, 1.0F), std::clamp(c.z, 0.0F, 1.0F)};
@@ -25,16 +27,15 @@ Color transmittance(const Color& absorption, double distance) {
     return {along(absorption.x), along(absorption.y), along(absorption.z)};
 }
 
-Vec3 normalized(const Vec3& v) { return v / std::sqrt(v.dot(v)); }
+Vec3 normalized(const Vec3& v) {
+    return v / std::sqrt(v.dot(v));
+}
 
 }  // namespace
 
 Whitted::Whitted(const Scene& scene, const Intersector& intersector,
                  const EnvironmentMap& environment, int samples_per_pixel, int max_depth)
-    : scene_(scene),
-      intersector_(intersector),
-      environment_(environment),
-      max_depth_(max_depth) {
+    : scene_(scene), intersector_(intersector), environment_(environment), max_depth_(max_depth) {
     for (const Light& light : scene.lights) lights_.emplace_back(light, samples_per_pixel);
 }
 
@@ -112,8 +113,8 @@ Color Whitted::secondary(const Path& path, const Encounter& at, Context& context
     const double eta = at.entering ? 1 / m.ior : m.ior;
     Vec3 refracted;
     if (!is_black(m.transmission)) {
-        const DielectricBorder border = scene_.whitted.schlick ? schlick_border(eta, cosine)
-                                                               : dielectric_border(eta, cosine);
+        const DielectricBorder border =
+            scene_.whitted.schlick ? schlick_border(eta, cosine) : dielectric_border(eta, cosine);
         if (m.fresnel) {
             reflection *= static_cast<float>(border.reflectance);
             transmission *= static_cast<float>(1 - border.reflectance);

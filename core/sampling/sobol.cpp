@@ -12,7 +12,8 @@ std::uint32_t reverse_bits(std::uint32_t x) {
 }
 
 /// A permutation in which a bit is changed only by those below it (Laine & Karras 2011, "Stratified
-/// Sampling for Stochastic Transparency"); constants after Vegdahl 2021, "Building a Better LK Hash".
+/// Sampling for Stochastic Transparency"); constants after Vegdahl 2021, "Building a Better LK
+/// Hash".
 std::uint32_t low_to_high_permutation(std::uint32_t x, std::uint32_t seed) {
     x ^= x * 0x3d20adeaU;
     x += seed;
@@ -37,7 +38,9 @@ std::uint32_t sobol_second(std::uint32_t index) {
 }
 
 /// In [0, 1): all 32 bits fit a double.
-double unit_interval(std::uint32_t x) { return x * 0x1p-32; }
+double unit_interval(std::uint32_t x) {
+    return x * 0x1p-32;
+}
 
 }  // namespace
 

@@ -48,9 +48,9 @@ struct Scene {
     std::vector<Vec3> vertices, normals;
 
     WhittedRules whitted;
-    int samples_per_pixel = 0;   ///< 0: one ray through each pixel's centre
+    int samples_per_pixel = 0;    ///< 0: one ray through each pixel's centre
     bool display_colors = false;  ///< colours are display values already: no sRGB curve for PNG
-    std::string backend;         ///< the scene's own choice, or empty
+    std::string backend;          ///< the scene's own choice, or empty
 
     template <class Shape>
     std::vector<Shape>& all() {

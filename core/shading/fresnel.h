@@ -14,8 +14,8 @@ struct DielectricBorder {
 /// eta = n_here / n_beyond; cos_incident in [0, 1]. By the Fresnel equations.
 DielectricBorder dielectric_border(double eta, double cos_incident);
 
-/// Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering": the same border with an
-/// approximate reflectance, taken at the angle in the thinner medium.
+/// Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering": the same border with
+/// an approximate reflectance, taken at the angle in the thinner medium.
 DielectricBorder schlick_border(double eta, double cos_incident);
 
 inline Vec3 reflect(const Vec3& direction, const Vec3& normal) {

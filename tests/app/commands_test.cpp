@@ -41,8 +41,9 @@ TEST_CASE("render gives identical pixels with every exact backend and thread cou
 TEST_CASE("render takes size, crop, depth, seed and several outputs", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
-    const auto r = f.etalon("render ball.p3f --resolution 64x48 --crop 8,8,24,20 --max-depth 2 "
-                            "--seed 7 --spp 2 --exposure 1 -o a.exr -o a.png --stats s.json");
+    const auto r = f.etalon(
+        "render ball.p3f --resolution 64x48 --crop 8,8,24,20 --max-depth 2 "
+        "--seed 7 --spp 2 --exposure 1 -o a.exr -o a.png --stats s.json");
     CHECK(r.status == 0);
     CHECK(pixels(f.path("a.exr")).size() == 16 * 12 * 3);
     CHECK(f.has("a.png"));
@@ -160,7 +161,8 @@ TEST_CASE("An interrupted render writes what there is", "[app]") {
     for (const auto& [signal, status] : {std::pair{"INT", 130}, std::pair{"TERM", 143}}) {
         const auto r = f.shell(std::string(ETALON_BINARY_DIR) +
                                "/bin/etalon render ball.p3f --spp 10000000 -o cut.exr & pid=$!; "
-                               "sleep 1; kill -" + signal + " $pid; wait $pid");
+                               "sleep 1; kill -" +
+                               signal + " $pid; wait $pid");
         CHECK(r.status == status);
         CHECK(pixels(f.path("cut.exr")).size() == 32 * 24 * 3);
     }

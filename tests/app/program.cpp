@@ -55,9 +55,13 @@ std::string Folder::write(const std::string& name, const std::string& text) cons
     return path(name);
 }
 
-bool Folder::has(const std::string& name) const { return std::filesystem::exists(path(name)); }
+bool Folder::has(const std::string& name) const {
+    return std::filesystem::exists(path(name));
+}
 
-std::string Folder::read(const std::string& name) const { return slurp(path(name)); }
+std::string Folder::read(const std::string& name) const {
+    return slurp(path(name));
+}
 
 Outcome Folder::etalon(const std::string& arguments, const std::string& input) const {
     return shell(fmt::format("exec {}/bin/etalon {}", ETALON_BINARY_DIR, arguments), input);

@@ -75,8 +75,7 @@ TEST_CASE("A crop holds the same pixels as the whole", "[render]") {
     const std::vector<Color> all = picture(scene);
     RenderOptions options = whole(scene);
     options.window = {{7, 5}, {20, 30}};
-    const std::vector<Color> part =
-        render_with(scene, *find_backend("bvh"), options).film.pixels();
+    const std::vector<Color> part = render_with(scene, *find_backend("bvh"), options).film.pixels();
     std::size_t i = 0;
     for (int y = 5; y <= 30; ++y) {
         for (int x = 7; x <= 20; ++x) CHECK(part[i++] == all[y * scene.camera.width + x]);

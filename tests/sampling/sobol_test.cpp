@@ -39,7 +39,8 @@ TEST_CASE("Scrambled Sobol' points are a (0,2)-sequence", "[sampling]") {
 TEST_CASE("Different seeds give different points, equal names the same", "[sampling]") {
     CHECK(scrambled_sobol(7, 1) == scrambled_sobol(7, 1));
     CHECK(scrambled_sobol(7, 1) != scrambled_sobol(7, 2));
-    const SampleSource a(3, 4, 0, 5), b(3, 4, 0, 5), other_pixel(4, 3, 0, 5), other_seed(3, 4, 1, 5);
+    const SampleSource a(3, 4, 0, 5), b(3, 4, 0, 5), other_pixel(4, 3, 0, 5),
+        other_seed(3, 4, 1, 5);
     CHECK(a.point(9) == b.point(9));
     CHECK(a.point(9) != a.point(10));
     CHECK(a.point(9) != other_pixel.point(9));

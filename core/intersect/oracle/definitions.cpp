@@ -19,6 +19,7 @@ struct Roots {
 
 Roots solve(const Tracked& a, const Tracked& b, const Tracked& c) {
     Roots roots;
+    if ((is_zero(a) & is_zero(b)) == Truth::yes) return roots;  // a constant
     const Tracked discriminant = b * b - a * c;
     if (is_negative(discriminant) == Truth::yes) return roots;
     if (is_positive(discriminant) != Truth::yes) {
@@ -101,6 +102,7 @@ std::optional<Stretch> within_box(const Vec3& min, const Vec3& max, const Ray& r
     struct Meeting {
         Tracked distance, speed;
     };
+    if (Box3(min, max).isEmpty()) return std::nullopt;
     const auto is_later = [](const Meeting& a, const Meeting& b) {
         return is_positive(a.distance * b.speed - b.distance * a.speed);
     };
@@ -121,7 +123,9 @@ std::optional<Stretch> within_box(const Vec3& min, const Vec3& max, const Ray& r
     for (std::size_t i = 0; i < count; ++i) {
         if (is_later(in[i], in[last_in]) == Truth::yes) last_in = i;
         if (is_later(out[first_out], out[i]) == Truth::yes) first_out = i;
-        for (std::size_t j = 0; j < count; ++j) exists = exists & !is_later(in[i], out[j]);
+        for (std::size_t j = 0; j < count; ++j) {
+            if (i != j) exists = exists & !is_later(in[i], out[j]);
+        }
     }
     if (exists == Truth::no) return std::nullopt;
     return Stretch{in[last_in].distance / in[last_in].speed,
@@ -235,8 +239,9 @@ Crossings define(const Scene& scene, const Polygon& polygon, const Ray& ray) {
 
 Crossings crossings(const Scene& scene, std::uint32_t primitive, const Ray& ray) {
     const Primitive& p = scene.primitives[primitive];
-    return with_shape(p.kind,
-                      [&]<class Shape>() { return define(scene, scene.get<Shape>(p), ray); });
+    const Ray meant = RayQuery(ray).ray;
+    return with_shape(
+        p.kind, [&]<class Shape>() { return define(scene, scene.get<Shape>(p), meant); });
 }
 
 }  // namespace etalon

@@ -29,7 +29,8 @@ class Crossings {
     std::size_t count_ = 0;
 };
 
-/// Where the line of `ray`, whose direction is not zero, meets a primitive.
+/// Where the line of `ray`, whose direction is not zero, meets a primitive. As RayQuery has it, a
+/// component that is nothing against the largest is zero.
 Crossings crossings(const Scene& scene, std::uint32_t primitive, const Ray& ray);
 
 }  // namespace etalon

@@ -19,11 +19,11 @@ Truth is_visible(const Crossing& c, Sides sides) {
     return sides == Sides::front ? c.front : !c.front;
 }
 
-/// A kernel compares its rounded t with the ray's ends.
+/// A kernel compares its rounded t with the ray's ends, and has none beyond the range of double.
 Truth is_within(const Tracked& t, const Ray& ray, double tie) {
     const Tracked rounded(t.value, t.error + magnitude(t.value) * Quad(tie));
-    const Truth before_end = ray.tmax == infinity ? Truth::yes : rounded <= ray.tmax;
-    return (Tracked(ray.tmin) < rounded) & before_end;
+    const double end = std::min(ray.tmax, std::numeric_limits<double>::max());
+    return (Tracked(ray.tmin) < rounded) & (rounded <= end);
 }
 
 /// Meetings so far, with the nearest certain one.

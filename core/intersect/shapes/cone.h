@@ -33,57 +33,64 @@ inline Box3 bounds(const Scene&, const Cone& c) {
     return box;
 }
 
-/// Where a line meets the unbounded cone: it goes in at `entry` and comes out at `exit`, each NaN
-/// or infinite where there is none. On a line steeper than the cone, which stays within one nappe
-/// on each side, exit < entry.
+/// Where a line goes into the solid cone, and where it comes out, through the lateral surface; NaN
+/// where it does not.
 struct ConeCrossing {
     double entry = no_hit, exit = no_hit;
 };
 
-/// With h the axis vector, f the origin seen from the base and r(t) the radius at the height of the
-/// ray's point, times |h|, the surface is |F + t G|^2 = r(t)^2, F = f x h, G = d x h, r = r0 + t
-/// r1. Nothing refers to the apex, so a cylinder is the case r1 = 0, not another formula.
+/// Of the line's points between the ends' planes, the one closest to the axis: the origin from
+/// which nothing cancels. f is the ray's origin seen from the base, h the axis, G = d x h.
+inline double closest_to_axis(const Vec3& f, const Vec3& d, const Vec3& h, const Vec3& G) {
+    const double t = -f.cross(h).dot(G) / G.dot(G);
+    const double start = f.dot(h), rise = d.dot(h), height = h.dot(h);
+    const double z = start + t * rise;
+    if (z >= 0 && z <= height) return t;
+    return ((z > height ? height : 0) - start) / rise;
+}
+
+/// With w the line's point at `middle`, seen from the base, and r(t) the radius at the height of
+/// the line's point, times |h|, the surface is |F + t G|^2 = r(t)^2, F = w x h, G = d x h, r = r0 +
+/// t r1. Nothing refers to the apex, so a cylinder is the case r1 = 0, not another formula.
 ///
-/// The discriminant beta^2 - alpha gam is taken in Lagrange's form |r0 G - r1 F|^2 - |F x G|^2,
-/// F x G = h (f . G), whose error grows with the distance and not with its square. Where alpha
-/// vanishes (the ray runs along a generator) one root goes to infinity, and is clipped; the other
-/// is gam / q as everywhere.
+/// Where alpha vanishes, as the line runs along a generator, one root goes to infinity, and is
+/// clipped; the other is gam / sum as everywhere. Where alpha is negative the line is steeper than
+/// the cone and crosses either nappe once, on opposite sides of the apex: the mirror nappe is left
+/// out, and the apex is no end, so that a line through the apex does not slip by.
 inline ConeCrossing cross_cone(const Cone& c, const Ray& ray) {
     const Vec3 h = c.top - c.base, f = ray.origin - c.base;
-    const Vec3 F = f.cross(h), G = ray.direction.cross(h);
-    const double length2 = h.dot(h), length = std::sqrt(length2);
-    const double slope = (c.top_radius - c.base_radius) / length;
-    const double r0 = length * c.base_radius + slope * f.dot(h);
-    const double r1 = slope * ray.direction.dot(h);
+    const Vec3 G = ray.direction.cross(h);
+    const double middle = closest_to_axis(f, ray.direction, h, G);
+    const Vec3 w = f + middle * ray.direction, F = w.cross(h);
+    const double start = w.dot(h), rise = ray.direction.dot(h), height = h.dot(h);
+    const double length = std::sqrt(height), slope = (c.top_radius - c.base_radius) / length;
+    const double r0 = length * c.base_radius + slope * start, r1 = slope * rise;
 
     const double alpha = G.dot(G) - r1 * r1;
     const double beta = F.dot(G) - r0 * r1;
     const double gam = F.dot(F) - r0 * r0;
-    const Vec3 across = r0 * G - r1 * F;
-    const double aside = f.dot(G);
-    double discriminant = across.dot(across) - length2 * aside * aside;
-    // A line steeper than the cone meets it somewhere, be it in the apex.
-    if (alpha < 0) discriminant = std::max(discriminant, 0.0);
+    const bool steep = alpha < 0;
+    double discriminant = beta * beta - alpha * gam;
+    if (steep) discriminant = std::max(discriminant, 0.0);
     if (!(discriminant >= 0)) return {};
     // alpha t + beta, half the rise of |F + t G|^2 - r(t)^2, is -root at the entry and +root at the
     // exit; roots by the sum of like signs.
-    const double root = std::sqrt(discriminant);
-    if (beta >= 0) return {(-beta - root) / alpha, gam / (-beta - root)};
-    return {gam / (root - beta), (root - beta) / alpha};
+    const double root = std::sqrt(discriminant), sum = std::abs(beta) + root;
+    const double entry = beta >= 0 ? -sum / alpha : gam / sum;
+    const double exit = beta >= 0 ? -gam / sum : sum / alpha;
+
+    const double lowest = steep && c.base_radius == 0 ? -infinity : 0;
+    const double highest = steep && c.top_radius == 0 ? infinity : height;
+    const auto clipped = [&](double t) {
+        const double z = start + t * rise;
+        return z >= lowest && z <= highest ? middle + t : no_hit;
+    };
+    return {steep && r1 < 0 ? no_hit : clipped(entry), steep && r1 > 0 ? no_hit : clipped(exit)};
 }
 
 inline double first_hit(const Scene&, const Cone& c, Sides sides, const RayQuery& q) {
     const ConeCrossing x = cross_cone(c, q.ray);
-    const Vec3 h = c.top - c.base;
-    const double start = (q.ray.origin - c.base).dot(h), rise = q.ray.direction.dot(h);
-    const double height = h.dot(h);
-    const auto is_met = [&](double t) {
-        const double z = start + t * rise;
-        return is_ahead(t, q.ray.tmin) && z >= 0 && z <= height;
-    };
-    const double entry = sides != Sides::back && is_met(x.entry) ? x.entry : infinity;
-    const double exit = sides != Sides::front && is_met(x.exit) ? x.exit : infinity;
-    const double t = std::min(entry, exit);
+    const double t = first_visible(x.entry, x.exit, sides, q.ray.tmin);
     return t < infinity && !is_degenerate(c) ? t : no_hit;
 }
 
