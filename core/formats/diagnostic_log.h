@@ -1,0 +1,72 @@
+#pragma once
+
+#include <fmt/core.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/formats/diagnostic.h"
+#include "core/formats/locator.h"
+
+namespace etalon {
+
+/// Gathers the diagnostics about one text. Places are byte offsets; what would never be shown is
+/// only counted, so a text that is wrong in a million places costs neither time nor memory.
+class DiagnosticLog {
+  public:
+    /// `text` must outlive the log. In a strict log warnings are errors.
+    DiagnosticLog(std::string file, std::string_view text, bool strict)
+        : file_(std::move(file)), locator_(text), strict_(strict) {}
+
+    template <class... T>
+    void warn(std::size_t offset, std::string_view kind, fmt::format_string<T...> text,
+              T&&... arguments) {
+        add(strict_ ? Severity::error : Severity::warning, offset, kind, text,
+            std::forward<T>(arguments)...);
+    }
+
+    template <class... T>
+    void error(std::size_t offset, std::string_view kind, fmt::format_string<T...> text,
+               T&&... arguments) {
+        add(Severity::error, offset, kind, text, std::forward<T>(arguments)...);
+    }
+
+    /// Stands for an offset where the message is about the file as a whole.
+    static constexpr std::size_t whole_file = std::string_view::npos;
+
+    bool has_errors() const { return has_errors_; }
+    std::vector<Diagnostic> take() { return std::move(diagnostics_); }
+
+  private:
+    struct Kind {
+        std::string_view name;
+        int kept;
+        std::size_t last;  ///< of those kept
+    };
+
+    template <class... T>
+    void add(Severity severity, std::size_t offset, std::string_view kind,
+             fmt::format_string<T...> text, T&&... arguments) {
+        if (Diagnostic* d = admit(severity, offset, kind)) {
+            d->message = fmt::format(text, std::forward<T>(arguments)...);
+        }
+    }
+
+    /// A new diagnostic without its message, or nothing if there are enough of the kind.
+    Diagnostic* admit(Severity severity, std::size_t offset, std::string_view kind);
+
+    std::string file_;
+    Locator locator_;
+    bool strict_;
+    bool has_errors_ = false;
+    std::vector<Kind> kinds_;
+    std::vector<Diagnostic> diagnostics_;
+};
+
+/// A word of a file as a message can carry it: in quotes, without bytes that are not printable
+/// ASCII, and not too long.
+std::string in_quotes(std::string_view word);
+
+}  // namespace etalon

@@ -1,0 +1,110 @@
+#include "core/formats/load.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "core/formats/diagnostic_log.h"
+#include "core/formats/file_text.h"
+#include "core/formats/nearest_name.h"
+#include "core/formats/p3f/p3f.h"
+#include "core/formats/recognise.h"
+
+namespace etalon {
+namespace {
+
+using Loader = LoadResult (*)(std::string_view text, const std::string& path,
+                              const LoadOptions& options);
+
+struct Format {
+    std::string_view name;       ///< for --format; the extension is the same
+    std::string_view described;  ///< in messages: "this looks like ..."
+    Recogniser recognises;
+    Loader load;  ///< null: only recognised, so that it can be named
+};
+
+// To add a format:
+//   1. its loader, core/formats/<format>/, over the words of reader.h if it is a stream of words;
+//   2. its line here, with what it is recognised by (recognise.cpp);
+//   3. its tests, tests/formats/<format>_*_test.cpp.
+// The first line that recognises a text has it: those that show clear signs stand above those that
+// others could be mistaken for.
+constexpr std::array formats = {
+    Format{"sce", "an SCE scene", is_sce, nullptr},
+    Format{"pbrt-v4", "a PBRT scene of version 4", is_pbrt_v4, nullptr},
+    Format{"pbrt", "a PBRT scene", is_pbrt, nullptr},
+    Format{"p3f", "a P3F scene", is_p3f, load_p3f},
+    Format{"prt", "a PRT scene", is_prt, nullptr},
+    Format{"nff", "an NFF scene", is_nff, nullptr},
+    Format{"obj", "a Wavefront OBJ mesh", is_obj, nullptr},
+    Format{"binary", "a binary file", is_binary, nullptr},
+};
+
+const std::vector<std::string_view>& names() {
+    static const std::vector<std::string_view> list = [] {
+        std::vector<std::string_view> readable;
+        for (const Format& f : formats) {
+            if (f.load) readable.push_back(f.name);
+        }
+        return readable;
+    }();
+    return list;
+}
+
+const Format* find(std::string_view name) {
+    const auto f = std::ranges::find(formats, name, &Format::name);
+    return f != formats.end() ? &*f : nullptr;
+}
+
+/// What the text says it is, else what its file's name says; null if neither says anything.
+const Format* recognise(std::string_view text, const std::string& path) {
+    const Opening opening(text);
+    for (const Format& f : formats) {
+        if (f.recognises(opening)) return &f;
+    }
+    const std::string extension = std::filesystem::path(path).extension().string();
+    return extension.empty() ? nullptr : find(std::string_view(extension).substr(1));
+}
+
+template <class... T>
+LoadResult refuse(const std::string& file, std::string_view kind, fmt::format_string<T...> text,
+                  T&&... arguments) {
+    DiagnosticLog log(file, {}, false);
+    log.error(DiagnosticLog::whole_file, kind, text, std::forward<T>(arguments)...);
+    return {std::nullopt, log.take()};
+}
+
+std::string readable_names() {
+    return fmt::format("Etalon reads: {}", fmt::join(names(), ", "));
+}
+
+}  // namespace
+
+std::span<const std::string_view> format_names() {
+    return names();
+}
+
+LoadResult load_scene_text(std::string_view text, const std::string& path,
+                           const LoadOptions& options) {
+    if (text.empty()) return refuse(path, "file", "the file is empty");
+    if (!options.format.empty()) {
+        const Format* const asked = find(options.format);
+        if (asked && asked->load) return asked->load(text, path, options);
+        return refuse(path, "format", "unknown format {}; {}{}", in_quotes(options.format),
+                      readable_names(), did_you_mean(options.format, names()));
+    }
+    const Format* const format = recognise(text, path);
+    if (!format) return refuse(path, "format", "no format recognised; {}", readable_names());
+    if (format->load) return format->load(text, path, options);
+    return refuse(path, "format", "this looks like {}; {}", format->described, readable_names());
+}
+
+LoadResult load_scene(const std::string& path, const LoadOptions& options) {
+    const FileText file = read_file(path);
+    if (!file.error.empty()) return refuse(path, "file", "{}", file.error);
+    return load_scene_text(file.text, path, options);
+}
+
+}  // namespace etalon

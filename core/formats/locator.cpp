@@ -1,0 +1,31 @@
+#include "core/formats/locator.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace etalon {
+namespace {
+
+int saturated(std::size_t n) {
+    return static_cast<int>(std::min<std::size_t>(n, std::numeric_limits<int>::max()));
+}
+
+std::size_t line_feeds(std::string_view text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace
+
+TextPosition Locator::locate(std::size_t offset) {
+    const bool forward = offset >= offset_;
+    const std::size_t low = forward ? offset_ : offset;
+    const std::string_view between = text_.substr(low, (forward ? offset : offset_) - low);
+    if (const std::size_t crossed = line_feeds(between); crossed > 0) {
+        line_ = forward ? line_ + crossed : line_ - crossed;
+        line_start_ = text_.substr(0, offset).rfind('\n') + 1;  // npos + 1 is 0: the first line
+    }
+    offset_ = offset;
+    return {saturated(line_), saturated(offset - line_start_ + 1)};
+}
+
+}  // namespace etalon

@@ -1,0 +1,59 @@
+#include "core/formats/nearest_name.h"
+
+#include <algorithm>
+#include <array>
+
+namespace etalon {
+namespace {
+
+constexpr std::size_t longest = 32;
+
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+/// Optimal string alignment distance (Damerau 1964), neither word longer than `longest`.
+std::size_t typing_errors(std::string_view a, std::string_view b) {
+    using Row = std::array<std::size_t, longest + 1>;
+    Row before{}, above{}, row{};
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        before = above;
+        above = row;
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t exchange = lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1;
+            row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + exchange});
+            const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
+                                 lower(a[i - 2]) == lower(b[j - 1]);
+            if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+    }
+    return row[b.size()];
+}
+
+}  // namespace
+
+std::string_view nearest_name(std::string_view word, std::span<const std::string_view> names) {
+    if (word.size() > longest) return {};
+    std::string_view nearest;
+    std::size_t fewest = longest;
+    for (const std::string_view name : names) {
+        if (name.size() > longest) continue;
+        const std::size_t errors = typing_errors(word, name);
+        const std::size_t bearable = std::min(word.size(), name.size()) / 3 + 1;
+        const bool keeps_something = errors < std::min(word.size(), name.size());
+        if (keeps_something && errors <= bearable && errors < fewest) {
+            nearest = name;
+            fewest = errors;
+        }
+    }
+    return nearest;
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> names) {
+    const std::string_view name = nearest_name(word, names);
+    return name.empty() ? std::string() : "; did you mean '" + std::string(name) + "'?";
+}
+
+}  // namespace etalon

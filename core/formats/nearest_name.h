@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace etalon {
+
+/// The name that `word` was probably meant to be: the one fewest typing errors (letters added,
+/// lost, exchanged or swapped with their neighbour) away, upper and lower case being the same. The
+/// first on a tie; empty where none is close enough to be worth a suggestion.
+std::string_view nearest_name(std::string_view word, std::span<const std::string_view> names);
+
+/// "; did you mean 'name'?", or nothing if no name is near.
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> names);
+
+}  // namespace etalon

@@ -1,0 +1,22 @@
+// Decimal numbers as scene files write them: 5. .5 +1 1e-3, with '.' in every locale.
+#pragma once
+
+#include <cstdint>
+
+namespace etalon {
+
+enum class NumberStatus : std::uint8_t { ok, malformed, out_of_range };
+
+struct ScannedNumber {
+    const char* end;  ///< behind the number; of no meaning unless ok
+    NumberStatus status;
+};
+
+/// Reads the longest number that [first, last) starts with. The double is the nearest one; what is
+/// too small for any is zero. "inf", "nan" and hexadecimal numbers are malformed.
+ScannedNumber scan_number(const char* first, const char* last, double& value);
+
+/// The same for an integer, which has no point and no exponent.
+ScannedNumber scan_number(const char* first, const char* last, std::int64_t& value);
+
+}  // namespace etalon

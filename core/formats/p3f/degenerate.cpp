@@ -1,0 +1,22 @@
+#include "core/formats/p3f/degenerate.h"
+
+#include "core/numerics/rounding.h"
+
+namespace etalon::p3f {
+
+Vec3 to_unit_magnitude(const Vec3& v) {
+    return v * power_of_two_reciprocal(max_abs(v));
+}
+
+Vec3 area_normal(std::span<const Vec3> corners) {
+    double extent = 0;
+    for (const Vec3& p : corners) extent = std::max(extent, max_abs(p - corners[0]));
+    const double scale = power_of_two_reciprocal(extent);
+    Vec3 sum(0);
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+        sum += ((corners[i - 1] - corners[0]) * scale).cross((corners[i] - corners[0]) * scale);
+    }
+    return sum;
+}
+
+}  // namespace etalon::p3f

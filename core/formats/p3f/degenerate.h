@@ -1,0 +1,19 @@
+// What makes a shape one that cannot be seen. All of it exact: no tolerance, and the same answer
+// for a scene scaled by a power of two.
+#pragma once
+
+#include <span>
+
+#include "core/numerics/vec.h"
+
+namespace etalon::p3f {
+
+/// `v` times the power of two that brings its largest component to [1, 2): products of such vectors
+/// neither overflow nor vanish.
+Vec3 to_unit_magnitude(const Vec3& v);
+
+/// Along the normal of a polygon, on the side from which the corners run counter-clockwise
+/// (Newell's sum of the fan of triangles about the first corner). Zero if they span no area.
+Vec3 area_normal(std::span<const Vec3> corners);
+
+}  // namespace etalon::p3f

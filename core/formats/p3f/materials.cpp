@@ -1,0 +1,121 @@
+// mat and the old dialect's f: Cd(rgb) Kd Cs(rgb) Ks Shine T ior.
+#include <algorithm>
+#include <cmath>
+
+#include "core/formats/p3f/loader.h"
+
+namespace etalon::p3f {
+namespace {
+
+struct Numbers {
+    Color diffuse;
+    double kd;
+    Color specular;
+    double ks, shine, transmission, ior;
+};
+
+/// The course's own default (its programs leave it to chance).
+constexpr Numbers default_material{Color(0.2F), 0.2, Color(1.0F), 0.8, 20, 0, 1};
+
+Numbers read_numbers(Reader& in) {
+    Numbers n{};
+    n.diffuse = in.color("diffuse colour");
+    n.kd = in.number("Kd");
+    n.specular = in.color("specular colour");
+    n.ks = in.number("Ks");
+    n.shine = in.number("Shine");
+    n.transmission = in.number("T");
+    n.ior = in.number("index of refraction");
+    return n;
+}
+
+bool is_finite(const Color& c) {
+    return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
+}
+
+Material material_of(const Numbers& n) {
+    Material m;
+    m.diffuse = n.diffuse * static_cast<float>(n.kd);
+    m.specular = n.specular * static_cast<float>(n.ks);
+    m.shininess = n.shine;
+    if (n.transmission > 0) {
+        m.reflection = n.specular;
+        m.transmission = Color(1.0F);
+        m.fresnel = true;
+        m.ior = n.ior;
+    } else if (n.ks > 0) {
+        m.reflection = m.specular;
+    }
+    return m;
+}
+
+/// Light loses exp(-(1 - Cd) d) over a distance d in glass, and nothing to Cd >= 1.
+Color absorption_of(const Color& diffuse) {
+    const auto of = [](float c) { return std::max(0.0F, 1 - c); };
+    return {of(diffuse.x), of(diffuse.y), of(diffuse.z)};
+}
+
+/// Whether there is such a surface; if not, says why.
+bool is_possible(Reader& in, const Numbers& n) {
+    if (n.transmission > 0 && !(n.ior > 0)) {
+        in.warn("material", "the index of refraction of glass is {}; expected more than 0", n.ior);
+    } else if (n.shine < 0) {
+        in.warn("material", "the Shine is {}; expected 0 or more", n.shine);
+    } else if (!is_finite(material_of(n).diffuse) || !is_finite(material_of(n).specular)) {
+        in.warn("material", "Cd Kd or Cs Ks is beyond every colour");
+    } else {
+        return true;
+    }
+    return false;
+}
+
+/// Some programs take numbers after the eleven: a roughness, or an emission.
+void pass_extra_numbers(Reader& in) {
+    const std::size_t offset = in.tokens().offset();
+    int count = 11;
+    for (; in.tokens().at_number(); ++count) in.tokens().next();
+    if (count == 12 || count == 14) {
+        in.warn_at(offset, "extension",
+                   "a '{}' of {} numbers ({}) is a private extension of one program; the first "
+                   "11 are used",
+                   in.keyword(), count, count == 12 ? "roughness" : "emission");
+    } else if (count > 11) {
+        in.warn_at(offset, "stray", "expected 11 numbers after '{}', found {}", in.keyword(),
+                   count);
+    }
+}
+
+void set_material(Loader& loader, const Material& m) {
+    loader.material = static_cast<std::uint32_t>(loader.scene.materials.size());
+    loader.scene.materials.push_back(m);
+}
+
+void read_material(Loader& loader, bool absorbs) {
+    const Numbers n = read_numbers(loader.in);
+    if (!loader.in.ok()) return;
+    pass_extra_numbers(loader.in);
+    if (!is_possible(loader.in, n)) return;
+    Material m = material_of(n);
+    if (absorbs && m.fresnel) m.absorption = absorption_of(n.diffuse);
+    set_material(loader, m);
+}
+
+}  // namespace
+
+void read_mat(Loader& loader) {
+    read_material(loader, !loader.options.legacy);
+}
+
+void read_f(Loader& loader) {
+    read_material(loader, false);
+}
+
+std::uint32_t Loader::current_material() {
+    if (!material) {
+        in.warn("no-material", "'{}' before any material; it gets a default one", in.keyword());
+        set_material(*this, material_of(default_material));
+    }
+    return *material;
+}
+
+}  // namespace etalon::p3f

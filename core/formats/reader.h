@@ -1,0 +1,86 @@
+#pragma once
+
+#include <string_view>
+#include <utility>
+
+#include "core/formats/diagnostic_log.h"
+#include "core/formats/tokenizer.h"
+#include "core/numerics/vec.h"
+
+namespace etalon {
+
+/// Reads the values of a statement ("s 0 0 0 1") off a text, and says so when they are not what was
+/// expected. Like a stream it remembers a failure: from then on every value is zero and no word is
+/// consumed, until recover(). So a loader reads all it wants and then asks once whether it is ok().
+class Reader {
+  public:
+    Reader(std::string_view text, DiagnosticLog& log) : tokens_(text), log_(log) {}
+
+    /// Takes the next word as the keyword of a new statement.
+    std::string_view begin();
+    std::string_view keyword() const { return keyword_; }
+
+    bool ok() const { return ok_; }
+    void recover() { ok_ = true; }
+
+    Tokenizer& tokens() { return tokens_; }
+    const Tokenizer& tokens() const { return tokens_; }
+
+    /// Where the statement starts.
+    std::size_t start() const { return start_; }
+
+    /// Finite values; `what` names them in messages: "expected a number for the `what` of 's'".
+    double number(std::string_view what) { return read<double>("a number", what); }
+    std::int64_t integer(std::string_view what) {
+        return read<std::int64_t>("a whole number", what);
+    }
+    Vec3 vector(std::string_view what);
+    Color color(std::string_view what);
+    std::string_view word(std::string_view what);
+
+    /// A number of things that follow, each of at least `numbers` numbers. Fails where the rest of
+    /// the text is too short to hold them, so that nobody makes room for what cannot come.
+    std::size_t count(std::string_view what, std::size_t numbers);
+
+    /// How many things of so many numbers the rest of the text could hold at most.
+    std::size_t room_for(std::size_t numbers) const;
+
+    /// A complaint about the place `offset`, or about the statement as a whole.
+    template <class... T>
+    void warn_at(std::size_t offset, std::string_view kind, fmt::format_string<T...> text,
+                 T&&... arguments) {
+        log_.warn(offset, kind, text, std::forward<T>(arguments)...);
+    }
+    template <class... T>
+    void warn(std::string_view kind, fmt::format_string<T...> text, T&&... arguments) {
+        log_.warn(start_, kind, text, std::forward<T>(arguments)...);
+    }
+
+    /// A complaint that fails the statement.
+    template <class... T>
+    void fail_at(std::size_t offset, std::string_view kind, fmt::format_string<T...> text,
+                 T&&... arguments) {
+        log_.warn(offset, kind, text, std::forward<T>(arguments)...);
+        ok_ = false;
+    }
+
+  private:
+    template <class T>
+    T read(std::string_view expected, std::string_view what) {
+        T value = 0;
+        if (!ok_) return 0;
+        const NumberStatus status = tokens_.number(value);
+        if (status == NumberStatus::ok) return value;
+        reject(expected, what, status);
+        return 0;
+    }
+    void reject(std::string_view expected, std::string_view what, NumberStatus status);
+
+    Tokenizer tokens_;
+    DiagnosticLog& log_;
+    std::string_view keyword_;
+    std::size_t start_ = 0;
+    bool ok_ = true;
+};
+
+}  // namespace etalon

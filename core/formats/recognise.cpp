@@ -1,0 +1,109 @@
+#include "core/formats/recognise.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "core/formats/tokenizer.h"
+
+namespace etalon {
+namespace {
+
+constexpr std::size_t bytes_read = std::size_t{1} << 16;
+constexpr std::size_t statements_read = 1000;
+
+/// `numbers`: how many must follow the word; any is -1.
+struct Sign {
+    std::string_view word;
+    int numbers = -1;
+};
+
+bool shows(const Opening& opening, std::initializer_list<Sign> signs) {
+    return std::ranges::any_of(opening.statements, [&](const Statement& s) {
+        return std::ranges::any_of(signs, [&](const Sign& sign) {
+            return s.word == sign.word && (sign.numbers < 0 || s.numbers == sign.numbers);
+        });
+    });
+}
+
+}  // namespace
+
+Opening::Opening(std::string_view whole) : text(whole.substr(0, bytes_read)) {
+    Tokenizer tokens(text);
+    while (!tokens.at_end() && statements.size() < statements_read) {
+        if (!tokens.at_number() || statements.empty()) {
+            statements.push_back({tokens.next(), 0});
+        } else {
+            tokens.next();
+            ++statements.back().numbers;
+        }
+    }
+}
+
+bool is_p3f(const Opening& o) {
+    return shows(o, {{"bclr"},
+                     {"mat", 11},
+                     {"f", 11},
+                     {"punctual"},
+                     {"accel"},
+                     {"spp"},
+                     {"camera", 0},
+                     {"aperture", 1},
+                     {"focal", 1},
+                     {"npl", 4},
+                     {"env", 0}});
+}
+
+bool is_nff(const Opening& o) {
+    return shows(o, {{"b", 3}, {"f", 8}, {"l", 3}});
+}
+
+bool is_prt(const Opening& o) {
+    return shows(o, {{"surface", 19},
+                     {"background"},
+                     {"light", 3},
+                     {"polygon", 1},
+                     {"instance"},
+                     {"quadric", 3},
+                     {"hsphere"}});
+}
+
+bool is_sce(const Opening& o) {
+    return shows(o, {{"sce1.0"}, {"eyepos", 3}, {"eyedir", 3}, {"fovy_deg", 1}});
+}
+
+bool is_pbrt_v4(const Opening& o) {
+    return is_pbrt(o) && shows(o, {{"ColorSpace"},
+                                   {"Option"},
+                                   {"Attribute"},
+                                   {"\"point3"},
+                                   {"\"rgb\""},
+                                   {"\"spectrum\""},
+                                   {"\"zsobol\""}});
+}
+
+bool is_pbrt(const Opening& o) {
+    return shows(o, {{"LookAt"},
+                     {"Camera"},
+                     {"Film"},
+                     {"Sampler"},
+                     {"Integrator"},
+                     {"WorldBegin"},
+                     {"AttributeBegin"},
+                     {"Shape"},
+                     {"Material"},
+                     {"LightSource"}});
+}
+
+bool is_obj(const Opening& o) {
+    return shows(o, {{"v", 3}, {"v", 4}, {"v", 6}, {"vn", 3}, {"vt", 2}, {"mtllib"}});
+}
+
+/// More than one byte in fifty that no text has.
+bool is_binary(const Opening& o) {
+    const auto strange = std::ranges::count_if(o.text, [](char c) {
+        return (c >= '\0' && c < '\t') || (c > '\r' && c < ' ') || c == '\x7F';
+    });
+    return static_cast<std::size_t>(strange) * 50 > o.text.size();
+}
+
+}  // namespace etalon

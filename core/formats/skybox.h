@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/scene/environment.h"
+
+namespace etalon {
+
+/// The six pictures of a skybox, or what there is of them.
+struct SkyboxFiles {
+    Skybox skybox;
+    std::vector<std::string> missing;  ///< names of faces without a file
+};
+
+/// Looks for right, left, top, bottom, front and back (.jpg, .png, .exr or .hdr) in `directory`,
+/// taken relative to each of `bases` in turn: the first base where none is missing, else the one
+/// where fewest are. Only asks whether the files exist.
+SkyboxFiles find_skybox(const std::filesystem::path& directory,
+                        const std::vector<std::filesystem::path>& bases);
+
+}  // namespace etalon

@@ -1,0 +1,37 @@
+#include "core/formats/tokenizer.h"
+
+#include <algorithm>
+
+namespace etalon {
+
+Tokenizer::Tokenizer(std::string_view text)
+    : first_(text.data()), cursor_(first_), last_(first_ + text.size()) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    move_to(first_ + (text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0));
+}
+
+bool Tokenizer::at_number() const {
+    const std::string_view word = peek();
+    const std::size_t first = word.find_first_not_of("+-.");
+    return first != word.npos && first <= 2 && word[first] >= '0' && word[first] <= '9';
+}
+
+std::string_view Tokenizer::peek() const {
+    const char* const end = std::find_if(cursor_, last_, ends_word);
+    return {cursor_, static_cast<std::size_t>(end - cursor_)};
+}
+
+std::string_view Tokenizer::next() {
+    const std::string_view word = peek();
+    move_to(word.data() + word.size());
+    return word;
+}
+
+void Tokenizer::skip_comments() {
+    while (cursor_ != last_ && *cursor_ == '#') {
+        cursor_ = std::find(cursor_, last_, '\n');
+        while (cursor_ != last_ && is_blank(*cursor_)) ++cursor_;
+    }
+}
+
+}  // namespace etalon

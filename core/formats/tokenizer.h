@@ -1,0 +1,56 @@
+// The words of a scene file, for every format that is a stream of words: anything between blanks,
+// tabs and line ends (LF or CRLF), with comments from '#' to the end of the line, anywhere.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "core/formats/number.h"
+
+namespace etalon {
+
+/// A cursor over a text, which must outlive it. It stands before a word or at the end; nothing is
+/// copied, and copying a tokenizer is the way to look further ahead.
+class Tokenizer {
+  public:
+    explicit Tokenizer(std::string_view text);
+
+    bool at_end() const { return cursor_ == last_; }
+
+    /// Whether the next word sets out to be a number. It need not be a well-formed one.
+    bool at_number() const;
+
+    /// The next word; empty at the end.
+    std::string_view peek() const;
+    std::string_view next();
+
+    /// Reads the next word as a number, and moves on only if it is one as a whole.
+    template <class T>
+    NumberStatus number(T& value) {
+        const ScannedNumber scanned = scan_number(cursor_, last_, value);
+        const bool whole = scanned.end == last_ || ends_word(*scanned.end);
+        if (!whole) return NumberStatus::malformed;
+        if (scanned.status == NumberStatus::ok) move_to(scanned.end);
+        return scanned.status;
+    }
+
+    /// Bytes before, and from, the next word.
+    std::size_t offset() const { return static_cast<std::size_t>(cursor_ - first_); }
+    std::size_t remaining() const { return static_cast<std::size_t>(last_ - cursor_); }
+
+  private:
+    static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+    static bool ends_word(char c) { return is_blank(c) || c == '#'; }
+
+    /// To the first word at or after `p`.
+    void move_to(const char* p) {
+        while (p != last_ && is_blank(*p)) ++p;
+        cursor_ = p;
+        if (p != last_ && *p == '#') skip_comments();
+    }
+    void skip_comments();
+
+    const char *first_, *cursor_, *last_;
+};
+
+}  // namespace etalon

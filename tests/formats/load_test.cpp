@@ -1,0 +1,145 @@
+// Files, and telling formats apart.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "tests/catch.h"
+#include "tests/formats/p3f_text.h"
+
+using namespace etalon;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file that is gone at the end of the test.
+struct ScratchFile {
+    ScratchFile(const std::string& name, const std::string& content)
+        : path((fs::temp_directory_path() / ("etalon_" + name)).string()) {
+        std::ofstream(path, std::ios::binary) << content;
+    }
+    ~ScratchFile() { fs::remove(path); }
+    std::string path;
+};
+
+std::string only_message(const LoadResult& r) {
+    CHECK_FALSE(r.scene);
+    REQUIRE(r.diagnostics.size() == 1);
+    return to_string(r.diagnostics[0]);
+}
+
+std::string foreign(const std::string& text, const std::string& name = "f") {
+    return only_message(load_scene_text(text, name));
+}
+
+std::string looks_like(const std::string& what) {
+    return "f: error: this looks like " + what + "; Etalon reads: p3f";
+}
+
+}  // namespace
+
+TEST_CASE("a scene file is read") {
+    const ScratchFile file("good.p3f", good_camera + good_material + "s 0 0 0 1");
+    const LoadResult r = load_scene(file.path);
+    CHECK(messages(r).empty());
+    REQUIRE(r.scene);
+    CHECK(r.scene->primitives.size() == 1);
+}
+
+TEST_CASE("a file larger than one read comes whole") {
+    std::string text = good_camera + good_material;
+    for (int i = 0; i < 50000; ++i) text += "s 0 0 0 1\n";
+    const ScratchFile file("large.p3f", text);
+    CHECK(load_scene(file.path).scene->primitives.size() == 50000);
+}
+
+TEST_CASE("- is standard input") {
+    std::string text = good_camera + good_material;
+    for (int i = 0; i < 50000; ++i) text += "s 0 0 0 1\n";
+    const ScratchFile file("stdin", text);
+    REQUIRE(std::freopen(file.path.c_str(), "rb", stdin));
+    LoadOptions options;
+    options.format = "p3f";
+    const LoadResult r = load_scene("-", options);
+    REQUIRE(r.scene);
+    CHECK(r.scene->primitives.size() == 50000);
+}
+
+TEST_CASE("what is no readable file is an error") {
+    const std::string directory = fs::temp_directory_path().string();
+    CHECK(only_message(load_scene(directory)) == directory + ": error: is a directory");
+    CHECK(only_message(load_scene("/no/such.p3f")) ==
+          "/no/such.p3f: error: cannot be opened: No such file or directory");
+    if (fs::exists("/proc/self/mem")) {
+        CHECK(only_message(load_scene("/proc/self/mem")).find("cannot be read: ") !=
+              std::string::npos);
+    }
+}
+
+TEST_CASE("an empty file is an error") {
+    const ScratchFile file("empty.p3f", "");
+    CHECK(only_message(load_scene(file.path)) == file.path + ": error: the file is empty");
+}
+
+TEST_CASE("a file of nothing but comments has no camera") {
+    CHECK(foreign("# nothing\n", "f.p3f") ==
+          "f.p3f:2:1: error: no camera, so nothing can be rendered");
+}
+
+TEST_CASE("a format is told from the content before the extension") {
+    CHECK(load_scene_text(good_camera, "f").scene);
+    CHECK(load_scene_text(good_camera, "f.nff").scene);
+    CHECK(load_scene_text("v from 0 0 1 at 0 0 0 up 0 1 0 angle 45 resolution 4 4", "f.p3f").scene);
+    CHECK(foreign("v from 0 0 1 at 0 0 0 up 0 1 0 angle 45 resolution 4 4") ==
+          "f: error: no format recognised; Etalon reads: p3f");
+}
+
+TEST_CASE("scenes of other formats are recognised and named") {
+    CHECK(foreign("b 0.1 0.2 0.3\nv\nfrom 0 0 1\n") == looks_like("an NFF scene"));
+    CHECK(foreign("v\nfrom 0 0 1\nat 0 0 0\nl 1 2 3\n") == looks_like("an NFF scene"));
+    CHECK(foreign("# an example\nfrom 3 4 7\nat 3 2 2\nup 0 1 0\nangle 40\nresolution 8 "
+                  "8\nbackground .1 .1 "
+                  ".1 n\nlight 3 4 3\n") == looks_like("a PRT scene"));
+    CHECK(foreign("sce1.0\neyepos 0 0 1\n") == looks_like("an SCE scene"));
+    CHECK(foreign("eyepos 0 0 1\neyedir 0 0 -1\n") == looks_like("an SCE scene"));
+    CHECK(
+        foreign(
+            "LookAt 0 0 1 0 0 0 0 1 0\nCamera \"perspective\" \"float fov\" [45]\nWorldBegin\n") ==
+        looks_like("a PBRT scene"));
+    CHECK(foreign("LookAt 0 0 1 0 0 0 0 1 0\nColorSpace \"srgb\"\nWorldBegin\n") ==
+          looks_like("a PBRT scene of version 4"));
+    CHECK(foreign("# cube\nmtllib a.mtl\nv 0 0 0\nv 1 0 0\nf 1 2 3\n") ==
+          looks_like("a Wavefront OBJ mesh"));
+}
+
+TEST_CASE("a scene of another format is named by its extension where it shows nothing") {
+    CHECK(foreign("s 0 0 0 1", "f.nff") ==
+          "f.nff: error: this looks like an NFF scene; Etalon reads: p3f");
+}
+
+TEST_CASE("a binary file is named so") {
+    std::mt19937 random(6);
+    std::string text(5000, ' ');
+    for (char& c : text) c = static_cast<char>(random());
+    CHECK(foreign(text) == looks_like("a binary file"));
+    CHECK(foreign(std::string("\x76\x2f\x31\x01\x02\0\0\0channels\0chlist\0", 24)) ==
+          looks_like("a binary file"));
+}
+
+TEST_CASE("a format asked for is taken, and must be one") {
+    LoadOptions options;
+    options.format = "p3f";
+    CHECK(load_scene_text("b 1 1 1\n" + good_camera, "f", options).scene);
+    options.format = "P3D";
+    CHECK(only_message(load_scene_text(good_camera, "f", options)) ==
+          "f: error: unknown format 'P3D'; Etalon reads: p3f; did you mean 'p3f'?");
+    options.format = "obj";
+    CHECK(only_message(load_scene_text(good_camera, "f", options)) ==
+          "f: error: unknown format 'obj'; Etalon reads: p3f");
+}
+
+TEST_CASE("the formats that can be read are listed") {
+    REQUIRE(format_names().size() == 1);
+    CHECK(format_names()[0] == "p3f");
+}

@@ -1,0 +1,91 @@
+// p and pp.
+#include "tests/catch.h"
+#include "tests/formats/p3f_text.h"
+
+using namespace etalon;
+
+TEST_CASE("a polygon of three corners is a triangle") {
+    const LoadResult r = load_objects("p 3\n0 0 0\n1 0 0\n0 1 0");
+    CHECK(messages(r).empty());
+    REQUIRE(r.scene->all<Triangle>().size() == 1);
+    CHECK(r.scene->all<Triangle>()[0].vertices == std::array<std::uint32_t, 3>{0, 1, 2});
+    CHECK(r.scene->all<Triangle>()[0].normals == no_index);
+    CHECK(r.scene->vertices == std::vector{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
+    CHECK(r.scene->primitives[0].sides == Sides::both);
+}
+
+TEST_CASE("a polygon of more corners, concave too, is one shape") {
+    const LoadResult r = load_objects("p 3 9 9 9 8 9 9 9 8 9\np 4 0 0 0 2 2 0 0 1 0 -2 2 0");
+    CHECK(messages(r).empty());
+    REQUIRE(r.scene->all<Polygon>().size() == 1);
+    CHECK(r.scene->all<Polygon>()[0].first == 3);
+    CHECK(r.scene->all<Polygon>()[0].count == 4);
+    CHECK(r.scene->all<Polygon>()[0].normals == no_index);
+    CHECK(r.scene->vertices.size() == 7);
+    CHECK(r.scene->primitives[1].kind == kind_of<Polygon>());
+}
+
+TEST_CASE("a patch has a normal at each corner, of unit length") {
+    const LoadResult r = load_objects(
+        "pp 3 0 0 0 0 0 2 1 0 0 0 3 4 0 1 0 0 0 1\n"
+        "pp 4 0 0 0 0 0 1 1 0 0 0 0 1 1 1 0 0 0 1 0 1 0 1e-200 0 0");
+    CHECK(messages(r).empty());
+    CHECK(r.scene->all<Triangle>()[0].normals == 0);
+    CHECK(r.scene->all<Polygon>()[0].normals == 3);
+    CHECK(r.scene->all<Polygon>()[0].first == 3);
+    REQUIRE(r.scene->normals.size() == 7);
+    CHECK(r.scene->normals[0] == Vec3(0, 0, 1));
+    CHECK(r.scene->normals[1].y == Approx(0.6));
+    CHECK(r.scene->normals[1].z == Approx(0.8));
+    CHECK(r.scene->normals[6] == Vec3(1, 0, 0));
+}
+
+TEST_CASE("a patch with a zero normal is shaded flat") {
+    const LoadResult r = load_objects("pp 3 0 0 0 0 0 1 1 0 0 0 0 0 0 1 0 0 0 1");
+    CHECK(messages(r) == Messages{"a.p3f:2:1: warning: 'pp' shaded flat: a corner normal is zero"});
+    CHECK(r.scene->all<Triangle>()[0].normals == no_index);
+    CHECK(r.scene->normals.empty());
+}
+
+TEST_CASE("a polygon of too few corners is left out") {
+    const LoadResult r = load_objects("p 2 0 0 0 1 0 0\np 0\ns 0 0 0 1");
+    CHECK(messages(r) ==
+          Messages{"a.p3f:2:3: warning: 'p' left out: 2 corners, expected at least 3",
+                   "a.p3f:3:3: warning: 'p' left out: 0 corners, expected at least 3"});
+    CHECK(r.scene->vertices.empty());
+    CHECK(r.scene->primitives.size() == 1);
+}
+
+TEST_CASE("a polygon without area is left out") {
+    const LoadResult r =
+        load_objects("p 3 0 0 0 1 1 1 2 2 2\np 4 1 1 1 1 1 1 1 1 1 1 1 1\ns 0 0 0 1");
+    CHECK(messages(r) == Messages{"a.p3f:2:1: warning: 'p' left out: it has no area",
+                                  "a.p3f:3:1: warning: 'p' left out: it has no area"});
+    CHECK(r.scene->vertices.empty());
+}
+
+TEST_CASE("a tiny and a huge polygon have an area") {
+    CHECK(load_objects("p 3 0 0 0 1e-200 0 0 0 1e-200 0").diagnostics.empty());
+    CHECK(load_objects("p 3 0 0 0 1e200 0 0 0 1e200 0").diagnostics.empty());
+}
+
+TEST_CASE("a polygon that breaks off leaves nothing behind") {
+    const LoadResult r = load_objects("pp 3 0 0 0 0 0 1 1 0 0 0 0 1 0 1\ns 0 0 0 1");
+    CHECK(messages(r) ==
+          Messages{"a.p3f:3:1: warning: expected a number for the corner of 'pp', found 's'"});
+    CHECK(r.scene->vertices.empty());
+    CHECK(r.scene->normals.empty());
+    CHECK(r.scene->primitives.size() == 1);
+}
+
+TEST_CASE("a polygon that announces more corners than the file can hold is left out at once") {
+    const LoadResult r =
+        load_p3f_text(good_camera + good_material + "p 1000000000\n0 0 0 1 0 0 0 1 0\ns 0 0 0 1");
+    CHECK(messages(r) ==
+          Messages{"a.p3f:11:3: warning: the number of corners of 'p' is 1000000000, but the "
+                   "rest of the file holds at most 4"});
+    CHECK(r.scene->vertices.capacity() == 0);
+    CHECK(r.scene->primitives.size() == 1);
+    CHECK(messages(load_objects("p -3 0 0 0")) ==
+          Messages{"a.p3f:2:3: warning: the number of corners of 'p' is negative"});
+}

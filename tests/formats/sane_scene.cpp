@@ -1,0 +1,84 @@
+#include "tests/formats/sane_scene.h"
+
+#include <variant>
+
+namespace etalon {
+namespace {
+
+bool fine(const Color& c) {
+    return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
+}
+bool fine(const Light& light) {
+    if (const auto* p = std::get_if<PointLight>(&light))
+        return is_finite(p->position) && fine(p->color);
+    const auto& q = std::get<QuadLight>(light);
+    return is_finite(q.corner) && is_finite(q.edge1) && is_finite(q.edge2) && q.samples > 0;
+}
+bool fine(const Material& m) {
+    return fine(m.diffuse) && fine(m.specular) && fine(m.reflection) && fine(m.absorption) &&
+           m.shininess >= 0 && m.ior >= 0;
+}
+bool fine(const Camera& c) {
+    return is_finite(c.eye) && is_finite(c.at) && c.eye != c.at && c.width > 0 && c.height > 0 &&
+           c.width <= 65536 && c.height <= 65536 && c.aperture >= 0;
+}
+
+bool fine(const Scene&, const Sphere& s) {
+    return is_finite(s.centre) && s.radius > 0;
+}
+bool fine(const Scene& scene, const Triangle& t) {
+    for (const std::uint32_t v : t.vertices) {
+        if (v >= scene.vertices.size()) return false;
+    }
+    return t.normals == no_index || t.normals + 3 <= scene.normals.size();
+}
+bool fine(const Scene& scene, const Polygon& p) {
+    return p.count > 3 && p.first + p.count <= scene.vertices.size() &&
+           (p.normals == no_index || p.normals + p.count <= scene.normals.size());
+}
+bool fine(const Scene&, const Box& b) {
+    return is_finite(b.min) && is_finite(b.max) && b.min.x <= b.max.x && b.min.y <= b.max.y &&
+           b.min.z <= b.max.z;
+}
+bool fine(const Scene&, const Plane& p) {
+    return is_finite(p.point) && is_finite(p.normal) && p.normal != Vec3(0);
+}
+bool fine(const Scene&, const Cone& c) {
+    return is_finite(c.base) && is_finite(c.top) && c.base_radius >= 0 && c.top_radius >= 0 &&
+           c.base_radius + c.top_radius > 0;
+}
+
+template <class List>
+bool all_fine(const List& list) {
+    for (const auto& item : list) {
+        if (!fine(item)) return false;
+    }
+    return true;
+}
+
+bool all_finite(const std::vector<Vec3>& list) {
+    for (const Vec3& v : list) {
+        if (!is_finite(v)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::string insanity(const Scene& scene) {
+    if (!fine(scene.camera)) return "camera";
+    if (!all_fine(scene.lights)) return "light";
+    if (!all_fine(scene.materials)) return "material";
+    if (!all_finite(scene.vertices)) return "vertex";
+    if (!all_finite(scene.normals)) return "normal";
+    for (const Primitive& p : scene.primitives) {
+        if (p.material >= scene.materials.size()) return "a primitive's material";
+        const bool good = with_shape(p.kind, [&]<class Shape>() {
+            return p.index < scene.all<Shape>().size() && fine(scene, scene.get<Shape>(p));
+        });
+        if (!good) return std::string(kind_name(p.kind));
+    }
+    return {};
+}
+
+}  // namespace etalon
