@@ -140,6 +140,17 @@ TEST_CASE("devices are written in place, not replaced") {
     CHECK(fs::is_character_file("/dev/null"));
 }
 
+TEST_CASE("temporary files of others, such as a process of the same number elsewhere, are let be") {
+    const TemporaryFolder folder;
+    const std::string prefix = ".etalon-" + std::to_string(::getpid()) + "-";
+    constexpr std::size_t others = 2000;  // more than this program makes
+    for (std::size_t i = 0; i < others; ++i)
+        put(folder / (prefix + std::to_string(i) + ".tmp"), "");
+    CHECK(write_file_atomically(folder / "f", "1").empty());
+    CHECK(content_of(folder / "f") == "1");
+    CHECK(folder.names().size() == others + 1);
+}
+
 TEST_CASE("concurrent writers do not collide, and readers always find a whole file") {
     const TemporaryFolder folder;
     const std::string path = folder / "f";
