@@ -14,20 +14,29 @@ std::string reason() {
     return std::generic_category().message(errno);
 }
 
-/// To the end of the stream; `expected` bytes are read in one go.
-FileText read_all(std::FILE* file, std::size_t expected) {
-    FileText result;
-    std::size_t size = 0, wanted = expected + 1;  // one more, to meet the end at once
+FileText failure(std::string error) {
+    return {nullptr, 0, std::move(error)};
+}
+
+FileText too_large() {
+    return failure("is larger than 16 GiB");
+}
+
+/// To the end of the stream; one of `expected` bytes is read in one go.
+FileText read_all(std::FILE* stream, std::size_t expected) {
+    std::size_t capacity = std::max<std::size_t>(expected, 1 << 16) + 1;  // one more meets the end
+    FileText file{std::make_unique_for_overwrite<char[]>(capacity), 0, {}};
     while (true) {
-        result.text.resize(size + wanted);
-        const std::size_t got = std::fread(&result.text[size], 1, wanted, file);
-        size += got;
-        if (got < wanted) break;
-        wanted = std::max<std::size_t>(size, 1 << 16);
+        file.size += std::fread(&file.bytes[file.size], 1, capacity - file.size, stream);
+        if (file.size < capacity) break;
+        if (file.size > largest_file) return too_large();
+        capacity *= 2;
+        auto larger = std::make_unique_for_overwrite<char[]>(capacity);
+        std::copy_n(file.bytes.get(), file.size, larger.get());
+        file.bytes = std::move(larger);
     }
-    if (std::ferror(file)) result.error = "cannot be read: " + reason();
-    result.text.resize(size);
-    return result;
+    if (std::ferror(stream)) return failure("cannot be read: " + reason());
+    return file;
 }
 
 }  // namespace
@@ -35,12 +44,13 @@ FileText read_all(std::FILE* file, std::size_t expected) {
 FileText read_file(const std::string& path) {
     if (path == "-") return read_all(stdin, 0);
     std::error_code unknown;
-    if (std::filesystem::is_directory(path, unknown)) return {{}, "is a directory"};
+    if (std::filesystem::is_directory(path, unknown)) return failure("is a directory");
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                                std::fclose);
-    if (!file) return {{}, "cannot be opened: " + reason()};
+    if (!file) return failure("cannot be opened: " + reason());
     const std::uintmax_t size = std::filesystem::file_size(path, unknown);
-    return read_all(file.get(), unknown ? 0 : static_cast<std::size_t>(size));
+    if (unknown) return read_all(file.get(), 0);
+    return size > largest_file ? too_large() : read_all(file.get(), size);
 }
 
 }  // namespace etalon

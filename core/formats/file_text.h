@@ -1,16 +1,26 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <string>
+#include <string_view>
 
 namespace etalon {
 
 /// The bytes of a file, or why there are none.
 struct FileText {
-    std::string text;
+    std::unique_ptr<char[]> bytes;
+    std::size_t size = 0;
     std::string error;  ///< empty on success
+
+    std::string_view text() const { return {bytes.get(), size}; }
 };
 
-/// Reads a whole file; "-" is standard input.
+/// Nothing in a scene takes less than 6 bytes ("0 0 0 "), so what is in a file of this size can
+/// still be numbered by 32 bits.
+inline constexpr std::size_t largest_file = std::size_t{1} << 34;
+
+/// Reads a whole file, but none larger than largest_file; "-" is standard input.
 FileText read_file(const std::string& path);
 
 }  // namespace etalon

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <new>
+#include <vector>
 
 #include "core/formats/diagnostic_log.h"
 #include "core/formats/file_text.h"
@@ -89,6 +91,7 @@ std::span<const std::string_view> format_names() {
 LoadResult load_scene_text(std::string_view text, const std::string& path,
                            const LoadOptions& options) {
     if (text.empty()) return refuse(path, "file", "the file is empty");
+    if (text.size() > largest_file) return refuse(path, "file", "is larger than 16 GiB");
     if (!options.format.empty()) {
         const Format* const asked = find(options.format);
         if (asked && asked->load) return asked->load(text, path, options);
@@ -102,9 +105,13 @@ LoadResult load_scene_text(std::string_view text, const std::string& path,
 }
 
 LoadResult load_scene(const std::string& path, const LoadOptions& options) {
-    const FileText file = read_file(path);
-    if (!file.error.empty()) return refuse(path, "file", "{}", file.error);
-    return load_scene_text(file.text, path, options);
+    try {
+        const FileText file = read_file(path);
+        if (!file.error.empty()) return refuse(path, "file", "{}", file.error);
+        return load_scene_text(file.text(), path, options);
+    } catch (const std::bad_alloc&) {
+        return refuse(path, "file", "does not fit into memory");
+    }
 }
 
 }  // namespace etalon

@@ -77,6 +77,12 @@ TEST_CASE("what is no readable file is an error") {
     }
 }
 
+TEST_CASE("a file too large to be a scene is not even read") {
+    const ScratchFile file("sparse.p3f", "s");
+    fs::resize_file(file.path, std::uintmax_t{1} << 42);
+    CHECK(only_message(load_scene(file.path)) == file.path + ": error: is larger than 16 GiB");
+}
+
 TEST_CASE("an empty file is an error") {
     const ScratchFile file("empty.p3f", "");
     CHECK(only_message(load_scene(file.path)) == file.path + ": error: the file is empty");
