@@ -49,6 +49,7 @@ check_dev_commands() {
 check_links() {
     local folder link
     folder=$(dirname "$source/$document")
+    # shellcheck disable=SC2013 # links have no spaces
     for link in $(grep -o '](\([^)#]*\)' "$source/$document" | cut -c 3- | grep -v '^https\?:'); do
         [[ -e $folder/$link ]] || fail "$link: no such file"
     done
