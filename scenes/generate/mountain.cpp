@@ -19,7 +19,7 @@ struct Point {
 
 constexpr std::int64_t lattice = std::int64_t{1} << 30;  ///< of x and z, for one unit of length
 constexpr double roughness = 0.5;  ///< of each subdivision's movement to the one's before
-constexpr double shore = -0.12;     ///< height of the four corners: under water
+constexpr double shore = -0.12;    ///< height of the four corners: under water
 constexpr std::uint64_t seed = 8;
 
 Vec3 position(const Point& p) {

@@ -6,7 +6,7 @@
 namespace etalon::generate {
 namespace {
 
-constexpr double bar = 0.08;  ///< radius of a ring's bars; under 0.095 the rings do not touch
+constexpr double bar = 0.07;  ///< radius of a ring's bars; under 0.074 the rings do not touch
 
 /// A pentagon of bars about `axis`, with a corner towards `corner`; both unit vectors.
 void ring(Writer& out, const Vec3& centre, double radius, const Vec3& axis, const Vec3& corner) {

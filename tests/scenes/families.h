@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/scene/scene.h"
+
+namespace etalon::test {
+
+/// What `etalon-scenes FAMILY --size N` writes to standard output.
+std::string family_text(const std::string& family, std::int64_t size);
+
+/// That, loaded; fails the test case unless it loads without a single diagnostic.
+Scene family_scene(const std::string& family, std::int64_t size);
+
+}  // namespace etalon::test
