@@ -131,8 +131,8 @@ TEST_CASE("A highlight is specular times (N.H)^shininess", "[shading]") {
     scene.materials = {shiny};
     scene.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
     scene.lights = {PointLight{Vec3(3, 0, 4), Color(1.0F)}};
-    const double half = std::sqrt((1 + 0.8) / 2);  // cosine of half the angle between L and V
-    CHECK(centre(scene).x == Approx(0.5 * std::pow(half, 10)));
+    const double cosine = std::sqrt((1 + 0.8) / 2);  // cosine of half the angle between L and V
+    CHECK(centre(scene).x == Approx(0.5 * std::pow(cosine, 10)));
 }
 
 TEST_CASE("A mirror shows what is behind the eye, as deep as allowed", "[shading]") {
