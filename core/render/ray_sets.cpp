@@ -12,6 +12,7 @@ namespace etalon {
 namespace {
 
 constexpr int tile = 16;
+constexpr int border_halvings = 30;
 constexpr std::uint32_t chord_seed = 3, bounce_seed = 5;
 
 /// Pixel centres, tile by tile, every so many that `limit` is kept.
@@ -144,11 +145,13 @@ class RaySetMaker {
         return hit ? hit->primitive : no_index;
     }
 
-    /// If `a` and `b` see different primitives: the two rays nearest to the border between them.
+    /// If `a` and `b` see different primitives: two rays close to the border between them, one on
+    /// either side.
     void add_border(Vec2 a, Vec2 b, std::vector<Ray>& rays) const {
         const std::uint32_t at_a = seen(a);
         if (at_a == seen(b)) return;
-        for (Vec2 middle = (a + b) / 2; middle != a && middle != b; middle = (a + b) / 2) {
+        for (int halving = 0; halving < border_halvings; ++halving) {
+            const Vec2 middle = (a + b) / 2;
             (seen(middle) == at_a ? a : b) = middle;
         }
         rays.push_back(through(a));

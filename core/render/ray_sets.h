@@ -20,7 +20,7 @@ struct RaySet {
 ///   bounce  from each camera hit, cosine-distributed, on the side of the camera
 ///   shadow  from each camera hit to each light in turn
 ///   aimed   at corners, and at borders between primitives as the camera sees them, found by
-///           bisection to the last bit
+///           bisection to 2^-30 of the distance between two pixels
 ///   random  chords of the scene's bounding sphere
 std::vector<RaySet> make_ray_sets(const Scene& scene, const Intersector& exact, std::size_t limit);
 

@@ -97,7 +97,7 @@ TEST_CASE("Diagnostics name file, line and column", "[app]") {
     f.write("odd.p3f", small_scene + "sphere 1 2 3 4\n");
     const auto r = f.etalon("render odd.p3f -q");
     CHECK(r.status == 0);
-    CHECK_THAT(r.err, ContainsSubstring("odd.p3f:17:1: warning:"));
+    CHECK_THAT(r.err, ContainsSubstring("odd.p3f:18:1: warning:"));
     CHECK(f.etalon("render odd.p3f -q --strict").status == 3);
 }
 
@@ -132,7 +132,7 @@ TEST_CASE("trace answers ray by ray", "[app]") {
               "miss\n"
               "hit 4 sphere 1 0 0 1\n"
               "miss\n"
-              "hit 6 plane 0 0 1 0\n");
+              "hit 6 plane 0 0 -1 0\n");
     }
     f.write("bad.txt", "0 0 5 0 0\n");
     const auto r = f.etalon("trace ball.p3f --rays bad.txt");
