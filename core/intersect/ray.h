@@ -7,8 +7,8 @@
 
 namespace etalon {
 
-/// Points origin + t * direction with tmin < t <= tmax. The direction need not be of unit length:
-/// t is in units of it.
+/// Points origin + t * direction with tmin < t <= tmax, and never t < 0. The direction need not be
+/// of unit length: t is in units of it.
 struct Ray {
     Vec3 origin, direction;
     double tmin = 0;
@@ -29,6 +29,7 @@ struct RayQuery {
         dx = without_dust(kx);
         dy = without_dust(ky);
         dz = r.direction[kz];
+        ray.tmin = std::max(r.tmin, 0.0);
     }
 
     Ray ray;
