@@ -1,13 +1,16 @@
 #include "embree_backend/backends.h"
 
+#include "core/parallel/float_environment.h"
 #include "embree_backend/builtin.h"
 #include "embree_backend/user_geometry.h"
 
 namespace etalon {
 namespace {
 
+/// Embree's builder leaves the calling thread flushing denormals to zero: that ends here.
 template <class Accelerator>
 std::unique_ptr<Intersector> build(const Scene& scene) {
+    const DefaultFloatEnvironment restored;
     return std::make_unique<Accelerator>(scene);
 }
 

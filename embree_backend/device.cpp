@@ -3,6 +3,14 @@
 #include <new>
 #include <stdexcept>
 
+#if defined(__SANITIZE_THREAD__)
+/// What Embree's threads hand each other passes out of ThreadSanitizer's sight, through oneTBB.
+extern "C" const char* __tsan_default_suppressions();
+extern "C" const char* __tsan_default_suppressions() {
+    return "race:libembree\n";
+}
+#endif
+
 namespace etalon {
 namespace {
 

@@ -35,18 +35,14 @@ void UserPrimitives::build(const EmbreeDevice& device, RTCScene target, unsigned
     rtcSetGeometryOccludedFunction(geometry.get(), occluded);
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometryByID(target, geometry.get(), geometry_id);
-    begin_.give();
     device.commit(target);
-    end_.take();
     boxes_ = {};
 }
 
 void UserPrimitives::bounds(const RTCBoundsFunctionArguments* arguments) {
-    auto& self = *static_cast<UserPrimitives*>(arguments->geometryUserPtr);
-    self.begin_.take();
+    const auto& self = *static_cast<const UserPrimitives*>(arguments->geometryUserPtr);
     const Box3f& box = self.boxes_[arguments->primID].box;
     *arguments->bounds_o = {box.min.x, box.min.y, box.min.z, 0, box.max.x, box.max.y, box.max.z, 0};
-    self.end_.give();
 }
 
 /// What is offered at t may lie behind a hit that is not in `nearest`: one on a geometry of

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "core/intersect/intersector.h"
-#include "core/parallel/parallel.h"
 #include "embree_backend/device.h"
 #include "embree_backend/primitive_ids.h"
 
@@ -33,7 +32,6 @@ class UserPrimitives {
     const Scene& scene_;
     PrimitiveIds ids_;
     std::vector<BoundedPrimitive> boxes_;  ///< while building
-    HandOver begin_, end_;
 };
 
 }  // namespace etalon

@@ -74,11 +74,11 @@ TEST_CASE("Given a handful of primitives, exact backends agree to the last bit",
 }
 
 TEST_CASE("Given large scenes, exact backends agree to the last bit", "[backends][long]") {
-    for (const SceneFamily& family : scene_families()) require_parity(family, 20000, 20000);
+    for (const SceneFamily& family : scene_families()) require_parity(family, 10000, 10000);
 }
 
 TEST_CASE("Given many rays, exact backends agree to the last bit", "[backends][long]") {
-    for (const SceneFamily& family : scene_families()) require_parity(family, 100, 300000);
+    for (const SceneFamily& family : scene_families()) require_parity(family, 100, 100000);
 }
 
 TEST_CASE("Given no primitives, nothing is hit", "[backends]") {
