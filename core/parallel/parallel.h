@@ -10,6 +10,8 @@
 
 #include <cstddef>
 
+#include "core/parallel/float_environment.h"
+
 #if defined(__SANITIZE_THREAD__)
 #include <sanitizer/tsan_interface.h>
 #endif
@@ -58,6 +60,7 @@ void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
     begin.give();
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
         begin.take();
+        const DefaultFloatEnvironment floats;
         body(range.begin(), range.end());
         end.give();
     });
@@ -72,6 +75,7 @@ void parallel_invoke(const F& f, const G& g) {
     const auto handed = [&](const auto& work) {
         return [&] {
             begin.take();
+            const DefaultFloatEnvironment floats;
             work();
             end.give();
         };

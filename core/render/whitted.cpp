@@ -62,10 +62,13 @@ Color Whitted::trace(const Path& path, std::optional<Hit> hit, Context& context)
 
 Whitted::Encounter Whitted::encounter(const Ray& ray, const Hit& hit) const {
     const Material& material = scene_.materials[scene_.primitives[hit.primitive].material];
-    Encounter at{surface_at(scene_, ray, hit), Vec3(0), material, false};
-    at.entering = ray.direction.dot(at.surface.normal) < 0;
-    const bool towards_ray = ray.direction.dot(at.surface.shading_normal) < 0;
-    at.normal = towards_ray ? at.surface.shading_normal : -at.surface.shading_normal;
+    Encounter at{surface_at(scene_, ray, hit), material, false, Vec3(0), Vec3(0)};
+    const SurfacePoint& p = at.surface;
+    at.entering = ray.direction.dot(p.normal) < 0;
+    at.facing = at.entering ? p.normal : -p.normal;
+    // Where an interpolated normal turns away from the ray it is still the surface's other side
+    // that is dark: what decides is the geometric normal alone.
+    at.normal = at.facing.dot(p.shading_normal) > 0 ? p.shading_normal : -p.shading_normal;
     return at;
 }
 
@@ -90,8 +93,7 @@ Color Whitted::lit_by(const Vec3& light, const Path& path, const Encounter& at,
                       Context& context) const {
     const Vec3 towards = normalized(light - at.surface.position);
     const double cosine = at.normal.dot(towards);
-    const double facing = at.surface.normal.dot(towards);
-    if (!(cosine > 0) || (at.entering ? facing <= 0 : facing >= 0)) return Color(0.0F);
+    if (!(cosine > 0) || !(at.facing.dot(towards) > 0)) return Color(0.0F);
 
     const Vec3 origin = origin_of(at, towards, false);
     ++context.counts.shadow;
@@ -109,7 +111,8 @@ Color Whitted::secondary(const Path& path, const Encounter& at, Context& context
     const Material& m = at.material;
     const Vec3& direction = path.ray.direction;
     Color reflection = m.reflection, transmission = m.transmission;
-    const double cosine = std::clamp(-direction.dot(at.normal), 0.0, 1.0);
+    const Vec3& normal = direction.dot(at.normal) < 0 ? at.normal : at.facing;
+    const double cosine = std::clamp(-direction.dot(normal), 0.0, 1.0);
     const double eta = at.entering ? 1 / m.ior : m.ior;
     Vec3 refracted;
     if (!is_black(m.transmission)) {
@@ -120,12 +123,12 @@ Color Whitted::secondary(const Path& path, const Encounter& at, Context& context
             transmission *= static_cast<float>(1 - border.reflectance);
         }
         if (border.total) transmission = Color(0.0F);
-        refracted = normalized(refract(direction, at.normal, eta, cosine, border.cos_refracted));
+        refracted = normalized(refract(direction, normal, eta, cosine, border.cos_refracted));
     }
     Color sum(0.0F);
     if (!is_black(reflection)) {
         ++context.counts.reflected;
-        const Vec3 mirrored = normalized(reflect(direction, at.normal));
+        const Vec3 mirrored = normalized(reflect(direction, normal));
         sum += reflection * follow(path, at, mirrored, !at.entering, context);
     }
     if (!is_black(transmission)) {
@@ -138,7 +141,7 @@ Color Whitted::secondary(const Path& path, const Encounter& at, Context& context
 Vec3 Whitted::origin_of(const Encounter& at, const Vec3& direction, bool crosses) const {
     const double bias = scene_.whitted.fixed_bias;
     if (bias == 0) return spawn_origin(at.surface, direction);
-    return at.surface.position + (crosses ? -bias : bias) * at.normal;
+    return at.surface.position + (crosses ? -bias : bias) * at.facing;
 }
 
 /// `inside`: the new ray runs behind the surface.

@@ -39,9 +39,10 @@ class Whitted {
     /// A hit seen from where the ray came.
     struct Encounter {
         SurfacePoint surface;
-        Vec3 normal;  ///< for shading, on the ray's side
         const Material& material;
         bool entering;  ///< the ray came from in front of the surface
+        Vec3 facing;    ///< geometric normal, on the ray's side
+        Vec3 normal;    ///< for shading, on the same side of the surface as `facing`
     };
 
     Color trace(const Path& path, std::optional<Hit> hit, Context& context) const;

@@ -135,6 +135,19 @@ TEST_CASE("A highlight is specular times (N.H)^shininess", "[shading]") {
     CHECK(centre(scene).x == Approx(0.5 * std::pow(cosine, 10)));
 }
 
+TEST_CASE("A corner normal that leans away from the eye does not turn the light around",
+          "[shading]") {
+    Scene scene = empty_scene();
+    scene.materials = {matte(Color(1.0F))};
+    scene.vertices = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 2, 0)};
+    const Vec3 leaning = Vec3(-0.95, 0, 0.1).normalized();
+    scene.normals = {leaning, leaning, leaning};
+    scene.add(Triangle{{0, 1, 2}, 0}, 0);
+    scene.camera.eye = Vec3(5, 0, 0.2);  // in front of the triangle, behind the normals' plane
+    scene.lights = {PointLight{Vec3(-3, 0, 4), Color(1.0F)}};
+    CHECK(centre(scene).x == Approx(leaning.dot(Vec3(-0.6, 0, 0.8))));
+}
+
 TEST_CASE("A mirror shows what is behind the eye, as deep as allowed", "[shading]") {
     Scene scene = empty_scene();
     Material mirror;
