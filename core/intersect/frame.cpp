@@ -35,7 +35,7 @@ std::optional<FrameRay> Frame::ray(const Ray& ray) const {
     const Vec3 direction = ray.direction * shrink;
     Vec3 origin = (ray.origin - centre_) * scale_;
     double shift = 0;
-    if (max_abs(origin) > largest_origin || ray.tmin < 0) {
+    if (max_abs(origin) > largest_origin) {
         // The scene lies within sqrt(3) of the frame's origin: start 2 before the closest approach.
         const double length2 = direction.dot(direction);
         shift = -origin.dot(direction) / length2 - 2 / std::sqrt(length2);

@@ -33,9 +33,8 @@ class Frame {
     Vec3 point(const Vec3& world) const { return (world - centre_) * scale_; }
     double scale() const { return scale_; }
 
-    /// Rays that start far away are first advanced, in double, to the neighbourhood of the scene,
-    /// and so are those with a negative tmin: all of the scene lies at t_frame >= 0. Nothing where
-    /// the ray's line passes the scene by.
+    /// Rays that start far away are first advanced, in double, to the neighbourhood of the scene.
+    /// Nothing where the ray's line passes the scene by.
     std::optional<FrameRay> ray(const Ray& ray) const;
 
     /// False for rays from so far (2^24 times the scene's size) that a rounding of their double
