@@ -18,6 +18,8 @@ bool precedes(const Vec3& a, const Vec3& b) {
 }  // namespace
 
 double exact_edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b) {
+    const double plain = d.dot((a - o).cross(b - o));
+    if (!std::isfinite(plain)) return plain;  // a sum of no terms would hide a NaN
     // The estimate's last bit depends on the order of the terms: take one order for both.
     if (precedes(b, a)) return -exact_edge_volume(o, d, b, a);
     const Difference px = difference(a.x, o.x), py = difference(a.y, o.y),
@@ -31,6 +33,8 @@ double exact_edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3
 }
 
 double exact_shear(double x, double a, double b, double y, double c, double e) {
+    const double plain = x * (a - b) - y * (c - e);
+    if (!std::isfinite(plain)) return plain;
     const auto shear = Expansion<1>(x) * difference(a, b) - Expansion<1>(y) * difference(c, e);
     return shear.estimate();
 }

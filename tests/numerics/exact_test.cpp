@@ -164,13 +164,16 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Expansion: given a product with NaN or infinity, then nothing is overrun") {
+TEST_CASE("exact_edge_volume: given a number that is none, then the result is none either") {
+    const std::array<Vec3, 4> generic = {Vec3(1, 2, 3), Vec3(3, 1, 2), Vec3(5, 4, 1),
+                                         Vec3(1, 1, 2)};
+    const std::array<Vec3, 4> flat = {Vec3(0, 0, 2), Vec3(1, 1, 0), Vec3(4, 0, 2), Vec3(0, 4, 2)};
     for (const double bad : {nan_value, infinity, -infinity}) {
-        for (int k = 0; k < 12; ++k) {
-            std::array<Vec3, 4> v = {Vec3(1, 2, 3), Vec3(3, 1, 2), Vec3(5, 4, 1), Vec3(1, 1, 2)};
-            v[static_cast<std::size_t>(k / 3)][k % 3] = bad;
-            const double volume = exact_edge_volume(v[0], v[1], v[2], v[3]);
-            REQUIRE(!std::isfinite(volume));
+        for (int k = 0; k < 24; ++k) {
+            std::array<Vec3, 4> v = k < 12 ? generic : flat;
+            v[static_cast<std::size_t>(k / 3 % 4)][k % 3] = bad;
+            CAPTURE(bad, k);
+            REQUIRE(!std::isfinite(exact_edge_volume(v[0], v[1], v[2], v[3])));
         }
     }
 }

@@ -58,10 +58,11 @@ Crossings define(const Scene&, const Sphere& s, const Ray& ray) {
 /// (wh)^2) = (hh r0 + (r1 - r0) wh)^2.
 Crossings define(const Scene&, const Cone& c, const Ray& ray) {
     Crossings found;
-    const double least = std::min(c.base_radius, c.top_radius);
-    const double widest = std::max(c.base_radius, c.top_radius);
     if (!is_finite(c.base) || !is_finite(c.top) || c.base == c.top) return found;
-    if (!(least >= 0) || !(widest > 0) || !std::isfinite(widest)) return found;
+    for (const double r : {c.base_radius, c.top_radius}) {
+        if (!(r >= 0) || !std::isfinite(r)) return found;
+    }
+    if (c.base_radius == 0 && c.top_radius == 0) return found;
 
     const TrackedVec h = TrackedVec(c.top) - c.base, d = ray.direction;
     const TrackedVec f = TrackedVec(ray.origin) - c.base;
@@ -228,10 +229,11 @@ Crossings define(const Scene& scene, const Polygon& polygon, const Ray& ray) {
     const auto stretch = within_box(box.min, box.max, ray);
     if (inside == Truth::no || !stretch) return found;
     const Tracked cosine = dot(n, ray.direction);
-    Tracked t = dot(n, sum) / (cosine * static_cast<double>(p.size()));
-    if ((t < stretch->entry) == Truth::yes) t = stretch->entry;
-    if ((stretch->exit < t) == Truth::yes) t = stretch->exit;
-    found.add({t, inside, is_negative(cosine)});
+    const Tracked passage = dot(n, sum) / (cosine * static_cast<double>(p.size()));
+    Crossing crossing(passage, inside, is_negative(cosine));
+    if ((passage < stretch->entry) == Truth::yes) crossing.t = stretch->entry;
+    if ((stretch->exit < passage) == Truth::yes) crossing.t = stretch->exit;
+    found.add(crossing);
     return found;
 }
 
@@ -240,8 +242,8 @@ Crossings define(const Scene& scene, const Polygon& polygon, const Ray& ray) {
 Crossings crossings(const Scene& scene, std::uint32_t primitive, const Ray& ray) {
     const Primitive& p = scene.primitives[primitive];
     const Ray meant = RayQuery(ray).ray;
-    return with_shape(
-        p.kind, [&]<class Shape>() { return define(scene, scene.get<Shape>(p), meant); });
+    return with_shape(p.kind,
+                      [&]<class Shape>() { return define(scene, scene.get<Shape>(p), meant); });
 }
 
 }  // namespace etalon

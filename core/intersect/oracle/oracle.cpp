@@ -20,10 +20,12 @@ Truth is_visible(const Crossing& c, Sides sides) {
 }
 
 /// A kernel compares its rounded t with the ray's ends, and has none beyond the range of double.
-Truth is_within(const Tracked& t, const Ray& ray, double tie) {
-    const Tracked rounded(t.value, t.error + magnitude(t.value) * Quad(tie));
-    const double end = std::min(ray.tmax, std::numeric_limits<double>::max());
-    return (Tracked(ray.tmin) < rounded) & (rounded <= end);
+Truth is_within(const Crossing& c, const Ray& ray, double tie) {
+    const auto rounded = [tie](const Tracked& t) {
+        return Tracked(t.value, t.error + magnitude(t.value) * Quad(tie));
+    };
+    const Tracked start = ray.tmin, end = std::min(ray.tmax, std::numeric_limits<double>::max());
+    return (start < rounded(c.t)) & (start < rounded(c.passage)) & (rounded(c.t) <= end);
 }
 
 /// Meetings so far, with the nearest certain one.
@@ -112,7 +114,7 @@ OracleAnswer Oracle::closest(const Ray& ray, double tie) const {
         if (meetings.nearest && Quad(candidate.entry) > meetings.nearest->t.value) break;
         const Sides sides = scene_.primitives[candidate.primitive].sides;
         for (const Crossing& c : crossings(scene_, candidate.primitive, ray)) {
-            const Truth exists = c.exists & is_visible(c, sides) & is_within(c.t, ray, tie);
+            const Truth exists = c.exists & is_visible(c, sides) & is_within(c, ray, tie);
             if (exists != Truth::no) meetings.add({c.t, exists, candidate.primitive});
         }
     }

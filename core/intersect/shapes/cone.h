@@ -8,10 +8,9 @@
 namespace etalon {
 
 inline bool is_degenerate(const Cone& c) {
-    const double widest = std::max(c.base_radius, c.top_radius);
-    const double least = std::min(c.base_radius, c.top_radius);
-    return !is_finite(c.base) || !is_finite(c.top) || c.base == c.top || !(least >= 0) ||
-           !(widest > 0) || !std::isfinite(widest);
+    const double width = c.base_radius + c.top_radius;
+    return !is_finite(c.base) || !is_finite(c.top) || c.base == c.top || c.base_radius < 0 ||
+           c.top_radius < 0 || !(width > 0 && width < infinity);
 }
 
 /// The box of the two end circles: a circle of radius r about the axis h reaches, along the unit
@@ -39,50 +38,60 @@ struct ConeCrossing {
     double entry = no_hit, exit = no_hit;
 };
 
-/// Of the line's points between the ends' planes, the one closest to the axis: the origin from
-/// which nothing cancels. f is the ray's origin seen from the base, h the axis, G = d x h.
-inline double closest_to_axis(const Vec3& f, const Vec3& d, const Vec3& h, const Vec3& G) {
-    const double t = -f.cross(h).dot(G) / G.dot(G);
-    const double start = f.dot(h), rise = d.dot(h), height = h.dot(h);
-    const double z = start + t * rise;
-    if (z >= 0 && z <= height) return t;
-    return ((z > height ? height : 0) - start) / rise;
-}
+/// A line w + t d, w seen from the base, against the surface |F + t G|^2 = r(t)^2, where h is the
+/// axis, F = w x h and G = d x h are distances from the axis, and r(t) = r0 + t r1 is the radius at
+/// the height start + t rise, all times |h|. Nothing refers to the apex, so a cylinder is the case
+/// r1 = 0, not another formula.
+struct ConeLine {
+    ConeLine(const Cone& c, const Vec3& h, const Vec3& w, const Vec3& d)
+        : F(w.cross(h)), G(d.cross(h)), start(w.dot(h)), rise(d.dot(h)), height(h.dot(h)) {
+        const double length = std::sqrt(height);
+        const double slope = (c.top_radius - c.base_radius) / length;
+        r0 = length * c.base_radius + slope * start;
+        r1 = slope * rise;
+    }
 
-/// With w the line's point at `middle`, seen from the base, and r(t) the radius at the height of
-/// the line's point, times |h|, the surface is |F + t G|^2 = r(t)^2, F = w x h, G = d x h, r = r0 +
-/// t r1. Nothing refers to the apex, so a cylinder is the case r1 = 0, not another formula.
-///
-/// Where alpha vanishes, as the line runs along a generator, one root goes to infinity, and is
-/// clipped; the other is gam / sum as everywhere. Where alpha is negative the line is steeper than
-/// the cone and crosses either nappe once, on opposite sides of the apex: the mirror nappe is left
-/// out, and the apex is no end, so that a line through the apex does not slip by.
+    /// The t, between the planes of the ends, where distance^2 + radius^2 is least: near the axis,
+    /// and near the apex, as far as the line goes there. From a point so close nothing cancels.
+    double middle() const {
+        const double t = -(F.dot(G) + r0 * r1) / (G.dot(G) + r1 * r1);
+        const double z = start + t * rise;
+        if (z >= 0 && z <= height) return t;
+        return ((z > height ? height : 0) - start) / rise;
+    }
+
+    Vec3 F, G;
+    double start, rise, height;
+    double r0, r1;
+};
+
+/// Roots by the sum of like signs. Where alpha vanishes, as the line runs along a generator, one
+/// root goes to infinity, and is clipped; the other is gam / sum as everywhere. Where alpha is
+/// negative the line is steeper than the cone and crosses either nappe once, on opposite sides of
+/// the apex: the mirror nappe is left out, and the apex is no end, so that a line through it does
+/// not slip by.
 inline ConeCrossing cross_cone(const Cone& c, const Ray& ray) {
     const Vec3 h = c.top - c.base, f = ray.origin - c.base;
-    const Vec3 G = ray.direction.cross(h);
-    const double middle = closest_to_axis(f, ray.direction, h, G);
-    const Vec3 w = f + middle * ray.direction, F = w.cross(h);
-    const double start = w.dot(h), rise = ray.direction.dot(h), height = h.dot(h);
-    const double length = std::sqrt(height), slope = (c.top_radius - c.base_radius) / length;
-    const double r0 = length * c.base_radius + slope * start, r1 = slope * rise;
-
+    const double middle = ConeLine(c, h, f, ray.direction).middle();
+    const ConeLine line(c, h, f + middle * ray.direction, ray.direction);
+    const auto& [F, G, start, rise, height, r0, r1] = line;
     const double alpha = G.dot(G) - r1 * r1;
     const double beta = F.dot(G) - r0 * r1;
     const double gam = F.dot(F) - r0 * r0;
+    const double discriminant = beta * beta - alpha * gam;
     const bool steep = alpha < 0;
-    double discriminant = beta * beta - alpha * gam;
-    if (steep) discriminant = std::max(discriminant, 0.0);
-    if (!(discriminant >= 0)) return {};
+    if (!(discriminant >= 0 || steep)) return {};
     // alpha t + beta, half the rise of |F + t G|^2 - r(t)^2, is -root at the entry and +root at the
-    // exit; roots by the sum of like signs.
+    // exit.
     const double root = std::sqrt(discriminant), sum = std::abs(beta) + root;
-    const double entry = beta >= 0 ? -sum / alpha : gam / sum;
-    const double exit = beta >= 0 ? -gam / sum : sum / alpha;
+    double entry = beta >= 0 ? -sum / alpha : gam / sum;
+    double exit = beta >= 0 ? -gam / sum : sum / alpha;
+    if (!(discriminant > 0)) entry = exit = -beta / alpha;  // a tangent, or through the apex
 
     const double lowest = steep && c.base_radius == 0 ? -infinity : 0;
-    const double highest = steep && c.top_radius == 0 ? infinity : height;
+    const double highest = steep && c.top_radius == 0 ? infinity : line.height;
     const auto clipped = [&](double t) {
-        const double z = start + t * rise;
+        const double z = line.start + t * line.rise;
         return z >= lowest && z <= highest ? middle + t : no_hit;
     };
     return {steep && r1 < 0 ? no_hit : clipped(entry), steep && r1 > 0 ? no_hit : clipped(exit)};
@@ -99,9 +108,9 @@ inline SurfacePoint surface(const Scene&, const Cone& c, const RayQuery& q, doub
     const Vec3 h = c.top - c.base;
     const double length = std::sqrt(h.dot(h));
     const Vec3 w = q.ray.origin - c.base + t * q.ray.direction;
-    const double s = std::clamp(w.dot(h) / h.dot(h), 0.0, 1.0);
+    const double along = w.dot(h) / h.dot(h), s = std::clamp(along, 0.0, 1.0);
     const double spread = c.top_radius - c.base_radius;
-    const Vec3 radial = w - s * h;
+    const Vec3 radial = w - along * h;
     const double distance = std::sqrt(radial.dot(radial));
     const Vec3 outward = distance > 0 ? radial / distance : Vec3(0);
     Vec3 normal = length * outward - (spread / length) * h;

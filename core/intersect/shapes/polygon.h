@@ -76,8 +76,13 @@ inline bool covers(std::span<const Vec3> p, const RayQuery& q) {
     return inside;
 }
 
-/// t is kept within the box of the corners: nearly edge-on, or where the corners are off the plane,
-/// the plane alone could carry it away.
+/// Whether a ray runs so nearly along the plane that where it meets it is a matter of rounding.
+inline bool is_along(const PolygonPlane& plane, const Vec3& direction, double cosine) {
+    return std::abs(cosine) <= 0x1p-40 * abs(plane.normal).dot(abs(direction));
+}
+
+/// The plane is met at t, and the hit is there, but never outside the box of the corners: where
+/// they are a little off the plane, or the ray runs along it, the plane alone could carry it away.
 inline double first_hit(const Scene& scene, const Polygon& polygon, Sides sides,
                         const RayQuery& q) {
     const std::span<const Vec3> p = corners(scene, polygon);
@@ -85,15 +90,13 @@ inline double first_hit(const Scene& scene, const Polygon& polygon, Sides sides,
     const PolygonPlane plane = plane_of(p);
     const double cosine = plane.normal.dot(q.ray.direction);
     if (is_degenerate(plane) || !faces(cosine, sides)) return no_hit;
+    const double t = plane.normal.dot(plane.point - q.ray.origin) / cosine;
+    if (!is_ahead(t, q.ray.tmin) && !is_along(plane, q.ray.direction, cosine)) return no_hit;
     const Box3 box = box_of(p);
-    const auto [first, last] = [&] {
-        const SlabCrossing c = cross_slabs({box.min, box.max}, q.ray);
-        return std::minmax({c.entry, c.exit});
-    }();
-    double t = plane.normal.dot(plane.point - q.ray.origin) / cosine;
-    if (!(t > first)) t = first;
-    if (t > last) t = last;
-    return is_ahead(t, q.ray.tmin) ? t : no_hit;
+    const SlabCrossing c = cross_slabs({box.min, box.max}, q.ray);
+    const double first = std::min(c.entry, c.exit), last = std::max(c.entry, c.exit);
+    const double kept = t > first ? std::min(t, last) : first;
+    return is_ahead(kept, q.ray.tmin) ? kept : no_hit;
 }
 
 /// The mean of the corners' normals at `position`, by mean value coordinates, which hold for

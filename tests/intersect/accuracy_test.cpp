@@ -1,0 +1,39 @@
+#include "core/intersect/kernels.h"
+#include "tests/catch.h"
+#include "tests/intersect/aimed_rays.h"
+#include "tests/intersect/judge.h"
+
+using namespace etalon;
+
+namespace {
+
+void require_right_answers(int rays_per_case) {
+    for (ShapeCase& shape : shape_cases()) {
+        const Oracle oracle(shape.scene);
+        Random random(1);
+        int undecidable = 0, hits = 0;
+        for (int i = 0; i < rays_per_case; ++i) {
+            shape.scene.primitives[0].sides = static_cast<Sides>(random.index(3));
+            const AimedRay aimed = aimed_ray(shape, i, random);
+            const double t = primitive_first_hit(shape.scene, 0, RayQuery(aimed.ray));
+            const Verdict verdict = judge(shape, oracle, aimed.ray, t);
+            CAPTURE(shape.name, *aimed.target, aimed.approach, i, t);
+            REQUIRE(verdict != Verdict::wrong);
+            undecidable += verdict == Verdict::undecidable;
+            hits += t <= infinity;
+        }
+        CAPTURE(shape.name, undecidable, hits, rays_per_case);
+        REQUIRE(undecidable <= rays_per_case / 6);  // rays that run along what they are aimed at
+        REQUIRE(hits >= rays_per_case / 10);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("Kernels: given aimed rays, then hit, miss and t are the oracle's") {
+    require_right_answers(1000);
+}
+
+TEST_CASE("Kernels: given very many aimed rays, then hit, miss and t are the oracle's", "[long]") {
+    require_right_answers(100000);
+}

@@ -1,0 +1,44 @@
+#include "core/intersect/kernels.h"
+#include "tests/catch.h"
+#include "tests/intersect/aimed_rays.h"
+
+using namespace etalon;
+
+TEST_CASE("bounds: given a hit, then its point is within them but for a few roundings") {
+    for (const ShapeCase& shape : shape_cases()) {
+        const Box3 box = primitive_bounds(shape.scene, 0);
+        Random random(10);
+        for (int i = 0; i < 3000; ++i) {
+            const Ray ray = aimed_ray(shape, i, random).ray;
+            const double t = primitive_first_hit(shape.scene, 0, RayQuery(ray));
+            if (!(t <= infinity)) continue;
+            const Vec3 point = ray.origin + t * ray.direction;
+            const double few = 32 * 0x1p-53;
+            for (int k = 0; k < 3; ++k) {
+                const double travelled = max_abs(ray.origin) + t * max_abs(ray.direction);
+                const double slack = few * (travelled + max_abs(shape.centre) + shape.size);
+                CAPTURE(shape.name, i, k, point[k], box.min[k], box.max[k]);
+                REQUIRE(point[k] >= box.min[k] - slack);
+                REQUIRE(point[k] <= box.max[k] + slack);
+            }
+        }
+    }
+}
+
+TEST_CASE("bounds: given points all over a bounded shape, then every face of the box is reached") {
+    for (const ShapeCase& shape : shape_cases()) {
+        const Box3 box = primitive_bounds(shape.scene, 0);
+        if (!is_finite(box.min)) continue;
+        Box3 seen;
+        Random random(11);
+        for (int i = 0; i < 20000; ++i) {
+            const AimedRay aimed = aimed_ray(shape, i, random);
+            const double t = primitive_first_hit(shape.scene, 0, RayQuery(aimed.ray));
+            if (t <= infinity) seen.extendBy(surface_at(shape.scene, aimed.ray, {t, 0}).position);
+        }
+        const double tolerance = 0.02 * shape.size;
+        CAPTURE(shape.name, box.min, seen.min, box.max, seen.max);
+        REQUIRE(max_abs(seen.min - box.min) < tolerance);
+        REQUIRE(max_abs(seen.max - box.max) < tolerance);
+    }
+}

@@ -1,0 +1,96 @@
+#include "core/intersect/kernels.h"
+#include "tests/catch.h"
+#include "tests/intersect/aimed_rays.h"
+
+using namespace etalon;
+
+namespace {
+
+constexpr double hostile_numbers[] = {nan_value, infinity, -infinity};
+
+bool is_hit(const Scene& scene, const Ray& ray) {
+    const double t = primitive_first_hit(scene, 0, RayQuery(ray));
+    return t > ray.tmin || t == infinity;
+}
+
+/// Through the origin and its surroundings, from everywhere.
+Ray probing_ray(int i, Random& random) {
+    const Vec3 target = i % 3 == 0   ? Vec3(0)
+                        : i % 3 == 1 ? Vec3(random.uniform(-2, 4), 0, 0)
+                                     : random.in_cube();
+    Vec3 direction = random.direction();
+    if (i % 5 == 0) direction = Vec3(i % 2 == 0 ? 1 : 0, i % 2 == 0 ? 0 : 1, 0);
+    return {target - random.uniform(0, 10) * direction, direction};
+}
+
+}  // namespace
+
+TEST_CASE("Kernels: given a degenerate shape, then nothing hits it") {
+    for (const DegenerateCase& shape : degenerate_cases()) {
+        CAPTURE(shape.name);
+        const Box3 box = primitive_bounds(shape.scene, 0);
+        REQUIRE((box.isEmpty() || !shape.empty_bounds));
+        Random random(6);
+        for (int i = 0; i < 2000; ++i) {
+            const Ray ray = probing_ray(i, random);
+            CAPTURE(i, ray.origin, ray.direction);
+            REQUIRE_FALSE(is_hit(shape.scene, ray));
+        }
+    }
+}
+
+TEST_CASE("Kernels: given a shape with a number that is none, then nothing hits it") {
+    for (const ShapeCase& shape : shape_cases()) {
+        Scene scene = shape.scene;
+        for (double* number : numbers_of(scene)) {
+            const double original = *number;
+            for (const double hostile : hostile_numbers) {
+                *number = hostile;
+                CAPTURE(shape.name, hostile);
+                REQUIRE(primitive_bounds(scene, 0).isEmpty());
+                Random random(7);
+                for (int i = 0; i < 100; ++i) {
+                    REQUIRE_FALSE(is_hit(scene, aimed_ray(shape, i, random).ray));
+                }
+            }
+            *number = original;
+        }
+    }
+}
+
+TEST_CASE("Kernels: given a ray with a number that is none, then it hits nothing") {
+    for (const ShapeCase& shape : shape_cases()) {
+        Random random(8);
+        for (int i = 0; i < 200; ++i) {
+            const Ray ray = aimed_ray(shape, i, random).ray;
+            for (int k = 0; k < 6; ++k) {
+                for (const double hostile : hostile_numbers) {
+                    Ray bad = ray;
+                    (k < 3 ? bad.origin : bad.direction)[k % 3] = hostile;
+                    CAPTURE(shape.name, i, k, hostile);
+                    REQUIRE_FALSE(is_hit(shape.scene, bad));
+                }
+            }
+            CAPTURE(shape.name, i);
+            REQUIRE_FALSE(is_hit(shape.scene, {ray.origin, Vec3(0)}));
+        }
+    }
+}
+
+TEST_CASE("Kernels: given any hit, then t is finite and the point has all its numbers") {
+    for (const ShapeCase& shape : shape_cases()) {
+        Random random(9);
+        for (int i = 0; i < 1000; ++i) {
+            const Ray ray = aimed_ray(shape, i, random).ray;
+            const double t = primitive_first_hit(shape.scene, 0, RayQuery(ray));
+            CAPTURE(shape.name, i, t);
+            REQUIRE((std::isnan(t) || (t > ray.tmin && t < infinity)));
+            if (std::isnan(t)) continue;
+            const SurfacePoint p = surface_at(shape.scene, ray, {t, 0});
+            REQUIRE(is_finite(p.position));
+            REQUIRE(is_finite(p.error));
+            REQUIRE(p.normal.length() == Approx(1).epsilon(1e-12));
+            REQUIRE(p.shading_normal.length() == Approx(1).epsilon(1e-12));
+        }
+    }
+}

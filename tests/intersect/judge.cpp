@@ -1,0 +1,142 @@
+#include "tests/intersect/judge.h"
+
+#include "core/intersect/kernels.h"
+#include "core/intersect/oracle/definitions.h"
+#include "core/numerics/rounding.h"
+
+namespace etalon {
+namespace {
+
+constexpr double fair_ulps = 4;
+
+/// The crossings of one kind, where the shape's front is seen or where its back is, over all the
+/// rays of a neighbourhood.
+struct Branch {
+    bool in_some = false, in_all = true;
+    double first = infinity, last = -infinity;
+
+    void add(const Crossings& crossings, bool front) {
+        bool certain = false;
+        for (const Crossing& c : crossings) {
+            const Truth exists = c.exists & (front ? c.front : !c.front);
+            if (exists == Truth::no) continue;
+            certain |= exists == Truth::yes;
+            in_some = true;
+            const double t = static_cast<double>(c.t.value);
+            first = std::min({first, t, static_cast<double>(c.passage.value)});
+            last = std::max(last, t);
+        }
+        in_all &= certain;
+    }
+
+    void unite(const Branch& other) {
+        in_some |= other.in_some;
+        first = std::min(first, other.first);
+        last = std::max(last, other.last);
+    }
+};
+
+struct Branches {
+    void add(const Scene& scene, const Ray& ray) {
+        const Crossings found = crossings(scene, 0, ray);
+        front.add(found, true);
+        back.add(found, false);
+    }
+
+    /// Where some rays of the neighbourhood pass the shape by, one of them is a tangent, on which
+    /// front and back are one.
+    void join_tangents() {
+        if (front.in_some && !front.in_all && back.in_some && !back.in_all) join_sides();
+    }
+
+    /// An edge-on surface: which side is seen cannot be told.
+    void join_sides() {
+        front.unite(back);
+        back.unite(front);
+        front.in_all = back.in_all = false;
+    }
+
+    void widen(double by) {
+        for (Branch* branch : {&front, &back}) {
+            branch->first -= by;
+            branch->last += by;
+        }
+    }
+
+    Branch front, back;
+};
+
+/// The ray, and `count` rays whose origin is off by up to `reach` in every axis, and the direction
+/// by up to `turn`: the first twelve in one axis only, the others in all.
+std::vector<Ray> neighbours(const Ray& ray, double reach, double turn, int count) {
+    std::vector<Ray> rays(static_cast<std::size_t>(count + 1), ray);
+    Random random(3);
+    for (int i = 1; i <= count; ++i) {
+        Ray& r = rays[static_cast<std::size_t>(i)];
+        for (int k = 0; k < 6; ++k) {
+            if (i <= 12 && k != (i - 1) / 2) continue;
+            const double side = i <= 12 ? (i % 2 == 0 ? 1 : -1) : random.uniform(-1, 1);
+            (k < 3 ? r.origin : r.direction)[k % 3] += side * (k < 3 ? reach : turn);
+        }
+    }
+    return rays;
+}
+
+/// Whether some ray of the neighbourhood may answer t.
+bool contains(const Branches& branches, Sides sides, double tmin, double t) {
+    const bool hit = t > tmin;
+    bool explained = !hit;
+    for (const auto& [branch, hidden] :
+         {std::pair{branches.front, Sides::back}, std::pair{branches.back, Sides::front}}) {
+        if (sides == hidden) continue;
+        if (hit && branch.in_some && t >= branch.first && t <= branch.last) explained = true;
+        const bool certain = branch.in_all && branch.first > tmin;
+        if (certain && (!hit || branch.last < t)) return false;
+    }
+    return explained;
+}
+
+bool is_explained(const ShapeCase& shape, const Ray& ray, double t, double true_t, double roundings,
+                  int count) {
+    const double where = t > ray.tmin ? t : true_t;
+    const double length = ray.direction.length();
+    const double magnitude = (ray.origin - shape.centre).length() + shape.size +
+                             max_abs(ray.origin) + max_abs(shape.centre) + where * length;
+    const double reach = roundings * unit_roundoff * magnitude;
+    const double turn = roundings * unit_roundoff * length;
+    Branches branches;
+    for (const Ray& r : neighbours(ray, reach, turn, shape.exact ? 0 : count)) {
+        branches.add(shape.scene, r);
+    }
+    branches.join_tangents();
+    // t moves by this much when the surface moves by `reach`.
+    const Vec3 normal = surface_at(shape.scene, ray, {where, 0}).normal;
+    const double cosine = std::abs(normal.dot(ray.direction));
+    if (cosine <= turn) branches.join_sides();
+    branches.widen(reach / cosine + fair_ulps * 2 * unit_roundoff * where);
+    return contains(branches, shape.scene.primitives[0].sides, ray.tmin, t);
+}
+
+}  // namespace
+
+double ulps_off(const OracleAnswer& answer, double t) {
+    const double ulp = std::nextafter(std::abs(answer.t), infinity) - std::abs(answer.t);
+    return answer.relative_error(t) * std::abs(answer.t) / ulp;
+}
+
+Verdict judge(const ShapeCase& shape, const Oracle& oracle, const Ray& ray, double t,
+              double roundings) {
+    const OracleAnswer answer = oracle.closest(ray);
+    if (answer.kind == OracleAnswer::undecidable) return Verdict::undecidable;
+    const bool hit = t > ray.tmin;
+    const bool truly_hit = answer.kind == OracleAnswer::hit;
+    if (hit == truly_hit && (!hit || ulps_off(answer, t) <= fair_ulps)) return Verdict::right;
+
+    if (is_explained(shape, ray, t, truly_hit ? answer.t : 0, roundings, 12)) {
+        return Verdict::nearly_right;
+    }
+    const bool explained = is_explained(shape, ray, t, truly_hit ? answer.t : 0, roundings, 200);
+    return explained ? Verdict::nearly_right : Verdict::wrong;
+}
+
+}  // namespace etalon

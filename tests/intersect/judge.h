@@ -1,0 +1,28 @@
+// Is a kernel's answer right?
+#pragma once
+
+#include "core/intersect/oracle/oracle.h"
+#include "tests/intersect/shape_cases.h"
+
+namespace etalon {
+
+enum class Verdict {
+    right,         ///< the oracle's class, and its t to within 4 ulp
+    nearly_right,  ///< right for a ray that starts a few roundings away
+    undecidable,
+    wrong
+};
+
+/// The kernel must answer as the oracle does, or as it does for a ray whose origin is off by
+/// `roundings` u (distance + size + coordinates), or its direction by `roundings` u: no method in
+/// double can do better where a rounding of the input decides. This is what replaces a tolerance:
+/// it is loose exactly where the geometry is ill-conditioned (grazing rays, far origins), and
+/// nowhere else. Whether the ray's line meets the shape must be the oracle's very answer for the
+/// shapes that promise it (ShapeCase::exact).
+Verdict judge(const ShapeCase& shape, const Oracle& oracle, const Ray& ray, double t,
+              double roundings = 8);
+
+/// |t - the true t| in units of the last place of the true t.
+double ulps_off(const OracleAnswer& answer, double t);
+
+}  // namespace etalon

@@ -1,0 +1,95 @@
+#include "core/intersect/kernels.h"
+#include "tests/catch.h"
+#include "tests/intersect/aimed_rays.h"
+#include "tests/intersect/judge.h"
+
+using namespace etalon;
+
+namespace {
+
+/// Into the hemisphere of `up`, half of them grazing: cosines from 1e-6.
+Vec3 grazing_direction(const Vec3& up, Random& random) {
+    Vec3 u, v;
+    orthonormal_basis(up, u, v);
+    const double cosine =
+        random.index(2) == 0 ? random.uniform(0.01, 1) : std::pow(10.0, random.uniform(-6, 0));
+    const double angle = random.uniform(0, 6.283185307179586);
+    return cosine * up +
+           std::sqrt(1 - cosine * cosine) * (std::cos(angle) * u + std::sin(angle) * v);
+}
+
+struct Spawned {
+    Ray ray;
+    bool outward;
+};
+
+std::optional<Spawned> spawn(const ShapeCase& shape, const Ray& ray, Random& random) {
+    const double t = primitive_first_hit(shape.scene, 0, RayQuery(ray));
+    if (!(t <= infinity)) return std::nullopt;
+    const SurfacePoint p = surface_at(shape.scene, ray, {t, 0});
+    for (const Vec3& tip : shape.tips) {
+        if ((p.position - tip).length() < 1e-9 * shape.size) return std::nullopt;
+    }
+    const double side = random.sign();
+    const Vec3 direction = grazing_direction(side * p.normal, random);
+    return Spawned{{spawn_origin(p, direction), direction}, side > 0};
+}
+
+/// No shape of the table is met again from its outside. From the inside of a closed one the ray
+/// comes out elsewhere: it must be on its way out, and where the oracle says.
+bool hits_itself(const ShapeCase& shape, const Oracle& oracle, const Spawned& s) {
+    const double t = primitive_first_hit(shape.scene, 0, RayQuery(s.ray));
+    const bool hit = t <= infinity;
+    const OracleAnswer answer = oracle.closest(s.ray);
+    const bool truly_hit = answer.kind == OracleAnswer::hit;
+    if (s.outward) return hit || truly_hit;
+    if (hit && surface_at(shape.scene, s.ray, {t, 0}).normal.dot(s.ray.direction) < 0) return true;
+    return judge(shape, oracle, s.ray, t) == Verdict::wrong;
+}
+
+void require_no_self_hits(int rays_per_case) {
+    for (const ShapeCase& shape : shape_cases()) {
+        const Oracle oracle(shape.scene);
+        Random random(2);
+        int spawned = 0;
+        for (int i = 0; i < rays_per_case; ++i) {
+            const AimedRay aimed = aimed_ray(shape, i, random);
+            const auto s = spawn(shape, aimed.ray, random);
+            if (!s) continue;
+            ++spawned;
+            const Vec3 &o = s->ray.origin, &d = s->ray.direction;
+            CAPTURE(shape.name, *aimed.target, aimed.approach, i, s->outward, o, d);
+            REQUIRE_FALSE(hits_itself(shape, oracle, *s));
+        }
+        CAPTURE(shape.name);
+        REQUIRE(spawned > rays_per_case / 5);
+    }
+}
+
+}  // namespace
+
+TEST_CASE(
+    "spawn_origin: given a hit, then the ray that leaves it does not meet its surface again") {
+    require_no_self_hits(800);
+}
+
+TEST_CASE("spawn_origin: given very many hits, then none is met again", "[long]") {
+    require_no_self_hits(200000);
+}
+
+TEST_CASE("spawn_origin: given shapes of unit size at the origin, then the shift is small") {
+    for (const ShapeCase& shape : shape_cases()) {
+        if (max_abs(shape.centre) > 100 || shape.size > 100) continue;
+        Random random(3);
+        for (int i = 0; i < 200; ++i) {
+            const Ray ray = aimed_ray(shape, i, random).ray;
+            const double t = primitive_first_hit(shape.scene, 0, RayQuery(ray));
+            if (!(t <= infinity)) continue;
+            const SurfacePoint p = surface_at(shape.scene, ray, {t, 0});
+            const double shift = (spawn_origin(p, p.normal) - p.position).length();
+            const double extent = shape.size + max_abs(shape.centre) + max_abs(p.position);
+            CAPTURE(shape.name, shift);
+            REQUIRE(shift <= 5e-14 * extent);
+        }
+    }
+}

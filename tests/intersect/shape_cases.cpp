@@ -1,0 +1,291 @@
+#include "tests/intersect/shape_cases.h"
+
+namespace etalon {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// An odd frame, so that nothing is aligned with the axes by accident.
+Vec3 tilted(double x, double y, double z) {
+    Vec3 w(17, 11, 7), u, v;
+    w /= std::sqrt(w.dot(w));
+    orthonormal_basis(w, u, v);
+    return x * u + y * v + z * w;
+}
+
+/// A surface moved in or out of the way by a random amount, from far below a rounding to visible.
+double nearly_one(Random& random) {
+    return 1 + random.sign() * std::pow(10.0, random.uniform(-18, -1));
+}
+
+ShapeCase sphere(const std::string& name, const Sphere& s) {
+    ShapeCase c{name, {}, s.centre, s.radius, false, {}, {}};
+    c.scene.add(s, 0);
+    c.targets.push_back({"inside", [s](Random& random, const Vec3&) {
+                             return s.centre + random.uniform() * s.radius * random.direction();
+                         }});
+    c.targets.push_back({"surface", [s](Random& random, const Vec3&) {
+                             return s.centre + s.radius * random.direction();
+                         }});
+    c.targets.push_back({"centre", [s](Random&, const Vec3&) { return s.centre; }});
+    c.targets.push_back({"silhouette", [s](Random& random, const Vec3& from) {
+                             const Vec3 f = from - s.centre;
+                             const double distance = std::sqrt(f.dot(f));
+                             Vec3 u, v;
+                             orthonormal_basis(f / distance, u, v);
+                             const double cosine = std::min(1.0, s.radius / distance);
+                             const double sine = std::sqrt(1 - cosine * cosine);
+                             const double angle = random.uniform(0, 2 * pi);
+                             const Vec3 side = std::cos(angle) * u + std::sin(angle) * v;
+                             const double reach = s.radius * nearly_one(random);
+                             return s.centre + reach * (cosine * f / distance + sine * side);
+                         }});
+    return c;
+}
+
+ShapeCase cone(const std::string& name, const Cone& shape) {
+    const Vec3 h = shape.top - shape.base;
+    const double length = std::sqrt(h.dot(h));
+    const double widest = std::max(shape.base_radius, shape.top_radius);
+    ShapeCase c{name, {}, 0.5 * (shape.base + shape.top), length + widest, false, {}, {}};
+    c.scene.add(shape, 0);
+    const auto on_circle = [shape, h, length](double s, double angle) {
+        Vec3 u, v;
+        orthonormal_basis(h / length, u, v);
+        const double r = shape.base_radius + s * (shape.top_radius - shape.base_radius);
+        return shape.base + s * h + r * (std::cos(angle) * u + std::sin(angle) * v);
+    };
+    c.targets.push_back({"surface", [=](Random& random, const Vec3&) {
+                             return on_circle(random.uniform(), random.uniform(0, 2 * pi));
+                         }});
+    c.targets.push_back({"axis", [=](Random& random, const Vec3&) {
+                             return shape.base + random.uniform(-0.1, 1.1) * h;
+                         }});
+    c.targets.push_back({"rim", [=](Random& random, const Vec3&) {
+                             const double end = random.index(2) * nearly_one(random);
+                             return on_circle(end, random.uniform(0, 2 * pi));
+                         }});
+    c.targets.push_back({"silhouette", [=](Random& random, const Vec3& from) {
+                             // Where the normal, outward - (spread / length) axis, is across the
+                             // line of sight: outward . f = r + spread (f . h) / length^2.
+                             Vec3 u, v;
+                             orthonormal_basis(h / length, u, v);
+                             const double s = random.uniform();
+                             const double spread = shape.top_radius - shape.base_radius;
+                             const Vec3 f = from - (shape.base + s * h);
+                             const double x = f.dot(u), y = f.dot(v);
+                             const double needed = shape.base_radius + s * spread +
+                                                   spread * f.dot(h) / (length * length);
+                             const double cosine = needed / std::hypot(x, y) * nearly_one(random);
+                             const double turn = std::acos(std::clamp(cosine, -1.0, 1.0));
+                             return on_circle(s, std::atan2(y, x) + random.sign() * turn);
+                         }});
+    if (shape.top_radius == 0) {
+        c.tips.push_back(shape.top);
+        c.targets.push_back({"apex", [=](Random& random, const Vec3&) {
+                                 const double miss = std::pow(10.0, random.uniform(-18, 0));
+                                 return shape.top + miss * widest * random.direction();
+                             }});
+    }
+    return c;
+}
+
+void add_outline_targets(ShapeCase& c, const std::vector<Vec3>& p) {
+    c.targets.push_back({"vertex", [p](Random& random, const Vec3&) {
+                             return p[static_cast<std::size_t>(random.index(p.size()))];
+                         }});
+    c.targets.push_back({"edge", [p](Random& random, const Vec3&) {
+                             const auto i = static_cast<std::size_t>(random.index(p.size()));
+                             const Vec3 &a = p[i], &b = p[(i + 1) % p.size()];
+                             return a + random.uniform() * (b - a);
+                         }});
+    c.targets.push_back({"middle", [p](Random& random, const Vec3&) {
+                             const auto i = static_cast<std::size_t>(random.index(p.size()));
+                             return 0.5 * (p[i] + p[(i + 1) % p.size()]);
+                         }});
+    c.targets.push_back({"face", [p](Random& random, const Vec3&) {
+                             Vec3 sum(0);
+                             double weight = 0;
+                             for (const Vec3& corner : p) {
+                                 const double w = -std::log(1 - random.uniform());
+                                 sum += w * corner;
+                                 weight += w;
+                             }
+                             return sum / weight;
+                         }});
+}
+
+ShapeCase flat(const std::string& name, const std::vector<Vec3>& p) {
+    Box3 box;
+    for (const Vec3& corner : p) box.extendBy(corner);
+    ShapeCase c{name, {}, box.center(), box.size().length() / 2, true, {}, {}};
+    c.scene.vertices = p;
+    if (p.size() == 3) {
+        c.scene.add(Triangle{{0, 1, 2}}, 0);
+    } else {
+        c.scene.add(Polygon{0, static_cast<std::uint32_t>(p.size())}, 0);
+    }
+    add_outline_targets(c, p);
+    return c;
+}
+
+ShapeCase box(const std::string& name, const Box& b) {
+    const Vec3 size = b.max - b.min;
+    ShapeCase c{name, {}, 0.5 * (b.min + b.max), size.length() / 2, true, {}, {}};
+    c.scene.add(b, 0);
+    // A point with `fixed` of its coordinates on faces: 1 a face, 2 an edge, 3 a corner.
+    const auto on_faces = [b, size](Random& random, int fixed) {
+        const int first = random.index(3);
+        Vec3 p;
+        for (int i = 0; i < 3; ++i) {
+            const int k = (first + i) % 3;
+            const double inside = b.min[k] + random.uniform() * size[k];
+            p[k] = i >= fixed ? inside : random.index(2) == 0 ? b.min[k] : b.max[k];
+        }
+        return p;
+    };
+    const char* const names[] = {"inside", "face", "edge", "corner"};
+    for (int fixed = 0; fixed < 4; ++fixed) {
+        c.targets.push_back(
+            {names[fixed], [=](Random& random, const Vec3&) { return on_faces(random, fixed); }});
+    }
+    return c;
+}
+
+ShapeCase plane(const std::string& name, const Plane& p) {
+    ShapeCase c{name, {}, p.point, 1, false, {}, {}};
+    c.scene.add(p, 0);
+    c.targets.push_back({"point", [p](Random& random, const Vec3&) {
+                             const Vec3 v = random.in_cube();
+                             return p.point + 10.0 * v -
+                                    10 * v.dot(p.normal) / p.normal.length2() * p.normal;
+                         }});
+    c.targets.push_back({"grazing", [p](Random& random, const Vec3& from) {
+                             const Vec3 v = random.in_cube().cross(p.normal) / p.normal.length();
+                             return from + v +
+                                    std::pow(10.0, random.uniform(-18, 0)) * random.in_cube();
+                         }});
+    return c;
+}
+
+std::vector<Vec3> star(int points, double inner) {
+    std::vector<Vec3> p;
+    for (int i = 0; i < 2 * points; ++i) {
+        const double r = i % 2 == 0 ? 1 : inner, angle = pi * i / points;
+        p.push_back(tilted(r * std::cos(angle), r * std::sin(angle), 0.25));
+    }
+    return p;
+}
+
+std::vector<Vec3> moved(std::vector<Vec3> p, const Vec3& by) {
+    for (Vec3& corner : p) corner += by;
+    return p;
+}
+
+}  // namespace
+
+std::vector<ShapeCase> shape_cases() {
+    const Vec3 far_away(148376, 1234, -223423), base(0.3, -0.7, 0.45);
+    const std::vector<Vec3> bent = {
+        {0, 0, 1e-6}, {2, 0, -1e-6}, {2, 1, 1e-6}, {0.5, 1.5, 0}, {0, 1, -1e-6}};
+    const std::vector<Vec3> notched = {{0, 0, 3}, {4, 0, 3}, {4, 4, 3}, {2, 2, 3}, {0, 4, 3}};
+    return {
+        sphere("sphere", {{0.3, -0.7, 0.45}, 1}),
+        sphere("sphere, planet", {{0, 0, -6.4e6}, 6.4e6}),
+        sphere("sphere, far from the origin", {far_away, 2}),
+        cone("cylinder", {base, base + tilted(0, 0, 21.4), 1, 1}),
+        cone("cylinder along an axis", {{0, 0, 0}, {0, 3, 0}, 0.5, 0.5}),
+        cone("cylinder, needle", {base, base + tilted(0, 0, 1e3), 1e-3, 1e-3}),
+        cone("cone", {base, base + tilted(0, 0, 2), 1, 0}),
+        cone("cone along an axis", {{0, 0, 0}, {0, 0, 2}, 1, 0}),
+        cone("cone, truncated", {base, base + tilted(0, 0, 3), 0.5, 1.5}),
+        cone("cone, all but a cylinder", {base, base + tilted(0, 0, 3), 1, 1 + 0x1p-40}),
+        cone("cone, all but a disk", {base, base + tilted(0, 0, 1e-4), 1, 0}),
+        cone("cone, far from the origin", {far_away, far_away + tilted(0, 0, 3), 2, 1}),
+        flat("triangle", {tilted(0, 0, 1), tilted(2, 0.25, 1), tilted(0.5, 1.5, 1)}),
+        flat("triangle across an axis", {{0, 0, 2}, {4, 0, 2}, {0, 4, 2}}),
+        flat("triangle, sliver", {tilted(0, 0, 0), tilted(1, 0, 0), tilted(0.5, 1e-9, 0)}),
+        flat("triangle, far from the origin",
+             moved({{0, 0, 0}, {2, 0.25, 0.5}, {0.5, 1.5, 0}}, far_away)),
+        flat("polygon, quad", {tilted(0, 0, 1), tilted(2, 0, 1), tilted(2, 1, 1), tilted(0, 1, 1)}),
+        flat("polygon, notched, across an axis", notched),
+        flat("polygon, star", star(7, 0.4)),
+        flat("polygon, circle", star(40, std::cos(pi / 40))),
+        flat("polygon, corners off the plane", bent),
+        flat("polygon, far from the origin", moved(star(5, 0.3), far_away)),
+        box("box", {{-1, -1, -1}, {1, 1, 1}}),
+        box("box, odd", {{0.1, -0.7, 0.3}, {0.2, 1.9, 7.7}}),
+        box("box, no thickness", {{-1, 0.1, -1}, {1, 0.1, 2}}),
+        box("box, far from the origin", {far_away, far_away + Vec3(1, 2, 0.3)}),
+        plane("plane", {tilted(0.2, 0.3, 0.4), tilted(0.1, 0.2, 3)}),
+        plane("plane across an axis", {{0, 0, 1}, {0, 0, 1}}),
+        plane("plane, far from the origin", {far_away, tilted(0.4, 0.1, 1)}),
+    };
+}
+
+std::vector<DegenerateCase> degenerate_cases() {
+    std::vector<DegenerateCase> cases;
+    const auto add = [&]<class Shape>(const std::string& name, const Shape& shape) {
+        cases.push_back({name, {}, true});
+        cases.back().scene.add(shape, 0);
+    };
+    add("sphere of radius 0", Sphere{{0, 0, 0}, 0});
+    add("sphere of negative radius", Sphere{{0, 0, 0}, -1});
+    add("cone of no length", Cone{{0, 0, 0}, {0, 0, 0}, 1, 1});
+    add("cone of no width", Cone{{0, 0, -1}, {0, 0, 1}, 0, 0});
+    add("cone of negative radius", Cone{{0, 0, -1}, {0, 0, 1}, 1, -1});
+    add("box inside out", Box{{1, -1, -1}, {-1, 1, 1}});
+    add("box inside out in all axes", Box{{1, 1, 1}, {-1, -1, -1}});
+    add("plane without a normal", Plane{{0, 0, 0}, {0, 0, 0}});
+
+    const auto add_flat = [&](const std::string& name, const std::vector<Vec3>& p, bool empty) {
+        cases.push_back({name, flat(name, p).scene, empty});
+    };
+    const Vec3 a(-1, 0, 0), b(1, 0, 0), c(3, 0, 0);
+    add_flat("triangle of one point", {a, a, a}, false);
+    add_flat("triangle on a line", {a, b, c}, false);
+    add_flat("triangle with two equal corners", {a, b, b}, false);
+    add_flat("polygon of one point", {a, a, a, a}, true);
+    add_flat("polygon on a line", {a, b, c, b}, true);
+    add_flat("polygon that cancels itself", {{-1, -1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, 1, 0}}, true);
+    return cases;
+}
+
+namespace {
+
+template <class Shape>
+void list_numbers(Shape& s, Scene& scene, std::vector<double*>& list) {
+    const auto add = [&](Vec3& v) { list.insert(list.end(), {&v.x, &v.y, &v.z}); };
+    if constexpr (std::is_same_v<Shape, Sphere>) {
+        add(s.centre);
+        list.push_back(&s.radius);
+    } else if constexpr (std::is_same_v<Shape, Box>) {
+        add(s.min);
+        add(s.max);
+    } else if constexpr (std::is_same_v<Shape, Plane>) {
+        add(s.point);
+        add(s.normal);
+    } else if constexpr (std::is_same_v<Shape, Cone>) {
+        add(s.base);
+        add(s.top);
+        list.insert(list.end(), {&s.base_radius, &s.top_radius});
+    } else {
+        for (Vec3& v : scene.vertices) add(v);
+    }
+}
+
+}  // namespace
+
+std::vector<double*> numbers_of(Scene& scene) {
+    std::vector<double*> list;
+    with_shape(scene.primitives[0].kind,
+               [&]<class Shape>() { list_numbers(scene.all<Shape>()[0], scene, list); });
+    return list;
+}
+
+Scene scaled(Scene scene, int k) {
+    for (double* number : numbers_of(scene)) *number = std::ldexp(*number, k);
+    return scene;
+}
+
+}  // namespace etalon
