@@ -1,6 +1,7 @@
 // What a loader has to say to the user: every message carries the place it is about.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -12,7 +12,7 @@ using namespace etalon;
 namespace {
 
 Diagnostic warning(const std::string& kind, int line) {
-    return {Severity::warning, kind, "f", line, 2, "m" + std::to_string(line)};
+    return {Severity::warning, kind, "f", line, 2, std::string("m").append(std::to_string(line))};
 }
 
 std::size_t lines_of(const std::string& text) {

@@ -1,6 +1,7 @@
 #include "core/formats/nearest_name.h"
 
 #include <array>
+#include <string>
 
 #include "tests/catch.h"
 
@@ -8,7 +9,8 @@ using namespace etalon;
 
 namespace {
 
-constexpr std::array<std::string_view, 6> names = {"s", "mat", "mesh", "camera", "light", "bclr"};
+constexpr std::array<std::string_view, 7> names = {"s",      "pl",    "mat", "mesh",
+                                                   "camera", "light", "bclr"};
 
 }  // namespace
 
@@ -16,8 +18,9 @@ TEST_CASE("a mistyped name finds the one that was meant") {
     CHECK(nearest_name("camra", names) == "camera");    // lost
     CHECK(nearest_name("caamera", names) == "camera");  // added
     CHECK(nearest_name("lihgt", names) == "light");     // swapped
-    CHECK(nearest_name("mech", names) == "mesh");       // exchanged
-    CHECK(nearest_name("MAT", names) == "mat");         // case
+    CHECK(nearest_name("lp", names) == "pl");
+    CHECK(nearest_name("mech", names) == "mesh");  // exchanged
+    CHECK(nearest_name("MAT", names) == "mat");    // case
     CHECK(nearest_name("S", names) == "s");
     CHECK(nearest_name("blcr", names) == "bclr");
 }

@@ -1,5 +1,6 @@
 #include "core/formats/number.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <random>
@@ -84,6 +85,7 @@ TEST_CASE("a number too large for double is out of range, one too small is zero"
         CHECK(scan<double>(text).status == NumberStatus::out_of_range);
     }
     CHECK(scan<double>(std::string(400, '9')).status == NumberStatus::out_of_range);
+    CHECK(scan<double>("1" + std::string(400, '0') + "e-50").status == NumberStatus::out_of_range);
     CHECK(value_of("1e-400") == 0.0);
     CHECK(value_of("12345e-400") == 0.0);
     CHECK(value_of("0e99999999999999999999") == 0.0);

@@ -149,5 +149,9 @@ TEST_CASE("a lens that is none becomes a pinhole") {
           Messages{"a.p3f:1:1: warning: aperture -2 with focal 1 is no lens; taken as a "
                    "pinhole"});
     CHECK(r.scene->camera.aperture == 0);
+    std::string without_focus = camera_with("aperture", "aperture 2");
+    without_focus.replace(without_focus.find("focal 1"), 7, "focal 0");
+    CHECK(load_p3f_text(without_focus).diagnostics.size() == 1);
+    CHECK(load_p3f_text(without_focus).scene->camera.aperture == 0);
     CHECK(load_p3f_text(camera_with("focal", "focal 0")).diagnostics.empty());
 }

@@ -21,8 +21,8 @@ TEST_CASE("a comment may stand inside the camera and at the end without a line e
 TEST_CASE("an unknown keyword is told once, with the nearest known one") {
     const LoadResult r = load_objects("sphere 0 0 0 1\nMESH 1 2 3\ns 0 0 0 1\nbox1 0 0 0 1 1 1");
     CHECK(messages(r) ==
-          Messages{"a.p3f:2:1: warning: unknown keyword 'sphere' (8 more words skipped)",
-                   "a.p3f:5:1: warning: unknown keyword 'box1' (6 more words skipped); did you "
+          Messages{"a.p3f:2:1: warning: unknown keyword 'sphere' (words skipped: 9)",
+                   "a.p3f:5:1: warning: unknown keyword 'box1' (words skipped: 7); did you "
                    "mean 'box'?"});
     CHECK(r.scene->primitives.size() == 1);
 }
@@ -31,8 +31,8 @@ TEST_CASE("stray numbers after a statement are one warning") {
     const LoadResult r = load_statements("light punctual 5 10 1 1 1 1 0 0 0 0 0.5 16\n#x\n" +
                                          good_material + "s 0 0 0 1");
     CHECK(messages(r) ==
-          Messages{"a.p3f:1:29: warning: expected a keyword after 'light', found '0' (5 more "
-                   "words skipped)"});
+          Messages{"a.p3f:1:29: warning: expected a keyword after 'light', found '0' (words "
+                   "skipped: 6)"});
     CHECK(r.scene->lights.size() == 1);
     CHECK(r.scene->materials.size() == 1);
     CHECK(r.scene->primitives.size() == 1);
@@ -40,7 +40,7 @@ TEST_CASE("stray numbers after a statement are one warning") {
 
 TEST_CASE("numbers at the start of a file are one warning") {
     CHECK(messages(load_p3f_text("1 2 3\n" + good_camera)) ==
-          Messages{"a.p3f:1:1: warning: expected a keyword, found '1' (2 more words skipped)"});
+          Messages{"a.p3f:1:1: warning: expected a keyword, found '1' (words skipped: 3)"});
 }
 
 TEST_CASE("a run of garbage after an error is no further warning") {

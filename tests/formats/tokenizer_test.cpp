@@ -69,7 +69,8 @@ TEST_CASE("the offset is that of the next word") {
 }
 
 TEST_CASE("what sets out to be a number is told from other words") {
-    for (const char* text : {"1", "-1", "+.5", ".5", "1x"}) CHECK(Tokenizer(text).at_number());
+    for (const char* text : {"1", "-1", "0", "9", "+.5", ".5", "1x"})
+        CHECK(Tokenizer(text).at_number());
     for (const char* text : {"", "s", "-", ".", "-x", "nan", "e5"})
         CHECK_FALSE(Tokenizer(text).at_number());
 }

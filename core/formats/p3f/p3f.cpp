@@ -14,7 +14,7 @@ void complain(Loader& loader, std::string_view before) {
     const bool number = in.tokens().at_number();
     const std::string_view word = in.begin();
     const std::size_t more = p3f::skip_to_keyword(in);
-    const std::string end = more == 0 ? "" : fmt::format(" ({} more words skipped)", more);
+    const std::string end = more == 0 ? "" : fmt::format(" (words skipped: {})", more + 1);
     if (number && !before.empty()) {
         in.warn("stray", "expected a keyword after '{}', found {}{}", before, in_quotes(word), end);
     } else if (number) {
