@@ -37,7 +37,8 @@ class Intersector {
     virtual std::string isa() const { return "baseline"; }
 
   protected:
-    /// Offers `nearest` every bounded primitive that could be nearer than, or as near as, nearest.t.
+    /// Offers `nearest` every bounded primitive that could be nearer than, or as near as,
+    /// nearest.t.
     virtual void closest_bounded(const RayQuery& query, const FrameRay& local,
                                  NearestHit& nearest) const = 0;
 
@@ -60,6 +61,8 @@ struct Backend {
     std::string_view name;
     std::string_view summary;
     bool exact;  ///< hits are decided by the kernels, so bit-identical to every other exact backend
+    /// Never null. Throws std::bad_alloc, and std::runtime_error with the reason where a library
+    /// that the backend stands on cannot work on this machine.
     std::unique_ptr<Intersector> (*build)(const Scene& scene);
 };
 

@@ -58,7 +58,9 @@ TEST_CASE("Kernels: given a shape with a number that is none, then nothing hits 
     }
 }
 
-TEST_CASE("Kernels: given a ray with a number that is none, then it hits nothing") {
+TEST_CASE(
+    "Kernels: given a ray with a number that is none, then t is none or finite all the same") {
+    // Intersector lets no such ray through: a kernel need only survive it.
     for (const ShapeCase& shape : shape_cases()) {
         Random random(8);
         for (int i = 0; i < 200; ++i) {
@@ -68,7 +70,8 @@ TEST_CASE("Kernels: given a ray with a number that is none, then it hits nothing
                     Ray bad = ray;
                     (k < 3 ? bad.origin : bad.direction)[k % 3] = hostile;
                     CAPTURE(shape.name, i, k, hostile);
-                    REQUIRE_FALSE(is_hit(shape.scene, bad));
+                    REQUIRE(std::abs(primitive_first_hit(shape.scene, 0, RayQuery(bad))) !=
+                            infinity);
                 }
             }
             CAPTURE(shape.name, i);

@@ -4,7 +4,8 @@
 //       Contains every point that can be hit. Infinite for an unbounded shape, empty for a
 //       degenerate one (zero extent, not finite), which is then never hit.
 //   double first_hit(scene, shape, sides, query)
-//       The smallest t > query.ray.tmin at which a visible side of the shape is met, or no_hit.
+//       The smallest finite t > query.ray.tmin at which a visible side of the shape is met, or
+//       no_hit. The ray is finite and its direction not zero: Intersector sees to that.
 //       A point so found is never outside the shape's bounds by more than a few roundings.
 //   SurfacePoint surface(scene, shape, query, t)
 //       The point at a t that first_hit returned (or, from another source, close to it).
