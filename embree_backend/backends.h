@@ -6,8 +6,7 @@
 
 namespace etalon {
 
-/// embree, embree-builtin. Where Embree cannot be used, building throws std::runtime_error with the
-/// reason.
+/// embree, embree-builtin.
 std::span<const Backend> embree_backends();
 
 }  // namespace etalon

@@ -3,7 +3,6 @@
 
 #include <cfloat>
 
-#include "core/intersect/kernels.h"
 #include "core/parallel/parallel.h"
 #include "embree_backend/backends.h"
 #include "tests/backends/contenders.h"

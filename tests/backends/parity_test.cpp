@@ -1,6 +1,5 @@
 // Given the same ray, every exact backend finds the same primitive at the same t, to the last bit,
 // and says that a ray is occluded exactly when it finds something.
-#include "core/intersect/kernels.h"
 #include "tests/backends/contenders.h"
 #include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
