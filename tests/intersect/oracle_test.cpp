@@ -1,0 +1,135 @@
+#include "core/intersect/oracle/oracle.h"
+
+#include "core/intersect/oracle/tracked.h"
+#include "tests/catch.h"
+#include "tests/intersect/aimed_rays.h"
+
+using namespace etalon;
+
+namespace {
+
+bool is_close(Quad a, Quad b) {
+    return magnitude(a - b) <= magnitude(b) * Quad(0x1p-108);
+}
+
+/// Shapes of every kind, strewn about.
+Scene mixed_scene(int copies) {
+    Scene scene;
+    Random random(20);
+    for (int i = 0; i < copies; ++i) {
+        const Vec3 p = 20.0 * random.in_cube();
+        scene.add(Sphere{p, random.uniform()}, 0);
+        scene.add(Cone{p, p + random.in_cube(), random.uniform(), random.uniform()}, 0,
+                  Sides::back);
+        scene.add(Box{p, p + Vec3(0.5, 0.1, 1)}, 0, Sides::front);
+        const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+        for (const Vec3& v : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}) {
+            scene.vertices.push_back(p + v);
+        }
+        scene.add(Triangle{{first, first + 1, first + 3}}, 0);
+        scene.add(Polygon{first, 4}, 0);
+    }
+    scene.add(Plane{{0, 0, -15}, {0, 0.1, 1}}, 0);
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("Tracked: given exact operations, then there is no error") {
+    const Tracked a = 0.1, b = 0.7;
+    REQUIRE((a * b).error == 0);
+    REQUIRE((a - b).error == 0);
+    REQUIRE(is_zero(a * b - b * a) == Truth::yes);
+    REQUIRE(is_zero(a * b * a * b - a * a * b * b) != Truth::no);
+    REQUIRE((a / b).error > 0);
+    REQUIRE(is_zero(a / b - a / b) == Truth::unknown);
+    REQUIRE(is_positive(Tracked(1.0) / (a - a)) == Truth::unknown);
+}
+
+TEST_CASE("square_root: given any quad, then it is right to the last bits") {
+    for (const double x : {2.0, 0.1, 1e300, 1e-300, 7e22}) {
+        for (const Quad y : {Quad(x), Quad(x) * Quad(x) * Quad(x), Quad(x) / 3}) {
+            const Quad root = square_root(y);
+            REQUIRE(is_close(root * root, y));
+        }
+    }
+}
+
+TEST_CASE("Oracle: given simple scenes, then the answers are known") {
+    Scene scene;
+    scene.add(Sphere{{0, 0, 0}, 1}, 0);
+    const Oracle oracle(scene);
+    const OracleAnswer ahead = oracle.closest({{0, 0, -3}, {0, 0, 2}});
+    REQUIRE(ahead.kind == OracleAnswer::hit);
+    REQUIRE(ahead.t == 1);
+    REQUIRE(ahead.relative_error(1 + 0x1p-52) == 0x1p-52);
+    REQUIRE(oracle.closest({{0, 0, 0}, {0, 0, 2}}).t == 0.5);
+    REQUIRE(oracle.closest({{0, 0, 3}, {0, 0, 2}}).kind == OracleAnswer::miss);
+    REQUIRE(oracle.closest({{0, 0, -3}, {0, 0, 1}, 0, 1.9}).kind == OracleAnswer::miss);
+    REQUIRE(oracle.closest({{0, 0, -3}, {0, 0, 1}, 2.1, 9}).t == 4);
+    REQUIRE(oracle.closest({{0, 0, -3}, {0, 0, 0}}).kind == OracleAnswer::miss);
+    REQUIRE(oracle.closest({{0, 0, -3}, {0, 0, nan_value}}).kind == OracleAnswer::miss);
+}
+
+TEST_CASE(
+    "Oracle: given a tangent, then it is decided where the numbers are exact, and only there") {
+    Scene scene;
+    scene.add(Sphere{{0, 0, 0}, 1}, 0);
+    const Oracle oracle(scene);
+    REQUIRE(oracle.closest({{1, 0, -3}, {0, 0, 1}}).t == 3);
+    REQUIRE(oracle.closest({{1 + 0x1p-52, 0, -3}, {0, 0, 1}}).kind == OracleAnswer::miss);
+    REQUIRE(oracle.closest({{1 - 0x1p-53, 0, -3}, {0, 0, 1}}).kind == OracleAnswer::hit);
+}
+
+TEST_CASE("Oracle: given equal distances, then all are named and the lowest number wins") {
+    Scene scene;
+    scene.add(Sphere{{0, 0, 9}, 1}, 0);
+    scene.add(Plane{{0, 0, 1}, {0, 0, 1}}, 0);
+    scene.add(Box{{-1, -1, 1}, {1, 1, 2}}, 0);
+    scene.add(Sphere{{0, 0, 2}, 1}, 0);
+    const OracleAnswer answer = Oracle(scene).closest({{0, 0, 0}, {0, 0, 1}});
+    REQUIRE(answer.kind == OracleAnswer::hit);
+    REQUIRE(answer.primitive == 1);
+    REQUIRE(answer.tied == std::vector<std::uint32_t>{1, 2, 3});
+}
+
+TEST_CASE("Oracle: given many shapes, then the nearest of all single answers is the scene's") {
+    const Scene scene = mixed_scene(20);
+    const Oracle all(scene);
+    Random random(21);
+    int hits = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Ray ray{25.0 * random.in_cube(), random.direction()};
+        const OracleAnswer answer = all.closest(ray);
+        if (answer.kind == OracleAnswer::undecidable) continue;
+        double nearest = infinity;
+        for (const Primitive& p : scene.primitives) {
+            Scene single = scene;
+            single.primitives = {p};
+            const OracleAnswer one = Oracle(single).closest(ray);
+            if (one.kind == OracleAnswer::hit) nearest = std::min(nearest, one.t);
+        }
+        hits += answer.kind == OracleAnswer::hit;
+        CAPTURE(i);
+        REQUIRE((answer.kind == OracleAnswer::hit ? answer.t : infinity) == nearest);
+    }
+    REQUIRE(hits > 50);
+}
+
+TEST_CASE("Oracle: given one shape alone or far from everything, then its box hides nothing") {
+    // The prefilter is the one thing the oracle shares with the kernels: their bounds.
+    for (const ShapeCase& shape : shape_cases()) {
+        const Oracle near(shape.scene);
+        Scene crowded = shape.scene;
+        crowded.add(Sphere{{1e9, 1e9, 1e9}, 1}, 0);  // a coarser margin, so more candidates
+        const Oracle far(crowded);
+        Random random(22);
+        for (int i = 0; i < 200; ++i) {
+            const Ray ray = aimed_ray(shape, i, random).ray;
+            const OracleAnswer a = near.closest(ray), b = far.closest(ray);
+            CAPTURE(shape.name, i);
+            REQUIRE(a.kind == b.kind);
+            REQUIRE(a.t == b.t);
+        }
+    }
+}
