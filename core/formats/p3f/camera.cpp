@@ -55,17 +55,8 @@ constexpr auto line_names = [] {
     return result;
 }();
 
-/// Where each line was found; whole_file where it was not.
-struct Places {
-    Places() { offsets.fill(DiagnosticLog::whole_file); }
-    bool has(std::size_t line) const { return offsets[line] != DiagnosticLog::whole_file; }
-    std::size_t first_missing() const {
-        std::size_t k = 0;
-        while (k < lines.size() && has(k)) ++k;
-        return k;
-    }
-    std::array<std::size_t, lines.size()> offsets;
-};
+/// Which lines the block has had so far.
+using Given = std::array<bool, lines.size()>;
 
 std::size_t find_line(std::string_view word) {
     const auto named = [&](const Line& l) { return l.name == word || l.old_name == word; };
@@ -88,13 +79,12 @@ int numbers_ahead(Tokenizer tokens) {
 
 /// Which line the word just read opens. The course's programs take any word for the one that is
 /// due; so does this, if the right number of numbers follows.
-std::size_t line_of(Reader& in, std::string_view word, std::size_t offset, const Places& places) {
+std::size_t line_of(Reader& in, std::string_view word, std::size_t offset, const Given& given) {
     if (const std::size_t k = find_line(word); k != no_line) {
-        if (places.has(k))
-            in.warn_at(offset, "camera", "a second '{}'; it replaces the first", word);
+        if (given[k]) in.warn_at(offset, "camera", "a second '{}'; it replaces the first", word);
         return k;
     }
-    const std::size_t due = places.first_missing();
+    const auto due = static_cast<std::size_t>(std::ranges::find(given, false) - given.begin());
     const bool word_is_number = Tokenizer(word).at_number();
     if (!word_is_number && due != no_line && numbers_ahead(in.tokens()) == lines[due].numbers) {
         in.warn_at(offset, "camera", "expected '{}', found {}; read as '{}'", lines[due].name,
@@ -106,31 +96,31 @@ std::size_t line_of(Reader& in, std::string_view word, std::size_t offset, const
     return no_line;
 }
 
-void read_line(Reader& in, Block& block, Places& places) {
+void read_line(Reader& in, Block& block, Given& given) {
     const std::size_t offset = in.tokens().offset();
-    const std::size_t k = line_of(in, in.tokens().next(), offset, places);
+    const std::size_t k = line_of(in, in.tokens().next(), offset, given);
     if (k != no_line) lines[k].read(in, block);
     if (k != no_line && in.ok()) {
-        places.offsets[k] = offset;
+        given[k] = true;
     } else {
         skip_to_line(in);
     }
     in.recover();
 }
 
-std::string missing_lines(const Places& places) {
+std::string missing_lines(const Given& given) {
     std::vector<std::string_view> missing;
     for (std::size_t k = 0; k < lines.size(); ++k) {
-        if (lines[k].needed && !places.has(k)) missing.push_back(lines[k].name);
+        if (lines[k].needed && !given[k]) missing.push_back(lines[k].name);
     }
     return fmt::format("{}", fmt::join(missing, ", "));
 }
 
 /// Why nothing can be seen with this camera, or an empty string.
-std::string obstacle(const Block& b, const Places& places) {
+std::string obstacle(const Block& b, const Given& given) {
     const Vec3 view = to_unit_magnitude(b.camera.eye - b.camera.at);
     const double angle = b.camera.fov_degrees;
-    if (const std::string missing = missing_lines(places); !missing.empty()) {
+    if (const std::string missing = missing_lines(given); !missing.empty()) {
         return fmt::format("the camera has no {}", missing);
     }
     if (std::min(b.width, b.height) < 1 || std::max(b.width, b.height) > largest_side) {
@@ -167,9 +157,9 @@ void leave_out(Loader& loader, std::string why) {
 void read_camera(Loader& loader) {
     Reader& in = loader.in;
     Block block;
-    Places places;
-    while (!block_ends(in)) read_line(in, block, places);
-    if (std::string why = obstacle(block, places); !why.empty()) {
+    Given given{};
+    while (!block_ends(in)) read_line(in, block, given);
+    if (std::string why = obstacle(block, given); !why.empty()) {
         return leave_out(loader, std::move(why));
     }
     if (loader.has_camera) in.warn("camera", "a second camera; it replaces the first");

@@ -59,7 +59,6 @@ void apply_legacy(Scene& scene) {
     scene.whitted.fixed_bias = 1e-3;
     scene.whitted.schlick = true;
     scene.whitted.clamp_each_ray = true;
-    scene.whitted.fixed_bias = 1e-3;
     if (scene.environment.skybox) scene.environment.skybox->nearest = true;
     if (scene.lights.empty()) return;
     const float share = 1 / (1.25F * static_cast<float>(scene.lights.size()));
