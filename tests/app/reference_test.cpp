@@ -1,0 +1,56 @@
+// Every feature scene against a small stored picture. A deliberate change of what is seen is taken
+// over by running this test with ETALON_UPDATE_REFERENCES=1, and looked at in the commit.
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "core/image/io.h"
+#include "tests/app/program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path scenes = fs::path(ETALON_SOURCE_DIR) / "scenes" / "features";
+const fs::path references = fs::path(ETALON_SOURCE_DIR) / "tests" / "references";
+
+/// Pixels that differ by more than 1e-4 in a channel. Another libm may round a camera ray or a
+/// highlight differently, which moves the last digits everywhere and an edge hardly anywhere.
+int different_pixels(const std::vector<float>& a, const std::vector<float>& b) {
+    int count = 0;
+    for (std::size_t i = 0; i + 2 < a.size(); i += 3) {
+        const auto differs = [&](std::size_t k) { return !(std::abs(a[k] - b[k]) <= 1e-4F); };
+        if (differs(i) || differs(i + 1) || differs(i + 2)) ++count;
+    }
+    return count;
+}
+
+std::vector<float> pixels(const std::string& path) {
+    const auto image = etalon::read_image(path);
+    REQUIRE(image.error == "");
+    return std::get<std::vector<float>>(image.value.pixels);
+}
+
+}  // namespace
+
+TEST_CASE("Every feature scene looks as its stored reference", "[app]") {
+    const Folder f;
+    const bool update = std::getenv("ETALON_UPDATE_REFERENCES") != nullptr;
+    for (const auto& entry : fs::directory_iterator(scenes)) {
+        if (entry.path().extension() != ".p3f") continue;
+        const std::string name = entry.path().stem().string();
+        INFO(name);
+        REQUIRE(f.etalon("render '" + entry.path().string() +
+                         "' --resolution 60x40 --spp 2 -q -o now.exr")
+                    .status == 0);
+        const fs::path reference = references / (name + ".exr");
+        if (update) fs::copy(f.path("now.exr"), reference, fs::copy_options::overwrite_existing);
+        REQUIRE(fs::exists(reference));
+        const auto expected = pixels(reference.string());
+        const auto now = pixels(f.path("now.exr"));
+        REQUIRE(now.size() == expected.size());
+        CHECK(different_pixels(now, expected) <= 4);
+    }
+}
