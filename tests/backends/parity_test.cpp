@@ -73,7 +73,7 @@ TEST_CASE("Given a handful of primitives, exact backends agree to the last bit",
 }
 
 TEST_CASE("Given large scenes, exact backends agree to the last bit", "[backends][long]") {
-    for (const SceneFamily& family : scene_families()) require_parity(family, 10000, 10000);
+    for (const SceneFamily& family : scene_families()) require_parity(family, 4000, 6000);
 }
 
 TEST_CASE("Given many rays, exact backends agree to the last bit", "[backends][long]") {
