@@ -150,7 +150,7 @@ int run(const Arguments& a) {
         result[name].update(kinds);
         agreed = agreed && (!backend->exact || total.clean());
     }
-    if (!a.json.empty() && !write_text(a.json, result.dump(2) + "\n")) return exit_not_written;
+    if (!a.json.empty() && !write_json(a.json, result)) return exit_not_written;
     return agreed ? exit_done : exit_differs;
 }
 

@@ -116,16 +116,13 @@ std::string as_text(const Json& j) {
 int run(const Arguments& a) {
     const LoadedScene loaded = load(a.scene);
     if (!loaded.scene) {
-        if (a.json) {
-            write_text(
-                "-", Json{{"scene", a.scene.path}, {"diagnostics", diagnostics(loaded.diagnostics)}}
-                             .dump(2) +
-                         "\n");
-        }
+        const Json j{{"scene", a.scene.path}, {"diagnostics", diagnostics(loaded.diagnostics)}};
+        if (a.json) write_json("-", j);
         return loaded.status;
     }
     const Json j = describe(a, *loaded.scene, loaded.diagnostics);
-    return write_text("-", a.json ? j.dump(2) + "\n" : as_text(j)) ? exit_done : exit_not_written;
+    const bool written = a.json ? write_json("-", j) : write_text("-", as_text(j));
+    return written ? exit_done : exit_not_written;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "core/image/atomic_file.h"
 
@@ -25,6 +26,11 @@ bool write_text(const std::string& path, const std::string& text) {
     const std::string error = write_file_atomically(path, text);
     if (!error.empty()) fmt::print(stderr, "etalon: error: {}\n", error);
     return error.empty();
+}
+
+bool write_json(const std::string& path, const nlohmann::ordered_json& json) {
+    constexpr auto lenient = nlohmann::ordered_json::error_handler_t::replace;
+    return write_text(path, json.dump(2, ' ', false, lenient) + "\n");
 }
 
 }  // namespace etalon

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace etalon {
@@ -11,5 +12,8 @@ std::string obstacle_to_writing(const std::string& path);
 /// Writes text to a file, whole or not at all, or to standard output for "-". False, and a message
 /// on standard error, if it could not.
 bool write_text(const std::string& path, const std::string& text);
+
+/// The same for JSON, indented. Names of files that are not UTF-8 lose what is not.
+bool write_json(const std::string& path, const nlohmann::ordered_json& json);
 
 }  // namespace etalon

@@ -199,7 +199,7 @@ class Render {
         }
         stats_.write = watch_.lap();
         if (!a_.stats.empty()) {
-            written = write_text(a_.stats, to_json(stats_).dump(2) + "\n") && written;
+            written = write_json(a_.stats, to_json(stats_)) && written;
         }
         if (!a_.quiet && written) summarise(rendering);
         return written;

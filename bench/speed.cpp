@@ -152,7 +152,7 @@ int run(const Arguments& a) {
         results.push_back(measure_scene(a, name, *scene));
     }
     const Json all = {{"version", ETALON_VERSION}, {"repeats", a.repeats}, {"scenes", results}};
-    if (!a.json.empty() && !write_text(a.json, all.dump(2) + "\n")) return exit_not_written;
+    if (!a.json.empty() && !write_json(a.json, all)) return exit_not_written;
     return exit_done;
 }
 
