@@ -74,7 +74,7 @@ TEST_CASE(
 }
 
 TEST_CASE("spawn_origin: given very many hits, then none is met again", "[long]") {
-    require_no_self_hits(200000);
+    require_no_self_hits(80000);
 }
 
 TEST_CASE("spawn_origin: given shapes of unit size at the origin, then the shift is small") {

@@ -91,5 +91,5 @@ TEST_CASE("Closed meshes: given rays from inside at corners and edges, then none
 }
 
 TEST_CASE("Closed meshes: given very many rays from inside, then none gets out", "[long]") {
-    require_no_leaks(100000);
+    require_no_leaks(60000);
 }

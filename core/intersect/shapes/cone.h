@@ -51,12 +51,13 @@ struct ConeLine {
         r1 = slope * rise;
     }
 
-    /// The t, between the planes of the ends, where distance^2 + radius^2 is least: near the axis,
-    /// and near the apex, as far as the line goes there. From a point so close nothing cancels.
+    /// The t where distance^2 + radius^2 is least: near the axis, and near the apex, as far as the
+    /// line goes there. From a point so close nothing cancels. Where that is further beyond an end
+    /// than the cone is long, the t at that end.
     double middle() const {
         const double t = -(F.dot(G) + r0 * r1) / (G.dot(G) + r1 * r1);
         const double z = start + t * rise;
-        if (z >= 0 && z <= height) return t;
+        if (z >= -height && z <= 2 * height) return t;
         return ((z > height ? height : 0) - start) / rise;
     }
 
