@@ -11,7 +11,9 @@ constexpr double largest_speed = 0x1p900;
 
 }  // namespace
 
-float FrameRay::tmin(double t) const { return float_down((t - shift) * scale); }
+float FrameRay::tmin(double t) const {
+    return float_down((t - shift) * scale);
+}
 float FrameRay::tmax(double t) const {
     return std::min(float_up((t - shift) * scale), std::numeric_limits<float>::max());
 }

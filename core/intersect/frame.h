@@ -1,6 +1,6 @@
-// The frame in which accelerators work: the bounded part of the scene moved to the origin and scaled
-// by a power of two into [-1, 1]^3, so that float boxes are as good far from the origin, and for
-// scenes of any size, as they are for the unit box.
+// The frame in which accelerators work: the bounded part of the scene moved to the origin and
+// scaled by a power of two into [-1, 1]^3, so that float boxes are as good far from the origin, and
+// for scenes of any size, as they are for the unit box.
 #pragma once
 
 #include <optional>

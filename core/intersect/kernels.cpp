@@ -6,8 +6,7 @@ namespace etalon {
 
 Box3 primitive_bounds(const Scene& scene, std::uint32_t primitive) {
     const Primitive& p = scene.primitives[primitive];
-    return with_shape(
-        p.kind, [&]<class Shape>() { return bounds(scene, scene.get<Shape>(p)); });
+    return with_shape(p.kind, [&]<class Shape>() { return bounds(scene, scene.get<Shape>(p)); });
 }
 
 double primitive_first_hit(const Scene& scene, std::uint32_t primitive, const RayQuery& query) {

@@ -1,5 +1,5 @@
-// A primitive's kernels, whatever its kind. They are compiled once, in kernels.cpp, so every backend
-// runs the same instructions and gets the same bits.
+// A primitive's kernels, whatever its kind. They are compiled once, in kernels.cpp, so every
+// backend runs the same instructions and gets the same bits.
 #pragma once
 
 #include "core/intersect/ray.h"
