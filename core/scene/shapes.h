@@ -4,7 +4,7 @@
 //   1. its struct here, and its name at the end of ShapeArrays;
 //   2. its kernel, core/intersect/shapes/<shape>.{h,cpp}, listed in core/intersect/shapes/all.h
 //      (the compiler asks for what is missing);
-//   3. its rows in tests/intersect/shape_cases.h, from which every kernel test is generated.
+//   3. its rows in tests/intersect/shape_cases.cpp, from which every kernel test is generated.
 #pragma once
 
 #include <array>
