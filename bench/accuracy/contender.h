@@ -1,0 +1,69 @@
+// Who answers the rays of a hard case: a backend, a kernel by itself, or a textbook's kernel.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/intersect/intersector.h"
+
+namespace etalon::accuracy {
+
+/// A ray as a kernel in float takes it.
+struct FloatRay {
+    explicit FloatRay(const Ray& r)
+        : origin(r.origin),
+          direction(r.direction),
+          tmin(static_cast<float>(r.tmin)),
+          tmax(static_cast<float>(r.tmax)) {}
+
+    Vec3f origin, direction;
+    float tmin, tmax;
+};
+
+/// Rays in every form that a contender may want, so that converting them costs none of them time.
+struct RayBlock {
+    explicit RayBlock(std::vector<Ray> list);
+
+    std::vector<Ray> rays;
+    std::vector<RayQuery> queries;
+    std::vector<FloatRay> floats;
+};
+
+/// What a contender says of a ray; a miss has no primitive.
+using Answer = Hit;
+inline constexpr Answer missed{0, no_index};
+
+class Contender {
+  public:
+    explicit Contender(std::string name) : name_(std::move(name)) {}
+    virtual ~Contender() = default;
+    Contender(const Contender&) = delete;
+    Contender& operator=(const Contender&) = delete;
+
+    const std::string& name() const { return name_; }
+
+    /// Answers all rays of the block; this is what is timed. Thread-safe.
+    virtual void closest(const RayBlock& block, std::span<Answer> answers) const = 0;
+
+    /// Whether each ray hits anything; by default, whether closest() finds something.
+    virtual void occluded(const RayBlock& block, std::span<char> answers) const;
+
+  private:
+    std::string name_;
+};
+
+/// A backend over a scene, which must outlive it.
+std::unique_ptr<Contender> backend_contender(const Backend& backend, const Scene& scene);
+
+/// The project's kernel of the scene's only primitive, called in a loop and nothing around it;
+/// nothing if the scene is not one primitive.
+std::unique_ptr<Contender> kernel_contender(const Scene& scene);
+
+/// What textbooks and other renderers do, for the scene's only primitive: first the plain kernel in
+/// float, which the cost of all others is relative to, then others. Named like "float textbook".
+/// Empty if the scene is not one primitive.
+std::vector<std::unique_ptr<Contender>> textbook_contenders(const Scene& scene);
+
+}  // namespace etalon::accuracy

@@ -1,0 +1,45 @@
+// The catalogue of hard cases: constructions on which ray tracers go wrong, by the million.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/hard_cases/random.h"
+#include "core/intersect/ray.h"
+#include "core/scene/scene.h"
+
+namespace etalon::hard {
+
+/// What the answers to a case's rays are held against.
+enum class Judge {
+    oracle,    ///< the oracle's answer to each ray
+    enclosed,  ///< every ray starts inside a closed surface: a miss is a leak
+    spawned    ///< the rays that leave the hits: meeting the same surface again is a self-hit
+};
+
+/// A case made: a scene and the rays to shoot at it.
+struct Setting {
+    Scene scene;
+    double size = 1;  ///< of what is hit, to express errors of positions and roots in
+    /// Thread-safe; all that is random comes from `random`, which is new for every ray.
+    std::function<Ray(Random& random)> ray;
+};
+
+struct HardCase {
+    std::string id;       ///< names the construction, e.g. "SPH-1"
+    std::string variant;  ///< tells the id's rows apart, e.g. "1e3 radii"
+    /// "sphere", "cone", "plane", "box", "triangle", "polygon" where the scene is one primitive,
+    /// which kernels by themselves can then be asked too; else "scene".
+    std::string shape;
+    Judge judge = Judge::oracle;
+    std::function<Setting()> make;
+};
+
+/// All of them, by id.
+std::vector<HardCase> hard_cases();
+
+/// The ray as a renderer in float would be given it: every number rounded to float.
+Ray in_float(Ray ray);
+
+}  // namespace etalon::hard

@@ -1,0 +1,53 @@
+// Random numbers for rays by the million: a generator so small that every ray has its own, so any
+// one of them can be made again from its number alone.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "core/numerics/vec.h"
+
+namespace etalon::hard {
+
+/// SplitMix64 (Steele, Lea & Flood 2014, "Fast Splittable Pseudorandom Number Generators").
+class Random {
+  public:
+    Random(std::uint64_t seed, std::uint64_t number) : state_(seed + number * 0xd1342543de82ef95U) {
+        next();
+    }
+
+    double uniform(double low = 0, double high = 1) {
+        return low + (high - low) * std::ldexp(static_cast<double>(next() >> 11), -53);
+    }
+    std::size_t index(std::size_t count) { return static_cast<std::size_t>(next() % count); }
+    double sign() { return (next() & 1) != 0 ? 1 : -1; }
+
+    /// From 10^low to 10^high, evenly in the exponent.
+    double magnitude(double low, double high) { return std::pow(10.0, uniform(low, high)); }
+
+    Vec3 in_cube() {
+        const double x = uniform(-1, 1), y = uniform(-1, 1), z = uniform(-1, 1);
+        return {x, y, z};
+    }
+
+    /// Of unit length.
+    Vec3 direction() {
+        for (;;) {
+            const Vec3 v = in_cube();
+            const double length2 = v.dot(v);
+            if (length2 > 0.01 && length2 <= 1) return v / std::sqrt(length2);
+        }
+    }
+
+  private:
+    std::uint64_t next() {
+        std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+        return z ^ (z >> 31);
+    }
+
+    std::uint64_t state_;
+};
+
+}  // namespace etalon::hard
