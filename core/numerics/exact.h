@@ -112,6 +112,13 @@ Expansion<2 * N * M> operator*(const Expansion<N>& a, const Expansion<M>& b) {
 /// and b gives exactly the negated value, which is what makes a shared edge watertight.
 double exact_edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b);
 
+/// (a - o) . ((b - o) x (c - o)): six times the signed volume of the tetrahedron. As good as that.
+double exact_volume(const Vec3& o, const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// n . d, and n . (p - o), with the exact sign, and good to a few ulp; slow.
+double exact_dot(const Vec3& n, const Vec3& d);
+double exact_dot(const Vec3& n, const Vec3& p, const Vec3& o);
+
 /// x (a - b) - y (c - e) with the exact sign, and good to a few ulp; slow.
 double exact_shear(double x, double a, double b, double y, double c, double e);
 

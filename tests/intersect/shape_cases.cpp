@@ -19,7 +19,7 @@ double nearly_one(Random& random) {
 }
 
 ShapeCase sphere(const std::string& name, const Sphere& s) {
-    ShapeCase c{name, {}, s.centre, s.radius, false, {}, {}};
+    ShapeCase c{name, {}, s.centre, s.radius, true, {}, {}};
     c.scene.add(s, 0);
     c.targets.push_back({"inside", [s](Random& random, const Vec3&) {
                              return s.centre + random.uniform() * s.radius * random.direction();
@@ -153,7 +153,7 @@ ShapeCase box(const std::string& name, const Box& b) {
 }
 
 ShapeCase plane(const std::string& name, const Plane& p) {
-    ShapeCase c{name, {}, p.point, 1, false, {}, {}};
+    ShapeCase c{name, {}, p.point, 1, true, {}, {}};
     c.scene.add(p, 0);
     c.targets.push_back({"point", [p](Random& random, const Vec3&) {
                              const Vec3 v = random.in_cube();

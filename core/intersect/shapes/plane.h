@@ -3,6 +3,7 @@
 #include "core/intersect/ray.h"
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
+#include "core/numerics/exact.h"
 #include "core/scene/scene.h"
 
 namespace etalon {
@@ -12,10 +13,22 @@ inline Box3 bounds(const Scene&, const Plane& p) {
     return {Vec3(-infinity), Vec3(infinity)};
 }
 
-/// A ray in the plane, or parallel to it, misses.
+/// A ray in the plane, or parallel to it, misses. Either product is exact where its roundings could
+/// spoil its sign, or t by more than 2^-36 of itself; a plane that is certainly behind is not asked
+/// further.
 inline double first_hit(const Scene&, const Plane& p, Sides sides, const RayQuery& q) {
-    const double cosine = p.normal.dot(q.ray.direction);
-    const double t = p.normal.dot(p.point - q.ray.origin) / cosine;
+    constexpr double u = unit_roundoff, good = 0x1p38 * u;
+    const Vec3 &n = p.normal, &d = q.ray.direction, offset = p.point - q.ray.origin;
+    double cosine = n.dot(d), distance = n.dot(offset);
+    const double cosine_scale = abs(n).dot(abs(d)), distance_scale = abs(n).dot(abs(offset));
+    const bool certain = std::abs(cosine) > 4 * u * cosine_scale &&
+                         std::abs(distance) > 5 * u * distance_scale && cosine_scale > 0x1p-900;
+    if (certain && (cosine > 0) != (distance > 0)) return no_hit;
+    if (!certain || std::abs(cosine) < good * cosine_scale) cosine = exact_dot(n, d);
+    if (!certain || std::abs(distance) < good * distance_scale) {
+        distance = exact_dot(n, p.point, q.ray.origin);
+    }
+    const double t = distance / cosine;
     return is_ahead(t, q.ray.tmin) && faces(cosine, sides) ? t : no_hit;
 }
 

@@ -3,6 +3,7 @@
 #include "core/intersect/ray.h"
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
+#include "core/numerics/rounding.h"
 #include "core/scene/scene.h"
 
 namespace etalon {
@@ -12,21 +13,47 @@ inline Box3 bounds(const Scene&, const Sphere& s) {
     return {s.centre - Vec3(s.radius), s.centre + Vec3(s.radius)};
 }
 
-/// The discriminant is taken at the ray's closest approach to the centre, where it does not cancel
-/// with distance, and the roots by the sum of like signs (Haines, Günther & Akenine-Möller 2019,
-/// Ray Tracing Gems ch. 7).
+/// The first visible root of a t^2 - 2 b t + c = 0, for sum = |b| + sqrt(b^2 - a c): as quotients
+/// in which nothing cancels (Press et al. 2007, Numerical Recipes, section 5.6).
+inline double first_root(double a, double b, double c, double sum, Sides sides, double tmin) {
+    if (b >= 0) return first_visible(c / sum, sum / a, sides, tmin);
+    return first_visible(-sum / a, -c / sum, sides, tmin);
+}
+
+/// The same answer as first_hit, from exact arithmetic: hit and miss are right for every ray, and t
+/// to a few ulp. Slow.
+double exact_first_hit(const Sphere& s, Sides sides, const RayQuery& q);
+
+/// The points f + t d at the radius from the centre. The discriminant b^2 - a c is taken as
+/// a r^2 - |f x d|^2 (Lagrange's identity), which does not cancel with distance: the cross product
+/// is how far the line passes from the centre.
+///
+/// Hit and miss are right for every ray, and t to 2^-36 of itself: where the roundings of the fast
+/// path (Higham 2002, ch. 3) could spoil either, as they do at silhouettes and for origins next to
+/// the surface, the exact one takes over.
 inline double first_hit(const Scene&, const Sphere& s, Sides sides, const RayQuery& q) {
+    constexpr double u = unit_roundoff, worst = 0x1p-37;
     const Vec3 f = q.ray.origin - s.centre;
     const Vec3& d = q.ray.direction;
-    const double a = d.dot(d);
-    const double b = -f.dot(d);
-    const Vec3 approach = f + (b / a) * d;
-    const double discriminant = s.radius * s.radius - approach.dot(approach);
-    if (!(discriminant >= 0 && s.radius > 0)) return no_hit;
-    const double c = f.dot(f) - s.radius * s.radius;
-    const double root = std::sqrt(a * discriminant);
-    if (b >= 0) return first_visible(c / (b + root), (b + root) / a, sides, q.ray.tmin);
-    return first_visible((b - root) / a, c / (b - root), sides, q.ray.tmin);
+    const double a = d.dot(d), b = -f.dot(d), f2 = f.dot(f), r2 = s.radius * s.radius;
+    const double c = f2 - r2, doubt_of_c = 8 * u * (f2 + r2);
+    if (c > doubt_of_c && b <= 0) return no_hit;  // outside, and on its way out
+
+    const Vec3 m = f.cross(d);
+    const double m2 = m.dot(m), ar2 = a * r2, largest = std::max(m2, ar2);
+    const double discriminant = ar2 - m2;
+    const double doubt2 = (16 * u) * (16 * u) * largest * (a * f2 + largest);
+    const bool in_range = s.radius > 0 && std::min(a, r2) > 0x1p-900;
+    if (!in_range || !(discriminant * discriminant > doubt2)) return exact_first_hit(s, sides, q);
+    if (discriminant < 0) return no_hit;
+
+    const double sum = std::abs(b) + std::sqrt(discriminant), sum2 = sum * sum;
+    const bool from_c = (b > 0) == (c > 0);  // c / sum is a root ahead
+    const bool good = doubt2 <= worst * worst * discriminant * sum2 &&
+                      (8 * u) * (8 * u) * a * f2 <= worst * worst * sum2 &&
+                      (from_c ? worst : 1) * std::abs(c) >= doubt_of_c;
+    if (!good) return exact_first_hit(s, sides, q);
+    return first_root(a, b, c, sum, sides, q.ray.tmin);
 }
 
 inline SurfacePoint surface(const Scene&, const Sphere& s, const RayQuery& q, double t) {

@@ -30,38 +30,62 @@ inline Box3 bounds(const Scene& scene, const Triangle& t) {
 struct TriangleCrossing {
     std::array<double, 3> weight, depth;
     double sum;
+    double doubt;  ///< bound on the error of a weight; 0 if they are good to a few ulp
+
+    bool is_inside() const {
+        const auto [u, v, w] = weight;
+        return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+    }
 };
 
 /// Edge functions decided in double where their error bound allows it, exactly where not. Where the
-/// triangle is so thin or edge-on that the weights would mean little, they are taken exactly too:
-/// t is then a true mean of the corners' depths and never leaves the triangle's bounds.
+/// triangle is so thin or edge-on that the weights would mean little, they are taken exactly too.
 inline TriangleCrossing cross_triangle(const std::array<Vec3, 3>& p, const RayQuery& q) {
     const ShearedCorner a = shear(p[0], q), b = shear(p[1], q), c = shear(p[2], q);
     TriangleCrossing r{
-        {edge_function(b, c), edge_function(c, a), edge_function(a, b)}, {a.z, b.z, c.z}, 0};
+        {edge_function(b, c), edge_function(c, a), edge_function(a, b)}, {a.z, b.z, c.z}, 0, 0};
     r.sum = r.weight[0] + r.weight[1] + r.weight[2];
     const auto largest = [](double x, double y, double z) {
         return std::max(std::abs(x), std::max(std::abs(y), std::abs(z)));
     };
     const double extent = std::max(largest(a.x, b.x, c.x), largest(a.y, b.y, c.y));
-    const double error = edge_error(extent, largest(a.z, b.z, c.z), q);
+    r.doubt = edge_error(extent, largest(a.z, b.z, c.z), q);
     const auto [u, v, w] = r.weight;
-    const bool surely_outside = std::min({u, v, w}) < -error && std::max({u, v, w}) > error;
+    const bool surely_outside = std::min({u, v, w}) < -r.doubt && std::max({u, v, w}) > r.doubt;
     const double least = std::min({std::abs(u), std::abs(v), std::abs(w)});
-    if (surely_outside || (least > error && std::abs(r.sum) > 0x1p28 * error)) return r;
+    if (surely_outside || (least > r.doubt && std::abs(r.sum) > 0x1p28 * r.doubt)) return r;
     for (int k = 0; k < 3; ++k)
         r.weight[k] = exact_edge_function(p[(k + 1) % 3], p[(k + 2) % 3], q);
     r.sum = r.weight[0] + r.weight[1] + r.weight[2];
+    r.doubt = 0;
     return r;
+}
+
+/// Where the ray passes the plane of three corners, to a few ulp; slow. The ray must pass between
+/// them, and not along the plane.
+double exact_distance(const std::array<Vec3, 3>& p, const RayQuery& q);
+
+/// The mean of the corners' depths. It is good to 2^-36 of itself, or taken exactly, unless it is
+/// certainly behind the ray's start, where a ray that has just left the triangle has it.
+inline double distance_of(const TriangleCrossing& c, const std::array<Vec3, 3>& p,
+                          const RayQuery& q) {
+    const auto [u, v, w] = c.weight;
+    const auto [x, y, z] = c.depth;
+    const double depth = (u * x + v * y + w * z) / c.sum, t = depth / q.dz;
+    const double deepest = std::max({std::abs(x), std::abs(y), std::abs(z)});
+    const double spread = std::max({x, y, z}) - std::min({x, y, z});
+    const double doubt = 4 * c.doubt / std::abs(c.sum) * spread + 8 * unit_roundoff * deepest;
+    const bool good = doubt <= 0x1p-36 * std::abs(depth);
+    if (good || (t < 0 && std::abs(depth) > doubt)) return t;
+    return exact_distance(p, q);
 }
 
 /// An edge belongs to the triangle; a ray in the triangle's plane misses.
 inline double first_hit(const Scene& scene, const Triangle& tri, Sides sides, const RayQuery& q) {
-    const TriangleCrossing c = cross_triangle(corners(scene, tri), q);
-    const auto [u, v, w] = c.weight;
-    const bool inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
-    if (!inside || c.sum == 0 || !faces(c.sum / q.dz, sides)) return no_hit;
-    const double t = (u * c.depth[0] + v * c.depth[1] + w * c.depth[2]) / (c.sum * q.dz);
+    const std::array<Vec3, 3> p = corners(scene, tri);
+    const TriangleCrossing c = cross_triangle(p, q);
+    if (!c.is_inside() || c.sum == 0 || !faces(c.sum / q.dz, sides)) return no_hit;
+    const double t = distance_of(c, p, q);
     return is_ahead(t, q.ray.tmin) ? t : no_hit;
 }
 

@@ -1,0 +1,41 @@
+#include "core/intersect/shapes/sphere.h"
+
+#include "core/numerics/exact.h"
+
+namespace etalon {
+namespace {
+
+using Difference = Expansion<2>;
+
+Expansion<4> product(double x, const Difference& y) {
+    return Expansion<1>(x) * y;
+}
+
+}  // namespace
+
+/// Scaled by powers of two, so that no product leaves the range of double: the sphere by `near`,
+/// the direction by `slow`.
+double exact_first_hit(const Sphere& s, Sides sides, const RayQuery& q) {
+    if (!(s.radius > 0 && s.radius < infinity)) return no_hit;
+    const double size = std::max(max_abs(q.ray.origin - s.centre), s.radius);
+    const double near = power_of_two_reciprocal(size);
+    const double slow = power_of_two_reciprocal(max_abs(q.ray.direction));
+    const Vec3 d = q.ray.direction * slow, o = q.ray.origin * near, centre = s.centre * near;
+    const Expansion<1> r(s.radius * near);
+    const std::array<Difference, 3> f = {Difference(two_difference(o.x, centre.x)),
+                                         Difference(two_difference(o.y, centre.y)),
+                                         Difference(two_difference(o.z, centre.z))};
+    const auto a = Difference(two_product(d.x, d.x)) + Difference(two_product(d.y, d.y)) +
+                   Difference(two_product(d.z, d.z));
+    const auto minus_b = product(d.x, f[0]) + product(d.y, f[1]) + product(d.z, f[2]);
+    const auto c = f[0] * f[0] + f[1] * f[1] + f[2] * f[2] - r * r;
+    const double discriminant = (minus_b * minus_b - a * c).estimate();
+    if (!(discriminant >= 0)) return no_hit;
+    const double b = -minus_b.estimate(), sum = std::abs(b) + std::sqrt(discriminant);
+    const double unit = slow / near;  // of t
+    const double t =
+        unit * first_root(a.estimate(), b, c.estimate(), sum, sides, q.ray.tmin / unit);
+    return is_ahead(t, q.ray.tmin) ? t : no_hit;
+}
+
+}  // namespace etalon
