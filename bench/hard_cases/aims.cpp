@@ -1,0 +1,37 @@
+#include "bench/hard_cases/aims.h"
+
+namespace etalon::hard {
+
+Vec3 rounded(const Vec3& v) {
+    return Vec3(Vec3f(v));
+}
+
+Vec3 tilted(double x, double y, double z) {
+    Vec3 w(17, 11, 7), u, v;
+    w /= std::sqrt(w.dot(w));
+    orthonormal_basis(w, u, v);
+    return x * u + y * v + z * w;
+}
+
+Vec3 across(const Vec3& axis, double angle) {
+    Vec3 u, v;
+    orthonormal_basis(axis, u, v);
+    return std::cos(angle) * u + std::sin(angle) * v;
+}
+
+Vec3 in_disc(const Vec3& axis, Random& random) {
+    const double radius = std::sqrt(random.uniform());
+    return radius * across(axis, random.uniform(0, turn));
+}
+
+Vec3 in_ball(Random& random) {
+    const double radius = random.uniform();
+    return radius * random.direction();
+}
+
+double nearly_one(Random& random) {
+    const double sign = random.sign();
+    return 1 + sign * random.magnitude(-18, -1);
+}
+
+}  // namespace etalon::hard

@@ -1,0 +1,45 @@
+// Where rays are sent from and to, for any shape.
+#pragma once
+
+#include <numbers>
+
+#include "bench/hard_cases/random.h"
+#include "core/intersect/ray.h"
+
+namespace etalon::hard {
+
+inline constexpr double turn = 2 * std::numbers::pi;
+
+/// Every coordinate rounded to float.
+Vec3 rounded(const Vec3& v);
+
+/// A point of floats that is no special one.
+inline Vec3 usual_place() {
+    return rounded({0.3, -0.7, 0.45});
+}
+
+/// Embree's own choice for its watertightness tests; all coordinates are floats.
+inline Vec3 far_place() {
+    return {148376, 1234, -223423};
+}
+
+/// A point given in an odd frame, so that nothing is aligned with the axes by accident.
+Vec3 tilted(double x, double y, double z);
+
+/// Of unit length, at `angle` about the unit vector `axis`.
+Vec3 across(const Vec3& axis, double angle);
+
+/// Uniform in the unit disc that `axis`, of unit length, stands upright on.
+Vec3 in_disc(const Vec3& axis, Random& random);
+
+/// In the unit ball, more of them near its centre.
+Vec3 in_ball(Random& random);
+
+/// A factor that moves a surface in or out of a ray's way, from far below a rounding to visible.
+double nearly_one(Random& random);
+
+inline Ray towards(const Vec3& origin, const Vec3& target) {
+    return {origin, target - origin};
+}
+
+}  // namespace etalon::hard

@@ -1,0 +1,87 @@
+// Closed surfaces seen from inside, and a terrain from above: whatever misses has leaked through.
+#include <memory>
+
+#include "bench/hard_cases/aims.h"
+#include "bench/hard_cases/families.h"
+#include "bench/hard_cases/mesh.h"
+#include "bench/hard_cases/rows.h"
+
+namespace etalon::hard {
+namespace {
+
+struct Ellipsoid {
+    const char* name;
+    Vec3 centre, radius;
+    Faces faces = Faces::triangles;
+};
+
+/// From within half of the radii to a point of any face.
+Setting seen_from_inside(const Ellipsoid& e, Feature feature) {
+    const auto mesh = std::make_shared<const Scene>(uv_sphere(e.centre, e.radius, e.faces));
+    return {*mesh, max_abs(e.radius), [=](Random& random) {
+                const Vec3 origin = e.centre + 0.5 * e.radius * in_ball(random);
+                const auto face = static_cast<std::uint32_t>(random.index(mesh->primitives.size()));
+                return towards(origin, point_of(Outline(*mesh, face), feature, random));
+            }};
+}
+
+/// From 2 to 20 above the target and at most half of that beside it: twice as steep as 1:1, where
+/// the steepest facet has sqrt(2):1. Targets are so far within the outline that origins are too.
+Setting seen_from_above(const Vec3& corner, Feature feature) {
+    const auto ground = std::make_shared<const Scene>(terrain(corner));
+    return {*ground, terrain_cells, [=](Random& random) {
+                const auto column =
+                    static_cast<std::uint32_t>(12 + random.index(terrain_cells - 24));
+                const auto row = static_cast<std::uint32_t>(12 + random.index(terrain_cells - 24));
+                const std::uint32_t half = random.index(2) == 0 ? 0 : 1;
+                const std::uint32_t face = terrain_face(column, row) + half;
+                const Vec3 target = point_of(Outline(*ground, face), feature, random);
+                const double height = random.uniform(2, 20);
+                const Vec3 beside = 0.5 * in_disc({0, 0, 1}, random);
+                return towards(target + height * (beside + Vec3(0, 0, 1)), target);
+            }};
+}
+
+struct Aim {
+    const char* id;
+    const char* name;
+    Feature feature;
+};
+
+constexpr Aim aims[] = {
+    {"TRI-3", "vertices", Feature::vertices},
+    {"TRI-2", "edges", Feature::edges},
+    {"TRI-2", "middles of edges", Feature::middles},
+    {"TRI-2", "points", Feature::points},
+};
+
+}  // namespace
+
+std::vector<HardCase> mesh_cases() {
+    const Ellipsoid near[] = {
+        {"sphere", {0, 0, 0}, Vec3(1)},
+        {"sliver 1:1:1e3", {0, 0, 0}, {1, 1, 1e3}},
+        {"sliver 1e-3:1:1e3", {0, 0, 0}, {1e-3, 1, 1e3}},
+    };
+    const Ellipsoid far{"sphere at 3e5", far_place(), Vec3(2)};
+    const Ellipsoid mixed{"sphere of quads and triangles", {0, 0, 0}, Vec3(1), Faces::mixed};
+    const Vec3 origin(-128, -128, 0), far_corner(1e5, -1e5, 1e5);
+
+    Rows rows("scene");
+    for (const Aim& aim : aims) {
+        const auto add = [&](const char* id, const std::string& mesh, const MakeSetting& make) {
+            rows.add_both(id, mesh + ": " + aim.name, make, Judge::enclosed);
+        };
+        const Feature feature = aim.feature;
+        for (const Ellipsoid& e : near) {
+            add(aim.id, e.name, [=] { return seen_from_inside(e, feature); });
+        }
+        add(aim.id, "terrain", [=] { return seen_from_above(origin, feature); });
+        add("TRI-4", far.name, [=] { return seen_from_inside(far, feature); });
+        add("TRI-4", "terrain at 1e5", [=] { return seen_from_above(far_corner, feature); });
+        add("POL-1", mixed.name, [=] { return seen_from_inside(mixed, feature); });
+    }
+    return rows.take();
+}
+
+}  // namespace etalon::hard

@@ -1,0 +1,47 @@
+// How the catalogue's rows are written down.
+#pragma once
+
+#include "bench/hard_cases/hard_case.h"
+
+namespace etalon::hard {
+
+using MakeRay = std::function<Ray(Random& random)>;
+using MakeSetting = std::function<Setting()>;
+
+/// The rows of one shape. Those of rays in float say so at the end of their variant; their scenes
+/// must be made of floats.
+class Rows {
+  public:
+    explicit Rows(std::string shape) : shape_(std::move(shape)) {}
+
+    void add(const std::string& id, const std::string& variant, const MakeSetting& make,
+             Judge judge = Judge::oracle);
+    void add_in_float(const std::string& id, const std::string& variant, const MakeSetting& make,
+                      Judge judge = Judge::oracle);
+
+    /// A row of rays as they are made and one of them in float.
+    void add_both(const std::string& id, const std::string& variant, const MakeSetting& make,
+                  Judge judge = Judge::oracle);
+
+    std::vector<HardCase> take() { return std::move(list_); }
+
+  private:
+    std::string shape_;
+    std::vector<HardCase> list_;
+};
+
+/// A scene of nothing but `shape`.
+template <class Shape>
+Setting only(const Shape& shape, double size, MakeRay ray) {
+    Setting setting{{}, size, std::move(ray)};
+    setting.scene.add(shape, 0);
+    return setting;
+}
+
+/// "1e3"
+std::string power_of_ten(int exponent);
+
+/// "2^-3"
+std::string power_of_two(int exponent);
+
+}  // namespace etalon::hard

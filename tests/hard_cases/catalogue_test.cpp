@@ -1,0 +1,135 @@
+#include <map>
+#include <set>
+
+#include "bench/hard_cases/hard_case.h"
+#include "core/intersect/intersector.h"
+#include "native_accel/backends.h"
+#include "tests/catch.h"
+
+using namespace etalon;
+using namespace etalon::hard;
+
+namespace {
+
+std::string name_of(const HardCase& c) {
+    return c.id + ", " + c.variant;
+}
+
+Ray ray_number(const Setting& setting, std::uint64_t number) {
+    Random random(1, number);
+    return setting.ray(random);
+}
+
+bool is_finite(const Ray& ray) {
+    return etalon::is_finite(ray.origin) && etalon::is_finite(ray.direction);
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+bool is_in_float(const HardCase& c) {
+    return ends_with(c.variant, ", float");
+}
+
+/// Bitwise, so that a NaN equals itself.
+bool same_bits(const Ray& a, const Ray& b) {
+    return std::memcmp(&a, &b, sizeof(Ray)) == 0;
+}
+
+bool is_float(const Vec3& v) {
+    return v == Vec3(Vec3f(v));
+}
+
+bool is_float(double x) {
+    return x == static_cast<double>(static_cast<float>(x));
+}
+
+bool is_float(const Scene& scene) {
+    const auto all = [](const auto& list, const auto& test) {
+        return std::all_of(list.begin(), list.end(), test);
+    };
+    const auto is_float_point = [](const Vec3& v) { return is_float(v); };
+    return all(scene.vertices, is_float_point) &&
+           all(scene.all<Sphere>(),
+               [](const Sphere& s) { return is_float(s.centre) && is_float(s.radius); }) &&
+           all(scene.all<Box>(), [](const Box& b) { return is_float(b.min) && is_float(b.max); }) &&
+           all(scene.all<Plane>(),
+               [](const Plane& p) { return is_float(p.point) && is_float(p.normal); }) &&
+           all(scene.all<Cone>(), [](const Cone& c) {
+               return is_float(c.base) && is_float(c.top) && is_float(c.base_radius) &&
+                      is_float(c.top_radius);
+           });
+}
+
+/// Of 2000 rays, by a backend fit for the scene's size.
+double hit_share(const Setting& setting) {
+    constexpr int rays = 2000;
+    const auto backends = native_backends();
+    const bool is_small = setting.scene.primitives.size() < 100;
+    const auto backend = std::find_if(backends.begin(), backends.end(), [&](const Backend& b) {
+        return b.name == (is_small ? "none" : "bvh");
+    });
+    const auto intersector = backend->build(setting.scene);
+    int hits = 0;
+    for (int i = 0; i < rays; ++i) hits += intersector->closest(ray_number(setting, i)).has_value();
+    return static_cast<double>(hits) / rays;
+}
+
+/// At least a quarter of a case's rays hit, all of them if there is no way out, and there are
+/// misses where a miss is possible, except where the construction says otherwise.
+struct Share {
+    double low, high;
+};
+
+const std::map<std::string, Share> special_shares = {};
+
+Share wanted_share(const HardCase& c) {
+    if (c.judge == Judge::enclosed) return {1, 1};
+    const auto special = special_shares.find(name_of(c));
+    if (special != special_shares.end()) return special->second;
+    return {0.25, 1};
+}
+
+}  // namespace
+
+TEST_CASE("The catalogue: given all cases, then no two have the same id and variant") {
+    std::set<std::string> names;
+    for (const HardCase& c : hard_cases()) {
+        CAPTURE(name_of(c));
+        REQUIRE(names.insert(name_of(c)).second);
+    }
+    REQUIRE(names.size() > 100);
+}
+
+TEST_CASE("The catalogue: given a case, then its scene and rays are what its names say") {
+    for (const HardCase& c : hard_cases()) {
+        CAPTURE(name_of(c));
+        const Setting setting = c.make();
+        REQUIRE(setting.size > 0);
+        REQUIRE_FALSE(setting.scene.primitives.empty());
+        if (c.shape != "scene") {
+            REQUIRE(setting.scene.primitives.size() == 1);
+            REQUIRE(kind_name(setting.scene.primitives[0].kind) == c.shape);
+        }
+        if (is_in_float(c)) REQUIRE(is_float(setting.scene));
+        for (std::uint64_t i = 0; i < 2000; ++i) {
+            const Ray ray = ray_number(setting, i);
+            CAPTURE(i, ray.origin, ray.direction);
+            REQUIRE(same_bits(ray, ray_number(setting, i)));
+            REQUIRE(is_finite(ray));
+            if (is_in_float(c)) REQUIRE((is_float(ray.origin) && is_float(ray.direction)));
+        }
+    }
+}
+
+TEST_CASE("The catalogue: given a case, then as many of its rays hit as it wants") {
+    for (const HardCase& c : hard_cases()) {
+        CAPTURE(name_of(c));
+        const Setting setting = c.make();
+        const double share = hit_share(setting);
+        const Share wanted = wanted_share(c);
+        CHECK(share >= wanted.low);
+        CHECK(share <= wanted.high);
+    }
+}
