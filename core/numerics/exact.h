@@ -108,8 +108,8 @@ Expansion<2 * N * M> operator*(const Expansion<N>& a, const Expansion<M>& b) {
 }
 
 /// d . (p x q) for p = a - o and q = b - o: six times the signed volume that the direction d and
-/// the edge (a, b) span seen from o. The sign is exact and the value good to a few ulp. Swapping a
-/// and b gives exactly the negated value, which is what makes a shared edge watertight.
+/// the edge (a, b) span seen from o. The sign is exact and the value good to 2^-38. Swapping a and
+/// b gives exactly the negated value, which is what makes a shared edge watertight.
 double exact_edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b);
 
 /// (a - o) . ((b - o) x (c - o)): six times the signed volume of the tetrahedron. As good as that.

@@ -40,7 +40,7 @@ inline double edge_function(const ShearedCorner& a, const ShearedCorner& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// The same with the exact sign, and good to a few ulp; slow.
+/// The same with the exact sign, and good to 2^-38 of itself; slow.
 inline double exact_edge_function(const Vec3& a, const Vec3& b, const RayQuery& q) {
     return q.dz * exact_edge_volume(q.ray.origin, q.ray.direction, a, b);
 }

@@ -30,7 +30,7 @@ inline Box3 bounds(const Scene& scene, const Triangle& t) {
 struct TriangleCrossing {
     std::array<double, 3> weight, depth;
     double sum;
-    double doubt;  ///< bound on the error of a weight; 0 if they are good to a few ulp
+    double doubt;  ///< bound on the error of a weight
 
     bool is_inside() const {
         const auto [u, v, w] = weight;
@@ -52,17 +52,20 @@ inline TriangleCrossing cross_triangle(const std::array<Vec3, 3>& p, const RayQu
     r.doubt = edge_error(extent, largest(a.z, b.z, c.z), q);
     const auto [u, v, w] = r.weight;
     const bool surely_outside = std::min({u, v, w}) < -r.doubt && std::max({u, v, w}) > r.doubt;
-    const double least = std::min({std::abs(u), std::abs(v), std::abs(w)});
-    if (surely_outside || (least > r.doubt && std::abs(r.sum) > 0x1p28 * r.doubt)) return r;
-    for (int k = 0; k < 3; ++k)
+    if (surely_outside) return r;
+    const bool thin = !(std::abs(r.sum) > 0x1p28 * r.doubt);
+    for (int k = 0; k < 3; ++k) {
+        if (!thin && std::abs(r.weight[k]) > r.doubt) continue;
         r.weight[k] = exact_edge_function(p[(k + 1) % 3], p[(k + 2) % 3], q);
+    }
+    if (!thin) return r;
     r.sum = r.weight[0] + r.weight[1] + r.weight[2];
-    r.doubt = 0;
+    r.doubt = 0x1p-38 * largest(r.weight[0], r.weight[1], r.weight[2]);
     return r;
 }
 
-/// Where the ray passes the plane of three corners, to a few ulp; slow. The ray must pass between
-/// them, and not along the plane.
+/// Where the ray passes the plane of three corners, to 2^-36 of itself; slow. The ray must pass
+/// between them, and not along the plane.
 double exact_distance(const std::array<Vec3, 3>& p, const RayQuery& q);
 
 /// The mean of the corners' depths. It is good to 2^-36 of itself, or taken exactly, unless it is
