@@ -1,0 +1,229 @@
+#include "bench/accuracy/measure.h"
+
+#include <algorithm>
+#include <ctime>
+#include <mutex>
+#include <optional>
+
+#include "bench/accuracy/truth.h"
+#include "core/parallel/parallel.h"
+
+namespace etalon::accuracy {
+namespace {
+
+constexpr std::uint64_t block_size = 4096;
+
+double thread_cpu_seconds() {
+    timespec t = {};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Its name is its seed: rows may come and go without changing the rays of others.
+std::uint64_t seed_of(const hard::HardCase& c) {
+    std::uint64_t h = 0xcbf29ce484222325U;  // FNV-1a
+    for (const char letter : c.id + '/' + c.variant) {
+        h = (h ^ static_cast<unsigned char>(letter)) * 0x100000001b3U;
+    }
+    return h;
+}
+
+/// What one entrant has to show after some blocks.
+struct Result {
+    Tally tally;
+    std::vector<double> nanoseconds;  ///< a ray, by block
+
+    Result& operator+=(const Result& other) {
+        tally += other.tally;
+        nanoseconds.insert(nanoseconds.end(), other.nanoseconds.begin(), other.nanoseconds.end());
+        return *this;
+    }
+};
+
+class Measurement {
+  public:
+    Measurement(const hard::HardCase& hard_case, const std::vector<const Backend*>& backends,
+                const Effort& effort)
+        : case_(hard_case),
+          setting_(hard_case.make()),
+          oracle_(setting_.scene),
+          seed_(seed_of(hard_case)),
+          effort_(effort) {
+        for (const Backend* b : backends) {
+            enter(backend_contender(*b, setting_.scene), b->exact, true);
+        }
+        if (!effort.textbooks) return;
+        if (auto kernel = kernel_contender(setting_.scene)) enter(std::move(kernel), true, true);
+        if (case_.judge != hard::Judge::oracle) return;
+        for (auto& textbook : textbook_contenders(setting_.scene)) {
+            enter(std::move(textbook), false, false);
+        }
+    }
+
+    std::vector<Row> run() {
+        results_.resize(entrants_.size());
+        const std::uint64_t blocks = (effort_.rays + block_size - 1) / block_size;
+        parallel_for(blocks, 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t block = begin; block < end; ++block) shoot(block);
+        });
+        return rows();
+    }
+
+  private:
+    void enter(std::unique_ptr<Contender> contender, bool exact, bool refined) {
+        entrants_.push_back({std::move(contender), exact, refined});
+    }
+
+    bool takes_part(const Entrant& entrant, std::uint64_t first_ray) const {
+        const std::uint64_t all = first_ray * setting_.scene.primitives.size();
+        return entrant.contender->name() != "none" || all < effort_.tests;
+    }
+
+    /// One block, whose results are then added to those of all.
+    void shoot(std::uint64_t number) {
+        const std::uint64_t first = number * block_size;
+        const std::uint64_t end = std::min(first + block_size, effort_.rays);
+        std::vector<Ray> rays;
+        for (std::uint64_t i = first; i < end; ++i) {
+            hard::Random random(seed_, i);
+            rays.push_back(setting_.ray(random));
+        }
+        std::vector<Result> results(entrants_.size());
+        if (case_.judge == hard::Judge::spawned) {
+            shoot_spawned(RayBlock(std::move(rays)), first, results);
+        } else {
+            shoot_at(RayBlock(std::move(rays)), first, results);
+        }
+        const std::lock_guard lock(mutex_);
+        for (std::size_t k = 0; k < results.size(); ++k) results_[k] += results[k];
+    }
+
+    /// In turn from the first and from the last: a drift of the machine's speed meets all alike.
+    std::vector<std::vector<Answer>> ask_all(const RayBlock& block, std::uint64_t first,
+                                             std::vector<Result>& results) const {
+        const std::size_t count = entrants_.size();
+        std::vector<std::vector<Answer>> answers(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t k = first / block_size % 2 == 0 ? i : count - 1 - i;
+            if (!takes_part(entrants_[k], first)) continue;
+            answers[k].resize(block.rays.size(), missed);
+            const double start = thread_cpu_seconds();
+            entrants_[k].contender->closest(block, answers[k]);
+            const double seconds = thread_cpu_seconds() - start;
+            const auto rays = static_cast<double>(block.rays.size());
+            results[k].nanoseconds.push_back(1e9 * seconds / rays);
+            count_contradictions(entrants_[k], block, answers[k], results[k].tally);
+        }
+        count_deviations(answers, results);
+        return answers;
+    }
+
+    void count_contradictions(const Entrant& entrant, const RayBlock& block,
+                              const std::vector<Answer>& answers, Tally& tally) const {
+        if (!entrant.refined) return;  // a textbook's kernel has but one answer
+        std::vector<char> occluded(answers.size());
+        entrant.contender->occluded(block, occluded);
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            const bool hit = answers[i].primitive != no_index;
+            tally.contradictions += hit != (occluded[i] != 0);
+        }
+    }
+
+    void count_deviations(const std::vector<std::vector<Answer>>& answers,
+                          std::vector<Result>& results) const {
+        std::optional<std::size_t> first;
+        for (std::size_t k = 0; k < entrants_.size(); ++k) {
+            if (!entrants_[k].exact || answers[k].empty()) continue;
+            if (!first) first = k;
+            for (std::size_t i = 0; i < answers[k].size(); ++i) {
+                const Answer &a = answers[k][i], &b = answers[*first][i];
+                results[k].tally.deviations += a.primitive != b.primitive || a.t != b.t;
+            }
+        }
+    }
+
+    void shoot_at(const RayBlock& block, std::uint64_t first, std::vector<Result>& results) const {
+        const auto answers = ask_all(block, first, results);
+        for (std::size_t i = 0; i < block.rays.size(); ++i) {
+            std::optional<Truth> truth;
+            if (case_.judge == hard::Judge::oracle) truth.emplace(setting_, oracle_, block.rays[i]);
+            for (std::size_t k = 0; k < entrants_.size(); ++k) {
+                if (answers[k].empty()) continue;
+                Tally& tally = results[k].tally;
+                if (truth) {
+                    truth->judge(entrants_[k], answers[k][i], tally);
+                } else {
+                    ++tally.rays;
+                    tally.leaks += answers[k][i].primitive == no_index;
+                }
+            }
+        }
+    }
+
+    /// The hits are those of the first entrant: all that are exact find the same.
+    void shoot_spawned(const RayBlock& block, std::uint64_t first,
+                       std::vector<Result>& results) const {
+        std::vector<Answer> hits(block.rays.size(), missed);
+        entrants_.front().contender->closest(block, hits);
+        std::vector<Spawned> spawned;
+        std::vector<Ray> rays;
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+            hard::Random random(~seed_, first + i);
+            if (const auto s = spawn(setting_, block.rays[i], hits[i], random)) {
+                spawned.push_back(*s);
+                rays.push_back(s->ray);
+            }
+        }
+        if (rays.empty()) return;
+        const auto answers = ask_all(RayBlock(std::move(rays)), first, results);
+        for (std::size_t k = 0; k < entrants_.size(); ++k) {
+            for (std::size_t i = 0; i < answers[k].size(); ++i) {
+                Tally& tally = results[k].tally;
+                ++tally.rays;
+                tally.self_hits += is_self_hit(setting_.scene, spawned[i], answers[k][i]);
+                tally.shift.add(spawned[i].shift);
+            }
+        }
+    }
+
+    std::vector<Row> rows() {
+        constexpr const char* judges[] = {"oracle", "enclosed", "spawned"};
+        std::vector<Row> rows;
+        double unit = 0;  // of cost: the first textbook kernel's
+        for (std::size_t k = 0; k < entrants_.size(); ++k) {
+            const Entrant& e = entrants_[k];
+            const double ns = median(std::move(results_[k].nanoseconds));
+            if (unit == 0 && !e.refined) unit = ns;
+            rows.push_back({case_.id, case_.variant, case_.shape,
+                            judges[static_cast<int>(case_.judge)], e.contender->name(), e.exact,
+                            results_[k].tally, ns, 0});
+        }
+        for (Row& row : rows) row.cost = unit > 0 ? row.nanoseconds / unit : 0;
+        return rows;
+    }
+
+    const hard::HardCase& case_;
+    const hard::Setting setting_;
+    const Oracle oracle_;
+    const std::uint64_t seed_;
+    const Effort effort_;
+    std::vector<Entrant> entrants_;
+    std::mutex mutex_;
+    std::vector<Result> results_;
+};
+
+}  // namespace
+
+std::vector<Row> measure(const hard::HardCase& hard_case,
+                         const std::vector<const Backend*>& backends, const Effort& effort) {
+    return Measurement(hard_case, backends, effort).run();
+}
+
+}  // namespace etalon::accuracy

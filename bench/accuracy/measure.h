@@ -1,0 +1,23 @@
+// Shoots the rays of a hard case at everyone and sums up how they fared.
+#pragma once
+
+#include "bench/accuracy/tally.h"
+#include "bench/hard_cases/hard_case.h"
+#include "core/intersect/intersector.h"
+
+namespace etalon::accuracy {
+
+struct Effort {
+    std::uint64_t rays = 100'000;  ///< for each case
+    /// Where every ray is tested against every primitive, rays are fewer: no more than make this
+    /// many tests.
+    std::uint64_t tests = 4'000'000'000;
+    bool textbooks = true;  ///< kernels of textbooks, and the project's own by themselves, too
+};
+
+/// A row for each backend and, where the scene is one primitive, for its kernels, in the order in
+/// which they are named; on all threads there are.
+std::vector<Row> measure(const hard::HardCase& hard_case,
+                         const std::vector<const Backend*>& backends, const Effort& effort);
+
+}  // namespace etalon::accuracy

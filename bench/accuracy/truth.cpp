@@ -1,0 +1,128 @@
+#include "bench/accuracy/truth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "core/intersect/kernels.h"
+#include "core/numerics/rounding.h"
+
+namespace etalon::accuracy {
+namespace {
+
+constexpr double two_pi = 6.283185307179586;
+constexpr double wrong_root = 1e-2;  ///< of the size
+
+double ulp_of_double(double x) {
+    return std::nextafter(std::abs(x), infinity) - std::abs(x);
+}
+
+/// The spacing of floats at x, as if their exponent had no end.
+double ulp_of_float(double x) {
+    return std::ldexp(1.0, std::ilogb(x) - 23);
+}
+
+/// |t - the true t|
+double difference(const OracleAnswer& truth, double t) {
+    return static_cast<double>(magnitude(Quad(t) - truth.exact_t));
+}
+
+double distance_between(const Vec3& p, const Ray& ray, Quad t) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        const Quad exact = Quad(ray.origin[k]) + t * Quad(ray.direction[k]);
+        const auto off = static_cast<double>(Quad(p[k]) - exact);
+        sum += off * off;
+    }
+    return std::sqrt(sum);
+}
+
+/// What a renderer would go on from.
+Vec3 position(const Scene& scene, const Entrant& entrant, const Ray& ray, const Answer& answer) {
+    if (entrant.refined) return surface_at(scene, ray, answer).position;
+    return ray.origin + answer.t * ray.direction;
+}
+
+/// u (all magnitudes) / cosine: the change of t when origin, direction and shape move by a relative
+/// u each.
+double sensitivity(const hard::Setting& setting, const Ray& ray, const OracleAnswer& truth) {
+    const SurfacePoint p = surface_at(setting.scene, ray, {truth.t, truth.primitive});
+    const double speed = std::abs(p.normal.dot(ray.direction));
+    const double reach = max_abs(ray.origin) + max_abs(p.position) + setting.size +
+                         std::abs(truth.t) * ray.direction.length();
+    return unit_roundoff * reach / speed;
+}
+
+}  // namespace
+
+Truth::Truth(const hard::Setting& setting, const Oracle& oracle, const Ray& ray)
+    : setting_(setting), ray_(ray), answer_(oracle.closest(ray)) {
+    if (answer_.kind == OracleAnswer::hit) sensitivity_ = sensitivity(setting, ray, answer_);
+}
+
+void Truth::judge(const Entrant& entrant, const Answer& answer, Tally& tally) const {
+    ++tally.rays;
+    const bool hit = answer.primitive != no_index;
+    if (answer_.kind == OracleAnswer::undecidable) {
+        ++tally.undecidable;
+    } else if (answer_.kind == OracleAnswer::miss) {
+        tally.false_hits += hit;
+    } else if (!hit) {
+        ++tally.false_misses;
+    } else {
+        tally.wrong_primitives += !is_right_primitive(entrant, answer);
+        judge_distance(entrant, answer, tally);
+    }
+}
+
+void Truth::judge_distance(const Entrant& entrant, const Answer& answer, Tally& tally) const {
+    const double off = difference(answer_, answer.t);
+    if (off * ray_.direction.length() > wrong_root * setting_.size) ++tally.wrong_roots;
+    tally.float_ulps.add(off / ulp_of_float(answer_.t));
+    tally.double_ulps.add(off / ulp_of_double(answer_.t));
+    tally.conditioned.add(off / sensitivity_);
+    const Vec3 p = position(setting_.scene, entrant, ray_, answer);
+    tally.position.add(distance_between(p, ray_, answer_.exact_t) / setting_.size);
+}
+
+bool Truth::is_right_primitive(const Entrant& entrant, const Answer& answer) const {
+    const auto& tied = answer_.tied;
+    if (tied.size() == 1 || !entrant.exact) {
+        return std::binary_search(tied.begin(), tied.end(), answer.primitive);
+    }
+    return answer.primitive == lowest_of_the_nearest();
+}
+
+/// Among primitives too close to tell apart, the one that the rule for ties gives.
+std::uint32_t Truth::lowest_of_the_nearest() const {
+    NearestHit nearest(ray_.tmax);
+    for (const std::uint32_t id : answer_.tied) {
+        nearest.offer(primitive_first_hit(setting_.scene, id, RayQuery(ray_)), id);
+    }
+    return nearest.primitive;
+}
+
+std::optional<Spawned> spawn(const hard::Setting& setting, const Ray& ray, const Answer& answer,
+                             hard::Random& random) {
+    if (answer.primitive == no_index) return std::nullopt;
+    const SurfacePoint p = surface_at(setting.scene, ray, answer);
+    const double side = random.sign();
+    const bool grazing = random.index(2) == 0;
+    const double cosine = grazing ? random.magnitude(-6, 0) : random.uniform(0.01, 1);
+    const double angle = random.uniform(0, two_pi), sine = std::sqrt(1 - cosine * cosine);
+    Vec3 u, v;
+    orthonormal_basis(p.normal, u, v);
+    const Vec3 direction =
+        side * cosine * p.normal + sine * (std::cos(angle) * u + std::sin(angle) * v);
+    const Vec3 origin = spawn_origin(p, direction);
+    const double shift = (origin - p.position).length() / setting.size;
+    return Spawned{{origin, direction}, answer.primitive, side > 0, shift};
+}
+
+bool is_self_hit(const Scene& scene, const Spawned& spawned, const Answer& answer) {
+    if (answer.primitive != spawned.from) return false;
+    if (spawned.outward) return true;
+    return surface_at(scene, spawned.ray, answer).normal.dot(spawned.ray.direction) <= 0;
+}
+
+}  // namespace etalon::accuracy

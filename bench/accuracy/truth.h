@@ -1,0 +1,51 @@
+// How answers are held against what is true.
+#pragma once
+
+#include "bench/accuracy/contender.h"
+#include "bench/accuracy/tally.h"
+#include "bench/hard_cases/hard_case.h"
+#include "core/intersect/oracle/oracle.h"
+
+namespace etalon::accuracy {
+
+/// Who answers, and what that one promises.
+struct Entrant {
+    std::unique_ptr<Contender> contender;
+    bool exact = false;    ///< to be right, to the same bits as every other that promises it
+    bool refined = false;  ///< positions are moved onto the surface, as the renderer does it
+};
+
+/// The oracle's answer to one ray, with what only the comparison needs.
+class Truth {
+  public:
+    Truth(const hard::Setting& setting, const Oracle& oracle, const Ray& ray);
+
+    void judge(const Entrant& entrant, const Answer& answer, Tally& tally) const;
+
+  private:
+    void judge_distance(const Entrant& entrant, const Answer& answer, Tally& tally) const;
+    bool is_right_primitive(const Entrant& entrant, const Answer& answer) const;
+    std::uint32_t lowest_of_the_nearest() const;
+
+    const hard::Setting& setting_;
+    const Ray& ray_;
+    OracleAnswer answer_;
+    double sensitivity_ = 0;  ///< what t moves by when every input moves by one unit roundoff
+};
+
+/// The rays that leave what the given ones hit, in a random direction to either side, half of them
+/// grazing: cosines down to 1e-6. A ray that hits nothing leaves nothing.
+struct Spawned {
+    Ray ray;
+    std::uint32_t from;  ///< primitive
+    bool outward;        ///< to the front
+    double shift;        ///< distance of its origin from the point of the hit, in sizes
+};
+std::optional<Spawned> spawn(const hard::Setting& setting, const Ray& ray, const Answer& answer,
+                             hard::Random& random);
+
+/// No shape meets a ray from its own front or, if it is flat, its back; a closed one meets a ray
+/// from its inside on its way out.
+bool is_self_hit(const Scene& scene, const Spawned& spawned, const Answer& answer);
+
+}  // namespace etalon::accuracy
