@@ -29,6 +29,14 @@ Vec3 in_ball(Random& random) {
     return radius * random.direction();
 }
 
+Vec3 axis_direction(Random& random) {
+    Vec3 d;
+    for (int k = 0; k < 3; ++k) d[k] = random.sign() * 0.0;
+    const auto axis = static_cast<int>(random.index(3));
+    d[axis] = random.sign();
+    return d;
+}
+
 double nearly_one(Random& random) {
     const double sign = random.sign();
     return 1 + sign * random.magnitude(-18, -1);

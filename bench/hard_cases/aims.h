@@ -35,6 +35,9 @@ Vec3 in_disc(const Vec3& axis, Random& random);
 /// In the unit ball, more of them near its centre.
 Vec3 in_ball(Random& random);
 
+/// Along an axis, of unit length, with zeros of either sign.
+Vec3 axis_direction(Random& random);
+
 /// A factor that moves a surface in or out of a ray's way, from far below a rounding to visible.
 double nearly_one(Random& random);
 

@@ -10,9 +10,9 @@ using MakeCases = std::vector<HardCase> (*)();
 
 /// One line for each family; the table of another shape goes here.
 constexpr MakeCases families[] = {
-    sphere_cases,
-    shell_cases,
-    mesh_cases,
+    sphere_cases,        shell_cases, cylinder_cases, cone_cases,           plane_cases,
+    plane_pair_cases,    box_cases,   triangle_cases, triangle_group_cases, polygon_cases,
+    polygon_group_cases, aimed_cases, mesh_cases,
 };
 
 double in_float(double x) {
