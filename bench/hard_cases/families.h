@@ -18,5 +18,10 @@ std::vector<HardCase> polygon_cases();
 std::vector<HardCase> polygon_group_cases();
 std::vector<HardCase> aimed_cases();
 std::vector<HardCase> mesh_cases();
+std::vector<HardCase> world_cases();
+std::vector<HardCase> tree_cases();
+std::vector<HardCase> hostile_cases();
+std::vector<HardCase> grid_cases();
+std::vector<HardCase> range_cases();
 
 }  // namespace etalon::hard

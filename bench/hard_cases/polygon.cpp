@@ -24,8 +24,8 @@ Setting at_lattice(const Corners& corners) {
     return only_face(corners, 4, [](Random& random) {
         const double x = static_cast<double>(random.index(13)) / 2 - 1;
         const double y = static_cast<double>(random.index(13)) / 2 - 1;
-        const Vec3 up(static_cast<double>(random.index(5)) - 2,
-                      static_cast<double>(random.index(5)) - 2, random.sign());
+        const Vec3 up{static_cast<double>(random.index(5)) - 2,
+                      static_cast<double>(random.index(5)) - 2, random.sign()};
         return Ray{Vec3(x, y, 3) + 2.0 * up, -up};
     });
 }

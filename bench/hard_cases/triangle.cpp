@@ -35,7 +35,7 @@ Setting in_level_plane() {
 /// Triangles that nothing can hit, amid the good ones of a square of 16 x 16.
 Setting degenerate_neighbours() {
     Setting setting{{}, 1, [](Random& random) {
-                        Vec3 target(random.uniform(0, 16), random.uniform(0, 16), 0);
+                        Vec3 target{random.uniform(0, 16), random.uniform(0, 16), 0};
                         if (random.index(2) == 0) target.x = std::round(target.x);
                         if (random.index(2) == 0) target.y = std::round(target.y);
                         const double distance = random.magnitude(-1, 3);
@@ -60,8 +60,8 @@ Setting coplanar() {
                         const double x = static_cast<double>(random.index(33)) / 4;
                         const double y = static_cast<double>(random.index(33)) / 4;
                         const Vec3 target(x, y, 4);
-                        const Vec3 up(static_cast<double>(random.index(5)) - 2,
-                                      static_cast<double>(random.index(5)) - 2, random.sign());
+                        const Vec3 up{static_cast<double>(random.index(5)) - 2,
+                                      static_cast<double>(random.index(5)) - 2, random.sign()};
                         return Ray{target + 4.0 * up, -up};
                     }};
     Random random(1, 0);

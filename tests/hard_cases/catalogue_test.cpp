@@ -97,6 +97,7 @@ const std::map<std::string, Share> special_shares = {
     {"TRI-6, level", {0, 0}},
     {"TRI-6, tilted", {0, 1}},
     {"POL-1, within the plane", {0, 0}},
+    {"BVH-4, flat: bouncing", {0.05, 0.5}},  // most leave the plane for good
 };
 
 Share wanted_share(const HardCase& c) {
@@ -132,7 +133,7 @@ TEST_CASE("The catalogue: given a case, then its scene and rays are what its nam
             const Ray ray = ray_number(setting, i);
             CAPTURE(i, ray.origin, ray.direction);
             REQUIRE(same_bits(ray, ray_number(setting, i)));
-            REQUIRE(is_finite(ray));
+            REQUIRE((is_finite(ray) || name_of(c) == "BVH-3, hostile rays"));
             if (is_in_float(c)) REQUIRE((is_float(ray.origin) && is_float(ray.direction)));
         }
     }
