@@ -95,17 +95,25 @@ bool has_tip(const Scene& scene) {
     return !scene.all<Cone>().empty() && scene.all<Cone>()[0].top_radius == 0;
 }
 
+using MakeAimedRay = Ray (*)(const Place&, const Target&, Random&);
+
+Setting shot_at(const Example& e, MakeAimedRay ray) {
+    const std::vector<Target> targets = targets_of(e.scene, 0, to_the_last_bit);
+    return {*e.scene, e.place.size, [=, place = e.place](Random& random) {
+                const std::size_t chosen = random.index(targets.size());
+                return ray(place, targets[chosen], random);
+            }};
+}
+
 void add_rows(const Example& e, std::vector<HardCase>& cases) {
-    const auto make = [e] {
-        return Setting{*e.scene, e.place.size,
-                       [place = e.place, targets = targets_of(e.scene, 0)](Random& random) {
-                           const std::size_t chosen = random.index(targets.size());
-                           return approach(place, targets[chosen], random);
-                       }};
-    };
     Rows rows{std::string(kind_name(e.scene->primitives[0].kind))};
-    rows.add("AIM-1", e.name, make);
-    if (!has_tip(*e.scene)) rows.add("AIM-2", e.name, make, Judge::spawned);
+    rows.add("AIM-1", e.name, [e] { return shot_at(e, approach); });
+    rows.add("AIM-2", e.name, [e] { return shot_at(e, leave); });
+    rows.add("AIM-3", e.name, [e] { return shot_at(e, through_two); });
+    if (!has_tip(*e.scene)) {
+        rows.add(
+            "SPN-0", e.name, [e] { return shot_at(e, approach); }, Judge::spawned);
+    }
     for (HardCase& c : rows.take()) cases.push_back(std::move(c));
 }
 

@@ -37,9 +37,9 @@ Vec3 axis_direction(Random& random) {
     return d;
 }
 
-double nearly_one(Random& random) {
+double nearly_one(double finest, Random& random) {
     const double sign = random.sign();
-    return 1 + sign * random.magnitude(-18, -1);
+    return 1 + sign * random.magnitude(finest, -1);
 }
 
 }  // namespace etalon::hard

@@ -32,12 +32,6 @@ Ray from_within(const Place& place, const Target& target, Random& random) {
     return towards(origin, target(origin, random));
 }
 
-/// The origin is on or next to the surface.
-Ray from_target(const Place& place, const Target& target, Random& random) {
-    const Vec3 origin = seen_from_around(place, target, random);
-    return {origin, random.direction()};
-}
-
 Ray along_an_axis(const Place& place, const Target& target, Random& random) {
     const Vec3 direction = axis_direction(random);
     const int k = dominant_axis(direction);
@@ -62,18 +56,10 @@ Ray with_a_denormal(const Place& place, const Target& target, Random& random) {
     return ray;
 }
 
-/// Through two targets at once: along an edge, a generator, a face.
-Ray through_two(const Place& place, const Target& target, Random& random) {
-    const Vec3 a = seen_from_around(place, target, random);
-    const Vec3 b = seen_from_around(place, target, random);
-    const Vec3 direction = a == b ? random.direction() : b - a;
-    return {a - random.uniform(0, 4) * direction, direction};
-}
-
 using Approach = Ray (*)(const Place&, const Target&, Random&);
 
-constexpr Approach approaches[] = {from_afar,     from_close_by,  from_within,     from_target,
-                                   along_an_axis, across_an_axis, with_a_denormal, through_two};
+constexpr Approach approaches[] = {from_afar,     from_close_by,  from_within,
+                                   along_an_axis, across_an_axis, with_a_denormal};
 
 }  // namespace
 
@@ -83,6 +69,18 @@ Ray approach(const Place& place, const Target& target, Random& random) {
     // A target may be at the very origin.
     if (max_abs(ray.direction) == 0) ray.direction = random.direction();
     return ray;
+}
+
+Ray leave(const Place& place, const Target& target, Random& random) {
+    const Vec3 origin = seen_from_around(place, target, random);
+    return {origin, random.direction()};
+}
+
+Ray through_two(const Place& place, const Target& target, Random& random) {
+    const Vec3 a = seen_from_around(place, target, random);
+    const Vec3 b = seen_from_around(place, target, random);
+    const Vec3 direction = a == b ? random.direction() : b - a;
+    return {a - random.uniform(0, 4) * direction, direction};
 }
 
 }  // namespace etalon::hard

@@ -1,4 +1,4 @@
-// Rays at a target from everywhere: from afar, from within, from the target itself, along axes.
+// Rays at a target from everywhere: from afar, from close by, from within, along axes.
 #pragma once
 
 #include "bench/hard_cases/targets.h"
@@ -12,7 +12,13 @@ struct Place {
     double size;
 };
 
-/// By one of the approaches, at random.
+/// By one of the approaches, at random. Hardly any of the rays start on a surface.
 Ray approach(const Place& place, const Target& target, Random& random);
+
+/// From the target itself, on or next to the surface, in any direction.
+Ray leave(const Place& place, const Target& target, Random& random);
+
+/// Along an edge, a generator, a face.
+Ray through_two(const Place& place, const Target& target, Random& random);
 
 }  // namespace etalon::hard

@@ -36,7 +36,7 @@ Setting seen_from_around(const Cone& cone, double size) {
     return only(cone, size, [=](Random& random) {
         const double distance = random.magnitude(0.3, 2);
         const Vec3 origin = f.point(0.5, 0, 0) + distance * size * random.direction();
-        const double s = random.uniform(), reach = nearly_one(random), side = random.sign();
+        const double s = random.uniform(), reach = nearly_one(-9, random), side = random.sign();
         if (random.index(2) == 0) return towards(origin, f.silhouette(s, reach, origin, side));
         return towards(origin, f.point(s, 1, random.uniform(0, turn)));
     });

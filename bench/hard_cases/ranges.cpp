@@ -75,6 +75,14 @@ Ray between_neighbours(Random& random) {
     return p.ray;
 }
 
+/// The range begins behind the origin, and a box is there: what is behind is never met.
+Ray starting_behind(Random& random) {
+    Passage p(random);
+    p.ray.tmin = -4 * p.exit;
+    p.ray.origin += (p.exit + 0.5 * (p.exit - p.entry)) * p.ray.direction;
+    return p.ray;
+}
+
 using MakeRangedRay = Ray (*)(Random&);
 
 struct Limits {
@@ -86,6 +94,7 @@ constexpr Limits limits[] = {
     {"tmax at the hit", ending_at_hit<double>, ending_at_hit<float>},
     {"tmin at the hit", starting_at_hit<double>, starting_at_hit<float>},
     {"both at the hit", between_neighbours<double>, between_neighbours<float>},
+    {"tmin behind the origin", starting_behind, starting_behind},
 };
 
 }  // namespace

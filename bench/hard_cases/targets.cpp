@@ -7,53 +7,52 @@
 namespace etalon::hard {
 namespace {
 
-/// Moved in or out by from 1e-18 to 1e-1 of the radius.
-Vec3 silhouette(const Sphere& s, const Vec3& from, Random& random) {
+Vec3 silhouette(const Sphere& s, const Vec3& from, double finest, Random& random) {
     const Vec3 f = from - s.centre;
     const double distance = f.length();
     const Vec3 up = distance > 0 ? f / distance : Vec3(0, 0, 1);
     const double cosine = distance > s.radius ? s.radius / distance : 1;
     const Vec3 side = across(up, random.uniform(0, turn));
-    const double reach = s.radius * nearly_one(random);
+    const double reach = s.radius * nearly_one(finest, random);
     return s.centre + reach * (cosine * up + std::sqrt(1 - cosine * cosine) * side);
 }
 
-std::vector<Target> targets(const Sphere& s) {
+std::vector<Target> targets(const Sphere& s, double finest) {
     return {
-        [s](const Vec3&, Random& random) { return s.centre + s.radius * in_ball(random); },
-        [s](const Vec3&, Random& random) { return s.centre + s.radius * random.direction(); },
-        [s](const Vec3& from, Random& random) { return silhouette(s, from, random); },
+        [=](const Vec3&, Random& random) { return s.centre + s.radius * in_ball(random); },
+        [=](const Vec3&, Random& random) { return s.centre + s.radius * random.direction(); },
+        [=](const Vec3& from, Random& random) { return silhouette(s, from, finest, random); },
     };
 }
 
-std::vector<Target> targets(const Cone& cone) {
+std::vector<Target> targets(const Cone& cone, double finest) {
     const Frustum f(cone);
     std::vector<Target> list = {
-        [f](const Vec3&, Random& random) {
+        [=](const Vec3&, Random& random) {
             const double s = random.uniform();
             return f.point(s, 1, random.uniform(0, turn));
         },
-        [f](const Vec3&, Random& random) { return f.point(random.uniform(-0.1, 1.1), 0, 0); },
-        [f](const Vec3&, Random& random) {
-            const double end = random.index(2) == 0 ? 0 : 1, off = nearly_one(random) - 1;
+        [=](const Vec3&, Random& random) { return f.point(random.uniform(-0.1, 1.1), 0, 0); },
+        [=](const Vec3&, Random& random) {
+            const double end = random.index(2) == 0 ? 0 : 1, off = nearly_one(finest, random) - 1;
             return f.point(end + off, 1, random.uniform(0, turn));
         },
-        [f](const Vec3& from, Random& random) {
-            const double s = random.uniform(), reach = nearly_one(random);
+        [=](const Vec3& from, Random& random) {
+            const double s = random.uniform(), reach = nearly_one(finest, random);
             return f.silhouette(s, reach, from, random.sign());
         },
     };
     if (cone.base_radius == 0 || cone.top_radius == 0) {
         const Vec3 apex = cone.base_radius == 0 ? cone.base : cone.top;
-        list.emplace_back([f, apex](const Vec3&, Random& random) {
-            const double miss = random.magnitude(-18, 0);
+        list.emplace_back([=](const Vec3&, Random& random) {
+            const double miss = random.magnitude(finest, 0);
             return apex + miss * (f.radius(0) + f.radius(1)) * random.direction();
         });
     }
     return list;
 }
 
-std::vector<Target> targets(const Box& box) {
+std::vector<Target> targets(const Box& box, double) {
     std::vector<Target> list;
     for (int fixed = 0; fixed < 4; ++fixed) {
         list.emplace_back(
@@ -62,13 +61,13 @@ std::vector<Target> targets(const Box& box) {
     return list;
 }
 
-std::vector<Target> targets(const Plane& plane) {
+std::vector<Target> targets(const Plane& plane, double finest) {
     const Vec3 n = plane.normal.normalized();
     return {
         [=](const Vec3&, Random& random) { return plane.point + 10.0 * n.cross(random.in_cube()); },
         [=](const Vec3& from, Random& random) {
             const Vec3 level = from + n.cross(random.in_cube());
-            const double off = random.magnitude(-18, 0);
+            const double off = random.magnitude(finest, 0);
             return level + off * random.in_cube();
         },
     };
@@ -87,13 +86,14 @@ std::vector<Target> targets_of_face(const std::shared_ptr<const Scene>& scene,
 
 }  // namespace
 
-std::vector<Target> targets_of(const std::shared_ptr<const Scene>& scene, std::uint32_t primitive) {
+std::vector<Target> targets_of(const std::shared_ptr<const Scene>& scene, std::uint32_t primitive,
+                               double finest) {
     const Primitive& p = scene->primitives[primitive];
     return with_shape(p.kind, [&]<class Shape>() {
         if constexpr (std::is_same_v<Shape, Triangle> || std::is_same_v<Shape, Polygon>) {
             return targets_of_face(scene, primitive);
         } else {
-            return targets(scene->get<Shape>(p));
+            return targets(scene->get<Shape>(p), finest);
         }
     });
 }

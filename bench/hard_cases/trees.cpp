@@ -118,7 +118,6 @@ std::vector<HardCase> tree_cases() {
     rows.add("BVH-1", "shuffled copies of a world", copies);
     rows.add("BVH-2", "1e4 spheres on a floor of 1e6", stadium);
     rows.add("BVH-4", "flat", [] { return aimed_at_world(flat()); });
-    rows.add("BVH-4", "flat: bouncing", [] { return bouncing_in_world(flat()); });
     rows.add("BVH-4", "boxes that are lines", [] { return aimed_at_world(spikes()); });
     return rows.take();
 }

@@ -21,11 +21,12 @@ Scene world(const WorldPlan& plan);
 /// Every length times `factor`, then every point moved by `offset`.
 Scene moved(Scene scene, double factor, const Vec3& offset);
 
-/// From everywhere to what there is to aim at on the scene's primitives; a third of the rays starts
-/// or ends somewhere along the way.
-Setting aimed_at_world(Scene scene);
+/// From everywhere to what there is to aim at on the scene's primitives, see targets_of(); a third
+/// of the rays starts or ends somewhere along the way. As fine as 1e-6, what is missed or hit at
+/// 1e7 sizes is beyond doubt in double.
+Setting aimed_at_world(Scene scene, double finest = -6);
 
-/// From a point of one primitive to anywhere.
+/// From beside a point of one primitive, by 1e-6 to 1e-1 of its size, to anywhere.
 Setting bouncing_in_world(Scene scene);
 
 /// From an eye at `distance` times the scene's size, through all of a screen.

@@ -12,7 +12,7 @@ Place middle_of(const Box3& box) {
 /// What rays know of a scene.
 class Surroundings {
   public:
-    explicit Surroundings(Scene scene) : scene_(std::make_shared<Scene>(std::move(scene))) {
+    Surroundings(Scene scene, double finest) : scene_(std::make_shared<Scene>(std::move(scene))) {
         std::vector<Box3> boxes;
         Box3 all;
         for (std::uint32_t id = 0; id < scene_->primitives.size(); ++id) {
@@ -24,7 +24,8 @@ class Surroundings {
         for (std::uint32_t id = 0; id < scene_->primitives.size(); ++id) {
             if (boxes[id].isEmpty()) continue;
             const bool bounded = is_finite(boxes[id].size());
-            things_.push_back({bounded ? middle_of(boxes[id]) : whole_, targets_of(scene_, id)});
+            things_.push_back(
+                {bounded ? middle_of(boxes[id]) : whole_, targets_of(scene_, id, finest)});
         }
     }
 
@@ -53,13 +54,13 @@ void limit(Ray& ray, const Vec3& point, Random& random) {
     const double length2 = ray.direction.dot(ray.direction);
     const double t = std::abs((point - ray.origin).dot(ray.direction)) / length2;
     if (!std::isfinite(t)) return;
-    ray.tmin = random.index(4) == 0 ? -t : t * random.uniform();
+    ray.tmin = t * random.uniform();
     if (random.index(2) == 0) ray.tmax = ray.tmin + t * random.uniform(0, 2);
 }
 
 /// A setting whose rays know its scene.
-Setting setting_of(Scene scene, Ray (*make)(const Surroundings&, Random&)) {
-    const auto around = std::make_shared<const Surroundings>(std::move(scene));
+Setting setting_of(Scene scene, double finest, Ray (*make)(const Surroundings&, Random&)) {
+    const auto around = std::make_shared<const Surroundings>(std::move(scene), finest);
     return {around->scene(), around->whole().size,
             [=](Random& random) { return make(*around, random); }};
 }
@@ -75,22 +76,23 @@ Ray aimed_ray(const Surroundings& around, Random& random) {
 Ray bouncing_ray(const Surroundings& around, Random& random) {
     const Surroundings::Thing& thing = around.any(random);
     const Vec3 eye = around.whole().centre + around.whole().size * random.in_cube();
-    const Vec3 origin = any_target(thing, random)(eye, random);
-    return {origin, random.direction()};
+    const Vec3 surface = any_target(thing, random)(eye, random);
+    const Vec3 direction = random.direction();
+    return {surface + thing.place.size * random.magnitude(-6, -1) * direction, direction};
 }
 
 }  // namespace
 
-Setting aimed_at_world(Scene scene) {
-    return setting_of(std::move(scene), aimed_ray);
+Setting aimed_at_world(Scene scene, double finest) {
+    return setting_of(std::move(scene), finest, aimed_ray);
 }
 
 Setting bouncing_in_world(Scene scene) {
-    return setting_of(std::move(scene), bouncing_ray);
+    return setting_of(std::move(scene), -6, bouncing_ray);
 }
 
 Setting seen_from_eye(Scene scene, double distance) {
-    const Place whole = Surroundings(scene).whole();
+    const Place whole = Surroundings(scene, -6).whole();
     const Vec3 ahead = tilted(0, 0, 1);
     return {std::move(scene), whole.size, [=](Random& random) {
                 const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);

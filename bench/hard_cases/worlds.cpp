@@ -72,13 +72,16 @@ std::vector<HardCase> world_cases() {
     rows.add("A4", "mixed: from an eye", [] { return seen_from_eye(world({}), 3); });
     rows.add("A4", "mixed: bouncing", [] { return bouncing_in_world(world({})); });
     rows.add("A4", "mixed: aimed", [] { return aimed_at_world(world({})); });
+    rows.add("A4", "mixed: aimed to the last bit",
+             [] { return aimed_at_world(world({}), to_the_last_bit); });
     for (ShapeKind kind = 0; kind < shape_kinds; ++kind) {
         rows.add("A4", std::string(kind_name(kind)) + " only: aimed",
                  [=] { return aimed_at_world(one_kind(kind)); });
     }
     rows.add("A4", "one-sided: aimed", [] { return aimed_at_world(world({.one_sided = true})); });
-    rows.add("A4", "huge and tiny: aimed",
-             [] { return aimed_at_world(world({.smallest = 1e-6, .largest = 1e4})); });
+    rows.add("A4", "huge and tiny: aimed", [] {
+        return aimed_at_world(world({.count = 200, .smallest = 1e-6, .largest = 1e4}));
+    });
     rows.add("A4", "slivers: aimed", [] { return aimed_at_world(slivers()); });
     const auto add_moved = [&](const char* name, double factor, const Vec3& offset) {
         rows.add("A4", name, [=] { return aimed_at_world(moved(world({}), factor, offset)); });
