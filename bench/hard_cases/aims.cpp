@@ -29,9 +29,17 @@ Vec3 in_ball(Random& random) {
     return radius * random.direction();
 }
 
-double nearly_one(Random& random) {
+Vec3 axis_direction(Random& random) {
+    Vec3 d;
+    for (int k = 0; k < 3; ++k) d[k] = random.sign() * 0.0;
+    const auto axis = static_cast<int>(random.index(3));
+    d[axis] = random.sign();
+    return d;
+}
+
+double nearly_one(double finest, Random& random) {
     const double sign = random.sign();
-    return 1 + sign * random.magnitude(-18, -1);
+    return 1 + sign * random.magnitude(finest, -1);
 }
 
 }  // namespace etalon::hard

@@ -35,8 +35,14 @@ Vec3 in_disc(const Vec3& axis, Random& random);
 /// In the unit ball, more of them near its centre.
 Vec3 in_ball(Random& random);
 
-/// A factor that moves a surface in or out of a ray's way, from far below a rounding to visible.
-double nearly_one(Random& random);
+/// Along an axis, of unit length, with zeros of either sign.
+Vec3 axis_direction(Random& random);
+
+/// A factor that moves a surface in or out of a ray's way: off 1 by 10^-1 down to 10^finest.
+double nearly_one(double finest, Random& random);
+
+/// Far below any rounding.
+inline constexpr double to_the_last_bit = -18;
 
 inline Ray towards(const Vec3& origin, const Vec3& target) {
     return {origin, target - origin};

@@ -1,4 +1,4 @@
-// The catalogue's parts. A new shape's rows are one more of these, joined in hard_case.cpp.
+// The catalogue's parts, each about one shape or one kind of scene.
 #pragma once
 
 #include "bench/hard_cases/hard_case.h"
@@ -7,6 +7,21 @@ namespace etalon::hard {
 
 std::vector<HardCase> sphere_cases();
 std::vector<HardCase> shell_cases();
+std::vector<HardCase> cylinder_cases();
+std::vector<HardCase> cone_cases();
+std::vector<HardCase> plane_cases();
+std::vector<HardCase> plane_pair_cases();
+std::vector<HardCase> box_cases();
+std::vector<HardCase> triangle_cases();
+std::vector<HardCase> triangle_group_cases();
+std::vector<HardCase> polygon_cases();
+std::vector<HardCase> polygon_group_cases();
+std::vector<HardCase> aimed_cases();
 std::vector<HardCase> mesh_cases();
+std::vector<HardCase> world_cases();
+std::vector<HardCase> tree_cases();
+std::vector<HardCase> hostile_cases();
+std::vector<HardCase> grid_cases();
+std::vector<HardCase> range_cases();
 
 }  // namespace etalon::hard

@@ -1,19 +1,13 @@
 #include "bench/hard_cases/hard_case.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/families.h"
 
 namespace etalon::hard {
 namespace {
-
-using MakeCases = std::vector<HardCase> (*)();
-
-/// One line for each family; the table of another shape goes here.
-constexpr MakeCases families[] = {
-    sphere_cases,
-    shell_cases,
-    mesh_cases,
-};
 
 double in_float(double x) {
     return static_cast<float>(x);
@@ -23,9 +17,28 @@ double in_float(double x) {
 
 std::vector<HardCase> hard_cases() {
     std::vector<HardCase> all;
-    for (const MakeCases make : families) {
-        for (HardCase& c : make()) all.push_back(std::move(c));
-    }
+    const auto add = [&all](std::vector<HardCase> cases) {
+        std::move(cases.begin(), cases.end(), std::back_inserter(all));
+    };
+    // The table of another shape is one more line here.
+    add(sphere_cases());
+    add(shell_cases());
+    add(cylinder_cases());
+    add(cone_cases());
+    add(plane_cases());
+    add(plane_pair_cases());
+    add(box_cases());
+    add(triangle_cases());
+    add(triangle_group_cases());
+    add(polygon_cases());
+    add(polygon_group_cases());
+    add(aimed_cases());
+    add(mesh_cases());
+    add(world_cases());
+    add(tree_cases());
+    add(hostile_cases());
+    add(grid_cases());
+    add(range_cases());
     return all;
 }
 

@@ -1,6 +1,9 @@
 // Triangles and polygons alike: a face is its corners.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "bench/hard_cases/random.h"
 #include "core/scene/scene.h"
 
@@ -23,6 +26,8 @@ class Outline {
 };
 
 enum class Feature { vertices, edges, middles, points };
+inline constexpr std::array features = {Feature::vertices, Feature::edges, Feature::middles,
+                                        Feature::points};
 
 /// A random point of the kind: a corner; on an edge a + s (b - a), as rounded; the middle of an
 /// edge; within the fan from the first corner, so on the face if it is convex.

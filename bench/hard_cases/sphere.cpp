@@ -83,8 +83,9 @@ Setting shells(Sides inner_sides) {
     const Sphere outer{unit_sphere.centre, 1 + 0x1p-20};
     Setting setting{{}, 1, [=](Random& random) {
                         const Vec3 d = random.direction();
-                        const double reach =
-                            random.index(2) == 0 ? random.uniform() : nearly_one(random);
+                        const double reach = random.index(2) == 0
+                                                 ? random.uniform()
+                                                 : nearly_one(to_the_last_bit, random);
                         const double distance = random.uniform(-1, 10);
                         const Vec3 side = across(d, random.uniform(0, turn));
                         return Ray{unit_sphere.centre + reach * side - distance * d, d};

@@ -28,8 +28,14 @@ bool ends_with(const std::string& text, const std::string& end) {
     return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
+const std::string float_mark = ", float";
+
 bool is_in_float(const HardCase& c) {
-    return ends_with(c.variant, ", float");
+    return ends_with(c.variant, float_mark);
+}
+
+std::string without_float(const std::string& name) {
+    return ends_with(name, float_mark) ? name.substr(0, name.size() - float_mark.size()) : name;
 }
 
 /// Bitwise, so that a NaN equals itself.
@@ -76,19 +82,35 @@ double hit_share(const Setting& setting) {
     return static_cast<double>(hits) / rays;
 }
 
-/// At least a quarter of a case's rays hit, all of them if there is no way out, and there are
+/// At least a fifth of a case's rays hit, all of them if there is no way out, and there are
 /// misses where a miss is possible, except where the construction says otherwise.
 struct Share {
     double low, high;
 };
 
-const std::map<std::string, Share> special_shares = {};
+const std::map<std::string, Share> special_shares = {
+    {"CON-3, on the surface", {0.1, 0.5}},  // which side it is on is a matter of rounding
+    {"CYL-3, parallel to the axis", {0, 0}},
+    {"PLN-1, cosine 0", {0, 0}},
+    {"PLN-1, cosine 1e-290", {0, 0}},  // dust: RayQuery takes it for parallel
+    {"PLN-1, within the plane", {0, 0}},
+    {"TRI-6, level", {0, 0}},
+    {"TRI-6, tilted", {0, 1}},
+    {"POL-1, within the plane", {0, 0}},
+    {"AIM-2, box, no thickness", {0, 0.5}},  // a ray that leaves it never comes back
+};
+
+bool is_flat(const HardCase& c) {
+    return c.shape == "triangle" || c.shape == "polygon" || c.shape == "plane";
+}
 
 Share wanted_share(const HardCase& c) {
     if (c.judge == Judge::enclosed) return {1, 1};
-    const auto special = special_shares.find(name_of(c));
+    // On the surface, or within it: whether there is a hit is a matter of rounding.
+    if (c.id == "AIM-3" || (c.id == "AIM-2" && is_flat(c))) return {0, 1};
+    const auto special = special_shares.find(without_float(name_of(c)));
     if (special != special_shares.end()) return special->second;
-    return {0.25, 1};
+    return {0.2, 1};
 }
 
 }  // namespace
@@ -117,7 +139,7 @@ TEST_CASE("The catalogue: given a case, then its scene and rays are what its nam
             const Ray ray = ray_number(setting, i);
             CAPTURE(i, ray.origin, ray.direction);
             REQUIRE(same_bits(ray, ray_number(setting, i)));
-            REQUIRE(is_finite(ray));
+            REQUIRE((is_finite(ray) || name_of(c) == "BVH-3, hostile rays"));
             if (is_in_float(c)) REQUIRE((is_float(ray.origin) && is_float(ray.direction)));
         }
     }

@@ -1,0 +1,129 @@
+// Every shape in its variety, aimed at wherever there is something to aim at, from everywhere.
+#include "bench/hard_cases/aims.h"
+#include "bench/hard_cases/approaches.h"
+#include "bench/hard_cases/face_aims.h"
+#include "bench/hard_cases/families.h"
+#include "bench/hard_cases/outline.h"
+
+namespace etalon::hard {
+namespace {
+
+struct Example {
+    const char* name;
+    Place place;
+    std::shared_ptr<const Scene> scene;
+};
+
+template <class Shape>
+Example example(const char* name, const Place& place, const Shape& shape) {
+    Scene scene;
+    scene.add(shape, 0);
+    return {name, place, std::make_shared<Scene>(std::move(scene))};
+}
+
+Example sphere(const char* name, const Sphere& s) {
+    return example(name, {s.centre, s.radius}, s);
+}
+
+Example cone(const char* name, const Cone& c) {
+    const double widest = std::max(c.base_radius, c.top_radius);
+    return example(name, {0.5 * (c.base + c.top), (c.top - c.base).length() + widest}, c);
+}
+
+Example box(const char* name, const Box& b) {
+    return example(name, {0.5 * (b.min + b.max), (b.max - b.min).length() / 2}, b);
+}
+
+Example plane(const char* name, const Plane& p) {
+    return example(name, {p.point, 1}, p);
+}
+
+Example face(const char* name, const Corners& corners) {
+    Scene scene;
+    add_face(scene, corners);
+    Box3 around;
+    for (const Vec3& corner : corners) around.extendBy(corner);
+    return {name,
+            {around.center(), around.size().length() / 2},
+            std::make_shared<Scene>(std::move(scene))};
+}
+
+std::vector<Example> rounded_shapes() {
+    const Vec3 far = far_place(), base(0.3, -0.7, 0.45);
+    return {
+        sphere("sphere", {base, 1}),
+        sphere("sphere, planet", {{0, 0, -6.4e6}, 6.4e6}),
+        sphere("sphere at 3e5", {far, 2}),
+        cone("cylinder", {base, base + tilted(0, 0, 21.4), 1, 1}),
+        cone("cylinder along an axis", {{0, 0, 0}, {0, 3, 0}, 0.5, 0.5}),
+        cone("cylinder, needle", {base, base + tilted(0, 0, 1e3), 1e-3, 1e-3}),
+        cone("cone", {base, base + tilted(0, 0, 2), 1, 0}),
+        cone("cone along an axis", {{0, 0, 0}, {0, 0, 2}, 1, 0}),
+        cone("cone, truncated", {base, base + tilted(0, 0, 3), 0.5, 1.5}),
+        cone("cone, all but a cylinder", {base, base + tilted(0, 0, 3), 1, 1 + 0x1p-40}),
+        cone("cone, all but a disk", {base, base + tilted(0, 0, 1e-4), 1, 0}),
+        cone("cone at 3e5", {far, far + tilted(0, 0, 3), 2, 1}),
+    };
+}
+
+std::vector<Example> flat_shapes() {
+    const Vec3 far = far_place();
+    return {
+        face("triangle", {tilted(0, 0, 1), tilted(2, 0.25, 1), tilted(0.5, 1.5, 1)}),
+        face("triangle across an axis", {{0, 0, 2}, {4, 0, 2}, {0, 4, 2}}),
+        face("triangle, sliver", {tilted(0, 0, 0), tilted(1, 0, 0), tilted(0.5, 1e-9, 0)}),
+        face("triangle at 3e5", moved({{0, 0, 0}, {2, 0.25, 0.5}, {0.5, 1.5, 0}}, far)),
+        face("polygon, quad", {tilted(0, 0, 1), tilted(2, 0, 1), tilted(2, 1, 1), tilted(0, 1, 1)}),
+        face("polygon, notched", {{0, 0, 3}, {4, 0, 3}, {4, 4, 3}, {2, 2, 3}, {0, 4, 3}}),
+        face("polygon, star", star(7, 0.4)),
+        face("polygon, circle", star(40, std::cos(turn / 80))),
+        face("polygon, corners off the plane",
+             {{0, 0, 1e-6}, {2, 0, -1e-6}, {2, 1, 1e-6}, {0.5, 1.5, 0}, {0, 1, -1e-6}}),
+        face("polygon at 3e5", moved(star(5, 0.3), far)),
+        box("box", {{-1, -1, -1}, {1, 1, 1}}),
+        box("box, odd", {{0.1, -0.7, 0.3}, {0.2, 1.9, 7.7}}),
+        box("box, no thickness", {{-1, 0.1, -1}, {1, 0.1, 2}}),
+        box("box at 3e5", {far, far + Vec3(1, 2, 0.3)}),
+        plane("plane", {tilted(0.2, 0.3, 0.4), tilted(0.1, 0.2, 3)}),
+        plane("plane across an axis", {{0, 0, 1}, {0, 0, 1}}),
+        plane("plane at 3e5", {far, tilted(0.4, 0.1, 1)}),
+    };
+}
+
+/// A surface has no sides at a tip, so nothing can leave one.
+bool has_tip(const Scene& scene) {
+    return !scene.all<Cone>().empty() && scene.all<Cone>()[0].top_radius == 0;
+}
+
+using MakeAimedRay = Ray (*)(const Place&, const Target&, Random&);
+
+Setting shot_at(const Example& e, MakeAimedRay ray) {
+    const std::vector<Target> targets = targets_of(e.scene, 0, to_the_last_bit);
+    return {*e.scene, e.place.size, [=, place = e.place](Random& random) {
+                const std::size_t chosen = random.index(targets.size());
+                return ray(place, targets[chosen], random);
+            }};
+}
+
+void add_rows(const Example& e, std::vector<HardCase>& cases) {
+    Rows rows{std::string(kind_name(e.scene->primitives[0].kind))};
+    rows.add("AIM-1", e.name, [e] { return shot_at(e, approach); });
+    rows.add("AIM-2", e.name, [e] { return shot_at(e, leave); });
+    rows.add("AIM-3", e.name, [e] { return shot_at(e, through_two); });
+    if (!has_tip(*e.scene)) {
+        rows.add(
+            "SPN-0", e.name, [e] { return shot_at(e, approach); }, Judge::spawned);
+    }
+    for (HardCase& c : rows.take()) cases.push_back(std::move(c));
+}
+
+}  // namespace
+
+std::vector<HardCase> aimed_cases() {
+    std::vector<HardCase> cases;
+    for (const Example& e : rounded_shapes()) add_rows(e, cases);
+    for (const Example& e : flat_shapes()) add_rows(e, cases);
+    return cases;
+}
+
+}  // namespace etalon::hard

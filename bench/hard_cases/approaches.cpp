@@ -1,0 +1,86 @@
+#include "bench/hard_cases/approaches.h"
+
+#include "bench/hard_cases/aims.h"
+
+namespace etalon::hard {
+namespace {
+
+/// The target as seen from anywhere at ten sizes' distance.
+Vec3 seen_from_around(const Place& place, const Target& target, Random& random) {
+    const Vec3 from = place.centre + 10 * place.size * random.direction();
+    return target(from, random);
+}
+
+/// From 1 to 1e7 sizes away, half of the directions of unit length.
+Ray from_afar(const Place& place, const Target& target, Random& random) {
+    const double distance = place.size * random.magnitude(0, 7);
+    const Vec3 origin = place.centre + distance * random.direction();
+    Ray ray = towards(origin, target(origin, random));
+    if (random.index(2) == 0) ray.direction.normalize();
+    return ray;
+}
+
+/// From 1e-7 to 1 sizes away.
+Ray from_close_by(const Place& place, const Target& target, Random& random) {
+    const Vec3 point = seen_from_around(place, target, random);
+    const double distance = place.size * random.magnitude(-7, 0);
+    return towards(point + distance * random.direction(), point);
+}
+
+Ray from_within(const Place& place, const Target& target, Random& random) {
+    const Vec3 origin = place.centre + 0.3 * place.size * random.in_cube();
+    return towards(origin, target(origin, random));
+}
+
+Ray along_an_axis(const Place& place, const Target& target, Random& random) {
+    const Vec3 direction = axis_direction(random);
+    const int k = dominant_axis(direction);
+    Vec3 origin = seen_from_around(place, target, random);
+    origin[k] = place.centre[k] - 3 * place.size * direction[k];
+    return {origin, direction};
+}
+
+/// Across an axis, with a zero of either sign.
+Ray across_an_axis(const Place& place, const Target& target, Random& random) {
+    const Vec3 point = seen_from_around(place, target, random);
+    Vec3 direction = random.direction();
+    const auto axis = static_cast<int>(random.index(3));
+    direction[axis] = random.sign() * 0.0;
+    return {point - 4 * place.size * direction, direction};
+}
+
+Ray with_a_denormal(const Place& place, const Target& target, Random& random) {
+    Ray ray = along_an_axis(place, target, random);
+    const auto k = static_cast<int>(random.index(3));
+    if (ray.direction[k] == 0) ray.direction[k] = 1e-310 * random.uniform(-1, 1);
+    return ray;
+}
+
+using Approach = Ray (*)(const Place&, const Target&, Random&);
+
+constexpr Approach approaches[] = {from_afar,     from_close_by,  from_within,
+                                   along_an_axis, across_an_axis, with_a_denormal};
+
+}  // namespace
+
+Ray approach(const Place& place, const Target& target, Random& random) {
+    const Approach chosen = approaches[random.index(std::size(approaches))];
+    Ray ray = chosen(place, target, random);
+    // A target may be at the very origin.
+    if (max_abs(ray.direction) == 0) ray.direction = random.direction();
+    return ray;
+}
+
+Ray leave(const Place& place, const Target& target, Random& random) {
+    const Vec3 origin = seen_from_around(place, target, random);
+    return {origin, random.direction()};
+}
+
+Ray through_two(const Place& place, const Target& target, Random& random) {
+    const Vec3 a = seen_from_around(place, target, random);
+    const Vec3 b = seen_from_around(place, target, random);
+    const Vec3 direction = a == b ? random.direction() : b - a;
+    return {a - random.uniform(0, 4) * direction, direction};
+}
+
+}  // namespace etalon::hard

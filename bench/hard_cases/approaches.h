@@ -1,0 +1,24 @@
+// Rays at a target from everywhere: from afar, from close by, from within, along axes.
+#pragma once
+
+#include "bench/hard_cases/targets.h"
+#include "core/intersect/ray.h"
+
+namespace etalon::hard {
+
+/// Where a shape is, roughly.
+struct Place {
+    Vec3 centre;
+    double size;
+};
+
+/// By one of the approaches, at random. Hardly any of the rays start on a surface.
+Ray approach(const Place& place, const Target& target, Random& random);
+
+/// From the target itself, on or next to the surface, in any direction.
+Ray leave(const Place& place, const Target& target, Random& random);
+
+/// Along an edge, a generator, a face.
+Ray through_two(const Place& place, const Target& target, Random& random);
+
+}  // namespace etalon::hard

@@ -1,0 +1,65 @@
+#include "bench/hard_cases/face_aims.h"
+
+#include <memory>
+
+#include "bench/hard_cases/aims.h"
+#include "bench/hard_cases/outline.h"
+
+namespace etalon::hard {
+namespace {
+
+/// For rays to know: a setting's scene is not theirs.
+std::shared_ptr<const Scene> scene_of(const Corners& corners) {
+    const auto scene = std::make_shared<Scene>();
+    add_face(*scene, corners);
+    return scene;
+}
+
+}  // namespace
+
+Corners rounded(Corners corners) {
+    for (Vec3& corner : corners) corner = rounded(corner);
+    return corners;
+}
+
+Corners moved(Corners corners, const Vec3& by) {
+    for (Vec3& corner : corners) corner += by;
+    return corners;
+}
+
+Corners star(int points, double inner) {
+    Corners corners;
+    for (int i = 0; i < 2 * points; ++i) {
+        const double radius = i % 2 == 0 ? 1 : inner, angle = turn / 2 * i / points;
+        corners.push_back(tilted(radius * std::cos(angle), radius * std::sin(angle), 0.25));
+    }
+    return corners;
+}
+
+Setting only_face(const Corners& corners, double size, MakeRay ray) {
+    Setting setting{{}, size, std::move(ray)};
+    add_face(setting.scene, corners);
+    return setting;
+}
+
+Setting aimed_at_face(const Corners& corners, double size) {
+    return only_face(corners, size, [scene = scene_of(corners), size](Random& random) {
+        const Feature feature = features[random.index(features.size())];
+        const Vec3 target = point_of(Outline(*scene, 0), feature, random);
+        const double distance = size * random.magnitude(-1, 3);
+        return towards(target + distance * random.direction(), target);
+    });
+}
+
+Setting along_face(const Corners& corners, double size) {
+    return only_face(corners, size, [scene = scene_of(corners)](Random& random) {
+        const Outline face(*scene, 0);
+        const Feature feature = features[random.index(features.size())];
+        const Vec3 target = point_of(face, feature, random);
+        const Vec3 along = face[1] - face[0], across = face[2] - face[0];
+        const double x = random.uniform(-2, 2), y = random.uniform(-2, 2);
+        return towards(face[0] + x * along + y * across, target);
+    });
+}
+
+}  // namespace etalon::hard

@@ -1,0 +1,140 @@
+// Numbers that are none, in primitives and in rays.
+#include "bench/hard_cases/aims.h"
+#include "bench/hard_cases/families.h"
+#include "bench/hard_cases/outline.h"
+#include "bench/hard_cases/world.h"
+
+namespace etalon::hard {
+namespace {
+
+constexpr double none = nan_value;
+
+void add_hostile_spheres(Scene& scene) {
+    for (const double bad : {none, infinity, -infinity}) {
+        for (int k = 0; k < 3; ++k) {
+            Vec3 centre(0);
+            centre[k] = bad;
+            scene.add(Sphere{centre, 1}, 0);
+        }
+        scene.add(Sphere{{0, 0, 0}, bad}, 0);
+    }
+    scene.add(Sphere{{0, 0, 0}, 0}, 0);
+    scene.add(Sphere{{0, 0, 0}, -1}, 0);
+}
+
+void add_hostile_cones(Scene& scene) {
+    const Vec3 base(0), top(0, 0, 1);
+    for (const double bad : {none, infinity, -infinity}) {
+        scene.add(Cone{base, {0, bad, 1}, 1, 1}, 0);
+        scene.add(Cone{{bad, 0, 0}, top, 1, 1}, 0);
+        scene.add(Cone{base, top, bad, 1}, 0);
+        scene.add(Cone{base, top, 1, bad}, 0);
+    }
+    scene.add(Cone{base, base, 1, 1}, 0);
+    scene.add(Cone{base, top, 0, 0}, 0);
+    scene.add(Cone{base, top, 1, -1}, 0);
+}
+
+void add_hostile_boxes_and_planes(Scene& scene) {
+    for (const double bad : {none, infinity, -infinity}) {
+        scene.add(Box{{bad, -1, -1}, {1, 1, 1}}, 0);
+        scene.add(Box{{-1, -1, -1}, {1, 1, bad}}, 0);
+        scene.add(Plane{{0, 0, bad}, {0, 0, 1}}, 0);
+        scene.add(Plane{{0, 0, 0}, {0, bad, 1}}, 0);
+    }
+    scene.add(Box{{1, -1, -1}, {-1, 1, 1}}, 0);
+    scene.add(Box{Vec3(1), Vec3(-1)}, 0);
+    scene.add(Plane{{0, 0, 0}, {0, 0, 0}}, 0);
+}
+
+void add_hostile_faces(Scene& scene) {
+    const Vec3 a(-1, 0, 0), b(1, 0, 0), c(3, 0, 0), d(0, 1, 0);
+    for (const double bad : {none, infinity, -infinity}) {
+        add_face(scene, {a, b, Vec3(bad)});
+        add_face(scene, {a, b, {0, bad, 0}});
+        add_face(scene, {a, b, d, {0, bad, 0}});
+    }
+    add_face(scene, {a, a, a});
+    add_face(scene, {a, b, c});
+    add_face(scene, {a, b, b});
+    add_face(scene, {a, a, a, a});
+    add_face(scene, {a, b, c, b});
+    add_face(scene, {{-1, -1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, 1, 0}});
+}
+
+/// What nothing can hit, first and last in a world: the good ones' numbers are in between.
+Scene hostile_world() {
+    Scene scene;
+    const auto add_hostile = [&scene] {
+        add_hostile_spheres(scene);
+        add_hostile_cones(scene);
+        add_hostile_boxes_and_planes(scene);
+        add_hostile_faces(scene);
+    };
+    add_hostile();
+    Random random(5, 0);
+    while (scene.primitives.size() < 500) {
+        const Vec3 centre = random.in_cube();
+        scene.add(Sphere{centre, random.uniform(0.01, 0.1)}, 0);
+        const Vec3 a = random.in_cube(), b = a + 0.2 * random.in_cube();
+        add_face(scene, {a, b, a + 0.2 * random.in_cube()});
+    }
+    add_hostile();
+    return scene;
+}
+
+/// At the good ones among the hostile world's primitives.
+Setting among_hostile() {
+    Setting setting = aimed_at_world(hostile_world());
+    setting.size = 1;
+    return setting;
+}
+
+/// One number in a good ray replaced by one that is none; a quarter of the rays is left alone.
+void spoil(Ray& ray, Random& random) {
+    const double bad = std::array{none, infinity, -infinity}[random.index(3)];
+    const auto k = static_cast<int>(random.index(3));
+    switch (random.index(8)) {
+        case 0:
+            ray.origin[k] = bad;
+            break;
+        case 1:
+            ray.direction[k] = bad;
+            break;
+        case 2:
+            ray.direction = Vec3(random.sign() * 0.0);
+            break;
+        case 3:
+            ray.tmin = none;
+            break;
+        case 4:
+            ray.tmax = random.index(2) == 0 ? 0.0 : random.sign() * 0.5;
+            break;
+        case 5:
+            std::swap(ray.tmin, ray.tmax);
+            break;
+        default:
+            break;
+    }
+}
+
+Setting hostile_rays() {
+    Setting setting = aimed_at_world(world({.count = 500}));
+    setting.ray = [good = std::move(setting.ray)](Random& random) {
+        Ray ray = good(random);
+        spoil(ray, random);
+        return ray;
+    };
+    return setting;
+}
+
+}  // namespace
+
+std::vector<HardCase> hostile_cases() {
+    Rows rows("scene");
+    rows.add("BVH-3", "hostile primitives", among_hostile);
+    rows.add("BVH-3", "hostile rays", hostile_rays);
+    return rows.take();
+}
+
+}  // namespace etalon::hard

@@ -1,0 +1,112 @@
+#include "bench/hard_cases/targets.h"
+
+#include "bench/hard_cases/aims.h"
+#include "bench/hard_cases/frustum.h"
+#include "bench/hard_cases/outline.h"
+
+namespace etalon::hard {
+namespace {
+
+Vec3 silhouette(const Sphere& s, const Vec3& from, double finest, Random& random) {
+    const Vec3 f = from - s.centre;
+    const double distance = f.length();
+    const Vec3 up = distance > 0 ? f / distance : Vec3(0, 0, 1);
+    const double cosine = distance > s.radius ? s.radius / distance : 1;
+    const Vec3 side = across(up, random.uniform(0, turn));
+    const double reach = s.radius * nearly_one(finest, random);
+    return s.centre + reach * (cosine * up + std::sqrt(1 - cosine * cosine) * side);
+}
+
+std::vector<Target> targets(const Sphere& s, double finest) {
+    return {
+        [=](const Vec3&, Random& random) { return s.centre + s.radius * in_ball(random); },
+        [=](const Vec3&, Random& random) { return s.centre + s.radius * random.direction(); },
+        [=](const Vec3& from, Random& random) { return silhouette(s, from, finest, random); },
+    };
+}
+
+std::vector<Target> targets(const Cone& cone, double finest) {
+    const Frustum f(cone);
+    std::vector<Target> list = {
+        [=](const Vec3&, Random& random) {
+            const double s = random.uniform();
+            return f.point(s, 1, random.uniform(0, turn));
+        },
+        [=](const Vec3&, Random& random) { return f.point(random.uniform(-0.1, 1.1), 0, 0); },
+        [=](const Vec3&, Random& random) {
+            const double end = random.index(2) == 0 ? 0 : 1, off = nearly_one(finest, random) - 1;
+            return f.point(end + off, 1, random.uniform(0, turn));
+        },
+        [=](const Vec3& from, Random& random) {
+            const double s = random.uniform(), reach = nearly_one(finest, random);
+            return f.silhouette(s, reach, from, random.sign());
+        },
+    };
+    if (cone.base_radius == 0 || cone.top_radius == 0) {
+        const Vec3 apex = cone.base_radius == 0 ? cone.base : cone.top;
+        list.emplace_back([=](const Vec3&, Random& random) {
+            const double miss = random.magnitude(finest, 0);
+            return apex + miss * (f.radius(0) + f.radius(1)) * random.direction();
+        });
+    }
+    return list;
+}
+
+std::vector<Target> targets(const Box& box, double) {
+    std::vector<Target> list;
+    for (int fixed = 0; fixed < 4; ++fixed) {
+        list.emplace_back(
+            [=](const Vec3&, Random& random) { return on_faces(box, fixed, random); });
+    }
+    return list;
+}
+
+std::vector<Target> targets(const Plane& plane, double finest) {
+    const Vec3 n = plane.normal.normalized();
+    return {
+        [=](const Vec3&, Random& random) { return plane.point + 10.0 * n.cross(random.in_cube()); },
+        [=](const Vec3& from, Random& random) {
+            const Vec3 level = from + n.cross(random.in_cube());
+            const double off = random.magnitude(finest, 0);
+            return level + off * random.in_cube();
+        },
+    };
+}
+
+std::vector<Target> targets_of_face(const std::shared_ptr<const Scene>& scene,
+                                    std::uint32_t primitive) {
+    std::vector<Target> list;
+    for (const Feature feature : features) {
+        list.emplace_back([=](const Vec3&, Random& random) {
+            return point_of(Outline(*scene, primitive), feature, random);
+        });
+    }
+    return list;
+}
+
+}  // namespace
+
+std::vector<Target> targets_of(const std::shared_ptr<const Scene>& scene, std::uint32_t primitive,
+                               double finest) {
+    const Primitive& p = scene->primitives[primitive];
+    return with_shape(p.kind, [&]<class Shape>() {
+        if constexpr (std::is_same_v<Shape, Triangle> || std::is_same_v<Shape, Polygon>) {
+            return targets_of_face(scene, primitive);
+        } else {
+            return targets(scene->get<Shape>(p), finest);
+        }
+    });
+}
+
+Vec3 on_faces(const Box& box, int fixed, Random& random) {
+    const auto first = static_cast<int>(random.index(3));
+    Vec3 p;
+    for (int i = 0; i < 3; ++i) {
+        const int k = (first + i) % 3;
+        const double share = i < fixed ? static_cast<double>(random.index(2)) : random.uniform();
+        p[k] = share == 1 ? box.max[k] : box.min[k] + share * (box.max[k] - box.min[k]);
+    }
+    return p;
+}
+
+}  // namespace etalon::hard

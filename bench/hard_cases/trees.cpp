@@ -1,0 +1,125 @@
+// Scenes that hierarchies are built badly over: nothing to split at, or nothing to split by.
+#include "bench/hard_cases/aims.h"
+#include "bench/hard_cases/families.h"
+#include "bench/hard_cases/outline.h"
+#include "bench/hard_cases/world.h"
+
+namespace etalon::hard {
+namespace {
+
+/// From within half a radius in all directions: nothing gets out of a sphere.
+Setting same_spheres(std::size_t count) {
+    Setting setting{{}, 1, [](Random& random) {
+                        const Vec3 origin = usual_place() + 0.5 * in_ball(random);
+                        return Ray{origin, random.direction()};
+                    }};
+    while (setting.scene.primitives.size() < count) {
+        setting.scene.add(Sphere{usual_place(), 1}, 0);
+    }
+    return setting;
+}
+
+/// One triangle many times over, met by two of three rays.
+Setting same_triangles(std::uint32_t count) {
+    Setting setting{{}, 1, [](Random& random) {
+                        const double x = random.uniform(), y = random.uniform();
+                        const Vec3 target(x, y * (1 - x) * 1.5, 0);
+                        return towards(target + 3.0 * random.direction(), target);
+                    }};
+    setting.scene.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    for (std::uint32_t i = 0; i < count; ++i) setting.scene.add(Triangle{{0, 1, 2}}, 0);
+    return setting;
+}
+
+/// Concentric spheres: all middles are the same.
+Setting concentric() {
+    Scene scene;
+    for (int i = 0; i < 500; ++i) scene.add(Sphere{usual_place(), 1 + i / 1000.0}, 0);
+    return aimed_at_world(std::move(scene));
+}
+
+/// Boxes in a row along a line.
+Setting in_a_row() {
+    Scene scene;
+    for (int i = 0; i < 1000; ++i) {
+        scene.add(Box{{i + 0.0, 0, 0}, {i + 1.0, 1, 1}}, 0);
+    }
+    return aimed_at_world(std::move(scene));
+}
+
+/// Every shape of a world eight times, the copies far apart in the numbering.
+Setting copies() {
+    Scene scene = world({.count = 200});
+    const std::vector<Primitive> once = scene.primitives;
+    for (int copy = 1; copy < 8; ++copy) {
+        scene.primitives.insert(scene.primitives.end(), once.begin(), once.end());
+    }
+    Random random(13, 0);
+    for (std::size_t i = scene.primitives.size() - 1; i > 0; --i) {
+        std::swap(scene.primitives[i], scene.primitives[random.index(i + 1)]);
+    }
+    return aimed_at_world(std::move(scene));
+}
+
+/// A floor 1e6 wide, and in one spot of it 1e4 spheres of about 1e-3; half of the rays go there.
+Setting stadium() {
+    const auto near = [](Random& random) { return 0.1 * random.in_cube() + Vec3(0, 0, 0.1); };
+    Setting setting{{}, 1, [=](Random& random) {
+                        const bool at_spot = random.index(2) == 0;
+                        const Vec3 anywhere = 5e5 * Vec3(1, 1, 0) * random.in_cube();
+                        const Vec3 target = at_spot ? near(random) : anywhere;
+                        Vec3 out = random.direction();
+                        out.z = std::abs(out.z);
+                        return towards(target + random.magnitude(-2, 6) * out, target);
+                    }};
+    setting.scene.add(Box{{-5e5, -5e5, -1}, {5e5, 5e5, 0}}, 0);
+    Random random(1, 0);
+    while (setting.scene.primitives.size() < 10001) {
+        const Vec3 centre = near(random);
+        setting.scene.add(Sphere{centre, random.uniform(5e-4, 2e-3)}, 0);
+    }
+    return setting;
+}
+
+/// Everything at z = 0 exactly: triangles, and boxes without height.
+Scene flat() {
+    Scene scene;
+    Random random(17, 0);
+    const auto in_square = [&](double half) { return half * Vec3(1, 1, 0) * random.in_cube(); };
+    while (scene.primitives.size() < 1000) {
+        const Vec3 a = in_square(1), b = a + in_square(0.1);
+        if (random.index(3) == 0) {
+            const Vec3 half = abs(b - a);
+            scene.add(Box{a - half, a + half}, 0);
+        } else {
+            add_face(scene, {a, b, a + in_square(0.1)});
+        }
+    }
+    return scene;
+}
+
+/// Points on a line: no extent in two axes.
+Scene spikes() {
+    Scene scene;
+    for (int i = 0; i < 500; ++i) scene.add(Box{{0, 0, 2.0 * i}, {0, 0, 2.0 * i + 1}}, 0);
+    return scene;
+}
+
+}  // namespace
+
+std::vector<HardCase> tree_cases() {
+    Rows rows("scene");
+    rows.add(
+        "BVH-1", "1e4 times one sphere", [] { return same_spheres(10000); }, Judge::enclosed);
+    rows.add("BVH-1", "256 times one sphere", [] { return same_spheres(256); });
+    rows.add_both("BVH-1", "256 times one triangle", [] { return same_triangles(256); });
+    rows.add("BVH-1", "concentric spheres", concentric);
+    rows.add("BVH-1", "boxes in a row", in_a_row);
+    rows.add("BVH-1", "shuffled copies of a world", copies);
+    rows.add("BVH-2", "1e4 spheres on a floor of 1e6", stadium);
+    rows.add("BVH-4", "flat", [] { return aimed_at_world(flat()); });
+    rows.add("BVH-4", "boxes that are lines", [] { return aimed_at_world(spikes()); });
+    return rows.take();
+}
+
+}  // namespace etalon::hard

@@ -1,0 +1,87 @@
+#include "bench/hard_cases/world.h"
+
+#include "bench/hard_cases/aims.h"
+#include "bench/hard_cases/outline.h"
+
+namespace etalon::hard {
+namespace {
+
+/// A concave or convex outline of 4 to 7 corners around `place`.
+void add_polygon(Scene& scene, const Vec3& place, double size, Sides sides, Random& random) {
+    Vec3 u, v;
+    orthonormal_basis(random.direction(), u, v);
+    const std::size_t count = 4 + random.index(4);
+    std::vector<Vec3> corners;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double angle = turn * static_cast<double>(i) / static_cast<double>(count);
+        const double radius = size * random.uniform(0.3, 1);
+        corners.push_back(place + radius * (std::cos(angle) * u + std::sin(angle) * v));
+    }
+    add_face(scene, corners, sides);
+}
+
+void add_triangle(Scene& scene, const Vec3& place, double size, Sides sides, Random& random) {
+    const Vec3 b = place + size * random.in_cube();
+    add_face(scene, {place, b, place + size * random.in_cube()}, sides);
+}
+
+void add_cone(Scene& scene, const Vec3& place, double size, Sides sides, Random& random) {
+    const Vec3 top = place + size * random.in_cube();
+    const double base_radius = size * std::max(0.0, random.uniform(-0.2, 0.5));
+    scene.add(Cone{place, top, base_radius, size * random.uniform(0.1, 0.5)}, 0, sides);
+}
+
+void add_shape(Scene& scene, ShapeKind kind, double size, Sides sides, Random& random) {
+    const Vec3 place = random.in_cube();
+    if (kind == kind_of<Sphere>()) {
+        scene.add(Sphere{place, size * random.uniform(0.1, 1)}, 0, sides);
+    } else if (kind == kind_of<Triangle>()) {
+        add_triangle(scene, place, size, sides, random);
+    } else if (kind == kind_of<Polygon>()) {
+        add_polygon(scene, place, size, sides, random);
+    } else if (kind == kind_of<Box>()) {
+        const Vec3 half = abs(size * random.in_cube());
+        scene.add(Box{place - half, place + half}, 0, sides);
+    } else if (kind == kind_of<Plane>()) {
+        scene.add(Plane{3.0 * place, random.direction()}, 0, sides);
+    } else {
+        add_cone(scene, place, size, sides, random);
+    }
+}
+
+ShapeKind any_kind(const WorldPlan& plan, Random& random) {
+    if (!plan.kinds.empty()) return plan.kinds[random.index(plan.kinds.size())];
+    const auto kind = static_cast<ShapeKind>(random.index(shape_kinds));
+    // One in fifty is a plane, or they would hide the rest.
+    return kind == kind_of<Plane>() && random.index(8) != 0 ? kind_of<Sphere>() : kind;
+}
+
+}  // namespace
+
+Scene world(const WorldPlan& plan) {
+    Scene scene;
+    Random random(plan.seed, 0);
+    while (scene.primitives.size() < plan.count) {
+        const ShapeKind kind = any_kind(plan, random);
+        const double low = std::log10(plan.smallest), high = std::log10(plan.largest);
+        const double size = random.magnitude(low, high);
+        const Sides sides = plan.one_sided ? static_cast<Sides>(random.index(3)) : Sides::both;
+        add_shape(scene, kind, size, sides, random);
+    }
+    return scene;
+}
+
+Scene moved(Scene scene, double factor, const Vec3& offset) {
+    const auto move = [&](Vec3& p) { p = factor * p + offset; };
+    for (Vec3& v : scene.vertices) move(v);
+    for (Sphere& s : scene.all<Sphere>()) move(s.centre), s.radius *= factor;
+    for (Box& b : scene.all<Box>()) move(b.min), move(b.max);
+    for (Plane& p : scene.all<Plane>()) move(p.point);
+    for (Cone& c : scene.all<Cone>()) {
+        move(c.base), move(c.top);
+        c.base_radius *= factor, c.top_radius *= factor;
+    }
+    return scene;
+}
+
+}  // namespace etalon::hard

@@ -1,0 +1,35 @@
+// Scenes of many shapes, and rays at them.
+#pragma once
+
+#include "bench/hard_cases/approaches.h"
+#include "bench/hard_cases/rows.h"
+
+namespace etalon::hard {
+
+/// What a scene's primitives are chosen from.
+struct WorldPlan {
+    std::size_t count = 1000;
+    std::uint64_t seed = 1;
+    std::vector<ShapeKind> kinds = {};       ///< empty: all of them, planes rarely
+    double smallest = 0.15, largest = 0.15;  ///< sizes, evenly in the exponent
+    bool one_sided = false;                  ///< a third shows its front only, a third its back
+};
+
+/// Shapes whose middles are in the cube [-1, 1]^3.
+Scene world(const WorldPlan& plan);
+
+/// Every length times `factor`, then every point moved by `offset`.
+Scene moved(Scene scene, double factor, const Vec3& offset);
+
+/// From everywhere to what there is to aim at on the scene's primitives, see targets_of(); a third
+/// of the rays starts or ends somewhere along the way. As fine as 1e-6, what is missed or hit at
+/// 1e7 sizes is beyond doubt in double.
+Setting aimed_at_world(Scene scene, double finest = -6);
+
+/// From beside a point of one primitive, by 1e-6 to 1e-1 of its size, to anywhere.
+Setting bouncing_in_world(Scene scene);
+
+/// From an eye at `distance` times the scene's size, through all of a screen.
+Setting seen_from_eye(Scene scene, double distance);
+
+}  // namespace etalon::hard

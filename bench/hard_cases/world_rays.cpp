@@ -1,0 +1,104 @@
+#include "bench/hard_cases/aims.h"
+#include "bench/hard_cases/world.h"
+#include "core/intersect/kernels.h"
+
+namespace etalon::hard {
+namespace {
+
+Place middle_of(const Box3& box) {
+    return {box.center(), max_abs(box.size()) / 2};
+}
+
+/// What rays know of a scene.
+class Surroundings {
+  public:
+    Surroundings(Scene scene, double finest) : scene_(std::make_shared<Scene>(std::move(scene))) {
+        std::vector<Box3> boxes;
+        Box3 all;
+        for (std::uint32_t id = 0; id < scene_->primitives.size(); ++id) {
+            boxes.push_back(primitive_bounds(*scene_, id));
+            if (!boxes.back().isEmpty() && is_finite(boxes.back().size()))
+                all.extendBy(boxes.back());
+        }
+        if (!all.isEmpty()) whole_ = middle_of(all);
+        for (std::uint32_t id = 0; id < scene_->primitives.size(); ++id) {
+            if (boxes[id].isEmpty()) continue;
+            const bool bounded = is_finite(boxes[id].size());
+            things_.push_back(
+                {bounded ? middle_of(boxes[id]) : whole_, targets_of(scene_, id, finest)});
+        }
+    }
+
+    const Scene& scene() const { return *scene_; }
+    const Place& whole() const { return whole_; }
+
+    /// One primitive: where it is and what to aim at.
+    struct Thing {
+        Place place;
+        std::vector<Target> targets;
+    };
+    const Thing& any(Random& random) const { return things_[random.index(things_.size())]; }
+
+  private:
+    std::shared_ptr<const Scene> scene_;
+    Place whole_{Vec3(0), 1};  ///< of all that is bounded
+    std::vector<Thing> things_;
+};
+
+const Target& any_target(const Surroundings::Thing& thing, Random& random) {
+    return thing.targets[random.index(thing.targets.size())];
+}
+
+/// The range ends or begins near where the ray comes closest to the point.
+void limit(Ray& ray, const Vec3& point, Random& random) {
+    const double length2 = ray.direction.dot(ray.direction);
+    const double t = std::abs((point - ray.origin).dot(ray.direction)) / length2;
+    if (!std::isfinite(t)) return;
+    ray.tmin = t * random.uniform();
+    if (random.index(2) == 0) ray.tmax = ray.tmin + t * random.uniform(0, 2);
+}
+
+/// A setting whose rays know its scene.
+Setting setting_of(Scene scene, double finest, Ray (*make)(const Surroundings&, Random&)) {
+    const auto around = std::make_shared<const Surroundings>(std::move(scene), finest);
+    return {around->scene(), around->whole().size,
+            [=](Random& random) { return make(*around, random); }};
+}
+
+Ray aimed_ray(const Surroundings& around, Random& random) {
+    const Surroundings::Thing& thing = around.any(random);
+    const Place& seen_from = random.index(2) == 0 ? thing.place : around.whole();
+    Ray ray = approach(seen_from, any_target(thing, random), random);
+    if (random.index(3) == 0) limit(ray, thing.place.centre, random);
+    return ray;
+}
+
+Ray bouncing_ray(const Surroundings& around, Random& random) {
+    const Surroundings::Thing& thing = around.any(random);
+    const Vec3 eye = around.whole().centre + around.whole().size * random.in_cube();
+    const Vec3 surface = any_target(thing, random)(eye, random);
+    const Vec3 direction = random.direction();
+    return {surface + thing.place.size * random.magnitude(-6, -1) * direction, direction};
+}
+
+}  // namespace
+
+Setting aimed_at_world(Scene scene, double finest) {
+    return setting_of(std::move(scene), finest, aimed_ray);
+}
+
+Setting bouncing_in_world(Scene scene) {
+    return setting_of(std::move(scene), -6, bouncing_ray);
+}
+
+Setting seen_from_eye(Scene scene, double distance) {
+    const Place whole = Surroundings(scene, -6).whole();
+    const Vec3 ahead = tilted(0, 0, 1);
+    return {std::move(scene), whole.size, [=](Random& random) {
+                const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+                return Ray{whole.centre - distance * whole.size * ahead,
+                           distance * ahead + tilted(x, y, 0)};
+            }};
+}
+
+}  // namespace etalon::hard

@@ -1,0 +1,95 @@
+// Whole scenes against brute force: what a backend gets wrong that a kernel gets right.
+#include "bench/hard_cases/aims.h"
+#include "bench/hard_cases/families.h"
+#include "bench/hard_cases/world.h"
+
+namespace etalon::hard {
+namespace {
+
+/// Spheres in a cube of 2 around a place, all of floats.
+Scene cloud(const Vec3& place) {
+    Scene scene;
+    Random random(1, 0);
+    while (scene.primitives.size() < 2000) {
+        const Vec3 centre = rounded(place + random.in_cube());
+        scene.add(Sphere{centre, static_cast<float>(random.uniform(0.01, 0.04))}, 0);
+    }
+    return scene;
+}
+
+/// From all around, half of the rays at silhouettes to within 1e-3 radii, the others anywhere.
+Setting cloud_from(double offset, double distance) {
+    const Vec3 place = offset * Vec3(0.6, -0.48, 0.64);
+    Setting setting{cloud(place), 1, {}};
+    setting.ray = [=, spheres = setting.scene.all<Sphere>()](Random& random) {
+        const Vec3 eye = place + distance * random.direction();
+        if (random.index(2) == 0) return towards(eye, place + random.in_cube());
+        const Sphere& s = spheres[random.index(spheres.size())];
+        const Vec3 side = across((s.centre - eye).normalized(), random.uniform(0, turn));
+        const double reach = s.radius * (1 + random.uniform(-1e-3, 1e-3));
+        return towards(eye, s.centre + reach * side);
+    };
+    return setting;
+}
+
+void add_clouds(Rows& rows) {
+    struct Offset {
+        const char* name;
+        double offset;
+    };
+    for (const Offset& o : {Offset{"0", 0}, Offset{"1e3", 1e3}, Offset{"1e5", 1e5}}) {
+        for (const int distance : {3, 300, 30000}) {
+            const std::string from = " from " + std::to_string(distance);
+            rows.add_both("A4", std::string("cloud at ") + o.name + from,
+                          [offset = o.offset, distance] { return cloud_from(offset, distance); });
+        }
+    }
+}
+
+/// Thin triangles of all directions.
+Scene slivers() {
+    Scene scene;
+    Random random(16, 0);
+    for (std::uint32_t i = 0; i < 1000; ++i) {
+        const Vec3 a = random.in_cube(), along = random.in_cube();
+        const double share = random.uniform(), width = random.magnitude(-8, -2);
+        const Vec3 c = a + share * along + width * random.in_cube();
+        scene.vertices.insert(scene.vertices.end(), {a, a + along, c});
+        scene.add(Triangle{{3 * i, 3 * i + 1, 3 * i + 2}}, 0);
+    }
+    return scene;
+}
+
+Scene one_kind(ShapeKind kind) {
+    return world({.count = kind == kind_of<Plane>() ? 20U : 1000U, .kinds = {kind}});
+}
+
+}  // namespace
+
+std::vector<HardCase> world_cases() {
+    Rows rows("scene");
+    add_clouds(rows);
+    rows.add("A4", "mixed: from an eye", [] { return seen_from_eye(world({}), 3); });
+    rows.add("A4", "mixed: bouncing", [] { return bouncing_in_world(world({})); });
+    rows.add("A4", "mixed: aimed", [] { return aimed_at_world(world({})); });
+    rows.add("A4", "mixed: aimed to the last bit",
+             [] { return aimed_at_world(world({}), to_the_last_bit); });
+    for (ShapeKind kind = 0; kind < shape_kinds; ++kind) {
+        rows.add("A4", std::string(kind_name(kind)) + " only: aimed",
+                 [=] { return aimed_at_world(one_kind(kind)); });
+    }
+    rows.add("A4", "one-sided: aimed", [] { return aimed_at_world(world({.one_sided = true})); });
+    rows.add("A4", "huge and tiny: aimed", [] {
+        return aimed_at_world(world({.count = 200, .smallest = 1e-6, .largest = 1e4}));
+    });
+    rows.add("A4", "slivers: aimed", [] { return aimed_at_world(slivers()); });
+    const auto add_moved = [&](const char* name, double factor, const Vec3& offset) {
+        rows.add("A4", name, [=] { return aimed_at_world(moved(world({}), factor, offset)); });
+    };
+    add_moved("mixed at 1e6: aimed", 1, {1e6, -1e6, 1e6});
+    add_moved("minute, 1e-30: aimed", 1e-30, Vec3(0));
+    add_moved("immense, 1e30: aimed", 1e30, Vec3(0));
+    return rows.take();
+}
+
+}  // namespace etalon::hard
