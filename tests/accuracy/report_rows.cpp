@@ -18,7 +18,7 @@ Row row(std::string id, std::string shape, std::string contender, double ulps, s
     for (const double share : {0.0, 0.3, 1.0}) {
         r.tally.float_ulps.add(share * ulps);
         r.tally.double_ulps.add(share * std::ldexp(ulps, 29));
-        r.tally.conditioned.add(share * 3.1);
+        r.tally.conditioned.add(share * 3.1e10);
         r.tally.position.add(share * 5.123e-10);
     }
     r.cost = cost;

@@ -22,10 +22,11 @@ struct ConeCoefficients {
     };
     Quadratic of_line(const Vec<Real>& f, const Vec<Real>& d) const {
         const Real fz = f.dot(axis), dz = d.dot(axis);
+        const Vec<Real> f_across = f - fz * axis, d_across = d - dz * axis;
         const Real r = radius + slope * fz, dr = slope * dz;
-        const Real a = d.dot(d) - dz * dz - dr * dr;
-        const Real b = f.dot(d) - fz * dz - r * dr;
-        const Real c = f.dot(f) - fz * fz - r * r;
+        const Real a = d_across.dot(d_across) - dr * dr;
+        const Real b = f_across.dot(d_across) - r * dr;
+        const Real c = f_across.dot(f_across) - r * r;
         return {a, b, c, b * b - a * c};
     }
 
