@@ -22,6 +22,21 @@ struct FloatRay {
     float tmin, tmax;
 };
 
+/// A float ray and what renderers work out once for all the primitives that it may meet.
+struct PreparedRay : FloatRay {
+    explicit PreparedRay(const Ray& r)
+        : FloatRay(r),
+          inverse(1 / direction.x, 1 / direction.y, 1 / direction.z),
+          kz(dominant_axis(Vec3(direction))),
+          kx((kz + 1) % 3),
+          ky((kz + 2) % 3),
+          shear(direction[kx] / direction[kz], direction[ky] / direction[kz], inverse[kz]) {}
+
+    Vec3f inverse;  ///< for slab tests (Williams et al. 2005, JGT 10(1))
+    int kz, kx, ky;
+    Vec3f shear;  ///< for triangles (Woop, Benthin & Wald 2013, JCGT 2(1))
+};
+
 /// Rays in every form that a contender may want, so that converting them costs none of them time.
 struct RayBlock {
     explicit RayBlock(std::vector<Ray> list);
@@ -29,6 +44,7 @@ struct RayBlock {
     std::vector<Ray> rays;
     std::vector<RayQuery> queries;
     std::vector<FloatRay> floats;
+    std::vector<PreparedRay> prepared;
 };
 
 /// What a contender says of a ray; a miss has no primitive.

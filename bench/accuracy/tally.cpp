@@ -4,22 +4,19 @@
 #include <cmath>
 
 namespace etalon::accuracy {
-namespace {
 
-constexpr double least_exponent = -64;
-
-}  // namespace
-
+/// Bucket 0 is for zero; bucket b > 0 ends at 2^(b / steps - octaves / 2), inclusive.
 void Distribution::add(double value) {
-    const double place = (std::log2(value) - least_exponent) * steps;
+    const double place = (std::log2(value) + octaves / 2) * steps;
     const double last = octaves * steps;
-    ++buckets_[value > 0 ? static_cast<std::size_t>(std::clamp(place + 1, 0.0, last)) : 0];
+    const double bucket = value > 0 ? std::clamp(std::ceil(place), 1.0, last) : 0;
+    ++buckets_[static_cast<std::size_t>(bucket)];
     ++count_;
     max_ = std::max(max_, value);
 }
 
 Distribution& Distribution::operator+=(const Distribution& other) {
-    for (std::size_t i = 0; i < buckets_.size(); ++i) buckets_[i] += other.buckets_[i];
+    for (std::size_t b = 0; b < buckets_.size(); ++b) buckets_[b] += other.buckets_[b];
     count_ += other.count_;
     max_ = std::max(max_, other.max_);
     return *this;
@@ -27,33 +24,23 @@ Distribution& Distribution::operator+=(const Distribution& other) {
 
 double Distribution::quantile(double q) const {
     const double wanted = q * static_cast<double>(count_);
-    std::uint64_t seen = 0;
-    for (std::size_t i = 0; i < buckets_.size(); ++i) {
-        seen += buckets_[i];
-        if (seen == 0 || static_cast<double>(seen) < wanted) continue;
-        if (i == 0) return 0;
-        const double top = std::exp2(static_cast<double>(i) / steps + least_exponent);
-        return std::min(top, max_);
-    }
-    return max_;
+    std::uint64_t passed = buckets_[0];
+    std::size_t b = 0;
+    while (static_cast<double>(passed) < wanted && b + 1 < buckets_.size()) passed += buckets_[++b];
+    if (b == 0) return 0;
+    return std::min(max_, std::exp2(static_cast<double>(b) / steps - octaves / 2));
 }
 
 Tally& Tally::operator+=(const Tally& other) {
-    rays += other.rays;
-    undecidable += other.undecidable;
-    false_hits += other.false_hits;
-    false_misses += other.false_misses;
-    wrong_roots += other.wrong_roots;
-    wrong_primitives += other.wrong_primitives;
-    leaks += other.leaks;
-    self_hits += other.self_hits;
-    contradictions += other.contradictions;
-    deviations += other.deviations;
-    float_ulps += other.float_ulps;
-    double_ulps += other.double_ulps;
-    conditioned += other.conditioned;
-    position += other.position;
-    shift += other.shift;
+    for (const auto count : {&Tally::rays, &Tally::undecidable, &Tally::false_hits,
+                             &Tally::false_misses, &Tally::wrong_roots, &Tally::wrong_primitives,
+                             &Tally::leaks, &Tally::self_hits, &Tally::contradictions, &Tally::deviations}) {
+        this->*count += other.*count;
+    }
+    for (const auto values : {&Tally::float_ulps, &Tally::double_ulps, &Tally::conditioned,
+                              &Tally::position, &Tally::shift}) {
+        this->*values += other.*values;
+    }
     return *this;
 }
 

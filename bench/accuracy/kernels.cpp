@@ -1,0 +1,85 @@
+#include "bench/accuracy/contender.h"
+#include "bench/accuracy/textbook/all.h"
+#include "core/intersect/shapes/all.h"
+
+namespace etalon::accuracy {
+namespace {
+
+/// The project's kernel in the form of a textbook's.
+template <class Shape>
+struct ProjectKernel {
+    using RayForm = RayQuery;
+
+    double first_hit(const RayQuery& query) const {
+        const double t = etalon::first_hit(scene, shape, sides, query);
+        return t <= query.ray.tmax ? t : no_hit;
+    }
+
+    const Scene& scene;
+    Shape shape;
+    Sides sides;
+};
+
+template <class RayForm>
+const std::vector<RayForm>& rays_as(const RayBlock& block) {
+    if constexpr (std::is_same_v<RayForm, RayQuery>) {
+        return block.queries;
+    } else if constexpr (std::is_same_v<RayForm, FloatRay>) {
+        return block.floats;
+    } else if constexpr (std::is_same_v<RayForm, PreparedRay>) {
+        return block.prepared;
+    } else {
+        return block.rays;
+    }
+}
+
+/// A kernel alone, inlined into the loop over the rays.
+template <class Kernel>
+class KernelContender final : public Contender {
+  public:
+    KernelContender(std::string_view name, Kernel kernel)
+        : Contender(std::string(name)), kernel_(std::move(kernel)) {}
+
+    void closest(const RayBlock& block, std::span<Answer> answers) const override {
+        const auto& rays = rays_as<typename Kernel::RayForm>(block);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const double t = kernel_.first_hit(rays[i]);
+            answers[i] = t < infinity ? Answer{t, 0} : missed;
+        }
+    }
+
+  private:
+    Kernel kernel_;
+};
+
+template <class Kernel>
+std::unique_ptr<Contender> contender(std::string_view name, Kernel kernel) {
+    return std::make_unique<KernelContender<Kernel>>(name, std::move(kernel));
+}
+
+template <class Shape>
+std::vector<std::unique_ptr<Contender>> textbooks_of(const Scene& scene, const Shape& shape) {
+    std::vector<std::unique_ptr<Contender>> list;
+    std::apply([&](auto... k) { (list.push_back(contender(k.name, std::move(k.kernel))), ...); },
+               textbook_kernels(scene, shape));
+    return list;
+}
+
+}  // namespace
+
+std::unique_ptr<Contender> kernel_contender(const Scene& scene) {
+    if (scene.primitives.size() != 1) return nullptr;
+    const Primitive& p = scene.primitives.front();
+    return with_shape(p.kind, [&]<class Shape>() {
+        return contender("kernel", ProjectKernel<Shape>{scene, scene.get<Shape>(p), p.sides});
+    });
+}
+
+std::vector<std::unique_ptr<Contender>> textbook_contenders(const Scene& scene) {
+    if (scene.primitives.size() != 1) return {};
+    const Primitive& p = scene.primitives.front();
+    return with_shape(p.kind,
+                      [&]<class Shape>() { return textbooks_of(scene, scene.get<Shape>(p)); });
+}
+
+}  // namespace etalon::accuracy

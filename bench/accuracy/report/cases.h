@@ -1,0 +1,36 @@
+// The rows of a report as its parts are arranged: by shape, then by case, in order of appearance.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/accuracy/tally.h"
+
+namespace etalon::accuracy {
+
+/// What the contenders made of one case. The rows must outlive it.
+struct CaseRows {
+    std::string name() const;  ///< "SPH-1, 1e3 radii"
+
+    /// Nothing if it took no part.
+    const Row* find(std::string_view contender) const;
+
+    std::string id, variant, judge;
+    std::vector<const Row*> rows;
+};
+
+std::vector<std::string> shapes_of(const std::vector<Row>& rows);
+std::vector<CaseRows> cases_of(const std::vector<Row>& rows, const std::string& shape);
+
+/// Names that the report looks for among the contenders.
+inline constexpr std::string_view yardstick = "embree-builtin";
+inline constexpr std::string_view bare_kernel = "kernel";
+
+/// Whether a contender of that name is one of textbook_contenders().
+bool is_textbook(std::string_view contender);
+
+/// All that went wrong, in a million rays.
+double errors_per_million(const Tally& tally);
+
+}  // namespace etalon::accuracy

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "bench/accuracy/tally.h"
+
+namespace etalon::accuracy {
+
+/// Where and with what the rows were measured.
+struct Circumstances {
+    std::string machine, compiler, flags, version;
+};
+
+/// This machine's processor, and this program's compiler, flags and version.
+Circumstances circumstances();
+
+/// Everything, with every bit of every number; of a distribution its count, quantiles and maximum.
+/// What is infinite is null.
+nlohmann::ordered_json json(const std::vector<Row>& rows, const Circumstances& circumstances);
+
+}  // namespace etalon::accuracy

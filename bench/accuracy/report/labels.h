@@ -1,0 +1,35 @@
+// Labels that stand next to what they name, and not on each other.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/accuracy/report/svg.h"
+
+namespace etalon::accuracy {
+
+struct Rectangle {
+    double left, top, right, bottom;
+};
+
+struct Label {
+    std::string text;
+    bool is_bold;
+    Place mark;  ///< what is labelled
+    Place at{0, 0};
+    Anchor anchor = Anchor::start;
+    bool is_far = false;  ///< so that a line must lead from the mark to the text
+};
+
+/// What the text covers and a little around it; its width is an estimate, for a wide sans-serif
+/// font of 12 pixels.
+Rectangle extent(const Label& label);
+
+/// From the mark to the nearest point under or above the text.
+Place leader_end(const Label& label);
+
+/// Chooses `at` for each label: inside `page`, off the marks, off the places in `avoid` where it
+/// can, near its mark.
+void place(std::vector<Label>& labels, const Rectangle& page, const std::vector<Place>& avoid);
+
+}  // namespace etalon::accuracy

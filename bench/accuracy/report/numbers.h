@@ -1,0 +1,16 @@
+// How the report writes numbers for people: few digits, never wider than a column.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace etalon::accuracy {
+
+/// To two or three digits, of what is below 1e-9 to one, in at most six characters: "0", "0.25",
+/// "12.3", "9087", "4.6e4", "6e-17".
+std::string brief(double value);
+
+/// Exact up to six digits, then like "2.5e6".
+std::string brief_count(std::uint64_t count);
+
+}  // namespace etalon::accuracy

@@ -1,0 +1,94 @@
+#include "bench/accuracy/report/points.h"
+
+#include <algorithm>
+
+#include "bench/accuracy/report/cases.h"
+
+namespace etalon::accuracy {
+namespace {
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+std::string unit_of(const std::vector<CaseRows>& cases) {
+    for (const CaseRows& c : cases) {
+        for (const Row* row : c.rows) {
+            if (row->cost > 0 && is_textbook(row->contender)) return row->contender;
+        }
+    }
+    for (const CaseRows& c : cases) {
+        if (c.find(yardstick)) return std::string(yardstick);
+    }
+    return {};
+}
+
+/// 0 if the case has no cost in this unit.
+double cost_of(const Row& row, const CaseRows& c, const std::string& unit) {
+    if (unit.empty()) return row.nanoseconds;
+    if (unit != yardstick) return row.cost;
+    const Row* one = c.find(yardstick);
+    return one && one->nanoseconds > 0 ? row.nanoseconds / one->nanoseconds : 0;
+}
+
+Point point_of(const std::string& contender, const std::vector<CaseRows>& cases,
+               const std::string& unit) {
+    Point point;
+    point.contender = contender;
+    std::vector<double> costs;
+    for (const CaseRows& c : cases) {
+        const Row* row = c.find(contender);
+        if (row == nullptr) continue;
+        const double cost = cost_of(*row, c, unit), error = error_of(row->tally);
+        if (cost > 0) costs.push_back(cost);
+        if (point.worst_case.empty() || error > point.error) {
+            point.error = error;
+            point.worst_case = c.name();
+        }
+        point.exact = row->exact;
+    }
+    point.cost = costs.empty() ? 0 : median(std::move(costs));
+    return point;
+}
+
+/// Whether `a` is at least as good in both, and better in one.
+bool dominates(const Point& a, const Point& b) {
+    constexpr double same = 1.01;
+    const double error_a = 1 + a.error, error_b = 1 + b.error;
+    const bool worse = a.cost > same * b.cost || error_a > same * error_b;
+    return !worse && (same * a.cost < b.cost || same * error_a < error_b);
+}
+
+}  // namespace
+
+double error_of(const Tally& tally) {
+    return std::min(tally.float_ulps.max(), 0x1p24) + errors_per_million(tally);
+}
+
+void mark_efficient(std::vector<Point>& points) {
+    for (Point& p : points) {
+        p.efficient = std::none_of(points.begin(), points.end(),
+                                   [&](const Point& other) { return dominates(other, p); });
+    }
+}
+
+Scatter scatter_of(const std::vector<Row>& rows, const std::string& shape) {
+    const std::vector<CaseRows> cases = cases_of(rows, shape);
+    Scatter scatter{unit_of(cases), cases.size(), {}};
+    std::vector<std::string> seen;
+    for (const Row& row : rows) {
+        const bool known = std::find(seen.begin(), seen.end(), row.contender) != seen.end();
+        if (row.shape != shape || known) continue;
+        seen.push_back(row.contender);
+        const Point point = point_of(row.contender, cases, scatter.unit);
+        if (point.cost > 0) scatter.points.push_back(point);
+    }
+    mark_efficient(scatter.points);
+    std::sort(scatter.points.begin(), scatter.points.end(),
+              [](const Point& a, const Point& b) { return a.cost < b.cost; });
+    return scatter;
+}
+
+}  // namespace etalon::accuracy

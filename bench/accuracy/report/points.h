@@ -1,0 +1,37 @@
+// Error against cost: where each contender stands for a shape.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/accuracy/tally.h"
+
+namespace etalon::accuracy {
+
+struct Point {
+    std::string contender;
+    bool exact = false;
+    double cost = 0;   ///< median over the cases, in the unit of the scatter
+    double error = 0;  ///< of the worst case: see error_of()
+    std::string worst_case;
+    bool efficient = false;  ///< in the Pareto set: nobody is cheaper and as good, or better
+};
+
+struct Scatter {
+    std::string unit;  ///< what `cost` is relative to; empty if it is in nanoseconds
+    std::size_t cases = 0;
+    std::vector<Point> points;  ///< by cost
+};
+
+/// The largest error of t in ulp of a float, plus all that went wrong in a million rays. An ulp
+/// count is taken as 2^24 at most: there no digit of a float is right.
+double error_of(const Tally& tally);
+
+/// Cost is relative to the first textbook kernel where rows are, else to `yardstick`, else in
+/// nanoseconds. Who has no cost has no point.
+Scatter scatter_of(const std::vector<Row>& rows, const std::string& shape);
+
+/// Costs or errors (plus one) within a hundredth count as equal: no plot shows less.
+void mark_efficient(std::vector<Point>& points);
+
+}  // namespace etalon::accuracy

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/accuracy/tally.h"
+
+namespace etalon::accuracy {
+
+/// The rows as a table for the terminal, some 160 columns wide, by shape and case. A "." is a zero,
+/// so that errors stand out; a "-" is what the case's judge does not look at.
+std::string table(const std::vector<Row>& rows);
+
+}  // namespace etalon::accuracy

@@ -1,0 +1,51 @@
+#include "tests/accuracy/report_rows.h"
+
+#include <cmath>
+
+namespace etalon::accuracy {
+
+Row row(std::string id, std::string shape, std::string contender, double ulps, std::uint64_t errors,
+        double cost) {
+    Row r;
+    r.id = std::move(id);
+    r.variant = "1e3 <radii> & more";
+    r.shape = std::move(shape);
+    r.judge = "oracle";
+    r.contender = std::move(contender);
+    r.exact = errors == 0;
+    r.tally.rays = 1000000;
+    r.tally.false_hits = errors;
+    for (const double share : {0.0, 0.3, 1.0}) {
+        r.tally.float_ulps.add(share * ulps);
+        r.tally.double_ulps.add(share * std::ldexp(ulps, 29));
+        r.tally.conditioned.add(share * 3.1e10);
+        r.tally.position.add(share * 5.123e-10);
+    }
+    r.cost = cost;
+    r.nanoseconds = 10.0 / 3 * (cost > 0 ? cost : 1);
+    return r;
+}
+
+std::vector<Row> sample_rows() {
+    std::vector<Row> rows;
+    for (const char* id : {"SPH-1", "SPH-2"}) {
+        rows.push_back(row(id, "sphere", "bvh", 1e-9, 0, 9.3));
+        rows.push_back(row(id, "sphere", "embree", 1e-9, 0, 12.5));
+        rows.push_back(row(id, "sphere", "embree-builtin", 83, 999999, 11));
+        rows.push_back(row(id, "sphere", "kernel", 1e-9, 0, 1.6));
+        rows.push_back(row(id, "sphere", "float textbook", 4590, 46227, 1));
+        rows.push_back(row(id, "sphere", "double textbook", 1e-6, 20, 1.1));
+    }
+    for (const char* contender : {"bvh", "embree-builtin"}) {
+        for (const char* judge : {"enclosed", "spawned"}) {
+            Row r = row(judge, "scene", contender, 0, 0, 0);
+            r.exact = r.contender == "bvh";
+            r.judge = judge;
+            r.tally.leaks = r.judge == "enclosed" && !r.exact ? 240000 : 0;
+            rows.push_back(r);
+        }
+    }
+    return rows;
+}
+
+}  // namespace etalon::accuracy

@@ -1,0 +1,151 @@
+#include "bench/accuracy/contender.h"
+#include "bench/hard_cases/random.h"
+#include "core/intersect/kernels.h"
+#include "tests/catch.h"
+
+using namespace etalon;
+using namespace etalon::accuracy;
+using hard::Random;
+
+namespace {
+
+template <class Shape>
+Scene scene_of(const Shape& shape, std::vector<Vec3> vertices = {}) {
+    Scene scene;
+    scene.vertices = std::move(vertices);
+    scene.add(shape, 0);
+    return scene;
+}
+
+/// One a shape and two of cones, about a unit in size. Every number is a float's, so that a kernel
+/// in float is asked about the same shape.
+std::vector<Scene> scenes() {
+    return {scene_of(Sphere{{0.25, 0, 0.5}, 1}),
+            scene_of(Triangle{{0, 1, 2}}, {{-1, -1, 0}, {1, -0.5, 0.25}, {0, 1.5, -0.5}}),
+            scene_of(Polygon{0, 5}, {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 0, 0}, {-1, 1, 0}}),
+            scene_of(Box{{-1, -0.5, -0.75}, {0.5, 1, 0.5}}),
+            scene_of(Plane{{0, 0.5, 0}, {1, 2, -1}}),
+            scene_of(Cone{{0, -1, 0.5}, {0.25, 1, 0}, 0.5, 1}),
+            scene_of(Cone{{0, -1, 0.5}, {0.25, 1, 0}, 0.75, 0.75})};
+}
+
+Vec3 in_float(const Vec3& v) {
+    return Vec3(Vec3f(v));
+}
+
+/// From a distance of about 3 to somewhere around the shape. Half of the rays see only a part of
+/// the way, so that the first hit may lie before or beyond it.
+Ray random_ray(Random& random) {
+    Ray ray{in_float(3.0 * random.direction()), {}};
+    ray.direction = in_float(1.5 * random.in_cube() - ray.origin);
+    if (random.sign() > 0) return ray;
+    ray.tmin = static_cast<float>(random.uniform());
+    ray.tmax = ray.tmin + static_cast<float>(random.uniform());
+    return ray;
+}
+
+double first_t(const Scene& scene, const Ray& ray) {
+    const double t = primitive_first_hit(scene, 0, RayQuery(ray));
+    return t <= ray.tmax ? t : no_hit;
+}
+
+/// Whether what the ray meets hardly changes as the ray is moved a little.
+bool is_benign(const Scene& scene, const Ray& ray, Random& random) {
+    const double t = first_t(scene, ray);
+    for (int i = 0; i < 16; ++i) {
+        Ray moved = ray;
+        moved.origin += 1e-3 * random.in_cube();
+        const double t_moved = first_t(scene, moved);
+        if (std::isnan(t) != std::isnan(t_moved) || std::abs(t - t_moved) > 1e-2) return false;
+    }
+    return true;
+}
+
+RayBlock benign_rays(const Scene& scene) {
+    std::vector<Ray> rays;
+    for (std::uint64_t i = 0; i < 5000; ++i) {
+        Random random(7, i);
+        const Ray ray = random_ray(random);
+        if (is_benign(scene, ray, random)) rays.push_back(ray);
+    }
+    return RayBlock(std::move(rays));
+}
+
+std::vector<Answer> answers_of(const Contender& contender, const RayBlock& block) {
+    std::vector<Answer> answers(block.rays.size());
+    contender.closest(block, answers);
+    return answers;
+}
+
+}  // namespace
+
+TEST_CASE("Every shape has a scene in this test") {
+    std::array<bool, shape_kinds> seen{};
+    for (const Scene& scene : scenes()) seen[scene.primitives.front().kind] = true;
+    CHECK(std::count(seen.begin(), seen.end(), true) == shape_kinds);
+}
+
+TEST_CASE("Given benign rays, every textbook kernel agrees with the project's to its precision") {
+    for (const Scene& scene : scenes()) {
+        const RayBlock block = benign_rays(scene);
+        const std::vector<Answer> expected = answers_of(*kernel_contender(scene), block);
+        for (const auto& contender : textbook_contenders(scene)) {
+            INFO(kind_name(scene.primitives.front().kind) << ", " << contender->name());
+            const std::vector<Answer> answers = answers_of(*contender, block);
+            const double tolerance = contender->name().starts_with("double") ? 1e-13 : 5e-5;
+            std::size_t hits = 0, other_class = 0;
+            double worst = 0;
+            for (std::size_t i = 0; i < answers.size(); ++i) {
+                other_class += answers[i].primitive != expected[i].primitive;
+                if (expected[i].primitive == no_index) continue;
+                ++hits;
+                worst = std::max(worst, std::abs(answers[i].t - expected[i].t) / expected[i].t);
+            }
+            CHECK(hits > 500);
+            CHECK(answers.size() - hits > 500);
+            CHECK(other_class == 0);
+            CHECK(worst < tolerance);
+        }
+    }
+}
+
+TEST_CASE("The first textbook kernel of a shape is a plain one in float, and others follow") {
+    for (const Scene& scene : scenes()) {
+        const auto textbooks = textbook_contenders(scene);
+        REQUIRE(textbooks.size() >= 2);
+        CHECK_THAT(textbooks.front()->name(), ContainsSubstring("float"));
+    }
+}
+
+TEST_CASE("The project's kernel as a contender gives the bits that the backends get") {
+    for (const Scene& scene : scenes()) {
+        const RayBlock block = benign_rays(scene);
+        const std::vector<Answer> answers = answers_of(*kernel_contender(scene), block);
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            const double t = first_t(scene, block.rays[i]);
+            REQUIRE(answers[i].primitive == (std::isnan(t) ? no_index : 0));
+            if (!std::isnan(t)) REQUIRE(answers[i].t == t);
+        }
+    }
+}
+
+TEST_CASE("A kernel finds a ray occluded exactly where it finds a hit") {
+    const Scene scene = scenes().front();
+    const RayBlock block = benign_rays(scene);
+    const auto contender = kernel_contender(scene);
+    const std::vector<Answer> nearest = answers_of(*contender, block);
+    std::vector<char> occluded(block.rays.size());
+    contender->occluded(block, occluded);
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+        REQUIRE((occluded[i] != 0) == (nearest[i].primitive != no_index));
+    }
+}
+
+TEST_CASE("A scene that is not one primitive has no kernel by itself") {
+    Scene two = scenes().front();
+    two.add(Sphere{Vec3(0), 2}, 0);
+    for (const Scene& scene : {Scene(), two}) {
+        CHECK(kernel_contender(scene) == nullptr);
+        CHECK(textbook_contenders(scene).empty());
+    }
+}
