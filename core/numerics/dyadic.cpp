@@ -66,49 +66,68 @@ Dyadic Dyadic::operator-() const {
 /// conversion to double rounds as if it saw all.
 WideDouble Dyadic::magnitude() const {
     if (size_ == 0) return {};
-    const Limb top = limb(high() - 1), next = limb(high() - 2);
+    const Limb top = limbs_[size_ - 1], next = size_ > 1 ? limbs_[size_ - 2] : 0;
     const int zeros = std::countl_zero(top);
     Limb leading = zeros == 0 ? top : top << zeros | next >> (limb_bits - zeros);
     if (next << zeros != 0 || size_ > 2) leading |= 1;
     return {static_cast<double>(leading), (high() - 1) * limb_bits - zeros};
 }
 
-Dyadic operator+(const Dyadic& a, const Dyadic& b) {
-    if (a.size_ == 0) return b;
-    if (b.size_ == 0) return a;
+/// a, with zeros about it, and then b added to it in place.
+Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, bool b_negative) {
     Dyadic sum;
-    const int low = std::min(a.low_, b.low_);
-    sum.reserve(low, std::max(a.high(), b.high()) - low + 1);
-    if (a.negative_ == b.negative_) {
-        sum.add_magnitudes(a, b);
+    sum.negative_ = a.negative_;
+    sum.low_ = std::min(a.low_, b.low_);
+    sum.size_ = std::max(a.high(), b.high()) - sum.low_ + 1;
+    Limb* const limbs = sum.limbs_.data();
+    const int first = a.low_ - sum.low_, last = first + a.size_;
+    std::fill(limbs, limbs + first, Limb(0));
+    std::copy_n(a.limbs_.data(), a.size_, limbs + first);
+    std::fill(limbs + last, limbs + sum.size_, Limb(0));
+    if (a.negative_ == b_negative) {
+        sum.add(b);
     } else {
-        sum.subtract_magnitudes(a, b);
+        sum.subtract(b);
     }
     sum.trim();
     return sum;
 }
 
-void Dyadic::add_magnitudes(const Dyadic& a, const Dyadic& b) {
-    negative_ = a.negative_;
+void Dyadic::add(const Dyadic& other) {
+    Limb* limb = limbs_.data() + (other.low_ - low_);
     TwoLimbs carry = 0;
-    for (int i = 0; i < size_; ++i) {
-        carry += TwoLimbs(a.limb(low_ + i)) + b.limb(low_ + i);
-        limbs_[i] = static_cast<Limb>(carry);
+    for (int i = 0; i < other.size_; ++i) {
+        carry += TwoLimbs(*limb) + other.limbs_[i];
+        *limb++ = static_cast<Limb>(carry);
+        carry >>= limb_bits;
+    }
+    for (; carry != 0; ++limb) {
+        carry += *limb;
+        *limb = static_cast<Limb>(carry);
         carry >>= limb_bits;
     }
 }
 
-/// In two's complement, from which a negative difference is then taken back.
-void Dyadic::subtract_magnitudes(const Dyadic& a, const Dyadic& b) {
+void Dyadic::subtract(const Dyadic& other) {
+    Limb* limb = limbs_.data() + (other.low_ - low_);
     Limb borrow = 0;
-    for (int i = 0; i < size_; ++i) {
-        const TwoLimbs difference = TwoLimbs(a.limb(low_ + i)) - b.limb(low_ + i) - borrow;
-        limbs_[i] = static_cast<Limb>(difference);
+    for (int i = 0; i < other.size_; ++i) {
+        const TwoLimbs difference = TwoLimbs(*limb) - other.limbs_[i] - borrow;
+        *limb++ = static_cast<Limb>(difference);
         borrow = static_cast<Limb>(difference >> limb_bits) & 1;
     }
-    negative_ = a.negative_ != (borrow != 0);
-    Limb carry = borrow;
-    for (int i = 0; i < size_ && borrow != 0; ++i) {
+    for (Limb* const end = limbs_.data() + size_; borrow != 0 && limb != end; ++limb) {
+        borrow = static_cast<Limb>(*limb == 0);
+        --*limb;
+    }
+    if (borrow != 0) negate();
+}
+
+/// Of a magnitude in two's complement.
+void Dyadic::negate() {
+    negative_ = !negative_;
+    Limb carry = 1;
+    for (int i = 0; i < size_; ++i) {
         limbs_[i] = ~limbs_[i] + carry;
         carry &= static_cast<Limb>(limbs_[i] == 0);
     }
@@ -118,7 +137,9 @@ Dyadic operator*(const Dyadic& a, const Dyadic& b) {
     Dyadic product;
     if (a.size_ == 0 || b.size_ == 0) return product;
     product.negative_ = a.negative_ != b.negative_;
-    product.reserve(a.low_ + b.low_, a.size_ + b.size_);
+    product.low_ = a.low_ + b.low_;
+    product.size_ = a.size_ + b.size_;
+    std::fill_n(product.limbs_.data(), b.size_, Dyadic::Limb(0));
     for (int i = 0; i < a.size_; ++i) {
         Dyadic::Limb carry = 0;
         for (int j = 0; j < b.size_; ++j) {
@@ -133,22 +154,12 @@ Dyadic operator*(const Dyadic& a, const Dyadic& b) {
     return product;
 }
 
-Dyadic::Limb Dyadic::limb(int place) const {
-    const int i = place - low_;
-    return i >= 0 && i < size_ ? limbs_[i] : 0;
-}
-
-void Dyadic::reserve(int low, int size) {
-    low_ = low;
-    size_ = size;
-    std::fill_n(limbs_.data(), size, Limb(0));
-}
-
 void Dyadic::trim() {
     while (size_ > 0 && limbs_[size_ - 1] == 0) --size_;
-    int zeros = 0;
-    while (zeros < size_ && limbs_[zeros] == 0) ++zeros;
-    std::copy(limbs_.data() + zeros, limbs_.data() + size_, limbs_.data());
+    if (size_ == 0 || limbs_[0] != 0) return;
+    const auto first = std::find_if(limbs_.begin(), limbs_.end(), [](Limb x) { return x != 0; });
+    const auto zeros = static_cast<int>(first - limbs_.begin());
+    std::copy_n(first, size_ - zeros, limbs_.begin());
     low_ += zeros;
     size_ -= zeros;
 }

@@ -36,9 +36,12 @@ class Dyadic {
     /// The magnitude, correctly rounded.
     WideDouble magnitude() const;
 
+    /// The nearest double: infinite, denormal or zero where it is beyond the range of normal ones.
+    double rounded() const { return sign() * static_cast<double>(magnitude()); }
+
     Dyadic operator-() const;
-    friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
-    friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + -b; }
+    friend Dyadic operator+(const Dyadic& a, const Dyadic& b) { return sum(a, b, b.negative_); }
+    friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return sum(a, b, !b.negative_); }
     friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
 
   private:
@@ -47,11 +50,12 @@ class Dyadic {
     /// A difference of doubles reaches from 2^-1088 to 2^1025: 34 limbs.
     static constexpr int capacity = 12 * 34;
 
+    static Dyadic sum(const Dyadic& a, const Dyadic& b, bool b_negative);
+
     int high() const { return low_ + size_; }
-    Limb limb(int place) const;
-    void add_magnitudes(const Dyadic& a, const Dyadic& b);
-    void subtract_magnitudes(const Dyadic& a, const Dyadic& b);
-    void reserve(int low, int size);
+    void add(const Dyadic& other);
+    void subtract(const Dyadic& other);
+    void negate();
     void trim();
 
     bool negative_ = false;

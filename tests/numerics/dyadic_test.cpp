@@ -57,8 +57,8 @@ TEST_CASE("Dyadic: given products of three that cancel, then the sign is the tru
         Dyadic sum;
         const double a = random.of_any_size(200), b = random.of_any_size(200), c = random.uniform();
         const double other = i % 3 == 0 ? c : std::nextafter(c, i % 3 - 1.5);
-        for (const auto& [x, y, z] : {std::array{a, b, c}, std::array{-b, other, a},
-                                      std::array{i % 2 * 0x1p-600, a, b}}) {
+        for (const auto& [x, y, z] :
+             {std::array{a, b, c}, std::array{-b, other, a}, std::array{i % 2 * 0x1p-600, a, b}}) {
             expected.add(x, y, z);
             sum = sum + Dyadic(x) * Dyadic(y) * Dyadic(z);
         }

@@ -1,6 +1,7 @@
 #include "core/intersect/shapes/cone_exact.h"
 
 #include "core/numerics/dyadic.h"
+#include "core/numerics/rounding.h"
 
 namespace etalon {
 namespace {
@@ -41,14 +42,15 @@ class ExactCone {
   private:
     enum Way { in = -1, out = 1 };
 
-    bool exists(Way way) const;
+    double crossing(Way way) const;
+    double root(Way way) const;
+    bool is_surely_within(double t) const;
     int side(Way way, const End& end, double radius) const;
-    double t(Way way) const;
 
     const Cone& cone_;
     DyadicVec d_, h_;
     End base_, top_;
-    Dyadic dh_, A_, B_, C_, discriminant_, R1_;
+    Dyadic dh_, hh_, A_, B_, C_, discriminant_, R1_;
 };
 
 ExactCone::ExactCone(const Cone& c, const Ray& ray)
@@ -57,33 +59,54 @@ ExactCone::ExactCone(const Cone& c, const Ray& ray)
       h_(difference(c.top, c.base)),
       base_(ray.origin, c.base, h_),
       top_(ray.origin, c.top, h_),
-      dh_(dot(d_, h_)) {
+      dh_(dot(d_, h_)),
+      hh_(dot(h_, h_)) {
     const DyadicVec& w = base_.w;
-    const Dyadic hh = dot(h_, h_), spread = Dyadic(c.top_radius) - Dyadic(c.base_radius);
-    const Dyadic R0 = hh * Dyadic(c.base_radius) + spread * base_.z;
+    const Dyadic spread = Dyadic(c.top_radius) - Dyadic(c.base_radius);
+    const Dyadic R0 = hh_ * Dyadic(c.base_radius) + spread * base_.z;
     R1_ = spread * dh_;
-    A_ = hh * (hh * dot(d_, d_) - square(dh_)) - square(R1_);
-    B_ = hh * (hh * dot(w, d_) - base_.z * dh_) - R0 * R1_;
-    C_ = hh * (hh * dot(w, w) - square(base_.z)) - square(R0);
+    A_ = hh_ * (hh_ * dot(d_, d_) - square(dh_)) - square(R1_);
+    B_ = hh_ * (hh_ * dot(w, d_) - base_.z * dh_) - R0 * R1_;
+    C_ = hh_ * (hh_ * dot(w, w) - square(base_.z)) - square(R0);
     discriminant_ = square(B_) - A_ * C_;
 }
 
-/// On the side w.h >= 0 of either end, looking inwards: the ends belong to the surface. Beyond an
-/// end is also where the mirror nappe is. A line through the apex of a cone that is less steep
-/// goes from one nappe to the other, in at one or out at the other: there the radius' fall decides.
 ConeCrossing ExactCone::crossing() const {
-    ConeCrossing x;
-    if (discriminant_.sign() < 0 || (A_.sign() == 0 && B_.sign() == 0)) return x;
-    const bool steep = A_.sign() < 0;
-    if (!(steep && R1_.sign() < 0) && exists(in)) x.entry = t(in);
-    if (!(steep && R1_.sign() > 0) && exists(out)) x.exit = t(out);
-    return x;
+    if (discriminant_.sign() < 0 || (A_.sign() == 0 && B_.sign() == 0)) return {};
+    return {crossing(in), crossing(out)};
 }
 
-bool ExactCone::exists(Way way) const {
+/// A root between the ends, which belong to the surface. The mirror nappe is beyond an end, but
+/// for the apex: of a line that is steeper than the cone it is the one root, on which the line
+/// leaves the cone or enters it as the radius falls or rises.
+double ExactCone::crossing(Way way) const {
     const bool infinitely_far = A_.sign() == 0 && way * B_.sign() < 0;
-    return !infinitely_far && side(way, base_, cone_.base_radius) >= 0 &&
-           side(way, top_, cone_.top_radius) <= 0;
+    const bool mirrored = A_.sign() < 0 && way * R1_.sign() > 0;
+    if (infinitely_far || mirrored) return no_hit;
+    const double t = root(way);
+    const bool within = is_surely_within(t) || (side(way, base_, cone_.base_radius) >= 0 &&
+                                                side(way, top_, cone_.top_radius) <= 0);
+    return within ? t : no_hit;
+}
+
+/// By the sum of like signs.
+double ExactCone::root(Way way) const {
+    const WideDouble a = A_.magnitude(), b = B_.magnitude(), c = C_.magnitude();
+    const auto quotient = [](int sign, const WideDouble& x, const WideDouble& y) {
+        return sign * static_cast<double>(x / y);
+    };
+    if (discriminant_.sign() == 0) return quotient(-A_.sign() * B_.sign(), b, a);
+    const WideDouble sum = b + square_root(discriminant_.magnitude());
+    if (way * B_.sign() > 0) return quotient(-way * C_.sign(), c, sum);
+    return quotient(way * A_.sign(), sum, a);
+}
+
+/// A shortcut: t is good to 6 roundings, and its height then to 8 of the terms.
+bool ExactCone::is_surely_within(double t) const {
+    const double start = base_.z.rounded(), climb = t * dh_.rounded();
+    const double z = start + climb;
+    const double bound = 16 * unit_roundoff * (std::abs(start) + std::abs(climb));
+    return bound > 0x1p-960 && z > bound && hh_.rounded() - z > bound;
 }
 
 /// The sign of z at a root. No root need be taken: the line passes the end's plane at t0 = -z / dh,
@@ -97,18 +120,6 @@ int ExactCone::side(Way way, const End& end, double radius) const {
     if (rise > 0) return -way * p0.sign() * dh_.sign();
     const bool tangent = rise == 0 && discriminant_.sign() == 0;
     return tangent ? 0 : way * A_.sign() * dh_.sign();
-}
-
-/// By the sum of like signs.
-double ExactCone::t(Way way) const {
-    const WideDouble a = A_.magnitude(), b = B_.magnitude(), c = C_.magnitude();
-    const auto quotient = [](int sign, const WideDouble& x, const WideDouble& y) {
-        return sign * static_cast<double>(x / y);
-    };
-    if (discriminant_.sign() == 0) return quotient(-A_.sign() * B_.sign(), b, a);
-    const WideDouble sum = b + square_root(discriminant_.magnitude());
-    if (way * B_.sign() > 0) return quotient(-way * C_.sign(), c, sum);
-    return quotient(way * A_.sign(), sum, a);
 }
 
 }  // namespace

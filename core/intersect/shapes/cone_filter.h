@@ -68,8 +68,10 @@ class ConeFilter {
         e_discriminant_ = 6 * e * (rho_ * speed_ + e);
         e_alpha_ = 2.7 * speed_ * e_speed_;
         // So that nothing underflows that counts, and nothing overflows.
-        constexpr double least = 0x1p-480, most = 0x1p480;
-        in_range_ = rho2 > least && rho2 < most && d_.square > least && d_.square < most;
+        constexpr double least = 0x1p-900, most = 0x1p900;
+        const double product = rho2 * d_.square;
+        in_range_ = std::min({rho2, d_.square, product}) > least &&
+                    std::max({rho2, d_.square, product}) < most;
     }
 
     bool is_steep() const { return alpha_ < -e_alpha_; }
@@ -86,7 +88,7 @@ class ConeFilter {
         constexpr double u = unit_roundoff;
         const double root = std::sqrt(discriminant_), sum = std::abs(beta_) + root;
         const bool near = way * beta_ > 0;
-        const double t = near ? -way * gam_ / sum : way * sum / alpha_;
+        const double t = (near ? -way * gam_ : way * sum) / (near ? sum : alpha_);
         const double reach = rho_ + speed_ * std::abs(t), e = e_rho_ + e_speed_ * std::abs(t);
         const double radius = std::abs(r0_ + t * d_.r1);
         const double e_form = e * (3 * radius + 2 * e + 1e-7 * reach) + 6 * u * reach * reach;
@@ -103,10 +105,10 @@ class ConeFilter {
         if (from_origin + e_t <= tmin) return no_hit;
         const bool steep = is_steep();
         const double lowest = steep && cone_.base_radius == 0 ? -infinity : 0;
-        const double highest = steep && cone_.top_radius == 0 ? infinity : axis_.top;
+        const double highest = steep && cone_.top_radius == 0 ? infinity : axis_.height;
         const double z = start_ + t * d_.rise;
         const double e_z = std::abs(d_.rise) * e_t + 2 * (e_place_ + e_rise_ * std::abs(t)) +
-                           6 * unit_roundoff * axis_.top;
+                           6 * unit_roundoff * axis_.height;
         if (z < lowest - e_z || z > highest + e_z) return no_hit;
         const bool certain = z > lowest + e_z && z < highest - e_z;
         if (!(certain && e_t <= 0x1p-40 * std::abs(from_origin))) return in_doubt;
@@ -117,13 +119,13 @@ class ConeFilter {
     bool is_out_of_reach(double sum) const {
         const double nearest = sum / (2 * (std::abs(alpha_) + e_alpha_));
         return nearest * (std::abs(d_.rise) - e_rise_) >
-               1.01 * (std::abs(start_) + e_place_ + axis_.top);
+               1.01 * (std::abs(start_) + e_place_ + axis_.height);
     }
 
     /// Whether the line, as one along the axis, is inside or outside from end to end.
     bool stays_clear() const {
         const double rise = std::abs(d_.rise) - e_rise_;
-        const double longest = 1.01 * (std::abs(start_) + e_place_ + axis_.top) / rise;
+        const double longest = 1.01 * (std::abs(start_) + e_place_ + axis_.height) / rise;
         const double gap = std::abs(std::sqrt(F_.dot(F_)) - std::abs(r0_));
         return rise > 0 && gap > 1.5 * (e_rho_ + (speed_ + e_speed_) * longest);
     }

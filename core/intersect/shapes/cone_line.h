@@ -2,30 +2,22 @@
 // equal radius, not another formula.
 #pragma once
 
-#include <bit>
-
 #include "core/numerics/vec.h"
 #include "core/scene/scene.h"
 
 namespace etalon {
 
-/// The axis, times a power of two that brings its largest component to [1, 2): only the line then
-/// decides whether a product leaves the range of double.
 struct ConeAxis {
-    explicit ConeAxis(const Cone& c) {
-        const Vec3 axis = c.top - c.base;
-        const auto exponent = std::bit_cast<std::uint64_t>(max_abs(axis)) & 0x7ff0000000000000;
-        const auto scale = std::bit_cast<double>(0x7fe0000000000000 - exponent);
-        h = scale * axis;
-        top = axis.dot(h);
-        length = std::sqrt(h.dot(h));
-        slope = (c.top_radius - c.base_radius) * scale / length;
-    }
+    explicit ConeAxis(const Cone& c)
+        : h(c.top - c.base),
+          height(h.dot(h)),
+          length(std::sqrt(height)),
+          slope((c.top_radius - c.base_radius) / length) {}
 
     Vec3 h;
-    double top;     ///< w.h at the top
-    double length;  ///< |h|
-    double slope;   ///< of the radius along the axis
+    double height;  ///< w.h at the top
+    double length;
+    double slope;  ///< of the radius along the axis
 };
 
 /// How the direction d moves a point: G = d x h is its distance from the axis, rise its height and
@@ -51,8 +43,8 @@ struct ConePlace {
     double middle(const ConeAxis& a, const ConeSpeed& d) const {
         const double t = -(F.dot(d.G) + r0 * d.r1) / d.square;
         const double z = start + t * d.rise;
-        if (z >= -a.top && z <= 2 * a.top) return t;
-        return ((z > a.top ? a.top : 0) - start) / d.rise;
+        if (z >= -a.height && z <= 2 * a.height) return t;
+        return ((z > a.height ? a.height : 0) - start) / d.rise;
     }
 
     Vec3 F;
