@@ -8,6 +8,7 @@
 #include "app/exit_status.h"
 #include "app/output.h"
 #include "bench/accuracy/measure.h"
+#include "bench/accuracy/report/cases.h"
 #include "bench/accuracy/report/json.h"
 #include "bench/accuracy/report/markdown.h"
 #include "bench/accuracy/report/plot.h"
@@ -57,7 +58,7 @@ std::vector<Row> measure_all(const Arguments& a, const std::vector<HardCase>& ca
     for (const HardCase& c : cases) {
         fmt::print(stderr, "etalon-bench: {}/{}\n", c.id, c.variant);
         const std::vector<Row> rows = accuracy::measure(c, backends, effort);
-        fmt::print("{}", accuracy::table(rows, all.empty()));
+        fmt::print("{}", accuracy::table(rows));
         std::fflush(stdout);
         all.insert(all.end(), rows.begin(), rows.end());
     }
@@ -71,12 +72,13 @@ bool is_broken_promise(const Row& row) {
 
 bool write_reports(const Arguments& a, const std::vector<Row>& rows) {
     bool written = true;
-    if (!a.json.empty()) written &= write_json(a.json, accuracy::to_json(rows));
+    if (!a.json.empty())
+        written &= write_json(a.json, accuracy::json(rows, accuracy::circumstances()));
     if (!a.markdown.empty()) written &= write_text(a.markdown, accuracy::markdown(rows));
-    if (!a.plots.empty()) {
-        for (const accuracy::Plot& plot : accuracy::plots(rows)) {
-            written &= write_text(a.plots + '/' + plot.shape + ".svg", plot.svg);
-        }
+    if (a.plots.empty()) return written;
+    for (const std::string& shape : accuracy::shapes_of(rows)) {
+        const std::string svg = accuracy::plot(rows, shape);
+        if (!svg.empty()) written &= write_text(a.plots + '/' + shape + ".svg", svg);
     }
     return written;
 }

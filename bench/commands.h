@@ -6,5 +6,6 @@
 namespace etalon {
 
 Run declare_speed(CLI::App& app);
+Run declare_accuracy(CLI::App& app);
 
 }  // namespace etalon

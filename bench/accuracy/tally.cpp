@@ -32,9 +32,10 @@ double Distribution::quantile(double q) const {
 }
 
 Tally& Tally::operator+=(const Tally& other) {
-    for (const auto count : {&Tally::rays, &Tally::undecidable, &Tally::false_hits,
-                             &Tally::false_misses, &Tally::wrong_roots, &Tally::wrong_primitives,
-                             &Tally::leaks, &Tally::self_hits, &Tally::contradictions, &Tally::deviations}) {
+    for (const auto count :
+         {&Tally::rays, &Tally::undecidable, &Tally::false_hits, &Tally::false_misses,
+          &Tally::wrong_roots, &Tally::wrong_primitives, &Tally::leaks, &Tally::self_hits,
+          &Tally::contradictions, &Tally::deviations}) {
         this->*count += other.*count;
     }
     for (const auto values : {&Tally::float_ulps, &Tally::double_ulps, &Tally::conditioned,

@@ -67,8 +67,12 @@ bool precedes(const Vec3& a, const Vec3& b) {
 }  // namespace
 
 double exact_edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b) {
+    // Products of what is not finite could leave no terms at all, and so a zero.
+    for (const Vec3& v : {o, d, a, b}) {
+        if (!is_finite(v)) return nan_value;
+    }
     const double plain = d.dot((a - o).cross(b - o));
-    if (!std::isfinite(plain)) return plain;  // a sum of no terms would hide a NaN
+    if (!std::isfinite(plain)) return plain;
     // The estimate's last bit depends on the order of the terms: take one order for both.
     if (precedes(b, a)) return -exact_edge_volume(o, d, b, a);
     return triple_product(exactly(d), difference(a, o), difference(b, o));

@@ -47,7 +47,7 @@ ShapeCase cone(const std::string& name, const Cone& shape) {
     const Vec3 h = shape.top - shape.base;
     const double length = std::sqrt(h.dot(h));
     const double widest = std::max(shape.base_radius, shape.top_radius);
-    ShapeCase c{name, {}, 0.5 * (shape.base + shape.top), length + widest, false, {}, {}};
+    ShapeCase c{name, {}, 0.5 * (shape.base + shape.top), length + widest, true, {}, {}};
     c.scene.add(shape, 0);
     const auto on_circle = [shape, h, length](double s, double angle) {
         Vec3 u, v;
