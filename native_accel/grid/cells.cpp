@@ -40,27 +40,46 @@ double count_references(std::span<const BoundedPrimitive> primitives, const Grid
                            });
 }
 
+struct Candidate {
+    GridShape shape;
+    double references;
+};
+
+/// Of as many cubes and boxes, those that the primitives are in fewer of.
+Candidate better_cut(std::span<const BoundedPrimitive> primitives, const Box3f& box, double cells,
+                     int max_resolution) {
+    Candidate best{{}, infinity};
+    for (const Cut cut : {Cut::cubes, Cut::alike}) {
+        const GridShape shape(box, cut, cells, max_resolution);
+        const double references = count_references(primitives, shape);
+        if (references < best.references) best = {shape, references};
+    }
+    return best;
+}
+
 /// The finest grid, starting from the aim, that large primitives do not fill with references.
 GridShape choose_shape(std::span<const BoundedPrimitive> primitives, const Box3f& box,
                        const GridConfig& config) {
     const double limit = config.max_references * static_cast<double>(primitives.size());
     double cells = config.cells_per_primitive * static_cast<double>(primitives.size());
     while (true) {
-        const GridShape shape(box, cells, config.max_resolution);
-        if (shape.size() == 1 || count_references(primitives, shape) <= limit) return shape;
+        const Candidate c = better_cut(primitives, box, cells, config.max_resolution);
+        if (c.shape.size() == 1 || c.references <= limit) return c.shape;
         cells /= 4;
     }
 }
 
 }  // namespace
 
-GridShape::GridShape(const Box3f& box, double cell_count, int max_resolution) {
+GridShape::GridShape(const Box3f& box, Cut cut, double cell_count, int max_resolution) {
     origin = Vec3(box.min);
     const Vec3 size = Vec3(box.max) - origin;
-    // Cubic cells of the volume's cell_count-th part (the padding keeps the volume above zero).
-    const double edge = std::cbrt(size.x * size.y * size.z / cell_count);
+    const double per_axis = std::cbrt(cell_count);
+    // The padding keeps the volume above zero.
+    const double cube = std::cbrt(size.x * size.y * size.z) / per_axis;
     for (int k = 0; k < 3; ++k) {
-        resolution[k] = static_cast<int>(std::clamp(size[k] / edge, 1.0, double(max_resolution)));
+        const double wanted = cut == Cut::cubes ? size[k] / cube : per_axis;
+        resolution[k] = static_cast<int>(std::clamp(wanted, 1.0, double(max_resolution)));
         cell_size[k] = size[k] / resolution[k];
     }
 }

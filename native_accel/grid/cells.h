@@ -17,10 +17,14 @@ struct GridConfig {
     int max_resolution = 1024;   ///< cells along one axis
 };
 
+/// What a box is cut into: cubes, or boxes of its own proportions. The second suits what was
+/// stretched as a whole.
+enum class Cut { cubes, alike };
+
 /// Which cells there are: a box cut evenly along each axis. All in the accelerator's frame.
 struct GridShape {
     GridShape() = default;
-    GridShape(const Box3f& box, double cell_count, int max_resolution);
+    GridShape(const Box3f& box, Cut cut, double cell_count, int max_resolution);
 
     /// The cell a coordinate lies in, clamped into the grid.
     int cell(double coordinate, int axis) const;
