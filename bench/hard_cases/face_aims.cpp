@@ -47,7 +47,9 @@ Setting aimed_at_face(const Corners& corners, double size) {
         const Feature feature = features[random.index(features.size())];
         const Vec3 target = point_of(Outline(*scene, 0), feature, random);
         const double distance = size * random.magnitude(-1, 3);
-        return towards(target + distance * random.direction(), target);
+        Ray ray = towards(target + distance * random.direction(), target);
+        if (random.index(2) == 0) ray.direction *= random.uniform(0.5, 1);
+        return ray;
     });
 }
 

@@ -20,7 +20,8 @@ Corners star(int points, double inner);
 Setting only_face(const Corners& corners, double size, MakeRay ray);
 
 /// To corners, edges, their middles and the fan from the first corner, a quarter each, from a tenth
-/// of the size to 1000 sizes away.
+/// of the size to 1000 sizes away. Many a ray goes exactly through its target, half of them pass it
+/// within a rounding of the direction.
 Setting aimed_at_face(const Corners& corners, double size);
 
 /// From anywhere in the face's plane to a corner, an edge or a middle of it, as rounded.

@@ -16,9 +16,9 @@ class Surroundings {
         std::vector<Box3> boxes;
         Box3 all;
         for (std::uint32_t id = 0; id < scene_->primitives.size(); ++id) {
-            boxes.push_back(primitive_bounds(*scene_, id));
-            if (!boxes.back().isEmpty() && is_finite(boxes.back().size()))
-                all.extendBy(boxes.back());
+            const Box3 box = primitive_bounds(*scene_, id);
+            if (!box.isEmpty() && is_finite(box.size())) all.extendBy(box);
+            boxes.push_back(box);
         }
         if (!all.isEmpty()) whole_ = middle_of(all);
         for (std::uint32_t id = 0; id < scene_->primitives.size(); ++id) {
