@@ -11,7 +11,7 @@ namespace etalon::accuracy {
 namespace {
 
 constexpr double two_pi = 6.283185307179586;
-constexpr double wrong_root = 1e-2;  ///< of the size
+constexpr double other_root = 1e-2;  ///< of the size: further off than any but another root
 
 double ulp_of_double(double x) {
     return std::nextafter(std::abs(x), infinity) - std::abs(x);
@@ -47,16 +47,17 @@ Vec3 position(const Scene& scene, const Entrant& entrant, const Ray& ray, const 
 /// u each.
 double sensitivity(const hard::Setting& setting, const Ray& ray, const OracleAnswer& truth) {
     const SurfacePoint p = surface_at(setting.scene, ray, {truth.t, truth.primitive});
-    const double speed = std::abs(p.normal.dot(ray.direction));
-    const double reach = max_abs(ray.origin) + max_abs(p.position) + setting.size +
-                         std::abs(truth.t) * ray.direction.length();
-    return unit_roundoff * reach / speed;
+    const double length = ray.direction.length();
+    const double speed = std::abs(p.normal.dot(ray.direction)) - 4 * unit_roundoff * length;
+    const double reach =
+        max_abs(ray.origin) + max_abs(p.position) + setting.size + std::abs(truth.t) * length;
+    return unit_roundoff * reach / std::max(speed, 0.0);
 }
 
 }  // namespace
 
 Truth::Truth(const hard::Setting& setting, const Oracle& oracle, const Ray& ray)
-    : setting_(setting), ray_(ray), answer_(oracle.closest(ray)) {
+    : setting_(setting), ray_(ray), answer_(oracle.closest(ray, setting.tie)) {
     if (answer_.kind == OracleAnswer::hit) sensitivity_ = sensitivity(setting, ray, answer_);
 }
 
@@ -77,8 +78,10 @@ void Truth::judge(const Entrant& entrant, const Answer& answer, Tally& tally) co
 
 void Truth::judge_distance(const Entrant& entrant, const Answer& answer, Tally& tally) const {
     const double off = difference(answer_, answer.t);
-    if (off * ray_.direction.length() > wrong_root * setting_.size) ++tally.wrong_roots;
-    tally.float_ulps.add(off / ulp_of_float(answer_.t));
+    const double float_ulps = off / ulp_of_float(answer_.t);
+    const bool is_far_off = off * ray_.direction.length() > other_root * setting_.size;
+    if (is_far_off && float_ulps > 1) ++tally.wrong_roots;
+    tally.float_ulps.add(float_ulps);
     tally.double_ulps.add(off / ulp_of_double(answer_.t));
     tally.conditioned.add(off / sensitivity_);
     const Vec3 p = position(setting_.scene, entrant, ray_, answer);

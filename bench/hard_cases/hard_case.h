@@ -24,6 +24,9 @@ struct Setting {
     double size = 1;  ///< of what is hit, to express errors of positions and roots in
     /// Thread-safe; all that is random comes from `random`, which is new for every ray.
     std::function<Ray(Random& random)> ray;
+    /// Distances that differ by less, relative to themselves, are taken for equal: a kernel's
+    /// rounding may put either first. Zero where every t is a double.
+    double tie = 0x1p-48;
 };
 
 struct HardCase {

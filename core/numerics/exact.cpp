@@ -85,17 +85,21 @@ double exact_volume(const Vec3& o, const Vec3& a, const Vec3& b, const Vec3& c) 
 }
 
 double exact_dot(const Vec3& n, const Vec3& d) {
-    if (!std::isfinite(n.dot(d))) return n.dot(d);
-    const auto product = [](double x, double y) { return Expansion<2>(two_product(x, y)); };
-    return (product(n.x, d.x) + product(n.y, d.y) + product(n.z, d.z)).estimate();
+    return exact_dot(n, d, Vec3(0));
 }
 
 double exact_dot(const Vec3& n, const Vec3& p, const Vec3& o) {
-    if (!std::isfinite(n.dot(p - o))) return n.dot(p - o);
-    const auto term = [](double x, double a, double b) {
-        return Expansion<1>(x) * difference(a, b);
-    };
-    return (term(n.x, p.x, o.x) + term(n.y, p.y, o.y) + term(n.z, p.z, o.z)).estimate();
+    const double plain = n.dot(p - o);
+    if (!std::isfinite(plain)) return plain;
+    const Vec3TwoTerm d = difference(p, o);
+    const std::array<TwoTerm, 3> term = {d[0] * TwoTerm{n.x, 0}, d[1] * TwoTerm{n.y, 0},
+                                         d[2] * TwoTerm{n.z, 0}};
+    const double sum = (term[0] + (term[1] + term[2])).value;
+    const double terms =
+        std::abs(term[0].value) + std::abs(term[1].value) + std::abs(term[2].value);
+    if (terms > 0x1p-800 && std::abs(sum) > 0x1p-45 * terms) return sum;
+    const auto exact = [](double x, const TwoTerm& y) { return Expansion<1>(x) * Difference(y); };
+    return (exact(n.x, d[0]) + exact(n.y, d[1]) + exact(n.z, d[2])).estimate();
 }
 
 double exact_shear(double x, double a, double b, double y, double c, double e) {

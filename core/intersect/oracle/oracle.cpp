@@ -24,7 +24,8 @@ Truth is_within(const Crossing& c, const Ray& ray, double tie) {
     const auto rounded = [tie](const Tracked& t) {
         return Tracked(t.value, t.error + magnitude(t.value) * Quad(tie));
     };
-    const Tracked start = ray.tmin, end = std::min(ray.tmax, std::numeric_limits<double>::max());
+    const Tracked start = std::max(ray.tmin, 0.0),
+                  end = std::min(ray.tmax, std::numeric_limits<double>::max());
     return (start < rounded(c.t)) & (start < rounded(c.passage)) & (rounded(c.t) <= end);
 }
 

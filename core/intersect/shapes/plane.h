@@ -14,10 +14,10 @@ inline Box3 bounds(const Scene&, const Plane& p) {
 }
 
 /// A ray in the plane, or parallel to it, misses. Either product is exact where its roundings could
-/// spoil its sign, or t by more than 2^-36 of itself; a plane that is certainly behind is not asked
+/// spoil its sign, or t by more than 2^-47 of itself; a plane that is certainly behind is not asked
 /// further.
 inline double first_hit(const Scene&, const Plane& p, Sides sides, const RayQuery& q) {
-    constexpr double u = unit_roundoff, good = 0x1p38 * u;
+    constexpr double u = unit_roundoff, good = 0.25;  // its roundings are then 2^-49 at most
     const Vec3 &n = p.normal, &d = q.ray.direction, offset = p.point - q.ray.origin;
     double cosine = n.dot(d), distance = n.dot(offset);
     const double cosine_scale = abs(n).dot(abs(d)), distance_scale = abs(n).dot(abs(offset));

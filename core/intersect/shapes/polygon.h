@@ -19,22 +19,26 @@ inline std::span<const Vec3> corners(const Scene& scene, const Polygon& p) {
 /// mean, across Newell's normal (twice the area, counter-clockwise; summed from the first corner,
 /// as close to the plane as any).
 struct PolygonPlane {
-    Vec3 point{0}, normal{0};
+    Vec3 mean{0};  ///< seen from the first corner
+    Vec3 normal{0};
+    Vec3 terms{0};  ///< the magnitudes that the normal is a sum of
 };
 
 inline PolygonPlane plane_of(std::span<const Vec3> p) {
     PolygonPlane plane;
-    Vec3 sum(0);
     for (std::size_t i = 1; i < p.size(); ++i) {
-        sum += p[i] - p[0];
-        plane.normal += (p[i - 1] - p[0]).cross(p[i] - p[0]);
+        const Vec3 a = p[i - 1] - p[0], b = p[i] - p[0];
+        plane.mean += b;
+        plane.normal += a.cross(b);
+        const Vec3 x = abs(a), y = abs(b);
+        plane.terms += Vec3(x.y * y.z + x.z * y.y, x.z * y.x + x.x * y.z, x.x * y.y + x.y * y.x);
     }
-    plane.point = p[0] + sum / static_cast<double>(p.size());
+    plane.mean /= static_cast<double>(p.size());
     return plane;
 }
 
 inline bool is_degenerate(const PolygonPlane& plane) {
-    return !is_finite(plane.normal) || !is_finite(plane.point) || plane.normal == Vec3(0);
+    return !is_finite(plane.normal) || !is_finite(plane.mean) || plane.normal == Vec3(0);
 }
 
 inline Box3 box_of(std::span<const Vec3> p) {
@@ -76,9 +80,28 @@ inline bool covers(std::span<const Vec3> p, const RayQuery& q) {
     return inside;
 }
 
-/// Whether a ray runs so nearly along the plane that where it meets it is a matter of rounding.
-inline bool is_along(const PolygonPlane& plane, const Vec3& direction, double cosine) {
-    return std::abs(cosine) <= 0x1p-40 * abs(plane.normal).dot(abs(direction));
+/// Where a ray's line passes a polygon's plane.
+struct PlanePassage {
+    double t;
+    double cosine;  ///< of the plane's normal and the ray, but for a positive factor
+};
+
+/// From exact arithmetic: t is good to a few ulp, and NaN where the ray runs along the plane. Slow.
+PlanePassage exact_passage(std::span<const Vec3> p, const RayQuery& q);
+
+/// The side seen is the right one, and t good to 2^-36 of itself, or certainly negative.
+inline PlanePassage passage(std::span<const Vec3> p, const Vec3& size, const PolygonPlane& plane,
+                            const RayQuery& q) {
+    const Vec3 to_first = p[0] - q.ray.origin, &d = q.ray.direction;
+    const double cosine = plane.normal.dot(d), distance = plane.normal.dot(to_first + plane.mean);
+    const double roundings = 4 * (static_cast<double>(p.size()) + 8) * unit_roundoff;
+    const double cosine_doubt = roundings * plane.terms.dot(abs(d));
+    const double distance_doubt = roundings * plane.terms.dot(abs(to_first) + size);
+    const bool certain = std::abs(cosine) > cosine_doubt && std::abs(distance) > distance_doubt;
+    const bool good =
+        0x1p-37 * std::abs(cosine) > cosine_doubt && 0x1p-37 * std::abs(distance) > distance_doubt;
+    if (good || (certain && (cosine > 0) != (distance > 0))) return {distance / cosine, cosine};
+    return exact_passage(p, q);
 }
 
 /// The plane is met at t, and the hit is there, but never outside the box of the corners: where
@@ -88,11 +111,10 @@ inline double first_hit(const Scene& scene, const Polygon& polygon, Sides sides,
     const std::span<const Vec3> p = corners(scene, polygon);
     if (!covers(p, q)) return no_hit;
     const PolygonPlane plane = plane_of(p);
-    const double cosine = plane.normal.dot(q.ray.direction);
-    if (is_degenerate(plane) || !faces(cosine, sides)) return no_hit;
-    const double t = plane.normal.dot(plane.point - q.ray.origin) / cosine;
-    if (!is_ahead(t, q.ray.tmin) && !is_along(plane, q.ray.direction, cosine)) return no_hit;
+    if (is_degenerate(plane)) return no_hit;
     const Box3 box = box_of(p);
+    const auto [t, cosine] = passage(p, box.size(), plane, q);
+    if (!faces(cosine, sides) || !(t > q.ray.tmin)) return no_hit;
     const SlabCrossing c = cross_slabs({box.min, box.max}, q.ray);
     const double first = std::min(c.entry, c.exit), last = std::max(c.entry, c.exit);
     const double kept = t > first ? std::min(t, last) : first;
@@ -128,7 +150,8 @@ inline SurfacePoint surface(const Scene& scene, const Polygon& polygon, const Ra
     const PolygonPlane plane = plane_of(p);
     const Vec3 normal = plane.normal / std::sqrt(plane.normal.dot(plane.normal));
     Vec3 position = q.ray.origin + t * q.ray.direction;
-    position -= normal.dot(position - plane.point) * normal;
+    const Vec3 point = p[0] + plane.mean;
+    position -= normal.dot(position - point) * normal;
 
     Vec3 shading = normal;
     if (polygon.normals != no_index) {
@@ -138,7 +161,7 @@ inline SurfacePoint surface(const Scene& scene, const Polygon& polygon, const Ra
     }
     const Box3 box = box_of(p);
     const Vec3 size = box.size();
-    return {position, position_error(abs(plane.point) + size, max_abs(size)), normal, shading};
+    return {position, position_error(abs(point) + size, max_abs(size)), normal, shading};
 }
 
 }  // namespace etalon

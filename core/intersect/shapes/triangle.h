@@ -58,9 +58,8 @@ inline TriangleCrossing cross_triangle(const std::array<Vec3, 3>& p, const RayQu
         if (!thin && std::abs(r.weight[k]) > r.doubt) continue;
         r.weight[k] = exact_edge_function(p[(k + 1) % 3], p[(k + 2) % 3], q);
     }
-    if (!thin) return r;
     r.sum = r.weight[0] + r.weight[1] + r.weight[2];
-    r.doubt = 0x1p-38 * largest(r.weight[0], r.weight[1], r.weight[2]);
+    if (thin) r.doubt = 0x1p-38 * largest(r.weight[0], r.weight[1], r.weight[2]);
     return r;
 }
 
