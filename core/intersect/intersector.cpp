@@ -1,6 +1,7 @@
 #include "core/intersect/intersector.h"
 
 #include "core/intersect/kernels.h"
+#include "core/numerics/denormals.h"
 
 namespace etalon {
 namespace {
@@ -20,6 +21,7 @@ Intersector::Intersector(const Scene& scene, SceneBounds bounds)
     : scene_(scene), bounds_(std::move(bounds)) {}
 
 std::optional<Hit> Intersector::closest(const Ray& ray) const {
+    const DenormalsCount denormals_count;
     if (!is_valid(ray)) return std::nullopt;
     const RayQuery query(ray);
     NearestHit nearest(ray.tmax);
@@ -37,6 +39,7 @@ std::optional<Hit> Intersector::closest(const Ray& ray) const {
 }
 
 bool Intersector::occluded(const Ray& ray) const {
+    const DenormalsCount denormals_count;
     if (!is_valid(ray)) return false;
     const RayQuery query(ray);
     if (!bounds_.frame.resolves(ray)) {

@@ -1,0 +1,35 @@
+// Exactness needs denormals: they are the errors of products of small numbers.
+#pragma once
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace etalon {
+
+/// As long as it lives denormals count, even if the caller's thread has been set to take them for
+/// zeros, as Embree recommends. Nearly free where it has not.
+class DenormalsCount {
+  public:
+#if defined(__SSE2__)
+    DenormalsCount() : mode_(_mm_getcsr()) {
+        if ((mode_ & flushing) != 0) _mm_setcsr(mode_ & ~flushing);
+    }
+    ~DenormalsCount() {
+        if ((mode_ & flushing) != 0) _mm_setcsr(mode_);
+    }
+#else
+    DenormalsCount() {}
+    ~DenormalsCount() {}
+#endif
+    DenormalsCount(const DenormalsCount&) = delete;
+    DenormalsCount& operator=(const DenormalsCount&) = delete;
+
+#if defined(__SSE2__)
+  private:
+    static constexpr unsigned flushing = 0x8040;  // flush-to-zero, denormals-are-zero
+    unsigned mode_;
+#endif
+};
+
+}  // namespace etalon
