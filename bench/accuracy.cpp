@@ -25,6 +25,7 @@ struct Arguments {
     std::vector<std::string> cases;
     std::vector<std::string> backends = backend_names();
     double rays = 100'000;
+    double seconds = infinity;
     bool only_backends = false, list = false;
     std::string json, markdown, plots;
 };
@@ -53,6 +54,7 @@ std::vector<Row> measure_all(const Arguments& a, const std::vector<HardCase>& ca
     for (const std::string& name : a.backends) backends.push_back(find_backend(name));
     accuracy::Effort effort;
     effort.rays = static_cast<std::uint64_t>(a.rays);
+    effort.seconds = a.seconds;
     effort.textbooks = !a.only_backends;
     std::vector<Row> all;
     for (const HardCase& c : cases) {
@@ -110,6 +112,8 @@ Run declare_accuracy(CLI::App& app) {
     app.add_option("--rays", a->rays, "For each case; 1e7 is a number too")
         ->check(CLI::Range(1.0, 1e12))
         ->capture_default_str();
+    app.add_option("--limit", a->seconds, "Seconds for each case, which may then get fewer rays")
+        ->check(CLI::PositiveNumber);
     app.add_flag("--only-backends", a->only_backends, "Leave out kernels by themselves");
     app.add_flag("--list", a->list, "Only say which cases there are");
     app.add_option("--json", a->json, "Write the figures to this file; - is standard output");

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "core/formats/load.h"
 #include "core/sampling/sobol.h"
@@ -60,6 +62,27 @@ Scene spheres(std::size_t count) {
     return scene;
 }
 
+/// The same triangle over and over.
+Scene duplicates(std::size_t count) {
+    Scene scene = empty_scene();
+    scene.vertices = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
+    for (std::size_t i = 0; i < count; ++i) scene.add(Triangle{{0, 1, 2}}, 0);
+    return scene;
+}
+
+struct Family {
+    std::string_view name;
+    Scene (*make)(std::size_t count);
+};
+
+constexpr Family families[] = {{"soup", soup}, {"spheres", spheres}, {"duplicates", duplicates}};
+
+const Family* find_family(std::string_view name) {
+    const auto* found = std::find_if(std::begin(families), std::end(families),
+                                     [name](const Family& f) { return f.name == name; });
+    return found == std::end(families) ? nullptr : found;
+}
+
 std::optional<Scene> from_file(const std::string& path) {
     LoadResult loaded = load_scene(path);
     fmt::print(stderr, "{}", report(loaded.diagnostics));
@@ -70,16 +93,14 @@ std::optional<Scene> from_file(const std::string& path) {
 
 std::optional<Scene> bench_scene(const std::string& name) {
     const std::size_t colon = name.find(':');
-    const std::string family = name.substr(0, colon);
-    if (colon == std::string::npos || (family != "soup" && family != "spheres")) {
-        return from_file(name);
-    }
+    const Family* family = find_family(name.substr(0, colon));
+    if (colon == std::string::npos || family == nullptr) return from_file(name);
     const unsigned long count = std::strtoul(name.c_str() + colon + 1, nullptr, 10);
     if (count == 0 || count > 100'000'000) {
         fmt::print(stderr, "etalon-bench: error: {}: expected a count from 1 to 1e8\n", name);
         return std::nullopt;
     }
-    return family == "soup" ? soup(count) : spheres(count);
+    return family->make(count);
 }
 
 }  // namespace etalon

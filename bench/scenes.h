@@ -9,7 +9,8 @@
 
 namespace etalon {
 
-/// "soup:N" (N random small triangles in a cube), "spheres:N" (N random spheres in a cube), or the
+/// "soup:N" (N random small triangles in a cube), "spheres:N" (N random spheres in a cube),
+/// "duplicates:N" (N times the same triangle), or the
 /// path of a scene file. Nothing, and a message on standard error, if there is no such scene.
 std::optional<Scene> bench_scene(const std::string& name);
 

@@ -160,7 +160,8 @@ int run(const Arguments& a) {
 
 Run declare_speed(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
-    app.add_option("--scene", a->scenes, "soup:N, spheres:N or a scene file; several by commas")
+    app.add_option("--scene", a->scenes,
+                   "soup:N, spheres:N, duplicates:N or a scene file; several by commas")
         ->delimiter(',')
         ->capture_default_str();
     app.add_option("--backends", a->backends, "Which, by commas")

@@ -1,6 +1,7 @@
 #include "bench/accuracy/measure.h"
 
 #include <algorithm>
+#include <chrono>
 #include <ctime>
 #include <mutex>
 #include <optional>
@@ -71,7 +72,9 @@ class Measurement {
         results_.resize(entrants_.size());
         const std::uint64_t blocks = (effort_.rays + block_size - 1) / block_size;
         parallel_for(blocks, 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t block = begin; block < end; ++block) shoot(block);
+            for (std::size_t block = begin; block < end; ++block) {
+                if (block == 0 || !is_over_time()) shoot(block);
+            }
         });
         return rows();
     }
@@ -79,6 +82,11 @@ class Measurement {
   private:
     void enter(std::unique_ptr<Contender> contender, bool exact, bool refined) {
         entrants_.push_back({std::move(contender), exact, refined});
+    }
+
+    bool is_over_time() const {
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
+        return spent.count() > effort_.seconds;
     }
 
     bool takes_part(const Entrant& entrant, std::uint64_t first_ray) const {
@@ -214,6 +222,7 @@ class Measurement {
     const Oracle oracle_;
     const std::uint64_t seed_;
     const Effort effort_;
+    const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::vector<Entrant> entrants_;
     std::mutex mutex_;
     std::vector<Result> results_;

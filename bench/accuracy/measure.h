@@ -9,6 +9,7 @@ namespace etalon::accuracy {
 
 struct Effort {
     std::uint64_t rays = 100'000;  ///< for each case
+    double seconds = infinity;     ///< for each case, on the wall: then no more rays are begun
     /// Where every ray is tested against every primitive, rays are fewer: no more than make this
     /// many tests.
     std::uint64_t tests = 4'000'000'000;
