@@ -25,7 +25,8 @@ Cone turned(const Cone& c, int k) {
     return {turned(c.base, k), turned(c.top, k), c.base_radius, c.top_radius};
 }
 
-/// The ray with one coordinate of its origin moved to the next double in the direction of `towards`.
+/// The ray with one coordinate of its origin moved to the next double in the direction of
+/// `towards`.
 Ray moved(Ray ray, int k, double towards) {
     ray.origin[k] = std::nextafter(ray.origin[k], towards);
     return ray;
@@ -164,6 +165,17 @@ TEST_CASE("Cone: given a tangent to the last bit, then it is hit, and the next l
     }
 }
 
+TEST_CASE("Cone: given a tangent that touches a rim, then either side is hit") {
+    const Cone upright{{0, 0, 0}, {0, 0, 8}, 5, 5};
+    for (const double z : {0.0, 8.0}) {
+        for (const Vec3& d : {Vec3(-4, 3, 1), Vec3(-4, 3, -1), Vec3(-4, 3, 0)}) {
+            const Ray ray{Vec3(3, 4, z) - 10.0 * d, d};
+            REQUIRE(hit(upright, ray, Sides::front) == 10);
+            REQUIRE(hit(upright, ray, Sides::back) == 10);
+        }
+    }
+}
+
 TEST_CASE("Cone: given a ray through a rim to the last bit, then it is hit, and none beyond") {
     const Cone upright{{0, 0, 0}, {0, 0, 8}, 5, 5}, narrowing{{0, 0, 0}, {0, 0, 8}, 5, 1};
     for (int i = 0; i < 3 * 12; ++i) {
@@ -173,10 +185,14 @@ TEST_CASE("Cone: given a ray through a rim to the last bit, then it is hit, and 
         for (const Cone& shape : {upright, narrowing}) {
             const bool top = i % 2 == 0 && shape.top_radius == 5;
             const Ray ray{turned(Vec3(3, 4, top ? 8 : 0) - n * d, k), turned(d, k)};
+            const Ray fast{ray.origin, 3.0 * ray.direction};  // whose t is rounded
             const Cone cone = turned(shape, k);
             CAPTURE(k, n, d, top);
             REQUIRE(hit(cone, ray, Sides::front) == n);
             REQUIRE(std::isnan(hit(cone, moved(ray, z, top ? infinity : -infinity), Sides::front)));
+            REQUIRE(hit(cone, fast, Sides::front) == n / 3);
+            REQUIRE(
+                std::isnan(hit(cone, moved(fast, z, top ? infinity : -infinity), Sides::front)));
             if (d.z != 0) continue;
             REQUIRE(hit(cone, moved(ray, z, 4), Sides::front) == Approx(n));
         }
@@ -189,7 +205,9 @@ TEST_CASE("Cone: given lines through the apex to the last bit, then they hit it"
         for (const Vec3& steep : {Vec3(1, 2, -7), Vec3(-1, 3, -9), Vec3(0, 0, -1)}) {
             const Ray down{cone.top - n * steep, steep}, up{cone.top + n * steep, -steep};
             REQUIRE(hit(cone, down, Sides::front) == n);
+            REQUIRE(std::isnan(hit(cone, down, Sides::back)));
             REQUIRE(hit(cone, up, Sides::back) == n);
+            REQUIRE(std::isnan(hit(cone, up, Sides::front)));
         }
         for (const Vec3& shallow : {Vec3(1, 2, -3), Vec3(-2, 3, 1), Vec3(1, 1, 0)}) {
             const Ray ray{cone.top - n * shallow, shallow};
@@ -253,6 +271,35 @@ TEST_CASE("ConeFilter: given any ray, then exact arithmetic says what it does no
     CAPTURE(doubts, hits);
     REQUIRE(hits > count / 5);
     REQUIRE(doubts > count / 100);  // or these rays would be too easy
+}
+
+TEST_CASE("Cone: given a cone and a ray of any size, then t is the same times that size") {
+    const int k = GENERATE(-700, -500, -300, 300, 500, 700), speed = GENERATE(-200, 0, 200);
+    const auto resized = [k](double x) { return std::ldexp(x, k); };
+    const auto scaled = [&](const Vec3& v) {
+        return Vec3(resized(v.x), resized(v.y), resized(v.z));
+    };
+    Random random(23);
+    for (int i = 0; i < 500; ++i) {
+        const Cone cone = random_cone(random);
+        const Cone other{scaled(cone.base), scaled(cone.top), resized(cone.base_radius),
+                         resized(cone.top_radius)};
+        const Ray ray = random_ray(cone, random);
+        const double t = hit(cone, ray);
+        const Ray moved{scaled(ray.origin), std::ldexp(1.0, speed) * ray.direction};
+        const double other_t = hit(other, moved);
+        CAPTURE(i, k, speed, t, other_t);
+        REQUIRE(std::isnan(t) == std::isnan(other_t));
+        if (std::isnan(t)) continue;
+        REQUIRE(std::abs(std::ldexp(other_t, speed - k) - t) <= 0x1p-39 * t);
+        const Box3 box = bounds(Scene{}, other);
+        const Vec3 p = moved.origin + other_t * moved.direction;
+        const double slack = resized(1e-14 * (1e3 + ray.origin.length()));
+        for (int axis = 0; axis < 3; ++axis) {
+            REQUIRE(p[axis] >= box.min[axis] - slack);
+            REQUIRE(p[axis] <= box.max[axis] + slack);
+        }
+    }
 }
 
 TEST_CASE("ConeFilter: given rays from ten radii at a cone's surroundings, then few are in doubt") {

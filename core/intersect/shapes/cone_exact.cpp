@@ -80,22 +80,20 @@ ConeCrossing ExactCone::crossing() const {
 /// for the apex: of a line that is steeper than the cone it is the one root, on which the line
 /// leaves the cone or enters it as the radius falls or rises.
 double ExactCone::crossing(Way way) const {
-    const bool infinitely_far = A_.sign() == 0 && way * B_.sign() < 0;
     const bool mirrored = A_.sign() < 0 && way * R1_.sign() > 0;
-    if (infinitely_far || mirrored) return no_hit;
+    if (mirrored) return no_hit;
     const double t = root(way);
     const bool within = is_surely_within(t) || (side(way, base_, cone_.base_radius) >= 0 &&
                                                 side(way, top_, cone_.top_radius) <= 0);
     return within ? t : no_hit;
 }
 
-/// By the sum of like signs.
+/// By the sum of like signs. NaN, 0 times infinity, where A vanishes and with it this root.
 double ExactCone::root(Way way) const {
     const WideDouble a = A_.magnitude(), b = B_.magnitude(), c = C_.magnitude();
     const auto quotient = [](int sign, const WideDouble& x, const WideDouble& y) {
         return sign * static_cast<double>(x / y);
     };
-    if (discriminant_.sign() == 0) return quotient(-A_.sign() * B_.sign(), b, a);
     const WideDouble sum = b + square_root(discriminant_.magnitude());
     if (way * B_.sign() > 0) return quotient(-way * C_.sign(), c, sum);
     return quotient(way * A_.sign(), sum, a);

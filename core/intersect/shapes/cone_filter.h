@@ -59,7 +59,7 @@ class ConeFilter {
         const double step = std::abs(query_.dz) * axis_.length;  // |d||h| <= sqrt(3) step
         rho_ = std::sqrt(rho2);
         speed_ = std::sqrt(d_.square);
-        e_place_ = u * (6 * (std::abs(start_) + rho_) + 4 * std::abs(middle_) * step);
+        e_place_ = u * (6.5 * (std::abs(start_) + rho_) + 4 * std::abs(middle_) * step);
         e_rho_ = e_place_ + slope * (e_place_ + 16 * u * std::abs(start_)) + 8 * u * rho_;
         e_rise_ = 7 * u * step;
         e_speed_ = (1 + slope) * e_rise_ + 7 * u * speed_;
@@ -70,8 +70,8 @@ class ConeFilter {
         // So that nothing underflows that counts, and nothing overflows.
         constexpr double least = 0x1p-900, most = 0x1p900;
         const double product = rho2 * d_.square;
-        in_range_ = std::min({rho2, d_.square, product}) > least &&
-                    std::max({rho2, d_.square, product}) < most;
+        in_range_ = std::min({axis_.height, rho2, d_.square, product}) > least &&
+                    std::max({axis_.height, rho2, d_.square, product}) < most;
     }
 
     bool is_steep() const { return alpha_ < -e_alpha_; }
@@ -95,7 +95,7 @@ class ConeFilter {
         if (!(3 * (std::abs(alpha_) + e_alpha_) * e_form <= discriminant_)) {
             return !near && is_out_of_reach(sum) ? no_hit : in_doubt;
         }
-        const double e_t = 0.75 * e_form / root + 5 * u * std::abs(t);
+        const double e_t = 0.75 * e_form / root + 7 * u * std::abs(t);
         return clipped(t, e_t);
     }
 
