@@ -63,10 +63,10 @@ class ConeFilter {
         e_rho_ = e_place_ + slope * (e_place_ + 16 * u * std::abs(start_)) + 8 * u * rho_;
         e_rise_ = 7 * u * step;
         e_speed_ = (1 + slope) * e_rise_ + 7 * u * speed_;
-        // A form of second degree in either vector: |beta| <= rho speed, and so on.
+        // beta^2 and alpha gam are at most (rho speed)^2, and off by at most 3 e (rho speed + e).
         const double e = rho_ * e_speed_ + speed_ * e_rho_ + e_rho_ * e_speed_;
         e_discriminant_ = 6 * e * (rho_ * speed_ + e);
-        e_alpha_ = 2.7 * speed_ * e_speed_;
+        e_alpha_ = 2.7 * speed_ * e_speed_;  // used where the above shows e_speed < speed / 12
         // So that nothing underflows that counts, and nothing overflows.
         constexpr double least = 0x1p-900, most = 0x1p900;
         const double product = rho2 * d_.square;
