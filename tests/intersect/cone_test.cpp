@@ -1,6 +1,7 @@
 #include "core/intersect/shapes/cone.h"
 
 #include "core/intersect/kernels.h"
+#include "core/intersect/oracle/oracle.h"
 #include "tests/catch.h"
 #include "tests/intersect/random.h"
 
@@ -14,6 +15,48 @@ double hit(const Cone& cone, const Ray& ray, Sides sides = Sides::both) {
 
 const Cone cylinder{{0, 0, 0}, {0, 0, 4}, 1, 1};
 const Cone pointed{{0, 0, 0}, {0, 0, 2}, 1, 0};
+
+/// Coordinates whose axes are exchanged, so that the cone stands along another one.
+Vec3 turned(const Vec3& v, int k) {
+    return {v[k % 3], v[(k + 1) % 3], v[(k + 2) % 3]};
+}
+
+Cone turned(const Cone& c, int k) {
+    return {turned(c.base, k), turned(c.top, k), c.base_radius, c.top_radius};
+}
+
+/// The ray with one coordinate of its origin moved to the next double in the direction of
+/// `towards`.
+Ray moved(Ray ray, int k, double towards) {
+    ray.origin[k] = std::nextafter(ray.origin[k], towards);
+    return ray;
+}
+
+/// Of any proportions: flat ones and needles, pointed ones, and all but cylinders.
+Cone random_cone(Random& random) {
+    const double length = std::pow(10.0, random.uniform(-4, 3)), radius = random.uniform(0.5, 2);
+    const double other[] = {radius, 0, radius * (1 + std::ldexp(1.0, -random.index(53))),
+                            random.uniform()};
+    Cone c{random.in_cube(), {}, radius, other[random.index(4)]};
+    c.top = c.base + length * random.direction();
+    if (random.index(2) == 0) std::swap(c.base_radius, c.top_radius);
+    return c;
+}
+
+/// Through the surface, a rim, the axis or an end of it, from 1 to 1e7 radii, or from on the spot.
+Ray random_ray(const Cone& c, Random& random) {
+    const Vec3 h = c.top - c.base;
+    Vec3 u, v;
+    orthonormal_basis(h / std::sqrt(h.dot(h)), u, v);
+    const double s = random.index(2) == 0 ? random.index(2) : random.uniform();
+    const double angle = random.uniform(0, 6.3), out = random.index(4) == 0 ? 0 : 1;
+    const double r = out * (c.base_radius + s * (c.top_radius - c.base_radius));
+    const Vec3 target = c.base + s * h + r * (std::cos(angle) * u + std::sin(angle) * v);
+    Vec3 direction = random.direction();
+    if (random.index(3) == 0) direction -= direction.dot(u) * u;  // some of these are tangents
+    const double distance = random.index(4) == 0 ? 0 : std::pow(10.0, random.uniform(0, 7));
+    return {target - distance * direction, direction};
+}
 
 }  // namespace
 
@@ -104,4 +147,190 @@ TEST_CASE("Cone: given a hit, then the normal leans as the surface does") {
     const SurfacePoint p = surface(Scene{}, pointed, RayQuery(ray), hit(pointed, ray));
     REQUIRE((p.position - Vec3(-0.5, 0, 1)).length() < 1e-15);
     REQUIRE((p.normal - Vec3(-2, 0, 1) / std::sqrt(5.0)).length() < 1e-15);
+}
+
+TEST_CASE("Cone: given a tangent to the last bit, then it is hit, and the next line is not") {
+    const Cone upright{{0, 0, 0}, {0, 0, 8}, 5, 5};
+    for (int i = 0; i < 3 * 12; ++i) {
+        const int k = i % 3, slope = i / 3 % 4 - 1;
+        const double n = std::pow(10.0, i / 12 * 3 + 1);
+        const Vec3 d(-4, 3, slope), at(3, 4, 3);
+        const Ray ray{turned(at - n * d, k), turned(d, k)};
+        const Cone cone = turned(upright, k);
+        const int x = (3 - k) % 3;  // where turned() puts the x axis
+        CAPTURE(k, slope, n);
+        REQUIRE(hit(cone, ray) == n);
+        REQUIRE(std::isnan(hit(cone, moved(ray, x, infinity))));
+        REQUIRE(hit(cone, moved(ray, x, -infinity)) == Approx(n).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("Cone: given a tangent that touches a rim, then either side is hit") {
+    const Cone upright{{0, 0, 0}, {0, 0, 8}, 5, 5};
+    for (const double z : {0.0, 8.0}) {
+        for (const Vec3& d : {Vec3(-4, 3, 1), Vec3(-4, 3, -1), Vec3(-4, 3, 0)}) {
+            const Ray ray{Vec3(3, 4, z) - 10.0 * d, d};
+            REQUIRE(hit(upright, ray, Sides::front) == 10);
+            REQUIRE(hit(upright, ray, Sides::back) == 10);
+        }
+    }
+}
+
+TEST_CASE("Cone: given a ray through a rim to the last bit, then it is hit, and none beyond") {
+    const Cone upright{{0, 0, 0}, {0, 0, 8}, 5, 5}, narrowing{{0, 0, 0}, {0, 0, 8}, 5, 1};
+    for (int i = 0; i < 3 * 12; ++i) {
+        const int k = i % 3, z = (5 - k) % 3;
+        const double n = std::pow(10.0, i / 12 * 3 + 1);
+        const Vec3 d(-1, -2, i / 3 % 4 - 1);
+        for (const Cone& shape : {upright, narrowing}) {
+            const bool top = i % 2 == 0 && shape.top_radius == 5;
+            const Ray ray{turned(Vec3(3, 4, top ? 8 : 0) - n * d, k), turned(d, k)};
+            const Ray fast{ray.origin, 3.0 * ray.direction};  // whose t is rounded
+            const Cone cone = turned(shape, k);
+            CAPTURE(k, n, d, top);
+            REQUIRE(hit(cone, ray, Sides::front) == n);
+            REQUIRE(std::isnan(hit(cone, moved(ray, z, top ? infinity : -infinity), Sides::front)));
+            REQUIRE(hit(cone, fast, Sides::front) == n / 3);
+            REQUIRE(
+                std::isnan(hit(cone, moved(fast, z, top ? infinity : -infinity), Sides::front)));
+            if (d.z != 0) continue;
+            REQUIRE(hit(cone, moved(ray, z, 4), Sides::front) == Approx(n));
+        }
+    }
+}
+
+TEST_CASE("Cone: given lines through the apex to the last bit, then they hit it") {
+    const Cone cone{{0, 0, 0}, {0, 0, 8}, 5, 0};
+    for (const double n : {1.0, 3.0, 1e4, 1e7}) {
+        for (const Vec3& steep : {Vec3(1, 2, -7), Vec3(-1, 3, -9), Vec3(0, 0, -1)}) {
+            const Ray down{cone.top - n * steep, steep}, up{cone.top + n * steep, -steep};
+            REQUIRE(hit(cone, down, Sides::front) == n);
+            REQUIRE(std::isnan(hit(cone, down, Sides::back)));
+            REQUIRE(hit(cone, up, Sides::back) == n);
+            REQUIRE(std::isnan(hit(cone, up, Sides::front)));
+        }
+        for (const Vec3& shallow : {Vec3(1, 2, -3), Vec3(-2, 3, 1), Vec3(1, 1, 0)}) {
+            const Ray ray{cone.top - n * shallow, shallow};
+            REQUIRE(hit(cone, ray) == n);
+            REQUIRE(std::isnan(hit(cone, moved(ray, 2, infinity))));
+            REQUIRE(hit(cone, moved(ray, 2, -infinity)) == Approx(n));
+        }
+    }
+}
+
+TEST_CASE("Cone: given lines along a generator, then only those beside it hit, and once") {
+    const Cone cone{{0, 0, 0}, {0, 0, 8}, 5, 0};
+    const Vec3 generator(-3, -4, 8);
+    for (const double n : {0.0, 1.0, 1000.0, 1e7}) {
+        REQUIRE(std::isnan(hit(cone, {Vec3(3, 4, 0) - n * generator, generator})));
+        REQUIRE(hit(cone, {-n * generator, generator}) == n + 0.5);
+        REQUIRE(hit(cone, {(n + 1) * generator, -generator}, Sides::front) == n + 0.5);
+    }
+}
+
+TEST_CASE("Cone: given a cone as flat as can be, then it is hit where a ring would be") {
+    for (int k = 0; k <= 1000; k += 20) {
+        const double height = std::ldexp(1.0, -k);
+        const Cone flat{{0, 0, 0}, {0, 0, height}, 1, 0.25};
+        CAPTURE(k);
+        REQUIRE(hit(flat, {{0.625, 0, 4}, {0, 0, -1}}) == 4 - height / 2);
+        REQUIRE(hit(flat, {{1, 0, 4}, {0, 0, -1}}) == 4);
+        REQUIRE(hit(flat, {{0.25, 0, 4}, {0, 0, -1}}) == 4 - height);
+        REQUIRE(std::isnan(hit(flat, {{1 + 0x1p-52, 0, 4}, {0, 0, -1}})));
+        REQUIRE(std::isnan(hit(flat, {{0.25 - 0x1p-54, 0, 4}, {0, 0, -1}})));
+    }
+}
+
+TEST_CASE("Cone: given a ray from the surface itself, then t is not zero but the way across") {
+    for (const double reach : {0x1p-40, 1.0, 0x1p40}) {
+        REQUIRE(hit(cylinder, {{1, 0, 2}, {-reach, 0, 0}}) == 2 / reach);
+        REQUIRE(std::isnan(hit(cylinder, {{1, 0, 2}, {reach, 0, 0}})));
+        REQUIRE(std::isnan(hit(cylinder, {{1, 0, 2}, {0, reach, 0}})));
+    }
+}
+
+TEST_CASE("ConeFilter: given any ray, then exact arithmetic says what it does not doubt") {
+    Random random(20);
+    int doubts = 0, hits = 0;
+    const int count = 200000;
+    for (int i = 0; i < count; ++i) {
+        const Cone cone = random_cone(random);
+        const RayQuery query(random_ray(cone, random));
+        const auto sides = static_cast<Sides>(random.index(3));
+        const double t = ConeFilter(cone, query).first_hit(sides);
+        doubts += t == in_doubt;
+        if (t == in_doubt) continue;
+        const ConeCrossing x = exact_crossing(cone, query.ray);
+        const double exact = first_visible(x.entry, x.exit, sides, query.ray.tmin);
+        CAPTURE(i, t, exact);
+        REQUIRE(std::isnan(t) == std::isnan(exact));
+        if (std::isnan(t)) continue;
+        ++hits;
+        REQUIRE(std::abs(t - exact) <= 0x1p-40 * exact);
+    }
+    CAPTURE(doubts, hits);
+    REQUIRE(hits > count / 5);
+    REQUIRE(doubts > count / 100);  // or these rays would be too easy
+}
+
+TEST_CASE("Cone: given a cone and a ray of any size, then t is the same times that size") {
+    const int k = GENERATE(-700, -500, -300, 300, 500, 700), speed = GENERATE(-200, 0, 200);
+    const auto resized = [k](double x) { return std::ldexp(x, k); };
+    const auto scaled = [&](const Vec3& v) {
+        return Vec3(resized(v.x), resized(v.y), resized(v.z));
+    };
+    Random random(23);
+    for (int i = 0; i < 500; ++i) {
+        const Cone cone = random_cone(random);
+        const Cone other{scaled(cone.base), scaled(cone.top), resized(cone.base_radius),
+                         resized(cone.top_radius)};
+        const Ray ray = random_ray(cone, random);
+        const double t = hit(cone, ray);
+        const Ray moved{scaled(ray.origin), std::ldexp(1.0, speed) * ray.direction};
+        const double other_t = hit(other, moved);
+        CAPTURE(i, k, speed, t, other_t);
+        REQUIRE(std::isnan(t) == std::isnan(other_t));
+        if (std::isnan(t)) continue;
+        REQUIRE(std::abs(std::ldexp(other_t, speed - k) - t) <= 0x1p-39 * t);
+        const Box3 box = bounds(Scene{}, other);
+        const Vec3 p = moved.origin + other_t * moved.direction;
+        const double slack = resized(1e-14 * (1e3 + ray.origin.length()));
+        for (int axis = 0; axis < 3; ++axis) {
+            REQUIRE(p[axis] >= box.min[axis] - slack);
+            REQUIRE(p[axis] <= box.max[axis] + slack);
+        }
+    }
+}
+
+TEST_CASE("ConeFilter: given rays from ten radii at a cone's surroundings, then few are in doubt") {
+    Random random(21);
+    int doubts = 0;
+    for (int i = 0; i < 50000; ++i) {
+        const Cone& cone = i % 2 == 0 ? cylinder : pointed;
+        const Vec3 origin = 10.0 * random.direction();
+        const RayQuery query(Ray{origin, 2.0 * random.in_cube() - origin});
+        doubts += ConeFilter(cone, query).first_hit(Sides::both) == in_doubt;
+    }
+    REQUIRE(doubts <= 5);
+}
+
+TEST_CASE("exact_crossing: given any ray, then the oracle agrees") {
+    Random random(22);
+    int hits = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Cone cone = random_cone(random);
+        Scene scene;
+        scene.add(cone, 0);
+        const Ray ray = random_ray(cone, random);
+        const ConeCrossing x = exact_crossing(cone, RayQuery(ray).ray);
+        const double t = first_visible(x.entry, x.exit, Sides::both, 0);
+        const OracleAnswer answer = Oracle(scene).closest(ray);
+        CAPTURE(i, t, answer.t);
+        if (answer.kind == OracleAnswer::undecidable) continue;
+        REQUIRE((t > 0) == (answer.kind == OracleAnswer::hit));
+        if (!(t > 0)) continue;
+        ++hits;
+        REQUIRE(answer.relative_error(t) <= (t > 1e-3 ? 8 * unit_roundoff : 1e-9));
+    }
+    REQUIRE(hits > 5000);
 }

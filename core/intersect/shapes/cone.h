@@ -14,7 +14,8 @@ namespace etalon {
 inline Box3 bounds(const Scene&, const Cone& c) {
     Box3 box;
     if (is_degenerate(c)) return box;
-    const Vec3 h = c.top - c.base;
+    Vec3 h = c.top - c.base;
+    h *= power_of_two_reciprocal(max_abs(h));  // whose square may be out of range
     const double length2 = h.dot(h);
     Vec3 reach;
     for (int k = 0; k < 3; ++k) {

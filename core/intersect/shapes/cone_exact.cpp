@@ -40,12 +40,12 @@ class ExactCone {
     ConeCrossing crossing() const;
 
   private:
-    enum Way { in = -1, out = 1 };
+    static constexpr int in = -1, out = 1;
 
-    double crossing(Way way) const;
-    double root(Way way) const;
+    double crossing(int way) const;
+    double root(int way) const;
     bool is_surely_within(double t) const;
-    int side(Way way, const End& end, double radius) const;
+    int side(int way, const End& end, double radius) const;
 
     const Cone& cone_;
     DyadicVec d_, h_;
@@ -79,23 +79,21 @@ ConeCrossing ExactCone::crossing() const {
 /// A root between the ends, which belong to the surface. The mirror nappe is beyond an end, but
 /// for the apex: of a line that is steeper than the cone it is the one root, on which the line
 /// leaves the cone or enters it as the radius falls or rises.
-double ExactCone::crossing(Way way) const {
-    const bool infinitely_far = A_.sign() == 0 && way * B_.sign() < 0;
+double ExactCone::crossing(int way) const {
     const bool mirrored = A_.sign() < 0 && way * R1_.sign() > 0;
-    if (infinitely_far || mirrored) return no_hit;
+    if (mirrored) return no_hit;
     const double t = root(way);
     const bool within = is_surely_within(t) || (side(way, base_, cone_.base_radius) >= 0 &&
                                                 side(way, top_, cone_.top_radius) <= 0);
     return within ? t : no_hit;
 }
 
-/// By the sum of like signs.
-double ExactCone::root(Way way) const {
+/// By the sum of like signs. NaN, 0 times infinity, where A vanishes and with it this root.
+double ExactCone::root(int way) const {
     const WideDouble a = A_.magnitude(), b = B_.magnitude(), c = C_.magnitude();
     const auto quotient = [](int sign, const WideDouble& x, const WideDouble& y) {
         return sign * static_cast<double>(x / y);
     };
-    if (discriminant_.sign() == 0) return quotient(-A_.sign() * B_.sign(), b, a);
     const WideDouble sum = b + square_root(discriminant_.magnitude());
     if (way * B_.sign() > 0) return quotient(-way * C_.sign(), c, sum);
     return quotient(way * A_.sign(), sum, a);
@@ -109,11 +107,11 @@ bool ExactCone::is_surely_within(double t) const {
     return bound > 0x1p-960 && z > bound && hh_.rounded() - z > bound;
 }
 
-/// The sign of z at a root. No root need be taken: the line passes the end's plane at t0 = -z / dh,
-/// inside the circle or outside, so that t0 is between the two roots or not, and the form rises or
-/// falls there, which tells the side. From t0, the root is -+p0 / (|s0| + root) or +-(|s0| + root)
-/// / A, where p0 is the form and s0 half its rise at t0.
-int ExactCone::side(Way way, const End& end, double radius) const {
+/// The sign of z at a root, without the root: the line passes the end's plane at t0 = -z / dh. With
+/// the form p0 there, which is negative inside the circle, and half its rise s0, what is left to
+/// the root is -way p0 / (|s0| + root) where way s0 is positive, and way (|s0| + root) / A
+/// elsewhere.
+int ExactCone::side(int way, const End& end, double radius) const {
     if (dh_.sign() == 0) return end.z.sign();
     const Dyadic p0 = distance2(dh_, end.w, end.z, d_) - square(Dyadic(radius) * dh_);
     const int rise = way * (B_ * dh_ - A_ * end.z).sign() * dh_.sign();

@@ -23,12 +23,12 @@ class ConeFilter {
     ConeFilter(const Cone& c, const RayQuery& q)
         : cone_(c), query_(q), axis_(c), d_(axis_, q.ray.direction) {
         const Vec3 f = q.ray.origin - c.base;
-        middle_ = ConePlace(c, axis_, f).middle(axis_, d_);
+        middle_ = middle(c, axis_, d_, f);
         const ConePlace w(c, axis_, f + middle_ * q.ray.direction);
         F_ = w.F;
         start_ = w.start;
         r0_ = w.r0;
-        alpha_ = d_.G.dot(d_.G) - d_.r1 * d_.r1;
+        alpha_ = d_.G2 - d_.r1 * d_.r1;
         beta_ = F_.dot(d_.G) - r0_ * d_.r1;
         gam_ = F_.dot(F_) - r0_ * r0_;
         discriminant_ = beta_ * beta_ - alpha_ * gam_;
@@ -55,23 +55,24 @@ class ConeFilter {
 
     void bound_errors() {
         constexpr double u = unit_roundoff;
-        const double rho2 = F_.dot(F_) + r0_ * r0_, slope = std::abs(axis_.slope);
+        const double rho2 = F_.dot(F_) + r0_ * r0_, speed2 = d_.G2 + d_.r1 * d_.r1;
+        const double slope = std::abs(axis_.slope);
         const double step = std::abs(query_.dz) * axis_.length;  // |d||h| <= sqrt(3) step
         rho_ = std::sqrt(rho2);
-        speed_ = std::sqrt(d_.square);
-        e_place_ = u * (6 * (std::abs(start_) + rho_) + 4 * std::abs(middle_) * step);
+        speed_ = std::sqrt(speed2);
+        e_place_ = u * (6.5 * (std::abs(start_) + rho_) + 4 * std::abs(middle_) * step);
         e_rho_ = e_place_ + slope * (e_place_ + 16 * u * std::abs(start_)) + 8 * u * rho_;
         e_rise_ = 7 * u * step;
         e_speed_ = (1 + slope) * e_rise_ + 7 * u * speed_;
-        // A form of second degree in either vector: |beta| <= rho speed, and so on.
+        // beta^2 and alpha gam are at most (rho speed)^2, and off by at most 3 e (rho speed + e).
         const double e = rho_ * e_speed_ + speed_ * e_rho_ + e_rho_ * e_speed_;
         e_discriminant_ = 6 * e * (rho_ * speed_ + e);
-        e_alpha_ = 2.7 * speed_ * e_speed_;
+        e_alpha_ = 2.7 * speed_ * e_speed_;  // used where the above shows e_speed < speed / 12
         // So that nothing underflows that counts, and nothing overflows.
         constexpr double least = 0x1p-900, most = 0x1p900;
-        const double product = rho2 * d_.square;
-        in_range_ = std::min({rho2, d_.square, product}) > least &&
-                    std::max({rho2, d_.square, product}) < most;
+        const double product = rho2 * speed2;
+        in_range_ = std::min({axis_.height, rho2, speed2, product}) > least &&
+                    std::max({axis_.height, rho2, speed2, product}) < most;
     }
 
     bool is_steep() const { return alpha_ < -e_alpha_; }
@@ -95,7 +96,7 @@ class ConeFilter {
         if (!(3 * (std::abs(alpha_) + e_alpha_) * e_form <= discriminant_)) {
             return !near && is_out_of_reach(sum) ? no_hit : in_doubt;
         }
-        const double e_t = 0.75 * e_form / root + 5 * u * std::abs(t);
+        const double e_t = 0.75 * e_form / root + 7 * u * std::abs(t);
         return clipped(t, e_t);
     }
 

@@ -12,11 +12,12 @@ struct ConeAxis {
         : h(c.top - c.base),
           height(h.dot(h)),
           length(std::sqrt(height)),
-          slope((c.top_radius - c.base_radius) / length) {}
+          spread(c.top_radius - c.base_radius),
+          slope(spread / length) {}
 
     Vec3 h;
     double height;  ///< w.h at the top
-    double length;
+    double length, spread;
     double slope;  ///< of the radius along the axis
 };
 
@@ -24,11 +25,11 @@ struct ConeAxis {
 /// r1 the radius there, all times |h|.
 struct ConeSpeed {
     ConeSpeed(const ConeAxis& a, const Vec3& d)
-        : G(d.cross(a.h)), rise(d.dot(a.h)), r1(a.slope * rise), square(G.dot(G) + r1 * r1) {}
+        : G(d.cross(a.h)), rise(d.dot(a.h)), r1(a.slope * rise), G2(G.dot(G)) {}
 
     Vec3 G;
     double rise, r1;
-    double square;  ///< |G|^2 + r1^2
+    double G2;
 };
 
 /// Where a point w, seen from the base, is: its distance F = w x h from the axis, its height start,
@@ -37,18 +38,21 @@ struct ConePlace {
     ConePlace(const Cone& c, const ConeAxis& a, const Vec3& w)
         : F(w.cross(a.h)), start(w.dot(a.h)), r0(a.length * c.base_radius + a.slope * start) {}
 
-    /// The t where distance^2 + radius^2 is least: near the axis, and near the apex, as far as the
-    /// line goes there. From a point so close nothing cancels. Where that is further beyond an end
-    /// than the cone is long, the t at that end.
-    double middle(const ConeAxis& a, const ConeSpeed& d) const {
-        const double t = -(F.dot(d.G) + r0 * d.r1) / d.square;
-        const double z = start + t * d.rise;
-        if (z >= -a.height && z <= 2 * a.height) return t;
-        return ((z > a.height ? a.height : 0) - start) / d.rise;
-    }
-
     Vec3 F;
     double start, r0;
 };
+
+/// The t where distance^2 + radius^2 is least on the line f + t d: near the axis, and near the
+/// apex, as far as the line goes there. From a point so close nothing cancels. Where that is
+/// further beyond an end than the cone is long, the t at that end. The radii are r0 |h| and r1 |h|,
+/// so that nothing waits for a root.
+inline double middle(const Cone& c, const ConeAxis& a, const ConeSpeed& d, const Vec3& f) {
+    const double start = f.dot(a.h);
+    const double r0 = a.height * c.base_radius + a.spread * start, r1 = a.spread * d.rise;
+    const double t = -(f.cross(a.h).dot(d.G) * a.height + r0 * r1) / (d.G2 * a.height + r1 * r1);
+    const double z = start + t * d.rise;
+    if (z >= -a.height && z <= 2 * a.height) return t;
+    return ((z > a.height ? a.height : 0) - start) / d.rise;
+}
 
 }  // namespace etalon
