@@ -27,6 +27,7 @@ struct Arguments {
     std::vector<std::string> backends = backend_names();
     std::vector<std::string> rays{"camera", "bounce", "shadow", "random"};
     int repeats = 5;
+    bool only_build = false;
     std::string json;
 };
 
@@ -133,6 +134,7 @@ Json measure_scene(const Arguments& a, const std::string& name, const Scene& sce
         fmt::print("  build    {:<15} {:9.3f} s CPU  {:8.1f} bytes per primitive\n",
                    c.backend->name, c.build_seconds, per_primitive);
     }
+    if (a.only_build) return result;
     const auto exact = find_backend("bvh")->build(scene);
     for (const RaySet& set : make_ray_sets(scene, *exact, max_rays)) {
         const bool wanted = std::find(a.rays.begin(), a.rays.end(), set.kind) != a.rays.end();
@@ -172,6 +174,7 @@ Run declare_speed(CLI::App& app) {
         ->delimiter(',')
         ->check(CLI::IsMember({"camera", "bounce", "shadow", "aimed", "random"}))
         ->capture_default_str();
+    app.add_flag("--only-build", a->only_build, "Shoot no rays");
     app.add_option("--repeat", a->repeats, "Alternating repeats; the median counts")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
