@@ -44,9 +44,25 @@ double exact_triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p, const Ve
     return volume.estimate();
 }
 
-/// The same by double-double, where that is good to 2^-38 of itself: its error is less than 2^-98
-/// of its terms.
-double triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p, const Vec3TwoTerm& q) {
+/// Whether two vectors of single terms are parallel: rays that are aimed at a corner often pass
+/// through it exactly.
+bool are_parallel(const Vec3TwoTerm& d, const Vec3TwoTerm& p) {
+    for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        if (d[k].error != 0 || p[k].error != 0) return false;
+        const TwoTerm a = two_product(d[i].value, p[j].value);
+        const TwoTerm b = two_product(d[j].value, p[i].value);
+        if (a.value != b.value || a.error != b.error) return false;
+    }
+    return true;
+}
+
+/// Bound on the error of a triple product in double-double, in units of its terms.
+constexpr double triple_product_doubt = 0x1p-101;
+
+/// The same by double-double, where that is off by no more than `tolerance` of itself.
+double triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p, const Vec3TwoTerm& q,
+                      double tolerance) {
     TwoTerm volume{0, 0};
     double terms = 0;
     for (int k = 0; k < 3; ++k) {
@@ -56,7 +72,9 @@ double triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p, const Vec3TwoT
         terms += std::abs(d[k].value) * (std::abs(left.value) + std::abs(right.value));
     }
     const bool in_range = terms > 0x1p-800;  // no product's error underflows
-    if (in_range && std::abs(volume.value) > 0x1p-60 * terms) return volume.value;
+    const double doubt = triple_product_doubt * terms;
+    if (in_range && tolerance * std::abs(volume.value) > doubt) return volume.value;
+    if (in_range && (are_parallel(d, p) || are_parallel(d, q))) return 0;
     return exact_triple_product(d, p, q);
 }
 
@@ -64,9 +82,9 @@ bool precedes(const Vec3& a, const Vec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
 
-}  // namespace
+constexpr double value_tolerance = 0x1p-38, sign_tolerance = 0.5;
 
-double exact_edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b) {
+double edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b, double tolerance) {
     // Products of what is not finite could leave no terms at all, and so a zero.
     for (const Vec3& v : {o, d, a, b}) {
         if (!is_finite(v)) return nan_value;
@@ -74,14 +92,24 @@ double exact_edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3
     const double plain = d.dot((a - o).cross(b - o));
     if (!std::isfinite(plain)) return plain;
     // The estimate's last bit depends on the order of the terms: take one order for both.
-    if (precedes(b, a)) return -exact_edge_volume(o, d, b, a);
-    return triple_product(exactly(d), difference(a, o), difference(b, o));
+    if (precedes(b, a)) return -edge_volume(o, d, b, a, tolerance);
+    return triple_product(exactly(d), difference(a, o), difference(b, o), tolerance);
+}
+
+}  // namespace
+
+double exact_edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b) {
+    return edge_volume(o, d, a, b, value_tolerance);
+}
+
+double exact_edge_sign(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b) {
+    return edge_volume(o, d, a, b, sign_tolerance);
 }
 
 double exact_volume(const Vec3& o, const Vec3& a, const Vec3& b, const Vec3& c) {
     const double plain = (a - o).dot((b - o).cross(c - o));
     if (!std::isfinite(plain)) return plain;
-    return triple_product(difference(a, o), difference(b, o), difference(c, o));
+    return triple_product(difference(a, o), difference(b, o), difference(c, o), value_tolerance);
 }
 
 double exact_dot(const Vec3& n, const Vec3& d) {

@@ -112,6 +112,9 @@ Expansion<2 * N * M> operator*(const Expansion<N>& a, const Expansion<M>& b) {
 /// b gives exactly the negated value, which is what makes a shared edge watertight.
 double exact_edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b);
 
+/// The exact sign, with a value that is off by 2^-100 of the terms of the sum; less slow.
+double exact_edge_sign(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b);
+
 /// (a - o) . ((b - o) x (c - o)): six times the signed volume of the tetrahedron. As good as that.
 double exact_volume(const Vec3& o, const Vec3& a, const Vec3& b, const Vec3& c);
 

@@ -58,7 +58,7 @@ constexpr Column columns[] = {
     {"", "max", 7, Asked::by_oracle, largest<&Tally::double_ulps>},
     {"", "K", 7, Asked::by_oracle, largest<&Tally::conditioned>},
     {"", "|dP|", 7, Asked::by_oracle, largest<&Tally::position>},
-    {"", "shift", 7, Asked::of_spawned, largest<&Tally::shift>},
+    {"", "shift", 7, Asked::of_spawned, quantile<&Tally::shift, 50>},
     {"ns", "a ray", 7, Asked::always, [](const Row& row) { return brief(row.nanoseconds); }},
     {"", "cost", 6, Asked::always, cost},
 };

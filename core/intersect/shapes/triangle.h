@@ -56,7 +56,8 @@ inline TriangleCrossing cross_triangle(const std::array<Vec3, 3>& p, const RayQu
     const bool thin = !(std::abs(r.sum) > 0x1p28 * r.doubt);
     for (int k = 0; k < 3; ++k) {
         if (!thin && std::abs(r.weight[k]) > r.doubt) continue;
-        r.weight[k] = exact_edge_function(p[(k + 1) % 3], p[(k + 2) % 3], q);
+        const Vec3 &from = p[(k + 1) % 3], &to = p[(k + 2) % 3];
+        r.weight[k] = thin ? exact_edge_function(from, to, q) : exact_edge_side(from, to, q);
     }
     r.sum = r.weight[0] + r.weight[1] + r.weight[2];
     if (thin) r.doubt = 0x1p-38 * largest(r.weight[0], r.weight[1], r.weight[2]);
