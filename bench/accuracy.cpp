@@ -30,11 +30,13 @@ struct Arguments {
     std::string json, markdown, plots;
 };
 
-/// "SPH-1" names all rows of that id, "SPH-1/1e3 radii" one of them, "SPH" all ids that begin so.
+/// "SPH" names all rows whose id begins so, "SPH-1" those of that id, "SPH-1/1e3" those of them
+/// whose variant begins so.
 bool is_named(const HardCase& c, const std::vector<std::string>& names) {
     const std::string full = c.id + '/' + c.variant;
     return names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-               return name == c.id || name == full || c.id.starts_with(name + '-');
+               return name == c.id || c.id.starts_with(name + '-') ||
+                      (name.find('/') != std::string::npos && full.starts_with(name));
            });
 }
 
@@ -103,7 +105,8 @@ int run(const Arguments& a) {
 
 Run declare_accuracy(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
-    app.add_option("--case", a->cases, "Which, by commas: SPH, SPH-1, or \"SPH-1/1e3 radii\"")
+    app.add_option("--case", a->cases,
+                   "Which, by commas: SPH, SPH-1, or \"SPH-1/1e3 radii\"; --list shows all")
         ->delimiter(',');
     app.add_option("--backends", a->backends, "Which, by commas")
         ->delimiter(',')

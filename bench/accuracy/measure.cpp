@@ -159,20 +159,32 @@ class Measurement {
 
     void shoot_at(const RayBlock& block, std::uint64_t first, std::vector<Result>& results) const {
         const auto answers = ask_all(block, first, results);
-        for (std::size_t i = 0; i < block.rays.size(); ++i) {
-            std::optional<Truth> truth;
-            if (case_.judge == hard::Judge::oracle) truth.emplace(setting_, oracle_, block.rays[i]);
-            for (std::size_t k = 0; k < entrants_.size(); ++k) {
-                if (answers[k].empty()) continue;
-                Tally& tally = results[k].tally;
-                if (truth) {
-                    truth->judge(entrants_[k], answers[k][i], tally);
-                } else {
-                    ++tally.rays;
-                    tally.leaks += answers[k][i].primitive == no_index;
-                }
-            }
+        const std::vector<Truth> truth = truth_of(block);
+        std::optional<Tally> shared;  // by all who gave the same bits
+        for (std::size_t k = 0; k < entrants_.size(); ++k) {
+            if (answers[k].empty()) continue;
+            const bool same = entrants_[k].exact && results[k].tally.deviations == 0;
+            const Tally tally = same && shared ? *shared : judge(entrants_[k], truth, answers[k]);
+            if (same) shared = tally;
+            results[k].tally += tally;
         }
+    }
+
+    std::vector<Truth> truth_of(const RayBlock& block) const {
+        std::vector<Truth> truth;
+        if (case_.judge != hard::Judge::oracle) return truth;
+        for (const Ray& ray : block.rays) truth.emplace_back(setting_, oracle_, ray);
+        return truth;
+    }
+
+    Tally judge(const Entrant& entrant, const std::vector<Truth>& truth,
+                const std::vector<Answer>& answers) const {
+        Tally tally;
+        for (std::size_t i = 0; i < truth.size(); ++i) truth[i].judge(entrant, answers[i], tally);
+        if (!truth.empty()) return tally;
+        tally.rays = answers.size();
+        for (const Answer& a : answers) tally.leaks += a.primitive == no_index;
+        return tally;
     }
 
     /// The hits are those of the first entrant: all that are exact find the same.

@@ -22,21 +22,6 @@ double ulp_of_float(double x) {
     return std::ldexp(1.0, std::ilogb(x) - 23);
 }
 
-/// |t - the true t|
-double difference(const OracleAnswer& truth, double t) {
-    return static_cast<double>(magnitude(Quad(t) - truth.exact_t));
-}
-
-double distance_between(const Vec3& p, const Ray& ray, Quad t) {
-    double sum = 0;
-    for (int k = 0; k < 3; ++k) {
-        const Quad exact = Quad(ray.origin[k]) + t * Quad(ray.direction[k]);
-        const auto off = static_cast<double>(Quad(p[k]) - exact);
-        sum += off * off;
-    }
-    return std::sqrt(sum);
-}
-
 /// What a renderer would go on from.
 Vec3 position(const Scene& scene, const Entrant& entrant, const Ray& ray, const Answer& answer) {
     if (entrant.refined) return surface_at(scene, ray, answer).position;
@@ -58,7 +43,12 @@ double sensitivity(const hard::Setting& setting, const Ray& ray, const OracleAns
 
 Truth::Truth(const hard::Setting& setting, const Oracle& oracle, const Ray& ray)
     : setting_(setting), ray_(ray), answer_(oracle.closest(ray, setting.tie)) {
-    if (answer_.kind == OracleAnswer::hit) sensitivity_ = sensitivity(setting, ray, answer_);
+    if (answer_.kind != OracleAnswer::hit) return;
+    sensitivity_ = sensitivity(setting, ray, answer_);
+    t_ = Remainder(answer_.exact_t);
+    for (int k = 0; k < 3; ++k) {
+        position_[k] = Remainder(Quad(ray.origin[k]) + answer_.exact_t * Quad(ray.direction[k]));
+    }
 }
 
 void Truth::judge(const Entrant& entrant, const Answer& answer, Tally& tally) const {
@@ -77,7 +67,7 @@ void Truth::judge(const Entrant& entrant, const Answer& answer, Tally& tally) co
 }
 
 void Truth::judge_distance(const Entrant& entrant, const Answer& answer, Tally& tally) const {
-    const double off = difference(answer_, answer.t);
+    const double off = t_.distance(answer.t);
     const double float_ulps = off / ulp_of_float(answer_.t);
     const bool is_far_off = off * ray_.direction.length() > other_root * setting_.size;
     if (is_far_off && float_ulps > 1) ++tally.wrong_roots;
@@ -85,7 +75,9 @@ void Truth::judge_distance(const Entrant& entrant, const Answer& answer, Tally& 
     tally.double_ulps.add(off / ulp_of_double(answer_.t));
     tally.conditioned.add(off / sensitivity_);
     const Vec3 p = position(setting_.scene, entrant, ray_, answer);
-    tally.position.add(distance_between(p, ray_, answer_.exact_t) / setting_.size);
+    const Vec3 apart(position_[0].distance(p.x), position_[1].distance(p.y),
+                     position_[2].distance(p.z));
+    tally.position.add(apart.length() / setting_.size);
 }
 
 bool Truth::is_right_primitive(const Entrant& entrant, const Answer& answer) const {

@@ -1,6 +1,8 @@
 // How answers are held against what is true.
 #pragma once
 
+#include <array>
+
 #include "bench/accuracy/contender.h"
 #include "bench/accuracy/tally.h"
 #include "bench/hard_cases/hard_case.h"
@@ -13,6 +15,20 @@ struct Entrant {
     std::unique_ptr<Contender> contender;
     bool exact = false;    ///< to be right, to the same bits as every other that promises it
     bool refined = false;  ///< positions are moved onto the surface, as the renderer does it
+};
+
+/// A number of far more digits than a double has, and what a double lacks to it: quad precision is
+/// slow, and a hundred times needed for every ray.
+class Remainder {
+  public:
+    Remainder() = default;
+    explicit Remainder(Quad x)
+        : high_(static_cast<double>(x)), low_(static_cast<double>(x - high_)) {}
+
+    double distance(double x) const { return std::abs((x - high_) - low_); }
+
+  private:
+    double high_ = 0, low_ = 0;
 };
 
 /// The oracle's answer to one ray, with what only the comparison needs.
@@ -30,6 +46,8 @@ class Truth {
     const hard::Setting& setting_;
     const Ray& ray_;
     OracleAnswer answer_;
+    Remainder t_;                        ///< of the oracle's hit
+    std::array<Remainder, 3> position_;  ///< of the same
     double sensitivity_ = 0;  ///< what t moves by when every input moves by one unit roundoff
 };
 
