@@ -69,6 +69,7 @@ std::string as_text(const Results& results) {
 
 std::string as_rays(const Results& results) {
     return by_backend(results, "# ", [](const BackendResults& b) {
+        if (b.worst.empty()) return std::string(": no rays\n");
         std::string text =
             b.total.clean() ? ": never wrong; the largest errors of t\n" : ": the worst rays\n";
         for (const WorstRay& worst : b.worst) text += trace_lines(worst);
