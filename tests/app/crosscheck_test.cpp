@@ -12,6 +12,13 @@ using nlohmann::json;
 
 namespace {
 
+/// Nothing behind the ball: who misjudges its outline mistakes hit for miss.
+std::string lone_ball() {
+    std::string scene = small_scene;
+    const std::size_t plane = scene.find("pl ");
+    return scene.erase(plane, scene.find('\n', plane) + 1 - plane);
+}
+
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
     std::istringstream in(text);
@@ -63,7 +70,7 @@ TEST_CASE("crosscheck finds no difference among the exact backends", "[app]") {
 
 TEST_CASE("crosscheck lists wrong answers that trace gives again", "[app]") {
     const Folder f;
-    f.write("ball.p3f", small_scene);
+    f.write("ball.p3f", lone_ball());
     const auto r =
         f.etalon("crosscheck ball.p3f -b embree-builtin --rays 600 --worst 12 --rays-out rays.txt");
     CHECK(r.status == 0);  // nobody promised that it is exact
@@ -85,7 +92,7 @@ TEST_CASE("crosscheck lists wrong answers that trace gives again", "[app]") {
 
 TEST_CASE("crosscheck says for pairs of backends who was right", "[app]") {
     const Folder f;
-    f.write("ball.p3f", small_scene);
+    f.write("ball.p3f", lone_ball());
     const auto r = f.etalon("crosscheck ball.p3f -b bvh,embree-builtin --rays 600 --json c.json");
     CHECK_THAT(r.out, ContainsSubstring("embree-builtin is wrong where bvh is right in ") &&
                           ContainsSubstring("never the other way round"));

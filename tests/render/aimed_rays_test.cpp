@@ -1,6 +1,7 @@
 #include "core/render/aimed_rays.h"
 
 #include <algorithm>
+#include <set>
 
 #include "app/backends.h"
 #include "core/intersect/kernels.h"
@@ -61,12 +62,18 @@ TEST_CASE("Rays at a box go through its corners and edges to the bit", "[render]
 TEST_CASE("Every kind of shape is aimed at alike, however many there are of it", "[render]") {
     Scene scene = empty_scene();
     scene.add(Sphere{Vec3(0, 0, -9), 0.001}, 0);
-    for (int i = 0; i < 1000; ++i) scene.add(Box{Vec3(0, 0, 9), Vec3(1, 1, 10)}, 0);
+    for (int i = 0; i < 1000; ++i) scene.add(Box{Vec3(2 * i, 0, 9), Vec3(2 * i + 1, 1, 10)}, 0);
     int at_sphere = 0;
+    std::set<int> boxes;
     for (const Ray& ray : rays_at_features(scene, cube, 400)) {
-        const double z = ray.origin.z + ray.direction.z;
-        if (z < 0) ++at_sphere;
+        const Vec3 target = ray.origin + ray.direction;
+        if (target.z < 0) {
+            ++at_sphere;
+        } else {
+            boxes.insert(static_cast<int>(target.x / 2));
+        }
     }
+    CHECK(boxes.size() > 100);
     CHECK(at_sphere > 150);
     CHECK(at_sphere < 250);
 }
