@@ -100,7 +100,7 @@ class Measurement {
         const std::uint64_t end = std::min(first + block_size, effort_.rays);
         std::vector<Ray> rays;
         for (std::uint64_t i = first; i < end; ++i) {
-            hard::Random random(seed_, i);
+            Random random(seed_, i);
             rays.push_back(setting_.ray(random));
         }
         std::vector<Result> results(entrants_.size());
@@ -195,7 +195,7 @@ class Measurement {
         std::vector<Spawned> spawned;
         std::vector<Ray> rays;
         for (std::size_t i = 0; i < hits.size(); ++i) {
-            hard::Random random(~seed_, first + i);
+            Random random(~seed_, first + i);
             if (const auto s = spawn(setting_, block.rays[i], hits[i], random)) {
                 spawned.push_back(*s);
                 rays.push_back(s->ray);

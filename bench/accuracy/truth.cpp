@@ -98,7 +98,7 @@ std::uint32_t Truth::lowest_of_the_nearest() const {
 }
 
 std::optional<Spawned> spawn(const hard::Setting& setting, const Ray& ray, const Answer& answer,
-                             hard::Random& random) {
+                             Random& random) {
     if (answer.primitive == no_index) return std::nullopt;
     const SurfacePoint p = surface_at(setting.scene, ray, answer);
     const double side = random.sign();

@@ -60,7 +60,7 @@ struct Spawned {
     double shift;        ///< distance of its origin from the point of the hit, in sizes
 };
 std::optional<Spawned> spawn(const hard::Setting& setting, const Ray& ray, const Answer& answer,
-                             hard::Random& random);
+                             Random& random);
 
 /// No shape meets a ray from its own front or, if it is flat, its back; a closed one meets a ray
 /// from its inside on its way out.

@@ -1,9 +1,11 @@
 // Every shape in its variety, aimed at wherever there is something to aim at, from everywhere.
+#include <memory>
+
+#include "bench/hard_cases/add_face.h"
 #include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/approaches.h"
 #include "bench/hard_cases/face_aims.h"
 #include "bench/hard_cases/families.h"
-#include "bench/hard_cases/outline.h"
 
 namespace etalon::hard {
 namespace {
@@ -98,8 +100,9 @@ bool has_tip(const Scene& scene) {
 using MakeAimedRay = Ray (*)(const Place&, const Target&, Random&);
 
 Setting shot_at(const Example& e, MakeAimedRay ray) {
-    const std::vector<Target> targets = targets_of(e.scene, 0, to_the_last_bit);
-    return {*e.scene, e.place.size, [=, place = e.place](Random& random) {
+    const std::vector<Target> targets = targets_of(*e.scene, 0, to_the_last_bit);
+    // The targets point into the scene, so the rays hold it.
+    return {*e.scene, e.place.size, [=, scene = e.scene, place = e.place](Random& random) {
                 const std::size_t chosen = random.index(targets.size());
                 return ray(place, targets[chosen], random);
             }};

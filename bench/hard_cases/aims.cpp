@@ -13,20 +13,9 @@ Vec3 tilted(double x, double y, double z) {
     return x * u + y * v + z * w;
 }
 
-Vec3 across(const Vec3& axis, double angle) {
-    Vec3 u, v;
-    orthonormal_basis(axis, u, v);
-    return std::cos(angle) * u + std::sin(angle) * v;
-}
-
 Vec3 in_disc(const Vec3& axis, Random& random) {
     const double radius = std::sqrt(random.uniform());
     return radius * across(axis, random.uniform(0, turn));
-}
-
-Vec3 in_ball(Random& random) {
-    const double radius = random.uniform();
-    return radius * random.direction();
 }
 
 Vec3 axis_direction(Random& random) {
@@ -35,11 +24,6 @@ Vec3 axis_direction(Random& random) {
     const auto axis = static_cast<int>(random.index(3));
     d[axis] = random.sign();
     return d;
-}
-
-double nearly_one(double finest, Random& random) {
-    const double sign = random.sign();
-    return 1 + sign * random.magnitude(finest, -1);
 }
 
 }  // namespace etalon::hard

@@ -1,14 +1,10 @@
 // Where rays are sent from and to, for any shape.
 #pragma once
 
-#include <numbers>
-
-#include "bench/hard_cases/random.h"
 #include "core/intersect/ray.h"
+#include "core/sampling/directions.h"
 
 namespace etalon::hard {
-
-inline constexpr double turn = 2 * std::numbers::pi;
 
 /// Every coordinate rounded to float.
 Vec3 rounded(const Vec3& v);
@@ -26,20 +22,11 @@ inline Vec3 far_place() {
 /// A point given in an odd frame, so that nothing is aligned with the axes by accident.
 Vec3 tilted(double x, double y, double z);
 
-/// Of unit length, at `angle` about the unit vector `axis`.
-Vec3 across(const Vec3& axis, double angle);
-
 /// Uniform in the unit disc that `axis`, of unit length, stands upright on.
 Vec3 in_disc(const Vec3& axis, Random& random);
 
-/// In the unit ball, more of them near its centre.
-Vec3 in_ball(Random& random);
-
 /// Along an axis, of unit length, with zeros of either sign.
 Vec3 axis_direction(Random& random);
-
-/// A factor that moves a surface in or out of a ray's way: off 1 by 10^-1 down to 10^finest.
-double nearly_one(double finest, Random& random);
 
 /// Far below any rounding.
 inline constexpr double to_the_last_bit = -18;

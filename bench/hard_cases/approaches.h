@@ -1,8 +1,8 @@
 // Rays at a target from everywhere: from afar, from close by, from within, along axes.
 #pragma once
 
-#include "bench/hard_cases/targets.h"
 #include "core/intersect/ray.h"
+#include "core/sampling/targets.h"
 
 namespace etalon::hard {
 

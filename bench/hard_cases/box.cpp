@@ -1,7 +1,7 @@
 #include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/families.h"
 #include "bench/hard_cases/rows.h"
-#include "bench/hard_cases/targets.h"
+#include "core/sampling/targets.h"
 
 namespace etalon::hard {
 namespace {

@@ -1,7 +1,7 @@
 #include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/families.h"
-#include "bench/hard_cases/frustum.h"
 #include "bench/hard_cases/rows.h"
+#include "core/sampling/frustum.h"
 
 namespace etalon::hard {
 namespace {

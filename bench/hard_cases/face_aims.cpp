@@ -2,8 +2,9 @@
 
 #include <memory>
 
+#include "bench/hard_cases/add_face.h"
 #include "bench/hard_cases/aims.h"
-#include "bench/hard_cases/outline.h"
+#include "core/sampling/outline.h"
 
 namespace etalon::hard {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/hard_cases/random.h"
 #include "core/intersect/ray.h"
+#include "core/sampling/random.h"
 #include "core/scene/scene.h"
 
 namespace etalon::hard {

@@ -1,7 +1,7 @@
 // Numbers that are none, in primitives and in rays.
+#include "bench/hard_cases/add_face.h"
 #include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/families.h"
-#include "bench/hard_cases/outline.h"
 #include "bench/hard_cases/world.h"
 
 namespace etalon::hard {

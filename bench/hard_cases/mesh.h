@@ -1,7 +1,7 @@
 // Surfaces without a hole.
 #pragma once
 
-#include "bench/hard_cases/outline.h"
+#include "core/sampling/outline.h"
 
 namespace etalon::hard {
 

@@ -1,7 +1,7 @@
 // Scenes that hierarchies are built badly over: nothing to split at, or nothing to split by.
+#include "bench/hard_cases/add_face.h"
 #include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/families.h"
-#include "bench/hard_cases/outline.h"
 #include "bench/hard_cases/world.h"
 
 namespace etalon::hard {

@@ -1,7 +1,7 @@
 #include "bench/hard_cases/world.h"
 
+#include "bench/hard_cases/add_face.h"
 #include "bench/hard_cases/aims.h"
-#include "bench/hard_cases/outline.h"
 
 namespace etalon::hard {
 namespace {

@@ -1,3 +1,5 @@
+#include <memory>
+
 #include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/world.h"
 #include "core/intersect/kernels.h"
@@ -25,7 +27,7 @@ class Surroundings {
             if (boxes[id].isEmpty()) continue;
             const bool bounded = is_finite(boxes[id].size());
             things_.push_back(
-                {bounded ? middle_of(boxes[id]) : whole_, targets_of(scene_, id, finest)});
+                {bounded ? middle_of(boxes[id]) : whole_, targets_of(*scene_, id, finest)});
         }
     }
 

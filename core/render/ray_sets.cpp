@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/intersect/kernels.h"
+#include "core/render/aimed_rays.h"
 #include "core/render/camera_rays.h"
 #include "core/sampling/sobol.h"
 #include "core/shading/light_samples.h"
@@ -12,7 +13,6 @@ namespace etalon {
 namespace {
 
 constexpr int tile = 16;
-constexpr int border_halvings = 30;
 constexpr std::uint32_t chord_seed = 3, bounce_seed = 5;
 
 /// Pixel centres, tile by tile, every so many that `limit` is kept.
@@ -98,15 +98,8 @@ class RaySetMaker {
 
     RaySet aimed() const {
         RaySet set{"aimed", false, {}};
-        const std::size_t corners = scene_.vertices.size();
-        const std::size_t stride = std::max<std::size_t>(1, 2 * corners / limit_);
-        for (std::size_t i = 0; i < corners; i += stride) {
-            const Vec3 direction = scene_.vertices[i] - scene_.camera.eye;
-            if (max_abs(direction) > 0) set.rays.push_back({scene_.camera.eye, direction});
-        }
-        for (std::size_t i = 1; i < pixels_.size() && set.rays.size() + 1 < limit_; ++i) {
-            add_border(pixels_[i - 1], pixels_[i], set.rays);
-        }
+        set.rays = rays_at_features(scene_, finite_bounds(scene_), (limit_ + 1) / 2);
+        add_rays_at_borders(exact_, camera_, pixels_, limit_, set.rays);
         return set;
     }
 
@@ -138,24 +131,6 @@ class RaySetMaker {
             const Vec3 normal = p.normal.dot(ray.direction) < 0 ? p.normal : -p.normal;
             f(p, normal, SampleSource(0, 0, bounce_seed, index++));
         }
-    }
-
-    std::uint32_t seen(const Vec2& pixel) const {
-        const std::optional<Hit> hit = exact_.closest(through(pixel));
-        return hit ? hit->primitive : no_index;
-    }
-
-    /// If `a` and `b` see different primitives: two rays close to the border between them, one on
-    /// either side.
-    void add_border(Vec2 a, Vec2 b, std::vector<Ray>& rays) const {
-        const std::uint32_t at_a = seen(a);
-        if (at_a == seen(b)) return;
-        for (int halving = 0; halving < border_halvings; ++halving) {
-            const Vec2 middle = (a + b) / 2;
-            (seen(middle) == at_a ? a : b) = middle;
-        }
-        rays.push_back(through(a));
-        rays.push_back(through(b));
     }
 
     const Scene& scene_;

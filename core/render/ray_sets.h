@@ -19,8 +19,8 @@ struct RaySet {
 ///   camera  pixel centres, evenly thinned, in tiles of 16 x 16 when all are taken
 ///   bounce  from each camera hit, cosine-distributed, on the side of the camera
 ///   shadow  from each camera hit to each light in turn
-///   aimed   at corners, and at borders between primitives as the camera sees them, found by
-///           bisection to 2^-30 of the distance between two pixels
+///   aimed   at what there is to aim at on the scene's shapes, and at borders between primitives
+///           as the camera sees them: see core/render/aimed_rays.h
 ///   random  chords of the scene's bounding sphere
 std::vector<RaySet> make_ray_sets(const Scene& scene, const Intersector& exact, std::size_t limit);
 

@@ -1,11 +1,10 @@
 #include "bench/accuracy/contender.h"
-#include "bench/hard_cases/random.h"
 #include "core/intersect/kernels.h"
+#include "core/sampling/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;
 using namespace etalon::accuracy;
-using hard::Random;
 
 namespace {
 

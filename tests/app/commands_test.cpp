@@ -140,22 +140,6 @@ TEST_CASE("trace answers ray by ray", "[app]") {
     CHECK_THAT(r.err, ContainsSubstring("bad.txt:1:1: error:"));
 }
 
-TEST_CASE("crosscheck finds no difference among the exact backends", "[app]") {
-    const Folder f;
-    f.write("ball.p3f", small_scene);
-    const auto r = f.etalon("crosscheck ball.p3f -b none,grid,bvh,embree --rays 200 --json c.json");
-    CHECK(r.status == 0);
-    const json j = json::parse(f.read("c.json"));
-    for (const char* backend : {"none", "grid", "bvh", "embree"}) {
-        for (const char* kind : {"camera", "shadow", "bounce", "aimed"}) {
-            INFO(backend << " " << kind);
-            CHECK(j[backend][kind]["class_errors"] == 0);
-            CHECK(j[backend][kind]["primitive_errors"] == 0);
-            CHECK(j[backend][kind]["occlusion_errors"] == 0);
-        }
-    }
-}
-
 TEST_CASE("An interrupted render writes what there is", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);

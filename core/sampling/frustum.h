@@ -1,10 +1,10 @@
 // The geometry of a cone or cylinder, for aiming at it.
 #pragma once
 
-#include "bench/hard_cases/aims.h"
+#include "core/sampling/directions.h"
 #include "core/scene/shapes.h"
 
-namespace etalon::hard {
+namespace etalon {
 
 class Frustum {
   public:
@@ -48,4 +48,4 @@ class Frustum {
     Vec3 axis_, u_, v_;
 };
 
-}  // namespace etalon::hard
+}  // namespace etalon

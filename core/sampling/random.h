@@ -7,7 +7,7 @@
 
 #include "core/numerics/vec.h"
 
-namespace etalon::hard {
+namespace etalon {
 
 /// SplitMix64 (Steele, Lea & Flood 2014, "Fast Splittable Pseudorandom Number Generators").
 class Random {
@@ -50,4 +50,4 @@ class Random {
     std::uint64_t state_;
 };
 
-}  // namespace etalon::hard
+}  // namespace etalon

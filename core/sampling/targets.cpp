@@ -1,10 +1,10 @@
-#include "bench/hard_cases/targets.h"
+#include "core/sampling/targets.h"
 
-#include "bench/hard_cases/aims.h"
-#include "bench/hard_cases/frustum.h"
-#include "bench/hard_cases/outline.h"
+#include "core/sampling/directions.h"
+#include "core/sampling/frustum.h"
+#include "core/sampling/outline.h"
 
-namespace etalon::hard {
+namespace etalon {
 namespace {
 
 Vec3 silhouette(const Sphere& s, const Vec3& from, double finest, Random& random) {
@@ -73,27 +73,24 @@ std::vector<Target> targets(const Plane& plane, double finest) {
     };
 }
 
-std::vector<Target> targets_of_face(const std::shared_ptr<const Scene>& scene,
-                                    std::uint32_t primitive) {
+std::vector<Target> targets(const Outline& face) {
     std::vector<Target> list;
     for (const Feature feature : features) {
-        list.emplace_back([=](const Vec3&, Random& random) {
-            return point_of(Outline(*scene, primitive), feature, random);
-        });
+        list.emplace_back(
+            [=](const Vec3&, Random& random) { return point_of(face, feature, random); });
     }
     return list;
 }
 
 }  // namespace
 
-std::vector<Target> targets_of(const std::shared_ptr<const Scene>& scene, std::uint32_t primitive,
-                               double finest) {
-    const Primitive& p = scene->primitives[primitive];
+std::vector<Target> targets_of(const Scene& scene, std::uint32_t primitive, double finest) {
+    const Primitive& p = scene.primitives[primitive];
     return with_shape(p.kind, [&]<class Shape>() {
         if constexpr (std::is_same_v<Shape, Triangle> || std::is_same_v<Shape, Polygon>) {
-            return targets_of_face(scene, primitive);
+            return targets(Outline(scene, primitive));
         } else {
-            return targets(scene->get<Shape>(p), finest);
+            return targets(scene.get<Shape>(p), finest);
         }
     });
 }
@@ -109,4 +106,4 @@ Vec3 on_faces(const Box& box, int fixed, Random& random) {
     return p;
 }
 
-}  // namespace etalon::hard
+}  // namespace etalon

@@ -4,14 +4,15 @@
 #include <array>
 #include <vector>
 
-#include "bench/hard_cases/random.h"
+#include "core/sampling/random.h"
 #include "core/scene/scene.h"
 
-namespace etalon::hard {
+namespace etalon {
 
 /// The corners of a primitive that is a triangle or a polygon.
 class Outline {
   public:
+    /// The scene must outlive the outline.
     Outline(const Scene& scene, std::uint32_t primitive);
 
     std::uint32_t size() const { return size_; }
@@ -33,7 +34,4 @@ inline constexpr std::array features = {Feature::vertices, Feature::edges, Featu
 /// edge; within the fan from the first corner, so on the face if it is convex.
 Vec3 point_of(const Outline& face, Feature feature, Random& random);
 
-/// Adds a triangle, or a polygon if there are more than three corners.
-void add_face(Scene& scene, const std::vector<Vec3>& corners, Sides sides = Sides::both);
-
-}  // namespace etalon::hard
+}  // namespace etalon

@@ -1,6 +1,6 @@
-#include "bench/hard_cases/outline.h"
+#include "core/sampling/outline.h"
 
-namespace etalon::hard {
+namespace etalon {
 namespace {
 
 Vec3 in_triangle(const Vec3& a, const Vec3& b, const Vec3& c, Random& random) {
@@ -32,14 +32,4 @@ Vec3 point_of(const Outline& face, Feature feature, Random& random) {
     return a + (feature == Feature::edges ? random.uniform() : 0.5) * (b - a);
 }
 
-void add_face(Scene& scene, const std::vector<Vec3>& corners, Sides sides) {
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-    scene.vertices.insert(scene.vertices.end(), corners.begin(), corners.end());
-    if (corners.size() == 3) {
-        scene.add(Triangle{{first, first + 1, first + 2}}, 0, sides);
-    } else {
-        scene.add(Polygon{first, static_cast<std::uint32_t>(corners.size())}, 0, sides);
-    }
-}
-
-}  // namespace etalon::hard
+}  // namespace etalon

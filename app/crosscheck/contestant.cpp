@@ -1,0 +1,32 @@
+#include "app/crosscheck/contestant.h"
+
+#include "app/backends.h"
+#include "app/stopwatch.h"
+
+namespace etalon::crosscheck {
+namespace {
+
+Answers ask(const Intersector& intersector, const std::vector<Ray>& rays) {
+    Answers answers{std::vector<Answer>(rays.size())};
+    Stopwatch watch;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        answers.all[i].closest = intersector.closest(rays[i]);
+    }
+    answers.seconds = watch.lap().cpu;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        answers.all[i].occluded = intersector.occluded(rays[i]);
+    }
+    return answers;
+}
+
+}  // namespace
+
+Contestant ask(const std::string& backend, const Scene& scene, const std::vector<Trial>& trials) {
+    const Backend* found = find_backend(backend);
+    const auto intersector = found->build(scene);
+    Contestant contestant{backend, found->exact, {}};
+    for (const Trial& trial : trials) contestant.answers.push_back(ask(*intersector, trial.rays));
+    return contestant;
+}
+
+}  // namespace etalon::crosscheck

@@ -1,0 +1,28 @@
+// Who answers.
+#pragma once
+
+#include "app/crosscheck/trial.h"
+
+namespace etalon::crosscheck {
+
+/// What a backend says about one ray.
+struct Answer {
+    std::optional<Hit> closest;
+    bool occluded = false;
+};
+
+/// A backend's answers to the rays of one trial, in their order.
+struct Answers {
+    std::vector<Answer> all;
+    double seconds = 0;  ///< processor time of closest(), one thread
+};
+
+struct Contestant {
+    std::string name;
+    bool exact;                    ///< see Backend
+    std::vector<Answers> answers;  ///< one for each trial
+};
+
+Contestant ask(const std::string& backend, const Scene& scene, const std::vector<Trial>& trials);
+
+}  // namespace etalon::crosscheck

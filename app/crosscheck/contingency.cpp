@@ -1,0 +1,71 @@
+#include "app/crosscheck/contingency.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace etalon::crosscheck {
+namespace {
+
+constexpr std::size_t few = 3;
+
+/// chi2 of one degree of freedom exceeds this in one of twenty cases by chance.
+constexpr double five_percent = 3.841;
+
+std::string rays(std::size_t count) {
+    return fmt::format("{} ray{}", count, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+double Contingency::mcnemar() const {
+    const auto n10 = static_cast<double>(only_a_right), n01 = static_cast<double>(only_b_right);
+    return n01 + n10 == 0 ? 0 : (n01 - n10) * (n01 - n10) / (n01 + n10);
+}
+
+std::string Contingency::in_words() const {
+    if (only_a_right + only_b_right == 0) {
+        if (both_wrong == 0) return fmt::format("{} and {} are never wrong.", a, b);
+        return fmt::format("{} and {} are wrong in the same {}.", a, b, rays(both_wrong));
+    }
+    const bool b_is_worse = only_a_right >= only_b_right;
+    const std::size_t more = std::max(only_a_right, only_b_right);
+    const std::size_t less = std::min(only_a_right, only_b_right);
+    std::string text = fmt::format("{} is wrong where {} is right in {}; ", b_is_worse ? b : a,
+                                   b_is_worse ? a : b, rays(more));
+    if (less == 0) return text + "never the other way round.";
+    return text + fmt::format("the other way round in {} (chance alone {} do that).", less,
+                              mcnemar() > five_percent ? "would rarely" : "may");
+}
+
+Contingency contingency(const std::vector<Trial>& trials, const Contestant& a,
+                        const Contestant& b) {
+    Contingency table{a.name, b.name};
+    for (std::size_t t = 0; t < trials.size(); ++t) {
+        for (std::size_t i = 0; i < trials[t].rays.size(); ++i) {
+            const Verdict by_a = judge(trials[t].truth[i], a.answers[t].all[i]);
+            const Verdict by_b = judge(trials[t].truth[i], b.answers[t].all[i]);
+            if (!by_a.decided) continue;
+            if (by_a.right()) {
+                ++(by_b.right() ? table.both_right : table.only_a_right);
+            } else {
+                ++(by_b.right() ? table.only_b_right : table.both_wrong);
+            }
+        }
+    }
+    return table;
+}
+
+std::vector<Contingency> contingencies(const std::vector<Trial>& trials,
+                                       const std::vector<Contestant>& contestants) {
+    std::vector<Contingency> tables;
+    const std::size_t firsts = contestants.size() <= few ? contestants.size() : 1;
+    for (std::size_t a = 0; a < firsts; ++a) {
+        for (std::size_t b = a + 1; b < contestants.size(); ++b) {
+            tables.push_back(contingency(trials, contestants[a], contestants[b]));
+        }
+    }
+    return tables;
+}
+
+}  // namespace etalon::crosscheck

@@ -1,0 +1,28 @@
+// Two backends, and which of them is right where they differ.
+#pragma once
+
+#include "app/crosscheck/verdict.h"
+
+namespace etalon::crosscheck {
+
+/// Decided rays, by who is right. The error of t is no matter of right or wrong.
+struct Contingency {
+    std::string a, b;
+    std::size_t both_right = 0, only_a_right = 0, only_b_right = 0, both_wrong = 0;
+
+    /// chi2 of one degree of freedom, without correction: how far the two are from being wrong
+    /// equally often (McNemar 1947, "Note on the sampling error of the difference between
+    /// correlated proportions or percentages", Psychometrika 12(2)). 0 where they never differ.
+    double mcnemar() const;
+
+    /// Which of the two is the worse, as a sentence.
+    std::string in_words() const;
+};
+
+Contingency contingency(const std::vector<Trial>& trials, const Contestant& a, const Contestant& b);
+
+/// Of every pair of up to three, else of the first one with each of the others.
+std::vector<Contingency> contingencies(const std::vector<Trial>& trials,
+                                       const std::vector<Contestant>& contestants);
+
+}  // namespace etalon::crosscheck

@@ -1,0 +1,67 @@
+// etalon crosscheck: the same rays through several backends and the oracle.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/backends.h"
+#include "app/commands.h"
+#include "app/crosscheck/report.h"
+#include "app/exit_status.h"
+#include "app/output.h"
+#include "app/scene_arguments.h"
+
+namespace etalon {
+namespace {
+
+struct Arguments {
+    SceneArguments scene;
+    std::vector<std::string> backends = backend_names();
+    std::size_t rays = 1000, worst = 5;
+    std::string json, rays_out;
+};
+
+/// The tables make room for what another program is to read from standard output.
+void print(const Arguments& a, const crosscheck::Results& results) {
+    if (a.json == "-" || a.rays_out == "-") return;
+    fmt::print("{}", crosscheck::as_text(results));
+    if (a.worst > 0) fmt::print("\n{}", crosscheck::as_rays(results));
+}
+
+int run(const Arguments& a) {
+    const LoadedScene loaded = load(a.scene);
+    if (!loaded.scene) return loaded.status;
+    const auto results = crosscheck::crosscheck(*loaded.scene, a.backends, a.rays, a.worst);
+    print(a, results);
+    if (!a.json.empty() && !write_json(a.json, crosscheck::as_json(results))) {
+        return exit_not_written;
+    }
+    if (!a.rays_out.empty() && !write_text(a.rays_out, crosscheck::as_rays(results))) {
+        return exit_not_written;
+    }
+    return results.as_promised() ? exit_done : exit_differs;
+}
+
+}  // namespace
+
+Run declare_crosscheck(CLI::App& app) {
+    auto a = std::make_shared<Arguments>();
+    declare_scene(app, a->scene);
+    app.add_option("-b,--backend", a->backends,
+                   "Which, by commas; an error of embree-builtin is "
+                   "shown but does not count")
+        ->delimiter(',')
+        ->check(CLI::IsMember(backend_names()))
+        ->capture_default_str();
+    app.add_option("--rays", a->rays, "Of each kind: camera, bounce, shadow, aimed")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 24))
+        ->capture_default_str();
+    app.add_option("--worst", a->worst, "How many of each backend's worst rays to list")
+        ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 24))
+        ->capture_default_str();
+    app.add_option("--json", a->json, "Write the figures to this file; - is standard output");
+    app.add_option("--rays-out", a->rays_out,
+                   "Write the worst rays to this file, for trace --rays; - is standard output");
+    return [a] { return run(*a); };
+}
+
+}  // namespace etalon

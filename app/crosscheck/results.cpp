@@ -1,0 +1,40 @@
+#include "app/crosscheck/results.h"
+
+#include <algorithm>
+
+namespace etalon::crosscheck {
+namespace {
+
+BackendResults results_of(const Scene& scene, const std::vector<Trial>& trials,
+                          const Contestant& contestant, std::size_t worst) {
+    BackendResults results{contestant.name, contestant.exact, {}, {}, {}};
+    for (std::size_t t = 0; t < trials.size(); ++t) {
+        results.by_kind.push_back(tally(trials[t], contestant.answers[t]));
+    }
+    results.total = sum(results.by_kind);
+    results.worst = worst_rays(scene, trials, contestant, worst);
+    return results;
+}
+
+}  // namespace
+
+bool Results::as_promised() const {
+    return std::all_of(backends.begin(), backends.end(),
+                       [](const auto& b) { return !b.exact || b.total.clean(); });
+}
+
+Results crosscheck(const Scene& scene, const std::vector<std::string>& backends, std::size_t rays,
+                   std::size_t worst) {
+    const std::vector<Trial> trials = make_trials(scene, rays);
+    std::vector<Contestant> contestants;
+    for (const std::string& name : backends) contestants.push_back(ask(name, scene, trials));
+    Results results;
+    for (const Trial& trial : trials) results.kinds.push_back(trial.kind);
+    for (const Contestant& c : contestants) {
+        results.backends.push_back(results_of(scene, trials, c, worst));
+    }
+    results.contingencies = contingencies(trials, contestants);
+    return results;
+}
+
+}  // namespace etalon::crosscheck

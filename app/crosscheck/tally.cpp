@@ -1,0 +1,53 @@
+#include "app/crosscheck/tally.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace etalon::crosscheck {
+namespace {
+
+void count(const Verdict& verdict, bool found, Tally& tally) {
+    tally.undecidable += verdict.decided ? 0 : 1;
+    tally.class_errors += verdict.wrong_class ? 1 : 0;
+    tally.primitive_errors += verdict.wrong_primitive ? 1 : 0;
+    tally.occlusion_errors += verdict.wrong_occlusion ? 1 : 0;
+    const bool on_target = verdict.decided && !verdict.wrong_class && !verdict.wrong_primitive;
+    if (found && on_target) tally.t_ulp.push_back(verdict.t_ulp);
+}
+
+}  // namespace
+
+double Tally::t_quantile(double q) const {
+    if (t_ulp.empty()) return 0;
+    const double rank = std::ceil(q * static_cast<double>(t_ulp.size()));
+    return t_ulp[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+}
+
+Tally tally(const Trial& trial, const Answers& answers) {
+    Tally result;
+    result.rays = trial.rays.size();
+    result.seconds = answers.seconds;
+    for (std::size_t i = 0; i < trial.rays.size(); ++i) {
+        const Answer& answer = answers.all[i];
+        count(judge(trial.truth[i], answer), answer.closest.has_value(), result);
+    }
+    std::sort(result.t_ulp.begin(), result.t_ulp.end());
+    return result;
+}
+
+Tally sum(const std::vector<Tally>& tallies) {
+    Tally all;
+    for (const Tally& t : tallies) {
+        all.rays += t.rays;
+        all.undecidable += t.undecidable;
+        all.class_errors += t.class_errors;
+        all.primitive_errors += t.primitive_errors;
+        all.occlusion_errors += t.occlusion_errors;
+        all.t_ulp.insert(all.t_ulp.end(), t.t_ulp.begin(), t.t_ulp.end());
+        all.seconds += t.seconds;
+    }
+    std::sort(all.t_ulp.begin(), all.t_ulp.end());
+    return all;
+}
+
+}  // namespace etalon::crosscheck

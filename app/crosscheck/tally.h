@@ -1,0 +1,26 @@
+// How one backend fared on many rays.
+#pragma once
+
+#include "app/crosscheck/verdict.h"
+
+namespace etalon::crosscheck {
+
+/// Rays that the oracle cannot decide count for nothing but the first two.
+struct Tally {
+    std::size_t rays = 0, undecidable = 0;
+    std::size_t class_errors = 0, primitive_errors = 0, occlusion_errors = 0;  ///< see Verdict
+    std::vector<double> t_ulp;  ///< of the hits on the right primitive, ascending
+    double seconds = 0;
+
+    bool clean() const { return class_errors + primitive_errors + occlusion_errors == 0; }
+
+    /// The least error of t that the share `q` of the hits does not exceed; 0 without a hit.
+    double t_quantile(double q) const;
+};
+
+Tally tally(const Trial& trial, const Answers& answers);
+
+/// Of all of them together.
+Tally sum(const std::vector<Tally>& tallies);
+
+}  // namespace etalon::crosscheck

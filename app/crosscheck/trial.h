@@ -1,0 +1,19 @@
+// What is asked, and what is true.
+#pragma once
+
+#include "core/intersect/oracle/oracle.h"
+#include "core/render/ray_sets.h"
+
+namespace etalon::crosscheck {
+
+/// Rays of one kind and the oracle's answer to each.
+struct Trial {
+    std::string kind;  ///< "camera", "bounce", "shadow" or "aimed"
+    std::vector<Ray> rays;
+    std::vector<OracleAnswer> truth;
+};
+
+/// About `limit` rays of each kind, fewer where the scene has no more, e.g. no light.
+std::vector<Trial> make_trials(const Scene& scene, std::size_t limit);
+
+}  // namespace etalon::crosscheck

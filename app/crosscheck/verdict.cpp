@@ -1,0 +1,34 @@
+#include "app/crosscheck/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace etalon::crosscheck {
+namespace {
+
+double error_in_ulp(double t, const OracleAnswer& truth) {
+    const double ulp = std::nextafter(truth.t, infinity) - truth.t;
+    return static_cast<double>(magnitude(Quad(t) - truth.exact_t) / Quad(ulp));
+}
+
+bool is_nearest(std::uint32_t primitive, const OracleAnswer& truth) {
+    return std::binary_search(truth.tied.begin(), truth.tied.end(), primitive);
+}
+
+}  // namespace
+
+Verdict judge(const OracleAnswer& truth, const Answer& answer) {
+    Verdict verdict;
+    verdict.decided = truth.kind != OracleAnswer::undecidable;
+    if (!verdict.decided) return verdict;
+    const bool is_hit = truth.kind == OracleAnswer::hit;
+    verdict.wrong_class = answer.closest.has_value() != is_hit;
+    verdict.wrong_occlusion = answer.occluded != is_hit;
+    if (answer.closest && is_hit) {
+        verdict.wrong_primitive = !is_nearest(answer.closest->primitive, truth);
+        verdict.t_ulp = error_in_ulp(answer.closest->t, truth);
+    }
+    return verdict;
+}
+
+}  // namespace etalon::crosscheck

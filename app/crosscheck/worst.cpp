@@ -1,0 +1,91 @@
+#include "app/crosscheck/worst.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace etalon::crosscheck {
+namespace {
+
+/// A ray among the trials', and how it was answered.
+struct Case {
+    std::size_t trial, ray;
+    Verdict verdict;
+
+    bool graver_than(const Case& other) const { return rank() > other.rank(); }
+
+  private:
+    std::tuple<bool, bool, bool, double> rank() const {
+        const Verdict& v = verdict;
+        return {v.wrong_class, v.wrong_occlusion, v.wrong_primitive, v.t_ulp};
+    }
+};
+
+/// Those for which `wanted` of the verdict holds, in the order of the trials.
+template <class F>
+std::vector<Case> cases(const std::vector<Trial>& trials, const Contestant& contestant,
+                        const F& wanted) {
+    std::vector<Case> found;
+    for (std::size_t t = 0; t < trials.size(); ++t) {
+        for (std::size_t i = 0; i < trials[t].rays.size(); ++i) {
+            const Verdict verdict = judge(trials[t].truth[i], contestant.answers[t].all[i]);
+            if (wanted(verdict)) found.push_back({t, i, verdict});
+        }
+    }
+    return found;
+}
+
+std::string describe_hit(const Scene& scene, double t, std::uint32_t primitive) {
+    const std::string_view kind = kind_name(scene.primitives[primitive].kind);
+    return fmt::format("hit {:.17g} {} {}", t, kind, primitive);
+}
+
+std::string describe(const Scene& scene, const OracleAnswer& truth) {
+    if (truth.kind != OracleAnswer::hit) return "miss";
+    return describe_hit(scene, truth.t, truth.primitive);
+}
+
+std::string describe(const Scene& scene, const Answer& answer) {
+    if (!answer.closest) return "miss";
+    return describe_hit(scene, answer.closest->t, answer.closest->primitive);
+}
+
+std::string what_is_wrong(const Verdict& v, const Answer& answer) {
+    if (v.wrong_class) return answer.closest ? "hit where there is none" : "hit not found";
+    if (v.wrong_occlusion) return answer.occluded ? "called occluded" : "not called occluded";
+    if (v.wrong_primitive) return "not the nearest primitive";
+    return fmt::format("t off by {:.3g} ulp", v.t_ulp);
+}
+
+}  // namespace
+
+std::vector<WorstRay> worst_rays(const Scene& scene, const std::vector<Trial>& trials,
+                                 const Contestant& contestant, std::size_t limit) {
+    auto found = cases(trials, contestant, [](const Verdict& v) { return !v.right(); });
+    if (found.empty()) {
+        found = cases(trials, contestant, [](const Verdict& v) { return v.t_ulp > 0; });
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Case& a, const Case& b) { return a.graver_than(b); });
+    if (found.size() > limit) found.resize(limit);
+    std::vector<WorstRay> worst;
+    for (const Case& c : found) {
+        const Trial& trial = trials[c.trial];
+        const Answer& answer = contestant.answers[c.trial].all[c.ray];
+        worst.push_back({trial.kind, what_is_wrong(c.verdict, answer),
+                         describe(scene, trial.truth[c.ray]), describe(scene, answer),
+                         trial.rays[c.ray]});
+    }
+    return worst;
+}
+
+std::string trace_lines(const WorstRay& worst) {
+    const Ray& r = worst.ray;
+    return fmt::format(
+        "# {} ray, {}: {}; the oracle: {}\n{:a} {:a} {:a} {:a} {:a} {:a} {:a} {:a}\n", worst.kind,
+        worst.wrong, worst.found, worst.oracle, r.origin.x, r.origin.y, r.origin.z, r.direction.x,
+        r.direction.y, r.direction.z, r.tmin, r.tmax);
+}
+
+}  // namespace etalon::crosscheck

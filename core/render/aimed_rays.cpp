@@ -1,0 +1,85 @@
+#include "core/render/aimed_rays.h"
+
+#include "core/intersect/kernels.h"
+#include "core/sampling/targets.h"
+
+namespace etalon {
+namespace {
+
+constexpr std::uint64_t feature_seed = 7;
+
+/// Silhouettes, rims and tips are missed by 10^-1 down to this power of ten, evenly in the
+/// exponent: some of the rays ask too much of float, some of all but the last bits of double.
+constexpr double finest = -15;
+
+/// The numbers of the primitives of each kind that there are, degenerate ones left out.
+std::vector<std::vector<std::uint32_t>> primitives_by_kind(const Scene& scene) {
+    std::vector<std::vector<std::uint32_t>> kinds(shape_kinds);
+    for (std::uint32_t id = 0; id < scene.primitives.size(); ++id) {
+        if (!primitive_bounds(scene, id).isEmpty()) kinds[scene.primitives[id].kind].push_back(id);
+    }
+    std::erase_if(kinds, [](const auto& ids) { return ids.empty(); });
+    return kinds;
+}
+
+Vec3 anywhere_in(const Box3& box, Random& random) {
+    return box.center() + 0.5 * box.size() * random.in_cube();
+}
+
+/// What a point of the camera's picture shows, to find borders in it.
+class Picture {
+  public:
+    Picture(const Intersector& exact, const CameraRays& camera) : exact_(exact), camera_(camera) {}
+
+    Ray through(const Vec2& pixel) const { return camera_.ray(pixel, Vec2(0.5)); }
+
+    std::uint32_t at(const Vec2& pixel) const {
+        const std::optional<Hit> hit = exact_.closest(through(pixel));
+        return hit ? hit->primitive : no_index;
+    }
+
+    /// Brings `a` and `b` together until there is no point between them; `a` goes on showing what
+    /// it shows, `b` something else.
+    void approach_border(Vec2& a, Vec2& b) const {
+        const std::uint32_t at_a = at(a);
+        for (Vec2 middle = (a + b) / 2; middle != a && middle != b; middle = (a + b) / 2) {
+            (at(middle) == at_a ? a : b) = middle;
+        }
+    }
+
+  private:
+    const Intersector& exact_;
+    const CameraRays& camera_;
+};
+
+}  // namespace
+
+std::vector<Ray> rays_at_features(const Scene& scene, const Box3& bounds, std::size_t count) {
+    const auto kinds = primitives_by_kind(scene);
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < count && !kinds.empty(); ++i) {
+        Random random(feature_seed, i);
+        const auto& ids = kinds[random.index(kinds.size())];
+        const auto targets = targets_of(scene, ids[random.index(ids.size())], finest);
+        const Vec3 origin = i % 2 == 0 ? scene.camera.eye : anywhere_in(bounds, random);
+        const Vec3 target = targets[random.index(targets.size())](origin, random);
+        const Vec3 direction = target - origin;
+        if (is_finite(direction) && max_abs(direction) > 0) rays.push_back({origin, direction});
+    }
+    return rays;
+}
+
+void add_rays_at_borders(const Intersector& exact, const CameraRays& camera,
+                         const std::vector<Vec2>& pixels, std::size_t limit,
+                         std::vector<Ray>& rays) {
+    const Picture picture(exact, camera);
+    for (std::size_t i = 1; i < pixels.size() && rays.size() + 1 < limit; ++i) {
+        Vec2 a = pixels[i - 1], b = pixels[i];
+        if (picture.at(a) == picture.at(b)) continue;
+        picture.approach_border(a, b);
+        rays.push_back(picture.through(a));
+        rays.push_back(picture.through(b));
+    }
+}
+
+}  // namespace etalon

@@ -1,0 +1,116 @@
+// What crosscheck counts, on answers made up for the purpose.
+#include "app/crosscheck/results.h"
+#include "tests/catch.h"
+
+using namespace etalon;
+using namespace etalon::crosscheck;
+
+namespace {
+
+OracleAnswer hit_at(double t, std::vector<std::uint32_t> tied) {
+    OracleAnswer truth;
+    truth.kind = OracleAnswer::hit;
+    truth.t = t;
+    truth.exact_t = t;
+    truth.primitive = tied.front();
+    truth.tied = std::move(tied);
+    return truth;
+}
+
+OracleAnswer undecidable() {
+    OracleAnswer truth;
+    truth.kind = OracleAnswer::undecidable;
+    return truth;
+}
+
+const Answer nothing;
+const Answer ball_at_2{Hit{2, 7}, true};
+
+Contestant contestant(const std::string& name, std::vector<Answer> answers) {
+    return {name, false, {Answers{std::move(answers)}}};
+}
+
+}  // namespace
+
+TEST_CASE("An answer is judged by class, primitive, occlusion and distance", "[crosscheck]") {
+    const OracleAnswer truth = hit_at(2, {5, 7});
+    CHECK(judge(truth, ball_at_2).right());
+    CHECK(judge(truth, {Hit{2 + 0x1p-50, 5}, true}).t_ulp == 2);
+    CHECK(judge(truth, {Hit{2, 6}, true}).wrong_primitive);
+    CHECK(judge(truth, {Hit{2, 7}, false}).wrong_occlusion);
+    CHECK(judge(truth, nothing).wrong_class);
+    CHECK(judge(OracleAnswer{}, ball_at_2).wrong_class);
+    CHECK(judge(OracleAnswer{}, nothing).right());
+    CHECK_FALSE(judge(undecidable(), ball_at_2).decided);
+}
+
+TEST_CASE("A tally leaves out what is undecidable and orders the errors of t", "[crosscheck]") {
+    const Trial trial{"aimed",
+                      std::vector<Ray>(5),
+                      {hit_at(2, {7}), hit_at(2, {7}), hit_at(2, {7}), undecidable(), {}}};
+    const Answers answers{{{Hit{2 + 0x1p-49, 7}, true}, ball_at_2, nothing, ball_at_2, nothing}};
+    const Tally t = tally(trial, answers);
+    CHECK(t.rays == 5);
+    CHECK(t.undecidable == 1);
+    CHECK(t.class_errors == 1);
+    CHECK(t.occlusion_errors == 1);
+    CHECK(t.t_quantile(0.5) == 0);
+    CHECK(t.t_quantile(1) == 4);
+    CHECK(sum({t, t}).class_errors == 2);
+    CHECK(sum({t, t}).t_ulp == std::vector<double>{0, 0, 4, 4});
+}
+
+TEST_CASE("A contingency table counts decided rays by who is right", "[crosscheck]") {
+    const std::vector<Trial> trials = {
+        {"aimed", std::vector<Ray>(6), {{}, {}, {}, {}, {}, undecidable()}}};
+    const Answer& wrong = ball_at_2;
+    const Contestant a = contestant("a", {nothing, nothing, nothing, nothing, wrong, wrong});
+    const Contestant b = contestant("b", {nothing, wrong, wrong, wrong, wrong, nothing});
+    const Contingency c = contingency(trials, a, b);
+    CHECK(c.both_right == 1);
+    CHECK(c.only_a_right == 3);
+    CHECK(c.only_b_right == 0);
+    CHECK(c.both_wrong == 1);
+    CHECK(c.mcnemar() == 3);
+    CHECK(c.in_words() == "b is wrong where a is right in 3 rays; never the other way round.");
+    CHECK(contingencies(trials, {a, b, a}).size() == 3);
+    CHECK(contingencies(trials, {a, b, a, b}).size() == 3);
+}
+
+TEST_CASE("McNemar's test weighs what one and what the other got wrong", "[crosscheck]") {
+    CHECK(Contingency{"a", "b", 10, 0, 0, 2}.mcnemar() == 0);
+    CHECK(Contingency{"a", "b", 10, 2, 14, 0}.mcnemar() == 9);
+    CHECK(Contingency{"a", "b", 10, 2, 14, 0}.in_words() ==
+          "a is wrong where b is right in 14 rays; the other way round in 2 (chance alone would "
+          "rarely do that).");
+    CHECK(Contingency{"a", "b", 10, 1, 0, 0}.in_words() ==
+          "b is wrong where a is right in 1 ray; never the other way round.");
+    CHECK(Contingency{"a", "b", 10, 0, 0, 0}.in_words() == "a and b are never wrong.");
+    CHECK(Contingency{"a", "b", 10, 0, 0, 2}.in_words() == "a and b are wrong in the same 2 rays.");
+}
+
+TEST_CASE("Only a backend that promises to be exact breaks the promise by an error",
+          "[crosscheck]") {
+    Tally wrong;
+    wrong.occlusion_errors = 1;
+    CHECK(Results{{}, {{"free", false, {}, wrong, {}}}, {}}.as_promised());
+    CHECK_FALSE(Results{{}, {{"exact", true, {}, wrong, {}}}, {}}.as_promised());
+}
+
+TEST_CASE("The worst rays come gravest first, the furthest off among equals", "[crosscheck]") {
+    Scene scene;
+    for (int i = 0; i < 8; ++i) scene.add(Sphere{Vec3(0), 1}, 0);
+    const Trial trial{"bounce", std::vector<Ray>(4), std::vector(4, hit_at(2, {7}))};
+    const Contestant c = contestant(
+        "c", {{Hit{2.5, 6}, true}, {Hit{3, 6}, true}, nothing, {Hit{2 + 0x1p-50, 7}, true}});
+    const auto worst = worst_rays(scene, {trial}, c, 9);
+    REQUIRE(worst.size() == 3);
+    CHECK(worst[0].found == "miss");
+    CHECK(worst[0].oracle == "hit 2 sphere 7");
+    CHECK(worst[1].found == "hit 3 sphere 6");
+    CHECK(worst[2].found == "hit 2.5 sphere 6");
+    CHECK(worst_rays(scene, {trial}, c, 1).size() == 1);
+
+    const Contestant good = contestant("good", {4, {Hit{2 + 0x1p-50, 7}, true}});
+    CHECK(worst_rays(scene, {trial}, good, 9).at(0).wrong == "t off by 2 ulp");
+}
