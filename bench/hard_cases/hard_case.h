@@ -26,7 +26,7 @@ struct Setting {
     std::function<Ray(Random& random)> ray;
     /// Distances that differ by less, relative to themselves, are taken for equal: a kernel's
     /// rounding may put either first. Zero where every t is a double.
-    double tie = 0x1p-48;
+    double tie = 2 * t_tolerance;
 };
 
 struct HardCase {

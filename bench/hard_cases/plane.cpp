@@ -47,9 +47,11 @@ Ray at_plane(const Plane& plane, Random& random) {
     return {plane.point + along - distance * d, d};
 }
 
-/// Two planes, met from both sides; `second` may be the first one's double.
+/// Two planes, met from both sides; `second` may be the first one's double. Distances to planes are
+/// better than kernels must be, so that planes next to each other keep their order.
 Setting pair(const Plane& first, const Plane& second) {
-    Setting setting{{}, 1, [=](Random& random) { return at_plane(first, random); }};
+    constexpr double tie = 0x1p-48;
+    Setting setting{{}, 1, [=](Random& random) { return at_plane(first, random); }, tie};
     setting.scene.add(first, 0);
     setting.scene.add(second, 0);
     return setting;

@@ -46,6 +46,10 @@ struct RayQuery {
     }
 };
 
+/// What every kernel promises: t is within this part of itself of the truth. Surfaces that are
+/// closer together may change places.
+inline constexpr double t_tolerance = 0x1p-36;
+
 /// What a kernel returns when the ray misses: compares false with everything.
 inline constexpr double no_hit = nan_value;
 

@@ -266,7 +266,7 @@ TEST_CASE("ConeFilter: given any ray, then exact arithmetic says what it does no
         REQUIRE(std::isnan(t) == std::isnan(exact));
         if (std::isnan(t)) continue;
         ++hits;
-        REQUIRE(std::abs(t - exact) <= 0x1p-40 * exact);
+        REQUIRE(std::abs(t - exact) <= t_tolerance * exact);
     }
     CAPTURE(doubts, hits);
     REQUIRE(hits > count / 5);

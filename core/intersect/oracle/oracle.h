@@ -34,7 +34,7 @@ class Oracle {
 
     /// The nearest hit with tmin < t <= tmax. Hits whose distances differ by less than `tie` times
     /// t are taken for equally near: a kernel's rounding may put either first.
-    OracleAnswer closest(const Ray& ray, double tie = 0x1p-48) const;
+    OracleAnswer closest(const Ray& ray, double tie = 2 * t_tolerance) const;
 
   private:
     struct Candidate {

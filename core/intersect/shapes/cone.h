@@ -30,7 +30,7 @@ inline Box3 bounds(const Scene&, const Cone& c) {
 }
 
 /// In plain double, and again in exact arithmetic where that leaves a doubt: hit or miss is right
-/// for every ray, and t good to a relative 2^-40.
+/// for every ray, and t good to t_tolerance.
 inline double first_hit(const Scene&, const Cone& c, Sides sides, const RayQuery& q) {
     const double t = ConeFilter(c, q).first_hit(sides);
     if (t == in_doubt) {

@@ -35,7 +35,7 @@ class ConeFilter {
         bound_errors();
     }
 
-    /// The first visible t beyond tmin, good to a relative 2^-40; no_hit; or in_doubt. Where alpha
+    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or in_doubt. Where alpha
     /// is negative the line is steeper than the cone and crosses either nappe once: the mirror
     /// nappe is left out.
     double first_hit(Sides sides) const {
@@ -112,7 +112,7 @@ class ConeFilter {
                            6 * unit_roundoff * axis_.height;
         if (z < lowest - e_z || z > highest + e_z) return no_hit;
         const bool certain = z > lowest + e_z && z < highest - e_z;
-        if (!(certain && e_t <= 0x1p-40 * std::abs(from_origin))) return in_doubt;
+        if (!(certain && e_t <= t_tolerance * std::abs(from_origin))) return in_doubt;
         return from_origin > tmin ? from_origin : no_hit;
     }
 

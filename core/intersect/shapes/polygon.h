@@ -89,17 +89,18 @@ struct PlanePassage {
 /// From exact arithmetic: t is good to a few ulp, and NaN where the ray runs along the plane. Slow.
 PlanePassage exact_passage(std::span<const Vec3> p, const RayQuery& q);
 
-/// The side seen is the right one, and t good to 2^-36 of itself, or certainly negative.
+/// The side seen is the right one, and t good to t_tolerance, or certainly negative.
 inline PlanePassage passage(std::span<const Vec3> p, const Vec3& size, const PolygonPlane& plane,
                             const RayQuery& q) {
     const Vec3 to_first = p[0] - q.ray.origin, &d = q.ray.direction;
     const double cosine = plane.normal.dot(d), distance = plane.normal.dot(to_first + plane.mean);
+    constexpr double worst = t_tolerance / 2;
     const double roundings = 4 * (static_cast<double>(p.size()) + 8) * unit_roundoff;
     const double cosine_doubt = roundings * plane.terms.dot(abs(d));
     const double distance_doubt = roundings * plane.terms.dot(abs(to_first) + size);
     const bool certain = std::abs(cosine) > cosine_doubt && std::abs(distance) > distance_doubt;
     const bool good =
-        0x1p-37 * std::abs(cosine) > cosine_doubt && 0x1p-37 * std::abs(distance) > distance_doubt;
+        worst * std::abs(cosine) > cosine_doubt && worst * std::abs(distance) > distance_doubt;
     if (good || (certain && (cosine > 0) != (distance > 0))) return {distance / cosine, cosine};
     return exact_passage(p, q);
 }

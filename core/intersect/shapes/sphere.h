@@ -28,11 +28,11 @@ double exact_first_hit(const Sphere& s, Sides sides, const RayQuery& q);
 /// a r^2 - |f x d|^2 (Lagrange's identity), which does not cancel with distance: the cross product
 /// is how far the line passes from the centre.
 ///
-/// Hit and miss are right for every ray, and t to 2^-36 of itself: where the roundings of the fast
+/// Hit and miss are right for every ray, and t to t_tolerance: where the roundings of the fast
 /// path (Higham 2002, ch. 3) could spoil either, as they do at silhouettes and for origins next to
 /// the surface, the exact one takes over.
 inline double first_hit(const Scene&, const Sphere& s, Sides sides, const RayQuery& q) {
-    constexpr double u = unit_roundoff, worst = 0x1p-37;
+    constexpr double u = unit_roundoff, worst = t_tolerance / 2;
     const Vec3 f = q.ray.origin - s.centre;
     const Vec3& d = q.ray.direction;
     const double a = d.dot(d), b = -f.dot(d), f2 = f.dot(f), r2 = s.radius * s.radius;

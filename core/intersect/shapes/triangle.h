@@ -64,11 +64,11 @@ inline TriangleCrossing cross_triangle(const std::array<Vec3, 3>& p, const RayQu
     return r;
 }
 
-/// Where the ray passes the plane of three corners, to 2^-36 of itself; slow. The ray must pass
+/// Where the ray passes the plane of three corners, to t_tolerance; slow. The ray must pass
 /// between them, and not along the plane.
 double exact_distance(const std::array<Vec3, 3>& p, const RayQuery& q);
 
-/// The mean of the corners' depths. It is good to 2^-36 of itself, or taken exactly, unless it is
+/// The mean of the corners' depths. It is good to t_tolerance, or taken exactly, unless it is
 /// certainly behind the ray's start, where a ray that has just left the triangle has it.
 inline double distance_of(const TriangleCrossing& c, const std::array<Vec3, 3>& p,
                           const RayQuery& q) {
@@ -78,7 +78,7 @@ inline double distance_of(const TriangleCrossing& c, const std::array<Vec3, 3>& 
     const double deepest = std::max({std::abs(x), std::abs(y), std::abs(z)});
     const double spread = std::max({x, y, z}) - std::min({x, y, z});
     const double doubt = 4 * c.doubt / std::abs(c.sum) * spread + 8 * unit_roundoff * deepest;
-    const bool good = doubt <= 0x1p-36 * std::abs(depth);
+    const bool good = doubt <= t_tolerance * std::abs(depth);
     if (good || (t < 0 && std::abs(depth) > doubt)) return t;
     return exact_distance(p, q);
 }
