@@ -21,7 +21,7 @@ Vec3 in_disc(const Vec3& axis, Random& random) {
 Vec3 axis_direction(Random& random) {
     Vec3 d;
     for (int k = 0; k < 3; ++k) d[k] = random.sign() * 0.0;
-    const auto axis = static_cast<int>(random.index(3));
+    const int axis = random.axis();
     d[axis] = random.sign();
     return d;
 }

@@ -44,14 +44,14 @@ Ray along_an_axis(const Place& place, const Target& target, Random& random) {
 Ray across_an_axis(const Place& place, const Target& target, Random& random) {
     const Vec3 point = seen_from_around(place, target, random);
     Vec3 direction = random.direction();
-    const auto axis = static_cast<int>(random.index(3));
+    const int axis = random.axis();
     direction[axis] = random.sign() * 0.0;
     return {point - 4 * place.size * direction, direction};
 }
 
 Ray with_a_denormal(const Place& place, const Target& target, Random& random) {
     Ray ray = along_an_axis(place, target, random);
-    const auto k = static_cast<int>(random.index(3));
+    const int k = random.axis();
     if (ray.direction[k] == 0) ray.direction[k] = 1e-310 * random.uniform(-1, 1);
     return ray;
 }

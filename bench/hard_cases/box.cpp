@@ -23,7 +23,7 @@ Setting along_axes(const Box& b, int fixed, double from, bool beside) {
         Vec3 target = on_faces(b, fixed, random);
         const Vec3 d = axis_direction(random);
         if (beside) {
-            const int k = static_cast<int>(random.index(3));
+            const int k = random.axis();
             target[k] = std::nextafter(target[k], random.sign() * infinity);
         }
         const Vec3 start = (from * size_of(b)) * d;

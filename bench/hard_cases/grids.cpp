@@ -47,7 +47,7 @@ Ray along_axis(Random& random) {
 Ray along_diagonal(Random& random) {
     Vec3 d;
     for (int k = 0; k < 3; ++k) d[k] = random.sign();
-    if (random.index(2) == 0) d[static_cast<int>(random.index(3))] = random.sign() * 0.0;
+    if (random.index(2) == 0) d[random.axis()] = random.sign() * 0.0;
     return {lattice_point(cells - 1, 2, random) - 16.0 * d, d};
 }
 
@@ -70,7 +70,7 @@ Setting on_planes() {
     Random random(1, 0);
     while (setting.scene.primitives.size() < 500) {
         const Vec3 low = lattice_point(cells - 2, 1, random);
-        const auto k = static_cast<int>(random.index(3));
+        const int k = random.axis();
         Vec3 across(1), along(0);
         across[k] = 0;
         along[(k + 1) % 3] = 1;

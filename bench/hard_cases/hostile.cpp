@@ -93,7 +93,7 @@ Setting among_hostile() {
 /// One number in a good ray replaced by one that is none; a quarter of the rays is left alone.
 void spoil(Ray& ray, Random& random) {
     const double bad = std::array{none, infinity, -infinity}[random.index(3)];
-    const auto k = static_cast<int>(random.index(3));
+    const int k = random.axis();
     switch (random.index(8)) {
         case 0:
             ray.origin[k] = bad;

@@ -56,7 +56,7 @@ Setting grazing(const Sphere& s, double gap) {
 /// the lines are tangents.
 Setting tangent() {
     return only(Sphere{{0, 0, 0}, 1}, 1, [](Random& random) {
-        const int along = static_cast<int>(random.index(3));
+        const int along = random.axis();
         const int side = (along + 1 + static_cast<int>(random.index(2))) % 3;
         Vec3 origin(0), direction(0);
         direction[along] = random.sign();

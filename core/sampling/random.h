@@ -12,7 +12,8 @@ namespace etalon {
 /// SplitMix64 (Steele, Lea & Flood 2014, "Fast Splittable Pseudorandom Number Generators").
 class Random {
   public:
-    Random(std::uint64_t seed, std::uint64_t number) : state_(seed + number * 0xd1342543de82ef95U) {
+    explicit Random(std::uint64_t seed, std::uint64_t number = 0)
+        : state_(seed + number * 0xd1342543de82ef95U) {
         next();
     }
 
@@ -20,6 +21,7 @@ class Random {
         return low + (high - low) * std::ldexp(static_cast<double>(next() >> 11), -53);
     }
     std::size_t index(std::size_t count) { return static_cast<std::size_t>(next() % count); }
+    int axis() { return static_cast<int>(index(3)); }
     double sign() { return (next() & 1) != 0 ? 1 : -1; }
 
     /// From 10^low to 10^high, evenly in the exponent.

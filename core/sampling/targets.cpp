@@ -96,7 +96,7 @@ std::vector<Target> targets_of(const Scene& scene, std::uint32_t primitive, doub
 }
 
 Vec3 on_faces(const Box& box, int fixed, Random& random) {
-    const auto first = static_cast<int>(random.index(3));
+    const int first = random.axis();
     Vec3 p;
     for (int i = 0; i < 3; ++i) {
         const int k = (first + i) % 3;

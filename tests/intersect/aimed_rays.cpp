@@ -35,7 +35,7 @@ Ray from_the_target(const ShapeCase& shape, const Aim& aim, Random& random) {
 
 /// With zeros of both signs.
 Ray along_an_axis(const ShapeCase& shape, const Aim& aim, Random& random) {
-    const int k = random.index(3);
+    const int k = random.axis();
     Vec3 direction(random.sign() * 0.0, random.sign() * 0.0, random.sign() * 0.0);
     direction[k] = random.sign();
     const Vec3 target = aim(shape.centre + 10 * shape.size * random.direction());
@@ -47,13 +47,13 @@ Ray along_an_axis(const ShapeCase& shape, const Aim& aim, Random& random) {
 Ray along_a_plane(const ShapeCase& shape, const Aim& aim, Random& random) {
     const Vec3 target = aim(shape.centre + 10 * shape.size * random.direction());
     Vec3 direction = random.direction();
-    direction[random.index(3)] = random.sign() * 0.0;
+    direction[random.axis()] = random.sign() * 0.0;
     return {target - 4 * shape.size * direction, direction};
 }
 
 Ray with_a_denormal(const ShapeCase& shape, const Aim& aim, Random& random) {
     Ray ray = along_an_axis(shape, aim, random);
-    const int k = random.index(3);
+    const int k = random.axis();
     if (ray.direction[k] == 0) ray.direction[k] = random.sign() * 1e-310 * random.uniform();
     return ray;
 }

@@ -2,8 +2,8 @@
 
 #include "core/intersect/kernels.h"
 #include "core/intersect/oracle/oracle.h"
+#include "core/sampling/random.h"
 #include "tests/catch.h"
-#include "tests/intersect/random.h"
 
 using namespace etalon;
 
@@ -35,7 +35,8 @@ Ray moved(Ray ray, int k, double towards) {
 /// Of any proportions: flat ones and needles, pointed ones, and all but cylinders.
 Cone random_cone(Random& random) {
     const double length = std::pow(10.0, random.uniform(-4, 3)), radius = random.uniform(0.5, 2);
-    const double other[] = {radius, 0, radius * (1 + std::ldexp(1.0, -random.index(53))),
+    const double other[] = {radius, 0,
+                            radius * (1 + std::ldexp(1.0, -static_cast<int>(random.index(53)))),
                             random.uniform()};
     Cone c{random.in_cube(), {}, radius, other[random.index(4)]};
     c.top = c.base + length * random.direction();
@@ -48,7 +49,7 @@ Ray random_ray(const Cone& c, Random& random) {
     const Vec3 h = c.top - c.base;
     Vec3 u, v;
     orthonormal_basis(h / std::sqrt(h.dot(h)), u, v);
-    const double s = random.index(2) == 0 ? random.index(2) : random.uniform();
+    const double s = random.index(2) == 0 ? std::round(random.uniform()) : random.uniform();
     const double angle = random.uniform(0, 6.3), out = random.index(4) == 0 ? 0 : 1;
     const double r = out * (c.base_radius + s * (c.top_radius - c.base_radius));
     const Vec3 target = c.base + s * h + r * (std::cos(angle) * u + std::sin(angle) * v);

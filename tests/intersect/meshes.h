@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/sampling/random.h"
 #include "core/scene/scene.h"
-#include "tests/intersect/random.h"
 
 namespace etalon {
 

@@ -1,8 +1,8 @@
 #include "core/intersect/shapes/polygon.h"
 
 #include "core/intersect/kernels.h"
+#include "core/sampling/random.h"
 #include "tests/catch.h"
-#include "tests/intersect/random.h"
 
 using namespace etalon;
 

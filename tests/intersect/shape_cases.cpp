@@ -62,7 +62,7 @@ ShapeCase cone(const std::string& name, const Cone& shape) {
                              return shape.base + random.uniform(-0.1, 1.1) * h;
                          }});
     c.targets.push_back({"rim", [=](Random& random, const Vec3&) {
-                             const double end = random.index(2) * nearly_one(random);
+                             const double end = random.index(2) == 0 ? 0 : nearly_one(random);
                              return on_circle(end, random.uniform(0, 2 * pi));
                          }});
     c.targets.push_back({"silhouette", [=](Random& random, const Vec3& from) {
@@ -135,7 +135,7 @@ ShapeCase box(const std::string& name, const Box& b) {
     c.scene.add(b, 0);
     // A point with `fixed` of its coordinates on faces: 1 a face, 2 an edge, 3 a corner.
     const auto on_faces = [b, size](Random& random, int fixed) {
-        const int first = random.index(3);
+        const int first = random.axis();
         Vec3 p;
         for (int i = 0; i < 3; ++i) {
             const int k = (first + i) % 3;

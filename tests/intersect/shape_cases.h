@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/sampling/random.h"
 #include "core/scene/scene.h"
-#include "tests/intersect/random.h"
 
 namespace etalon {
 
