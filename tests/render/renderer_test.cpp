@@ -61,13 +61,42 @@ TEST_CASE("Every exact backend and any thread count give the same bits", "[rende
 TEST_CASE("A scene scaled by a power of two gives the same bits", "[render]") {
     const Scene scene = mixed_scene();
     for (const double factor : {0x1p20, 0x1p-20}) {
-        const Scene other = scaled(scene, factor);
+        const Scene other = transformed(scene, factor);
         for (const Backend& backend : all_backends()) {
             if (!backend.exact) continue;
             INFO(backend.name << " scaled by " << factor);
             CHECK(picture(other, std::string(backend.name)) == picture(scene));
         }
     }
+}
+
+TEST_CASE("A scene scaled by any power of two from 2^-20 to 2^20 gives the same bits", "[render]") {
+    const Scene scene = mixed_scene(24, 18);
+    for (int k = -20; k <= 20; ++k) {
+        INFO("scaled by 2^" << k);
+        CHECK(picture(transformed(scene, std::ldexp(1.0, k))) == picture(scene));
+    }
+}
+
+// What is seen is the same to the bit (tests/backends); what it leads to starts from positions that
+// are rounded to 2^-33 of the scene.
+TEST_CASE("A scene moved by 2^20 of its extents gives all but the same picture", "[render]") {
+    const Vec3 far_away(0x1p20, -0x1p20, 0x1p20);
+    const Scene moved = transformed(mixed_scene(), 1, far_away);
+    const Scene scene = transformed(moved, 1, -far_away);
+    const std::vector<Color> here = picture(scene), there = picture(moved);
+    int different = 0;
+    double sum = 0;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+        const Color d = there[i] - here[i];
+        const double off = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+        different += off > 1e-5;
+        sum += off;
+    }
+    const double mean = sum / static_cast<double>(here.size());
+    CAPTURE(different, mean);
+    CHECK(different == 0);
+    CHECK(mean < 1e-7);
 }
 
 TEST_CASE("A crop holds the same pixels as the whole", "[render]") {

@@ -51,24 +51,25 @@ inline Scene mixed_scene(int width = 48, int height = 36) {
     return s;
 }
 
-/// Every length multiplied by `factor`.
-inline Scene scaled(Scene s, double factor) {
-    s.camera.eye *= factor;
-    s.camera.at *= factor;
+/// Every length multiplied by `factor`, then every point moved by `offset`.
+inline Scene transformed(Scene s, double factor, const Vec3& offset = Vec3(0)) {
+    const auto moved = [&](const Vec3& p) { return factor * p + offset; };
+    s.camera.eye = moved(s.camera.eye);
+    s.camera.at = moved(s.camera.at);
     for (Light& light : s.lights) {
-        if (auto* p = std::get_if<PointLight>(&light)) p->position *= factor;
+        if (auto* p = std::get_if<PointLight>(&light)) p->position = moved(p->position);
         if (auto* q = std::get_if<QuadLight>(&light)) {
-            q->corner *= factor;
+            q->corner = moved(q->corner);
             q->edge1 *= factor;
             q->edge2 *= factor;
         }
     }
-    for (Vec3& v : s.vertices) v *= factor;
-    for (Sphere& x : s.all<Sphere>()) x = {x.centre * factor, x.radius * factor};
-    for (Box& x : s.all<Box>()) x = {x.min * factor, x.max * factor};
-    for (Plane& x : s.all<Plane>()) x.point *= factor;
+    for (Vec3& v : s.vertices) v = moved(v);
+    for (Sphere& x : s.all<Sphere>()) x = {moved(x.centre), x.radius * factor};
+    for (Box& x : s.all<Box>()) x = {moved(x.min), moved(x.max)};
+    for (Plane& x : s.all<Plane>()) x.point = moved(x.point);
     for (Cone& x : s.all<Cone>()) {
-        x = {x.base * factor, x.top * factor, x.base_radius * factor, x.top_radius * factor};
+        x = {moved(x.base), moved(x.top), x.base_radius * factor, x.top_radius * factor};
     }
     return s;
 }
