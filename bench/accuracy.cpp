@@ -62,7 +62,7 @@ std::vector<Row> measure_all(const Arguments& a, const std::vector<HardCase>& ca
     for (const HardCase& c : cases) {
         fmt::print(stderr, "etalon-bench: {}/{}\n", c.id, c.variant);
         const std::vector<Row> rows = accuracy::measure(c, backends, effort);
-        fmt::print("{}", accuracy::table(rows));
+        fmt::print("{}", accuracy::table(rows, all.empty() ? "" : all.back().shape));
         std::fflush(stdout);
         all.insert(all.end(), rows.begin(), rows.end());
     }

@@ -97,10 +97,10 @@ std::string line(const Row& row) {
 
 }  // namespace
 
-std::string table(const std::vector<Row>& rows) {
+std::string table(const std::vector<Row>& rows, const std::string& heading_above) {
     std::string text;
     for (const std::string& shape : shapes_of(rows)) {
-        text += (text.empty() ? "" : "\n") + heading(shape);
+        if (shape != heading_above) text += (text.empty() ? "" : "\n") + heading(shape);
         for (const CaseRows& c : cases_of(rows, shape)) {
             text += fmt::format("{} ({})\n", c.name(), c.judge);
             for (const Row* row : c.rows) text += line(*row);
