@@ -12,7 +12,7 @@ struct Effort {
     double seconds = infinity;     ///< for each case, on the wall: then no more rays are begun
     /// Where every ray is tested against every primitive, rays are fewer: no more than make this
     /// many tests.
-    std::uint64_t tests = 4'000'000'000;
+    std::uint64_t tests = 1'000'000'000;
     bool textbooks = true;  ///< kernels of textbooks, and the project's own by themselves, too
 };
 

@@ -37,14 +37,15 @@ struct Tally {
     std::uint64_t wrong_primitives = 0;  ///< another than the nearest, or at a tie not the lowest
     std::uint64_t leaks = 0;             ///< rays that get out of a closed surface
     std::uint64_t self_hits = 0;         ///< spawned rays that meet the surface they left
-    std::uint64_t contradictions = 0;    ///< occluded() says other than closest()
-    std::uint64_t deviations = 0;        ///< other bits than those of the first exact contender
-    Distribution float_ulps;             ///< |t - true t| in ulp of a float at the true t
-    Distribution double_ulps;            ///< the same in ulp of a double
-    Distribution conditioned;  ///< |t - true t| in units of what moving every input by one unit
-                               ///< roundoff can do to t: the K of "K u kappa"
-    Distribution position;     ///< |P - true P| / size, P as the shading gets it
-    Distribution shift;        ///< |spawned origin - P| / size
+    std::uint64_t contradictions =
+        0;                         ///< occluded() says other than closest(), in a quarter of all
+    std::uint64_t deviations = 0;  ///< other bits than those of the first exact contender
+    Distribution float_ulps;       ///< |t - true t| in ulp of a float at the true t
+    Distribution double_ulps;      ///< the same in ulp of a double
+    Distribution conditioned;      ///< |t - true t| in units of what moving every input by one unit
+                                   ///< roundoff can do to t: the K of "K u kappa"
+    Distribution position;         ///< |P - true P| / size, P as the shading gets it
+    Distribution shift;            ///< |spawned origin - P| / size
 
     /// All that must be zero for a contender that promises to be right.
     std::uint64_t errors() const {
