@@ -3,6 +3,7 @@
 #include "core/intersect/ray.h"
 #include "core/intersect/shapes/cone_exact.h"
 #include "core/intersect/shapes/cone_filter.h"
+#include "core/intersect/shapes/cone_sieve.h"
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
 #include "core/scene/scene.h"
@@ -29,15 +30,19 @@ inline Box3 bounds(const Scene&, const Cone& c) {
     return box;
 }
 
-/// In plain double, and again in exact arithmetic where that leaves a doubt: hit or miss is right
-/// for every ray, and t good to t_tolerance.
-inline double first_hit(const Scene&, const Cone& c, Sides sides, const RayQuery& q) {
+/// What the sieve leaves in doubt: in plain double with all care, and in exact arithmetic where a
+/// doubt remains.
+[[gnu::noinline]] inline double careful_first_hit(const Cone& c, Sides sides, const RayQuery& q) {
     const double t = ConeFilter(c, q).first_hit(sides);
-    if (t == in_doubt) {
-        const ConeCrossing x = exact_crossing(c, q.ray);
-        return first_visible(x.entry, x.exit, sides, q.ray.tmin);
-    }
-    return t < infinity && !is_degenerate(c) ? t : no_hit;
+    if (t != in_doubt) return t < infinity && !is_degenerate(c) ? t : no_hit;
+    const ConeCrossing x = exact_crossing(c, q.ray);
+    return first_visible(x.entry, x.exit, sides, q.ray.tmin);
+}
+
+/// Hit or miss is right for every ray, and t good to t_tolerance.
+inline double first_hit(const Scene&, const Cone& c, Sides sides, const RayQuery& q) {
+    const double t = ConeSieve(c, q).first_hit(sides);
+    return t == in_doubt ? careful_first_hit(c, sides, q) : t;
 }
 
 /// The position is moved onto the circle at its height. At the apex the normal is the axis'.

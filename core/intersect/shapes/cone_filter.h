@@ -4,12 +4,10 @@
 
 #include "core/intersect/ray.h"
 #include "core/intersect/shapes/cone_line.h"
+#include "core/intersect/shapes/cone_sieve.h"
 #include "core/numerics/rounding.h"
 
 namespace etalon {
-
-/// In place of a t.
-inline constexpr double in_doubt = -infinity;
 
 /// The form |F + t G|^2 - (r0 + t r1)^2 = alpha t^2 + 2 beta t + gam, with t seen from the middle.
 ///

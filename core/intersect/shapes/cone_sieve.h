@@ -1,0 +1,117 @@
+// Where most rays meet a cone, at about the price of a textbook's formula. What this leaves in
+// doubt is for core/intersect/shapes/cone_filter.h to tell.
+#pragma once
+
+#include "core/intersect/ray.h"
+#include "core/numerics/rounding.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+/// In place of a t.
+inline constexpr double in_doubt = -infinity;
+
+/// The form |F + t G|^2 - hh (radius + t growth)^2 = A t^2 + 2 B t + C, of the origin w seen from
+/// the base, F = w x h and G = d x h. The base's radius is r, the top's r + s. By Lagrange's
+/// identity its discriminant is hh (VV - mm) for m = w.G and V = r G + s (d x w + m h / hh): it
+/// does not cancel with distance, for m / |G| is how far the line passes from the axis.
+///
+/// The error, u = 2^-53: w, h and s are off by u, and a cross or dot product adds less than 3 u of
+/// its factors. Let scale = hh + ss, far^2 = ww + rr and size = sqrt(scale) |d| far. By Cauchy and
+/// Schwarz V and m are less than size, and off by less than 28 u and 8 u of it; VV - mm is off by
+/// less than 96 u size max(|V|, |m|), if it is more than that. A, B and C are off by less than 52 u
+/// scale times dd, |d| far and far^2.
+class ConeSieve {
+  public:
+    ConeSieve(const Cone& c, const RayQuery& q)
+        : cone_(c),
+          w_(q.ray.origin - c.base),
+          d_(q.ray.direction),
+          h_(c.top - c.base),
+          tmin_(q.ray.tmin),
+          spread_(c.top_radius - c.base_radius),
+          hh_(h_.dot(h_)),
+          dd_(d_.dot(d_)),
+          far2_(w_.dot(w_) + c.base_radius * c.base_radius),
+          scale_(hh_ + spread_ * spread_),
+          slope_(spread_ / hh_),
+          G_(d_.cross(h_)) {}
+
+    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or in_doubt.
+    double first_hit(Sides sides) {
+        const double m = w_.dot(G_), size2 = dd_ * scale_ * far2_;
+        Vec3 V = cone_.base_radius * G_;  // all there is for a cylinder, to the bit
+        if (spread_ != 0) V += spread_ * d_.cross(w_) + (slope_ * m) * h_;
+        const double V2 = V.dot(V), m2 = m * m, difference = V2 - m2;
+        const double doubt2 = (96 * u) * (96 * u) * size2 * std::max(V2, m2);
+        const bool certain = difference * difference > doubt2 && doubt2 > 0x1p-1000;
+        if (!(certain && is_in_range(size2))) return in_doubt;
+        if (difference < 0) return no_hit;
+        return first_crossing(sides, hh_ * difference, hh_ * (doubt2 / difference));
+    }
+
+  private:
+    /// What the sum of B and the root, and what A or C may add to t's error: together half of
+    /// t_tolerance.
+    static constexpr double u = unit_roundoff, of_sum = t_tolerance / 16, of_rest = t_tolerance / 4;
+    static constexpr int in = -1, out = 1;
+
+    /// So that nothing underflows that counts, and nothing overflows.
+    bool is_in_range(double size2) const {
+        const double least = std::min(std::min(hh_, dd_), far2_), most = scale_ * size2;
+        return least > 0x1p-250 && most > 0x1p-750 && most < 0x1p1000 &&
+               std::min(cone_.base_radius, cone_.top_radius) >= 0;
+    }
+
+    /// The discriminant's root is off by less than the root of `root_doubt2`.
+    double first_crossing(Sides sides, double discriminant, double root_doubt2) {
+        expand();
+        const double doubt2 = unit_ * unit_ * (dd_ * far2_);  // of B
+        const bool leaves = B_ > 0 && A_ > unit_ * dd_ && C_ > unit_ * far2_ && B_ * B_ > doubt2;
+        if (leaves) return no_hit;
+        sum_ = std::abs(B_) + std::sqrt(discriminant);
+        if (!(root_doubt2 + doubt2 <= of_sum * of_sum * (sum_ * sum_))) return in_doubt;
+        const double t = sides == Sides::back ? no_hit : crossing(in);
+        return t <= infinity || sides == Sides::front ? t : crossing(out);
+    }
+
+    void expand() {
+        const Vec3 F = w_.cross(h_);
+        start_ = w_.dot(h_);
+        rise_ = d_.dot(h_);
+        const double radius = cone_.base_radius + slope_ * start_, growth = slope_ * rise_;
+        A_ = G_.dot(G_) - hh_ * (growth * growth);
+        B_ = F.dot(G_) - hh_ * (radius * growth);
+        C_ = F.dot(F) - hh_ * (radius * radius);
+        unit_ = 52 * u * scale_;
+    }
+
+    /// By the sum of like signs: A t + B is -root at the entry and +root at the exit.
+    double crossing(int way) const {
+        const bool near = way * B_ > 0;
+        const double other = near ? -way * C_ : way * A_, doubt = unit_ * (near ? far2_ : dd_);
+        if (other < -doubt) return no_hit;  // behind
+        if (!(of_rest * other >= doubt)) return in_doubt;
+        return clipped(near ? other / sum_ : sum_ / other);
+    }
+
+    /// Beyond an end is the mirror nappe, too. The height is off by t's error, by 5 u of |w| |h|
+    /// and |t d| |h|, and by 6 u hh; the square of a sum of four is at most four times the squares.
+    double clipped(double t) const {
+        if (!(t > tmin_)) return no_hit;
+        const double climb = t * rise_, z = start_ + climb, inside = std::min(z, hh_ - z);
+        const double doubt2 = t_tolerance * t_tolerance * (climb * climb) +
+                              (16 * u) * (16 * u) * hh_ * (hh_ + far2_ + t * t * dd_);
+        if (!(inside * inside > doubt2)) return in_doubt;
+        return inside > 0 ? t : no_hit;
+    }
+
+    const Cone& cone_;
+    const Vec3 w_, d_, h_;
+    const double tmin_, spread_;
+    const double hh_, dd_, far2_, scale_, slope_;
+    const Vec3 G_;
+    double start_, rise_, A_, B_, C_, unit_, sum_;
+};
+
+}  // namespace etalon
