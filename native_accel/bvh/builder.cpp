@@ -25,6 +25,11 @@ float half_area(const Box3f& box) {
     return s.x * s.y + s.y * s.z + s.z * s.x;
 }
 
+/// Of testing so many primitives, `lanes` of them at once.
+float test_cost(std::size_t count, std::uint32_t lanes) {
+    return static_cast<float>((count + lanes - 1) / lanes);
+}
+
 struct Bin {
     Box3f box;
     std::uint32_t count = 0;
@@ -73,29 +78,31 @@ struct Split {
 };
 
 /// The cheapest plane of one axis, by sweeping areas from both ends.
-Split cheapest_plane(const std::array<Bin, max_bins>& bins, int count, int axis) {
+Split cheapest_plane(const std::array<Bin, max_bins>& bins, const BvhConfig& config, int axis) {
     std::array<float, max_bins> right_cost{};
     Bin right;
-    for (int i = count - 1; i > 0; --i) {
+    for (int i = config.bins - 1; i > 0; --i) {
         right.add(bins[i]);
-        right_cost[i] = right.count == 0 ? Split().cost
-                                         : half_area(right.box) * static_cast<float>(right.count);
+        right_cost[i] = right.count == 0
+                            ? Split().cost
+                            : half_area(right.box) * test_cost(right.count, config.lanes);
     }
     Split best;
     Bin left;
-    for (int i = 1; i < count; ++i) {
+    for (int i = 1; i < config.bins; ++i) {
         left.add(bins[i - 1]);
         if (left.count == 0) continue;
-        const float cost = half_area(left.box) * static_cast<float>(left.count) + right_cost[i];
+        const float cost =
+            half_area(left.box) * test_cost(left.count, config.lanes) + right_cost[i];
         if (cost < best.cost) best = {cost, axis, i};
     }
     return best;
 }
 
-Split cheapest_plane(const Bins& bins, int count) {
+Split cheapest_plane(const Bins& bins, const BvhConfig& config) {
     Split best;
     for (int k = 0; k < 3; ++k) {
-        const Split split = cheapest_plane(bins.axis[k], count, k);
+        const Split split = cheapest_plane(bins.axis[k], config, k);
         if (split.cost < best.cost) best = split;
     }
     return best;
@@ -148,9 +155,9 @@ class Builder {
         const Binning binning(centres, config_.bins);
         Bins bins;
         bins.count(binning, primitives);
-        const Split split = cheapest_plane(bins, config_.bins);
+        const Split split = cheapest_plane(bins, config_);
         const float area = half_area(box);
-        const float leaf_cost = area * static_cast<float>(count);
+        const float leaf_cost = area * test_cost(count, config_.lanes);
         const bool worthwhile = split.cost + area * config_.traversal_cost < leaf_cost;
         if (!worthwhile && count <= config_.max_leaf) return 0;
         if (split.axis < 0) return count / 2;  // all centres fall into one bin

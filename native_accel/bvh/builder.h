@@ -11,7 +11,8 @@ namespace etalon {
 struct BvhConfig {
     int bins = 16;                      ///< candidate planes per axis, plus one; at most 32
     std::uint32_t max_leaf = 8;         ///< a leaf never holds more, whatever the heuristic says
-    float traversal_cost = 1.0F;        ///< of one node, in units of one primitive test
+    std::uint32_t lanes = 1;            ///< primitives that a leaf tests at the cost of one
+    float traversal_cost = 1.0F;        ///< of one node, in units of one such test
     std::uint32_t serial_below = 4096;  ///< subtrees of fewer primitives are one thread's work
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/intersect/intersector.h"
+#include "native_accel/bvh/leaves.h"
 #include "native_accel/bvh/wide_node.h"
 
 namespace etalon {
@@ -18,7 +19,7 @@ class Bvh final : public Intersector {
 
   private:
     std::vector<WideNode> nodes_;
-    std::vector<std::uint32_t> ids_;  ///< primitive numbers in the order of the leaves
+    Leaves leaves_;
 };
 
 }  // namespace etalon

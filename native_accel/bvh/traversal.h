@@ -71,7 +71,7 @@ class TraversalStack {
     std::size_t height_ = 0;
 };
 
-/// Visits leaves from near to far. leaf(first, count) tests a range of primitives and returns the
+/// Visits leaves from near to far. leaf(first, count, tmax) tests its primitives and returns the
 /// new tmax in the frame; anything below tmin ends the walk. tmax must be finite.
 template <class Leaf>
 void traverse(const std::vector<WideNode>& nodes, const FrameRay& ray, float tmin, float tmax,
@@ -86,7 +86,7 @@ void traverse(const std::vector<WideNode>& nodes, const FrameRay& ray, float tmi
             const WideNode& node = nodes[next.first];
             stack.push_sorted(node, slabs.entries(node, broadcast(tmin), broadcast(tmax)));
         } else {
-            tmax = leaf(next.first, next.count);
+            tmax = leaf(next.first, next.count, tmax);
             if (tmax < tmin) return;
         }
     }

@@ -4,23 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "native_accel/bvh/builder.h"
+#include "native_accel/bvh/float4.h"
+#include "native_accel/bvh/node.h"
 
 namespace etalon {
-
-/// Four floats side by side. GCC's and Clang's vectors: every x86-64 and arm64 has instructions for
-/// them, so there is nothing to choose at run time.
-using Float4 = float __attribute__((vector_size(16)));
-
-inline Float4 broadcast(float x) {
-    return Float4{x, x, x, x};
-}
-inline Float4 max(Float4 a, Float4 b) {
-    return a > b ? a : b;
-}
-inline Float4 min(Float4 a, Float4 b) {
-    return a < b ? a : b;
-}
 
 /// Four children and their boxes, two cache lines.
 struct alignas(64) WideNode {
