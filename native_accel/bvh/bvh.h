@@ -1,16 +1,16 @@
 #pragma once
 
 #include "core/intersect/intersector.h"
-#include "native_accel/bvh/leaves.h"
 #include "native_accel/bvh/wide_node.h"
 
 namespace etalon {
 
-/// A bounding volume hierarchy, built binary and walked four-wide.
+/// A bounding volume hierarchy, built binary and walked eight-wide, with clusters for leaves.
 class Bvh final : public Intersector {
   public:
     explicit Bvh(const Scene& scene);
     std::size_t memory_bytes() const override;
+    std::string isa() const override;
 
   protected:
     void closest_bounded(const RayQuery& query, const FrameRay& local,
@@ -18,8 +18,8 @@ class Bvh final : public Intersector {
     bool occluded_bounded(const RayQuery& query, const FrameRay& local) const override;
 
   private:
-    std::vector<WideNode> nodes_;
-    Leaves leaves_;
+    WideTree tree_;
+    Clusters clusters_;
 };
 
 }  // namespace etalon

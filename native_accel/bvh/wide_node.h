@@ -4,22 +4,54 @@
 #include <cstdint>
 #include <vector>
 
-#include "native_accel/bvh/float4.h"
+#include "core/intersect/clusters/clusters.h"
 #include "native_accel/bvh/node.h"
 
 namespace etalon {
 
-/// Four children and their boxes, two cache lines.
-struct alignas(64) WideNode {
-    std::array<Float4, 6> planes;        ///< min x, y, z, max x, y, z of the four boxes
-    std::array<std::uint32_t, 4> first;  ///< of a leaf's primitives; else the child's node
-    std::array<std::uint32_t, 4> count;  ///< primitives of a leaf; 0 for an inner node
+/// What a child of a wide node is: another node, by its index, or a cluster of primitives.
+class ChildRef {
+  public:
+    static ChildRef node(std::size_t index) { return ChildRef(static_cast<std::uint32_t>(index)); }
+    static ChildRef leaf(ClusterRef cluster) { return ChildRef(leaf_bit | cluster.bits); }
+    explicit ChildRef(std::uint32_t from) : bits_(from) {}
+    ChildRef() = default;
+
+    bool is_leaf() const { return (bits_ & leaf_bit) != 0; }
+    std::uint32_t node() const { return bits_; }
+    ClusterRef cluster() const { return ClusterRef(bits_ & ~leaf_bit); }
+    std::uint32_t bits() const { return bits_; }
+
+  private:
+    static constexpr std::uint32_t leaf_bit = 0x80000000U;
+
+    std::uint32_t bits_ = 0;
 };
 
-static_assert(sizeof(WideNode) == 128);
+inline constexpr std::size_t node_width = 8;
 
-/// Places a binary tree's nodes four to one, opening the largest first. Lanes without a child hold
-/// a box that nothing enters. Empty for an empty tree.
-std::vector<WideNode> widen(const std::vector<BvhNode>& nodes);
+/// Eight children and their boxes in the frame, padded. Lanes without a child hold a box that
+/// nothing enters.
+struct alignas(64) WideNode {
+    WideNode();
+    void set(std::size_t lane, const Box3f& box, ChildRef child);
+
+    std::array<Lanes, 6> planes;  ///< min x, max x, min y, max y, min z, max z
+    std::array<ChildRef, node_width> children;
+};
+
+static_assert(sizeof(WideNode) == 256);
+
+/// Nodes in depth-first order but for siblings, which are together; and where to begin.
+struct WideTree {
+    bool empty() const { return nodes.empty() && !root.is_leaf(); }
+
+    std::vector<WideNode> nodes;
+    ChildRef root;
+};
+
+/// Places a binary tree's nodes eight to one, opening the largest first. leaf(n) is what takes the
+/// place of the binary leaf n. The tree must not be empty.
+WideTree widen(const std::vector<BvhNode>& nodes, const std::vector<ClusterRef>& leaves);
 
 }  // namespace etalon

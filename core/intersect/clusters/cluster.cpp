@@ -1,0 +1,46 @@
+#include "core/intersect/clusters/cluster.h"
+
+#include <limits>
+
+#include "core/intersect/clusters/doubt.h"
+#include "core/intersect/shapes/triangle.h"
+
+namespace etalon {
+namespace {
+
+constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+
+}  // namespace
+
+TriangleCluster::TriangleCluster() : doubt{} {
+    for (auto& corner : corners) {
+        for (Lanes& axis : corner) axis.fill(nothing);
+    }
+}
+
+void TriangleCluster::set(std::size_t lane, const Scene& scene, const Frame& frame,
+                          std::uint32_t id) {
+    const auto exact = etalon::corners(scene, scene.get<Triangle>(scene.primitives[id]));
+    Box3 box;
+    for (int c = 0; c < 3; ++c) {
+        const Vec3 corner = frame.point(exact[c]);
+        box.extendBy(corner);
+        for (int k = 0; k < 3; ++k) corners[c][k][lane] = static_cast<float>(corner[k]);
+    }
+    doubt[lane] = edge_doubt(max_abs(box.size()));
+}
+
+SphereCluster::SphereCluster() {
+    for (Lanes& axis : centre) axis.fill(nothing);
+    radius.fill(nothing);
+}
+
+void SphereCluster::set(std::size_t lane, const Scene& scene, const Frame& frame,
+                        std::uint32_t id) {
+    const Sphere& sphere = scene.get<Sphere>(scene.primitives[id]);
+    const Vec3 place = frame.point(sphere.centre);
+    for (int k = 0; k < 3; ++k) centre[k][lane] = static_cast<float>(place[k]);
+    radius[lane] = enlarged_radius(sphere.radius * frame.scale());
+}
+
+}  // namespace etalon

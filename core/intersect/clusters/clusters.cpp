@@ -1,0 +1,65 @@
+#include "core/intersect/clusters/clusters.h"
+
+#include <algorithm>
+
+#include "core/parallel/parallel.h"
+
+namespace etalon {
+namespace {
+
+ClusterRef::Kind kind_for(const Primitive& primitive) {
+    if (primitive.kind == kind_of<Triangle>()) return ClusterRef::triangles;
+    if (primitive.kind == kind_of<Sphere>()) return ClusterRef::spheres;
+    return ClusterRef::list;
+}
+
+/// That of all, or a list.
+ClusterRef::Kind kind_for(const Scene& scene, std::span<const std::uint32_t> ids) {
+    const ClusterRef::Kind kind = kind_for(scene.primitives[ids[0]]);
+    const bool alike = std::all_of(ids.begin(), ids.end(), [&](std::uint32_t id) {
+        return kind_for(scene.primitives[id]) == kind;
+    });
+    return alike ? kind : ClusterRef::list;
+}
+
+}  // namespace
+
+Clusters::Clusters(const Scene& scene, const Frame& frame, std::span<const std::uint32_t> ids,
+                   std::span<const Range> ranges, std::vector<ClusterRef>& refs) {
+    std::array<std::size_t, 3> counts{};
+    refs.clear();
+    refs.reserve(ranges.size());
+    for (const Range& range : ranges) {
+        const ClusterRef::Kind kind = kind_for(scene, ids.subspan(range.first, range.count));
+        refs.emplace_back(kind, counts[kind]++);
+    }
+    triangles_.resize(counts[ClusterRef::triangles]);
+    spheres_.resize(counts[ClusterRef::spheres]);
+    for (std::size_t k = 0; k < counts.size(); ++k) ids_[k].resize(counts[k]);
+
+    parallel_for(ranges.size(), 256, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const ClusterRef ref = refs[i];
+            Ids& numbers = ids_[ref.kind()][ref.index()];
+            numbers.fill(no_index);
+            for (std::uint32_t lane = 0; lane < ranges[i].count; ++lane) {
+                const std::uint32_t id = ids[ranges[i].first + lane];
+                numbers[lane] = id;
+                if (ref.kind() == ClusterRef::triangles) {
+                    triangles_[ref.index()].set(lane, scene, frame, id);
+                } else if (ref.kind() == ClusterRef::spheres) {
+                    spheres_[ref.index()].set(lane, scene, frame, id);
+                }
+            }
+        }
+    });
+}
+
+std::size_t Clusters::memory_bytes() const {
+    std::size_t bytes = triangles_.capacity() * sizeof(TriangleCluster) +
+                        spheres_.capacity() * sizeof(SphereCluster);
+    for (const auto& ids : ids_) bytes += ids.capacity() * sizeof(Ids);
+    return bytes;
+}
+
+}  // namespace etalon

@@ -1,0 +1,8 @@
+// Which instruction sets code is compiled for, to be chosen from when the program starts. To be
+// included before anything of Highway's.
+#pragma once
+
+// SSSE3 and AVX-512 gain nothing over their neighbours for eight floats; vectors of no fixed size
+// cannot be members.
+#define HWY_DISABLED_TARGETS \
+    (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)

@@ -1,0 +1,63 @@
+// Which boxes of a node a ray enters. Compiled for each instruction set.
+#if defined(ETALON_BVH_SLABS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ETALON_BVH_SLABS_INL_H
+#undef ETALON_BVH_SLABS_INL_H
+#else
+#define ETALON_BVH_SLABS_INL_H
+#endif
+
+#include "core/intersect/clusters/filter-inl.h"
+#include "native_accel/bvh/wide_node.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+/// Slab tests in float: a plane b is passed at b / d - o / d. With u = 2^-24, |o| <= 3 and |b| <=
+/// 1, its place is off by u (|o| + |b|) for each of the roundings of d, its reciprocal, and the
+/// result; by u |o| for that of o / d, and 2.1 u for o's own: together u (4 |o| + 3 |b| + 2.1)
+/// <= 17.1 u, 20 u where b / d is rounded too. The boxes' padding (Frame::box), 26 u, makes up for
+/// it.
+class Slabs {
+  public:
+    HWY_INLINE Slabs(const FrameRay& ray, float tmin) : tmin_(broadcast(tmin)) {
+        for (int k = 0; k < 3; ++k) {
+            // No smaller than 2^-40 of the largest component: no infinity times zero, and over the
+            // few units a ray can travel in the frame a drift far below the padding.
+            const float d = ray.direction[k];
+            const float clamped = std::abs(d) < 0x1p-40F ? std::copysign(0x1p-40F, d) : d;
+            const float reciprocal = 1.0F / clamped;
+            reciprocal_[k] = broadcast(reciprocal);
+            offset_[k] = broadcast(ray.origin[k] * reciprocal);
+            near_[k] = 2 * k + (clamped > 0 ? 0 : 1);
+        }
+    }
+
+    /// The lanes whose box is entered within [tmin, tmax], and where.
+    HWY_INLINE std::uint32_t entered(const WideNode& node, float tmax, Lanes& entry) const {
+        std::uint32_t found = 0;
+        for (std::size_t i = 0; i < node_width; i += hn::MaxLanes(Tag())) {
+            Floats from = tmin_, to = broadcast(tmax);
+            for (int k = 0; k < 3; ++k) {
+                from = hn::Max(from, passage(node, near_[k], k, i));
+                to = hn::Min(to, passage(node, near_[k] ^ 1U, k, i));
+            }
+            hn::Store(from, Tag(), &entry[i]);
+            found |= bits(hn::Le(from, to), i);
+        }
+        return found;
+    }
+
+  private:
+    HWY_INLINE Floats passage(const WideNode& node, std::size_t plane, int k, std::size_t i) const {
+        return hn::MulSub(load(node.planes[plane], i), reciprocal_[k], offset_[k]);
+    }
+
+    Floats tmin_;
+    std::array<Floats, 3> reciprocal_, offset_;
+    std::array<std::size_t, 3> near_;
+};
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,136 @@
+#include "native_accel/bvh/walk.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/intersect/clusters/targets.h"
+#include "core/intersect/kernels.h"
+#include "native_accel/bvh/stack.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "native_accel/bvh/walk.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "native_accel/bvh/slabs-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+/// Calls offer(id) for what could be hit at t <= tmax, for as long as it returns true.
+template <class Offer>
+class LeafVisitor {
+  public:
+    HWY_INLINE LeafVisitor(const Clusters& clusters, const FrameRay& ray, float tmin,
+                           const Offer& offer)
+        : clusters_(clusters), triangles_(ray), spheres_(ray, tmin), offer_(offer) {}
+
+    HWY_INLINE void operator()(ClusterRef ref, float tmax) const {
+        std::uint32_t lanes = candidates(ref, tmax);
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const std::uint32_t id = clusters_.ids(ref)[hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes)];
+            if (id == no_index || !offer_(id)) return;
+        }
+    }
+
+  private:
+    HWY_INLINE std::uint32_t candidates(ClusterRef ref, float tmax) const {
+        if (ref.kind() == ClusterRef::triangles) {
+            return triangles_.candidates(clusters_.triangles(ref), tmax);
+        }
+        if (ref.kind() == ClusterRef::spheres) {
+            return spheres_.candidates(clusters_.spheres(ref), tmax);
+        }
+        return (1U << cluster_lanes) - 1;
+    }
+
+    const Clusters& clusters_;
+    TriangleFilter triangles_;
+    SphereFilter spheres_;
+    const Offer& offer_;
+};
+
+/// Before 0 in the frame there is nothing.
+HWY_INLINE float start(const RayQuery& query, const FrameRay& local) {
+    return std::max(0.0F, local.tmin(query.ray.tmin));
+}
+
+void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+                  NearestHit& nearest) {
+    const float tmin = start(query, local);
+    const Slabs slabs(local, tmin);
+    const auto offer = [&](std::uint32_t id) HWY_ATTR {
+        nearest.offer(primitive_first_hit(bvh.scene, id, query), id);
+        return true;
+    };
+    const LeafVisitor visit(bvh.clusters, local, tmin, offer);
+    float tmax = local.tmax(nearest.t);
+    TraversalStack stack;
+    ChildRef next = bvh.tree.root;
+    do {
+        while (!next.is_leaf()) {
+            const WideNode& node = bvh.tree.nodes[next.node()];
+            alignas(32) Lanes entry;
+            const std::uint32_t entered = slabs.entered(node, tmax, entry);
+            if (entered == 0) break;
+            next = stack.descend(node, entry, entered);
+        }
+        if (!next.is_leaf()) continue;
+        const double before = nearest.t;
+        visit(next.cluster(), tmax);
+        if (nearest.t < before) tmax = local.tmax(nearest.t);
+    } while (stack.pop(tmax, next));
+}
+
+bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
+    const float tmin = start(query, local), tmax = local.tmax(query.ray.tmax);
+    const Slabs slabs(local, tmin);
+    bool found = false;
+    const auto offer = [&](std::uint32_t id) HWY_ATTR {
+        found = primitive_first_hit(bvh.scene, id, query) <= query.ray.tmax;
+        return !found;
+    };
+    const LeafVisitor visit(bvh.clusters, local, tmin, offer);
+    TraversalStack stack;
+    ChildRef next = bvh.tree.root;
+    do {
+        while (!next.is_leaf()) {
+            const WideNode& node = bvh.tree.nodes[next.node()];
+            alignas(32) Lanes entry;
+            const std::uint32_t entered = slabs.entered(node, tmax, entry);
+            if (entered == 0) break;
+            next = stack.descend(node, entered);
+        }
+        if (next.is_leaf()) visit(next.cluster(), tmax);
+    } while (!found && stack.pop(tmax, next));
+    return found;
+}
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace etalon {
+
+HWY_EXPORT(walk_closest);
+HWY_EXPORT(walk_occluded);
+
+void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+                  NearestHit& nearest) {
+    HWY_DYNAMIC_DISPATCH(walk_closest)(bvh, query, local, nearest);
+}
+
+bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
+    return HWY_DYNAMIC_DISPATCH(walk_occluded)(bvh, query, local);
+}
+
+std::string walk_isa() {
+    const std::int64_t supported = hwy::SupportedTargets() & HWY_TARGETS;
+    std::string name = hwy::TargetName(supported & -supported);
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return name;
+}
+
+}  // namespace etalon
+#endif

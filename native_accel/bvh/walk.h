@@ -1,0 +1,29 @@
+// How a ray walks the tree: compiled for several instruction sets, of which the best that the
+// machine has is taken.
+#pragma once
+
+#include <string>
+
+#include "core/intersect/ray.h"
+#include "native_accel/bvh/wide_node.h"
+
+namespace etalon {
+
+/// What a walk needs.
+struct BvhView {
+    const Scene& scene;
+    const WideTree& tree;
+    const Clusters& clusters;
+};
+
+/// Offers `nearest` every primitive that could be hit no later than nearest.t.
+void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+                  NearestHit& nearest);
+
+/// Whether any primitive is hit at t <= query.ray.tmax.
+bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local);
+
+/// "avx2", "sse4", "neon", ...
+std::string walk_isa();
+
+}  // namespace etalon

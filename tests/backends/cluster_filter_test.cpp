@@ -1,0 +1,240 @@
+// What the float filters of clusters let through, against what the kernels hit; and whole walks of
+// the tree, for every instruction set that they are compiled for and this machine has.
+#include "core/intersect/clusters/targets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tests/backends/cluster_filter_test.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "core/intersect/clusters/clusters.h"
+#include "core/intersect/clusters/filter-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+/// The lanes of a cluster of triangles or spheres that pass.
+std::uint32_t candidates(const Clusters& clusters, ClusterRef ref, const FrameRay& ray, float tmin,
+                         float tmax) {
+    if (ref.kind() == ClusterRef::triangles) {
+        return TriangleFilter(ray).candidates(clusters.triangles(ref), tmax);
+    }
+    return SphereFilter(ray, tmin).candidates(clusters.spheres(ref), tmax);
+}
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include "core/intersect/kernels.h"
+#include "core/render/aimed_rays.h"
+#include "native_accel/bvh/bvh.h"
+#include "tests/backends/contenders.h"
+#include "tests/backends/rays.h"
+#include "tests/backends/scenes.h"
+#include "tests/catch.h"
+
+namespace etalon {
+HWY_EXPORT(candidates);
+}
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+/// Calls body() once for each instruction set, with that one in use.
+template <class Body>
+void for_each_target(const Body& body) {
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        INFO(hwy::TargetName(target));
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        body();
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+/// A scene's triangles and spheres in clusters, and how the filters did with them.
+class Trial {
+  public:
+    explicit Trial(const Scene& scene) : scene_(scene) {
+        SceneBounds bounds = SceneBounds::of(scene);
+        frame_ = bounds.frame;
+        std::vector<std::uint32_t> ids;
+        for (const ShapeKind kind : {kind_of<Triangle>(), kind_of<Sphere>()}) {
+            const std::size_t first = ids.size();
+            for (const BoundedPrimitive& p : bounds.bounded) {
+                if (scene.primitives[p.id].kind == kind) ids.push_back(p.id);
+            }
+            for (std::size_t i = first; i < ids.size(); i += cluster_lanes) {
+                const std::size_t count = std::min(cluster_lanes, ids.size() - i);
+                ranges_.push_back(
+                    {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(count)});
+            }
+        }
+        clusters_ = Clusters(scene, frame_, ids, ranges_, refs_);
+    }
+
+    void shoot(const Ray& ray) {
+        if (!frame_.resolves(ray)) return;
+        const auto local = frame_.ray(ray);
+        if (!local) return;
+        for (std::size_t i = 0; i < refs_.size(); ++i) {
+            for (std::uint32_t lane = 0; lane < ranges_[i].count; ++lane) {
+                shoot(ray, *local, refs_[i], lane);
+            }
+        }
+    }
+
+    std::size_t hit = 0, hit_and_dropped = 0, hit_beyond_and_dropped = 0;
+    std::size_t missed = 0, missed_and_dropped = 0;
+
+  private:
+    void shoot(const Ray& ray, const FrameRay& local, ClusterRef ref, std::uint32_t lane) {
+        const float tmin = std::max(0.0F, local.tmin(ray.tmin));
+        const auto passes = [&](double tmax) {
+            const std::uint32_t lanes =
+                HWY_DYNAMIC_DISPATCH(candidates)(clusters_, ref, local, tmin, local.tmax(tmax));
+            return (lanes >> lane & 1) != 0;
+        };
+        const double t = primitive_first_hit(scene_, clusters_.ids(ref)[lane], RayQuery(ray));
+        if (std::isnan(t)) {
+            ++missed;
+            if (!passes(infinity)) ++missed_and_dropped;
+        } else {
+            ++hit;
+            if (!passes(infinity) || !passes(t)) ++hit_and_dropped;
+            if (!passes(t / 2)) ++hit_beyond_and_dropped;
+        }
+    }
+
+    const Scene& scene_;
+    Frame frame_;
+    Clusters clusters_;
+    std::vector<Range> ranges_;
+    std::vector<ClusterRef> refs_;
+};
+
+void require_no_hit_dropped(const Scene& scene, std::size_t rays) {
+    Trial trial(scene);
+    test::Random random(rays);
+    for (const Ray& ray : make_rays(scene, rays, random)) trial.shoot(ray);
+    const Box3 around(scene.camera.eye - Vec3(2), scene.camera.eye + Vec3(2));
+    for (const Ray& ray : rays_at_features(scene, around, rays)) trial.shoot(ray);
+    CHECK(trial.hit_and_dropped == 0);
+}
+
+/// A triangle of any size anywhere in the frame, or of corners that nearly fall together, or whose
+/// plane nearly contains `eye`.
+std::array<Vec3, 3> hostile_triangle(const Vec3& eye, test::Random& random) {
+    const Vec3 place = random.in_cube(), along = random.magnitude(-8, 0) * random.direction();
+    const Vec3 aside = random.magnitude(-8, 0) * random.direction();
+    const Vec3 dust = random.magnitude(-16, -6) * random.direction();
+    switch (random.below(3)) {
+        case 0:
+            return {place, place + along, place + aside};
+        case 1:
+            return {place, place + along, place + random.between(0, 1) * along + dust};
+        default: {
+            const Vec3 sight = (place - eye) / max_abs(place - eye);
+            return {place, place + along, place + random.between(-1, 1) * sight + dust};
+        }
+    }
+}
+
+Scene hostile_triangles(const Vec3& eye, std::size_t count) {
+    Scene scene;
+    scene.camera.eye = eye;
+    test::Random random(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        for (const Vec3& corner : hostile_triangle(eye, random)) scene.vertices.push_back(corner);
+        scene.add(Triangle{{3 * i, 3 * i + 1, 3 * i + 2}}, 0);
+    }
+    return scene;
+}
+
+/// A sphere of any size anywhere in the frame, many of them nearly touched by rays from `eye`.
+Scene hostile_spheres(const Vec3& eye, std::size_t count) {
+    Scene scene;
+    scene.camera.eye = eye;
+    test::Random random(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        scene.add(Sphere{random.in_cube(), random.magnitude(-9, 0)}, 0);
+    }
+    return scene;
+}
+
+std::size_t different_hits(const Scene& scene) {
+    const Bvh bvh(scene);
+    test::Random random(7);
+    const std::vector<Ray> rays = make_rays(scene, 1000, random);
+    return static_cast<std::size_t>(std::count_if(rays.begin(), rays.end(), [&](const Ray& ray) {
+        return !difference(bvh, ray, brute_force(scene, ray)).empty();
+    }));
+}
+
+}  // namespace
+
+TEST_CASE("Given any scene, the filters drop nothing that is hit", "[clusters]") {
+    for_each_target([] {
+        for (const SceneFamily& family : scene_families()) {
+            INFO(family.name);
+            require_no_hit_dropped(family.make(100), 500);
+            require_no_hit_dropped(transformed(family.make(50), 1e-3, Vec3(148376, 1234, -223423)),
+                                   500);
+        }
+    });
+}
+
+TEST_CASE("Given slivers, edge-on, tiny and huge triangles, the filter drops none that is hit",
+          "[clusters]") {
+    for_each_target([] {
+        for (const double distance : {0.0, 0.5, 2.0, 10.0, 1e4, 1e7}) {
+            INFO("eye " << distance << " away");
+            const Vec3 eye = distance * Vec3(0.6, -0.64, 0.48);
+            require_no_hit_dropped(hostile_triangles(eye, 100), 2000);
+        }
+    });
+}
+
+TEST_CASE("Given tiny and huge spheres, the filter drops none that is hit", "[clusters]") {
+    for_each_target([] {
+        for (const double distance : {0.0, 0.5, 2.0, 10.0, 1e4, 1e7}) {
+            INFO("eye " << distance << " away");
+            const Vec3 eye = distance * Vec3(0.6, -0.64, 0.48);
+            require_no_hit_dropped(hostile_spheres(eye, 100), 2000);
+        }
+    });
+}
+
+TEST_CASE("Given random rays, the filters drop nearly all that they miss or hit beyond tmax",
+          "[clusters]") {
+    for (const char* family : {"triangles", "spheres"}) {
+        CAPTURE(family);
+        const Scene scene = make_scene(family, 300);
+        Trial trial(scene);
+        test::Random random(1);
+        for (int i = 0; i < 20000; ++i) {
+            const Vec3 origin = random.in_cube(2);
+            trial.shoot({origin, random.in_cube() - origin});
+        }
+        CAPTURE(trial.hit, trial.hit_beyond_and_dropped, trial.missed, trial.missed_and_dropped);
+        CHECK(trial.hit > 1000);
+        CHECK(100 * trial.missed_and_dropped > 99 * trial.missed);
+        CHECK(10 * trial.hit_beyond_and_dropped > 9 * trial.hit);
+    }
+}
+
+TEST_CASE("The hits are the same with every instruction set", "[clusters]") {
+    for_each_target([] {
+        for (const SceneFamily& family : scene_families()) {
+            INFO(family.name);
+            CHECK(different_hits(family.make(300)) == 0);
+        }
+    });
+}
+
+#endif
