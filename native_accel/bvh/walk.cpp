@@ -1,6 +1,7 @@
 #include "native_accel/bvh/walk.h"
 
 #include <algorithm>
+#include <bit>
 #include <cctype>
 
 #include "core/intersect/clusters/targets.h"
@@ -19,36 +20,14 @@ namespace etalon::HWY_NAMESPACE {
 
 /// Calls offer(id) for what could be hit at t <= tmax, for as long as it returns true.
 template <class Offer>
-class LeafVisitor {
-  public:
-    HWY_INLINE LeafVisitor(const Clusters& clusters, const FrameRay& ray, float tmin,
-                           const Offer& offer)
-        : clusters_(clusters), triangles_(ray), spheres_(ray, tmin), offer_(offer) {}
-
-    HWY_INLINE void operator()(ClusterRef ref, float tmax) const {
-        std::uint32_t lanes = candidates(ref, tmax);
-        for (; lanes != 0; lanes &= lanes - 1) {
-            const std::uint32_t id = clusters_.ids(ref)[hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes)];
-            if (id == no_index || !offer_(id)) return;
-        }
+HWY_INLINE void visit(const Clusters& clusters, ClusterRef ref, const ClusterFilter& filter,
+                      float tmax, const Offer& offer) {
+    std::uint32_t lanes = filter.candidates(clusters, ref, tmax);
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const std::uint32_t id = clusters.ids(ref)[std::countr_zero(lanes)];
+        if (id == no_index || !offer(id)) return;
     }
-
-  private:
-    HWY_INLINE std::uint32_t candidates(ClusterRef ref, float tmax) const {
-        if (ref.kind() == ClusterRef::triangles) {
-            return triangles_.candidates(clusters_.triangles(ref), tmax);
-        }
-        if (ref.kind() == ClusterRef::spheres) {
-            return spheres_.candidates(clusters_.spheres(ref), tmax);
-        }
-        return (1U << cluster_lanes) - 1;
-    }
-
-    const Clusters& clusters_;
-    TriangleFilter triangles_;
-    SphereFilter spheres_;
-    const Offer& offer_;
-};
+}
 
 /// Before 0 in the frame there is nothing.
 HWY_INLINE float start(const RayQuery& query, const FrameRay& local) {
@@ -63,7 +42,7 @@ void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& loc
         nearest.offer(primitive_first_hit(bvh.scene, id, query), id);
         return true;
     };
-    const LeafVisitor visit(bvh.clusters, local, tmin, offer);
+    const ClusterFilter filter(local, tmin);
     float tmax = local.tmax(nearest.t);
     TraversalStack stack;
     ChildRef next = bvh.tree.root;
@@ -77,7 +56,7 @@ void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& loc
         }
         if (!next.is_leaf()) continue;
         const double before = nearest.t;
-        visit(next.cluster(), tmax);
+        visit(bvh.clusters, next.cluster(), filter, tmax, offer);
         if (nearest.t < before) tmax = local.tmax(nearest.t);
     } while (stack.pop(tmax, next));
 }
@@ -90,7 +69,7 @@ bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& lo
         found = primitive_first_hit(bvh.scene, id, query) <= query.ray.tmax;
         return !found;
     };
-    const LeafVisitor visit(bvh.clusters, local, tmin, offer);
+    const ClusterFilter filter(local, tmin);
     TraversalStack stack;
     ChildRef next = bvh.tree.root;
     do {
@@ -101,7 +80,7 @@ bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& lo
             if (entered == 0) break;
             next = stack.descend(node, entered);
         }
-        if (next.is_leaf()) visit(next.cluster(), tmax);
+        if (next.is_leaf()) visit(bvh.clusters, next.cluster(), filter, tmax, offer);
     } while (!found && stack.pop(tmax, next));
     return found;
 }

@@ -16,10 +16,7 @@ namespace etalon::HWY_NAMESPACE {
 /// The lanes of a cluster of triangles or spheres that pass.
 std::uint32_t candidates(const Clusters& clusters, ClusterRef ref, const FrameRay& ray, float tmin,
                          float tmax) {
-    if (ref.kind() == ClusterRef::triangles) {
-        return TriangleFilter(ray).candidates(clusters.triangles(ref), tmax);
-    }
-    return SphereFilter(ray, tmin).candidates(clusters.spheres(ref), tmax);
+    return ClusterFilter(ray, tmin).candidates(clusters, ref, tmax);
 }
 
 }  // namespace etalon::HWY_NAMESPACE

@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-#include "core/intersect/clusters/cluster.h"
+#include "core/intersect/clusters/clusters.h"
 #include "core/intersect/clusters/doubt.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -165,6 +165,31 @@ class SphereFilter {
     std::array<Floats, 3> origin_, direction_;
     Floats reciprocal_;
     float tmin_;
+};
+
+/// Whatever a cluster holds.
+class ClusterFilter {
+  public:
+    HWY_INLINE ClusterFilter(const FrameRay& ray, float tmin)
+        : triangles_(ray), spheres_(ray, tmin) {}
+
+    /// The lanes, lowest first, that the ray could hit at tmin < t <= tmax in the frame; all those
+    /// of a list, taken or not.
+    HWY_INLINE std::uint32_t candidates(const Clusters& clusters, ClusterRef ref,
+                                        float tmax) const {
+        switch (ref.kind()) {
+            case ClusterRef::triangles:
+                return triangles_.candidates(clusters.triangles(ref), tmax);
+            case ClusterRef::spheres:
+                return spheres_.candidates(clusters.spheres(ref), tmax);
+            default:
+                return (1U << cluster_lanes) - 1;
+        }
+    }
+
+  private:
+    TriangleFilter triangles_;
+    SphereFilter spheres_;
 };
 
 }  // namespace etalon::HWY_NAMESPACE
