@@ -13,6 +13,18 @@ Expansion<4> product(double x, const Difference& y) {
 
 }  // namespace
 
+double fine_gap(const Sphere& s, const Vec3& origin) {
+    const TwoTerm square = two_product(s.radius, s.radius);
+    double sum = -square.value, rest = -square.error;
+    for (int k = 0; k < 3; ++k) {
+        const TwoTerm f = two_difference(origin[k], s.centre[k]);
+        const TwoTerm f2 = two_product(f.value, f.value), next = two_sum(sum, f2.value);
+        sum = next.value;
+        rest += next.error + f2.error + 2 * f.value * f.error;
+    }
+    return sum + rest;
+}
+
 /// Scaled by powers of two, so that no product leaves the range of double: the sphere by `near`,
 /// the direction by `slow`.
 double exact_first_hit(const Sphere& s, Sides sides, const RayQuery& q) {

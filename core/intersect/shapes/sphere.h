@@ -20,6 +20,13 @@ inline double first_root(double a, double b, double c, double sum, Sides sides, 
     return first_visible(-sum / a, -c / sum, sides, tmin);
 }
 
+/// |o - centre|^2 - r^2 for origins next to the surface, where it cancels: off by no more than
+/// fine_doubt times the sum of the two squares (and u of itself). What is left of the squares is
+/// summed with its errors; those are at most 7 u of that sum together, of which their own roundings,
+/// a dozen, lose u each.
+double fine_gap(const Sphere& s, const Vec3& origin);
+inline constexpr double fine_doubt = 128 * unit_roundoff * unit_roundoff;
+
 /// The same answer as first_hit, from exact arithmetic: hit and miss are right for every ray, and t
 /// to a few ulp. Slow.
 double exact_first_hit(const Sphere& s, Sides sides, const RayQuery& q);
@@ -29,14 +36,18 @@ double exact_first_hit(const Sphere& s, Sides sides, const RayQuery& q);
 /// is how far the line passes from the centre.
 ///
 /// Hit and miss are right for every ray, and t to t_tolerance: where the roundings of the fast
-/// path (Higham 2002, ch. 3) could spoil either, as they do at silhouettes and for origins next to
-/// the surface, the exact one takes over.
+/// path (Higham 2002, ch. 3) could spoil either, as they do at silhouettes, the exact one takes
+/// over.
 inline double first_hit(const Scene&, const Sphere& s, Sides sides, const RayQuery& q) {
     constexpr double u = unit_roundoff, worst = t_tolerance / 2;
     const Vec3 f = q.ray.origin - s.centre;
     const Vec3& d = q.ray.direction;
     const double a = d.dot(d), b = -f.dot(d), f2 = f.dot(f), r2 = s.radius * s.radius;
-    const double c = f2 - r2, doubt_of_c = 8 * u * (f2 + r2);
+    double c = f2 - r2, doubt_of_c = 8 * u * (f2 + r2);
+    if (worst * std::abs(c) < doubt_of_c) {  // as for rays that leave the surface
+        c = fine_gap(s, q.ray.origin);
+        doubt_of_c = fine_doubt * (f2 + r2);
+    }
     if (c > doubt_of_c && b <= 0) return no_hit;  // outside, and on its way out
 
     const Vec3 m = f.cross(d);
