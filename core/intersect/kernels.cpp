@@ -16,6 +16,13 @@ double primitive_first_hit(const Scene& scene, std::uint32_t primitive, const Ra
     });
 }
 
+template <class Shape>
+double shape_first_hit(const Scene& scene, const Shape& shape, Sides sides, const RayQuery& query) {
+    return first_hit(scene, shape, sides, query);
+}
+template double shape_first_hit(const Scene&, const Triangle&, Sides, const RayQuery&);
+template double shape_first_hit(const Scene&, const Sphere&, Sides, const RayQuery&);
+
 SurfacePoint surface_at(const Scene& scene, const Ray& ray, const Hit& hit) {
     const Primitive& p = scene.primitives[hit.primitive];
     const RayQuery query(ray);

@@ -11,6 +11,14 @@ namespace etalon {
 /// See core/intersect/shapes/all.h for what these promise.
 Box3 primitive_bounds(const Scene& scene, std::uint32_t primitive);
 double primitive_first_hit(const Scene& scene, std::uint32_t primitive, const RayQuery& query);
+
+/// The same for whoever has the shape at hand: a primitive's number leads to it over two cache
+/// misses. Triangles only need their corners.
+template <class Shape>
+double shape_first_hit(const Scene& scene, const Shape& shape, Sides sides, const RayQuery& query);
+extern template double shape_first_hit(const Scene&, const Triangle&, Sides, const RayQuery&);
+extern template double shape_first_hit(const Scene&, const Sphere&, Sides, const RayQuery&);
+
 SurfacePoint surface_at(const Scene& scene, const Ray& ray, const Hit& hit);
 
 }  // namespace etalon

@@ -5,7 +5,6 @@
 #include <cctype>
 
 #include "core/intersect/clusters/targets.h"
-#include "core/intersect/kernels.h"
 #include "native_accel/bvh/stack.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -18,14 +17,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Calls offer(id) for what could be hit at t <= tmax, for as long as it returns true.
+/// Calls offer(t, id) for what could be hit at t <= tmax, for as long as it returns true.
 template <class Offer>
-HWY_INLINE void visit(const Clusters& clusters, ClusterRef ref, const ClusterFilter& filter,
-                      float tmax, const Offer& offer) {
-    std::uint32_t lanes = filter.candidates(clusters, ref, tmax);
+HWY_INLINE void visit(const BvhView& bvh, ClusterRef ref, const ClusterFilter& filter, float tmax,
+                      const RayQuery& query, const Offer& offer) {
+    std::uint32_t lanes = filter.candidates(bvh.clusters, ref, tmax);
     for (; lanes != 0; lanes &= lanes - 1) {
-        const std::uint32_t id = clusters.ids(ref)[std::countr_zero(lanes)];
-        if (id == no_index || !offer(id)) return;
+        const auto [id, t] = bvh.clusters.ask(bvh.scene, ref, std::countr_zero(lanes), query);
+        if (!offer(t, id)) return;
     }
 }
 
@@ -38,8 +37,8 @@ void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& loc
                   NearestHit& nearest) {
     const float tmin = start(query, local);
     const Slabs slabs(local, tmin);
-    const auto offer = [&](std::uint32_t id) HWY_ATTR {
-        nearest.offer(primitive_first_hit(bvh.scene, id, query), id);
+    const auto offer = [&](double t, std::uint32_t id) HWY_ATTR {
+        nearest.offer(t, id);
         return true;
     };
     const ClusterFilter filter(local, tmin);
@@ -52,11 +51,22 @@ void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& loc
             alignas(32) Lanes entry;
             const std::uint32_t entered = slabs.entered(node, tmax, entry);
             if (entered == 0) break;
+            for (std::uint32_t m = entered & (entered - 1); m != 0; m &= m - 1) {
+                const ChildRef child = node.children[std::countr_zero(m)];
+                const char* at = child.is_leaf()
+                                     ? (child.cluster().kind() == ClusterRef::triangles
+                                            ? reinterpret_cast<const char*>(
+                                                  &bvh.clusters.triangles(child.cluster()))
+                                            : reinterpret_cast<const char*>(
+                                                  &bvh.clusters.spheres(child.cluster())))
+                                     : reinterpret_cast<const char*>(&bvh.tree.nodes[child.node()]);
+                for (int l = 0; l < 4; ++l) __builtin_prefetch(at + 64 * l);
+            }
             next = stack.descend(node, entry, entered);
         }
         if (!next.is_leaf()) continue;
         const double before = nearest.t;
-        visit(bvh.clusters, next.cluster(), filter, tmax, offer);
+        visit(bvh, next.cluster(), filter, tmax, query, offer);
         if (nearest.t < before) tmax = local.tmax(nearest.t);
     } while (stack.pop(tmax, next));
 }
@@ -65,8 +75,8 @@ bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& lo
     const float tmin = start(query, local), tmax = local.tmax(query.ray.tmax);
     const Slabs slabs(local, tmin);
     bool found = false;
-    const auto offer = [&](std::uint32_t id) HWY_ATTR {
-        found = primitive_first_hit(bvh.scene, id, query) <= query.ray.tmax;
+    const auto offer = [&](double t, std::uint32_t) HWY_ATTR {
+        found = t <= query.ray.tmax;
         return !found;
     };
     const ClusterFilter filter(local, tmin);
@@ -80,7 +90,7 @@ bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& lo
             if (entered == 0) break;
             next = stack.descend(node, entered);
         }
-        if (next.is_leaf()) visit(bvh.clusters, next.cluster(), filter, tmax, offer);
+        if (next.is_leaf()) visit(bvh, next.cluster(), filter, tmax, query, offer);
     } while (!found && stack.pop(tmax, next));
     return found;
 }

@@ -24,7 +24,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-#include "core/intersect/kernels.h"
 #include "core/render/aimed_rays.h"
 #include "native_accel/bvh/bvh.h"
 #include "tests/backends/contenders.h"
@@ -97,7 +96,7 @@ class Trial {
                 HWY_DYNAMIC_DISPATCH(candidates)(clusters_, ref, local, tmin, local.tmax(tmax));
             return (lanes >> lane & 1) != 0;
         };
-        const double t = primitive_first_hit(scene_, clusters_.ids(ref)[lane], RayQuery(ray));
+        const double t = clusters_.ask(scene_, ref, lane, RayQuery(ray)).t;
         if (std::isnan(t)) {
             ++missed;
             if (!passes(infinity)) ++missed_and_dropped;

@@ -15,24 +15,36 @@ inline constexpr std::size_t cluster_lanes = 8;
 
 using Lanes = std::array<float, cluster_lanes>;
 
-/// Five cache lines. Lanes that are not taken hold NaN, which no ray meets.
+/// Lanes that are not taken hold NaN, which no ray meets. What the filter reads comes first; of a
+/// lane that passes, all else that the kernel must know before it reads the corners is in one cache
+/// line.
 struct alignas(64) TriangleCluster {
+    struct Member {
+        std::uint32_t id = no_index;  ///< primitive number
+        std::array<std::uint32_t, 3> vertices{};
+    };
+
     TriangleCluster();
     void set(std::size_t lane, const Scene& scene, const Frame& frame, std::uint32_t id);
 
     std::array<std::array<Lanes, 3>, 3> corners;  ///< of each corner x, y and z
-    Lanes doubt;  ///< bound on the error of an edge function, see TriangleFilter
+    float doubt = 0;  ///< bound on the error of an edge function, see TriangleFilter
+    std::array<Sides, cluster_lanes> sides{};
+    std::array<Member, cluster_lanes> members;
 };
 
-/// Two cache lines. Lanes that are not taken hold NaN.
+/// The same for spheres: what a kernel needs is in two cache lines that can be read together.
 struct alignas(64) SphereCluster {
     SphereCluster();
     void set(std::size_t lane, const Scene& scene, const Frame& frame, std::uint32_t id);
 
     std::array<Lanes, 3> centre;
     Lanes radius;  ///< with room for every rounding, see SphereFilter
+    std::array<std::uint32_t, cluster_lanes> ids;
+    std::array<Sides, cluster_lanes> sides{};
+    alignas(32) std::array<Sphere, cluster_lanes> exact;
 };
 
-static_assert(sizeof(TriangleCluster) == 320 && sizeof(SphereCluster) == 128);
+static_assert(sizeof(TriangleCluster) == 448 && sizeof(SphereCluster) == 448);
 
 }  // namespace etalon

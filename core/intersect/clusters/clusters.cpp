@@ -35,31 +35,34 @@ Clusters::Clusters(const Scene& scene, const Frame& frame, std::span<const std::
     }
     triangles_.resize(counts[ClusterRef::triangles]);
     spheres_.resize(counts[ClusterRef::spheres]);
-    for (std::size_t k = 0; k < counts.size(); ++k) ids_[k].resize(counts[k]);
+    lists_.resize(counts[ClusterRef::list]);
 
     parallel_for(ranges.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const ClusterRef ref = refs[i];
-            Ids& numbers = ids_[ref.kind()][ref.index()];
-            numbers.fill(no_index);
-            for (std::uint32_t lane = 0; lane < ranges[i].count; ++lane) {
-                const std::uint32_t id = ids[ranges[i].first + lane];
-                numbers[lane] = id;
-                if (ref.kind() == ClusterRef::triangles) {
-                    triangles_[ref.index()].set(lane, scene, frame, id);
-                } else if (ref.kind() == ClusterRef::spheres) {
-                    spheres_[ref.index()].set(lane, scene, frame, id);
-                }
-            }
+            fill(scene, frame, refs[i], ids.subspan(ranges[i].first, ranges[i].count));
         }
     });
 }
 
+void Clusters::fill(const Scene& scene, const Frame& frame, ClusterRef ref,
+                    std::span<const std::uint32_t> ids) {
+    if (ref.kind() == ClusterRef::list) {
+        lists_[ref.index()].fill(no_index);
+        std::copy(ids.begin(), ids.end(), lists_[ref.index()].begin());
+        return;
+    }
+    for (std::size_t lane = 0; lane < ids.size(); ++lane) {
+        if (ref.kind() == ClusterRef::triangles) {
+            triangles_[ref.index()].set(lane, scene, frame, ids[lane]);
+        } else {
+            spheres_[ref.index()].set(lane, scene, frame, ids[lane]);
+        }
+    }
+}
+
 std::size_t Clusters::memory_bytes() const {
-    std::size_t bytes = triangles_.capacity() * sizeof(TriangleCluster) +
-                        spheres_.capacity() * sizeof(SphereCluster);
-    for (const auto& ids : ids_) bytes += ids.capacity() * sizeof(Ids);
-    return bytes;
+    return triangles_.capacity() * sizeof(TriangleCluster) +
+           spheres_.capacity() * sizeof(SphereCluster) + lists_.capacity() * sizeof(List);
 }
 
 }  // namespace etalon

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/intersect/clusters/cluster.h"
+#include "core/intersect/kernels.h"
 
 namespace etalon {
 
@@ -36,22 +37,51 @@ class Clusters {
     Clusters(const Scene& scene, const Frame& frame, std::span<const std::uint32_t> ids,
              std::span<const Range> ranges, std::vector<ClusterRef>& refs);
 
+    /// A primitive, and its kernel's answer.
+    struct Candidate {
+        std::uint32_t id;
+        double t;
+    };
+
+    /// What is at a lane that is taken; of a list, at any, with no_index where none is.
+    Candidate ask(const Scene& scene, ClusterRef ref, std::size_t lane,
+                  const RayQuery& query) const;
+
     const TriangleCluster& triangles(ClusterRef ref) const { return triangles_[ref.index()]; }
     const SphereCluster& spheres(ClusterRef ref) const { return spheres_[ref.index()]; }
-
-    /// Primitive numbers by lane; after the last, no_index.
-    const std::array<std::uint32_t, cluster_lanes>& ids(ClusterRef ref) const {
-        return ids_[ref.kind()][ref.index()];
-    }
 
     std::size_t memory_bytes() const;
 
   private:
-    using Ids = std::array<std::uint32_t, cluster_lanes>;
+    /// Primitive numbers; after the last, no_index.
+    using List = std::array<std::uint32_t, cluster_lanes>;
+
+    void fill(const Scene& scene, const Frame& frame, ClusterRef ref,
+              std::span<const std::uint32_t> ids);
 
     std::vector<TriangleCluster> triangles_;
     std::vector<SphereCluster> spheres_;
-    std::array<std::vector<Ids>, 3> ids_;  ///< by kind of cluster
+    std::vector<List> lists_;
 };
+
+inline Clusters::Candidate Clusters::ask(const Scene& scene, ClusterRef ref, std::size_t lane,
+                                         const RayQuery& query) const {
+    switch (ref.kind()) {
+        case ClusterRef::triangles: {
+            const TriangleCluster& cluster = triangles(ref);
+            const auto& [id, vertices] = cluster.members[lane];
+            return {id, shape_first_hit(scene, Triangle{vertices}, cluster.sides[lane], query)};
+        }
+        case ClusterRef::spheres: {
+            const SphereCluster& cluster = spheres(ref);
+            return {cluster.ids[lane],
+                    shape_first_hit(scene, cluster.exact[lane], cluster.sides[lane], query)};
+        }
+        default: {
+            const std::uint32_t id = lists_[ref.index()][lane];
+            return {id, id == no_index ? no_hit : primitive_first_hit(scene, id, query)};
+        }
+    }
+}
 
 }  // namespace etalon

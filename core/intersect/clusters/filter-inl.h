@@ -72,7 +72,7 @@ class TriangleFilter {
     HWY_INLINE Mask meets(const TriangleCluster& cluster, std::size_t i, float tmax) const {
         const Corner a = shear(cluster.corners[0], i), b = shear(cluster.corners[1], i),
                      c = shear(cluster.corners[2], i);
-        const Floats doubt = load(cluster.doubt, i);
+        const Floats doubt = broadcast(cluster.doubt);
         const Floats u = edge(b, c), v = edge(c, a), w = edge(a, b);
         const Mask surrounds = hn::Or(hn::Ge(hn::Min(u, hn::Min(v, w)), hn::Neg(doubt)),
                                       hn::Le(hn::Max(u, hn::Max(v, w)), doubt));

@@ -22,8 +22,8 @@ inline double first_root(double a, double b, double c, double sum, Sides sides, 
 
 /// |o - centre|^2 - r^2 for origins next to the surface, where it cancels: off by no more than
 /// fine_doubt times the sum of the two squares (and u of itself). What is left of the squares is
-/// summed with its errors; those are at most 7 u of that sum together, of which their own roundings,
-/// a dozen, lose u each.
+/// summed with its errors; those are at most 7 u of that sum together, of which their own
+/// roundings, a dozen, lose u each.
 double fine_gap(const Sphere& s, const Vec3& origin);
 inline constexpr double fine_doubt = 128 * unit_roundoff * unit_roundoff;
 
