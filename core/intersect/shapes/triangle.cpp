@@ -3,15 +3,18 @@
 namespace etalon {
 
 /// o + t d is in the plane of a, b and c, seen from o, where t d . (b x c + c x a + a x b) is
-/// a . (b x c). The terms on the left are the weights, of one sign where the ray passes between the
-/// corners.
-double exact_distance(const std::array<Vec3, 3>& p, const RayQuery& q) {
+/// a . (b x c). The terms on the left are the weights but for dz, of one sign where the ray passes
+/// between the corners. For a ray that has just left the triangle they are known well enough: it is
+/// the volume that is next to nothing.
+double exact_distance(const TriangleCrossing& c, const std::array<Vec3, 3>& p, const RayQuery& q) {
     const Vec3 &o = q.ray.origin, &d = q.ray.direction;
+    const double volume = exact_volume(o, p[0], p[1], p[2]);
+    if (4 * c.doubt <= t_tolerance * std::abs(c.sum)) return volume / (c.sum / q.dz);
     double sum = 0;
     for (int k = 0; k < 3; ++k) {
         sum += exact_edge_volume(o, d, p[(k + 1) % 3], p[(k + 2) % 3]);
     }
-    return exact_volume(o, p[0], p[1], p[2]) / sum;
+    return volume / sum;
 }
 
 }  // namespace etalon

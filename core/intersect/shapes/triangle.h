@@ -66,7 +66,7 @@ inline TriangleCrossing cross_triangle(const std::array<Vec3, 3>& p, const RayQu
 
 /// Where the ray passes the plane of three corners, to t_tolerance; slow. The ray must pass
 /// between them, and not along the plane.
-double exact_distance(const std::array<Vec3, 3>& p, const RayQuery& q);
+double exact_distance(const TriangleCrossing& c, const std::array<Vec3, 3>& p, const RayQuery& q);
 
 /// The mean of the corners' depths. It is good to t_tolerance, or taken exactly, unless it is
 /// certainly behind the ray's start, where a ray that has just left the triangle has it.
@@ -80,7 +80,7 @@ inline double distance_of(const TriangleCrossing& c, const std::array<Vec3, 3>& 
     const double doubt = 4 * c.doubt / std::abs(c.sum) * spread + 8 * unit_roundoff * deepest;
     const bool good = doubt <= t_tolerance * std::abs(depth);
     if (good || (t < 0 && std::abs(depth) > doubt)) return t;
-    return exact_distance(p, q);
+    return exact_distance(c, p, q);
 }
 
 /// An edge belongs to the triangle; a ray in the triangle's plane misses.
