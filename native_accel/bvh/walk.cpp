@@ -51,17 +51,6 @@ void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& loc
             alignas(32) Lanes entry;
             const std::uint32_t entered = slabs.entered(node, tmax, entry);
             if (entered == 0) break;
-            for (std::uint32_t m = entered & (entered - 1); m != 0; m &= m - 1) {
-                const ChildRef child = node.children[std::countr_zero(m)];
-                const char* at = child.is_leaf()
-                                     ? (child.cluster().kind() == ClusterRef::triangles
-                                            ? reinterpret_cast<const char*>(
-                                                  &bvh.clusters.triangles(child.cluster()))
-                                            : reinterpret_cast<const char*>(
-                                                  &bvh.clusters.spheres(child.cluster())))
-                                     : reinterpret_cast<const char*>(&bvh.tree.nodes[child.node()]);
-                for (int l = 0; l < 4; ++l) __builtin_prefetch(at + 64 * l);
-            }
             next = stack.descend(node, entry, entered);
         }
         if (!next.is_leaf()) continue;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "native_accel/bvh/collapse.h"
+
 namespace etalon {
 namespace {
 
@@ -15,7 +17,7 @@ class Widener {
   public:
     Widener(const std::vector<BvhNode>& nodes, const std::vector<ClusterRef>& leaves,
             WideTree& tree)
-        : nodes_(nodes), leaves_(leaves), tree_(tree) {}
+        : collapse_(nodes), leaves_(leaves), tree_(tree) {}
 
     ChildRef place(const BvhNode& node) {
         if (node.is_leaf()) return ChildRef::leaf(leaves_[node.first]);
@@ -43,28 +45,15 @@ class Widener {
         }
     }
 
-    /// Up to eight descendants that together stand for `root`, the largest first: the largest inner
-    /// one is replaced by its two children as long as there is room.
-    List open(const BvhNode& root) const {
-        List list{&root};
-        const auto openable_area = [](const BvhNode* n) {
-            return n->is_leaf() ? -1 : half_area(n->box);
-        };
-        while (list.size() < node_width) {
-            const auto largest = std::max_element(list.begin(), list.end(), [&](auto* a, auto* b) {
-                return openable_area(a) < openable_area(b);
-            });
-            if ((*largest)->is_leaf()) break;
-            const BvhNode* children = &nodes_[(*largest)->first];
-            *largest = children;
-            list.push_back(children + 1);
-        }
+    /// The largest first: occlusion takes them as they come.
+    List open(const BvhNode& source) const {
+        List list = collapse_.children(source);
         std::sort(list.begin(), list.end(),
                   [](auto* a, auto* b) { return half_area(a->box) > half_area(b->box); });
         return list;
     }
 
-    const std::vector<BvhNode>& nodes_;
+    const Collapse collapse_;
     const std::vector<ClusterRef>& leaves_;
     WideTree& tree_;
 };

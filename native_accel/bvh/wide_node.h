@@ -50,8 +50,8 @@ struct WideTree {
     ChildRef root;
 };
 
-/// Places a binary tree's nodes eight to one, opening the largest first. leaf(n) is what takes the
-/// place of the binary leaf n. The tree must not be empty.
+/// Places a binary tree's nodes up to eight to one. A binary leaf's `first` says which of `leaves`
+/// it becomes. The tree must not be empty.
 WideTree widen(const std::vector<BvhNode>& nodes, const std::vector<ClusterRef>& leaves);
 
 }  // namespace etalon
