@@ -6,19 +6,18 @@
 namespace etalon {
 namespace {
 
-/// Where most primitives are triangles, leaves of as many as pays when four cost as much as one.
-BvhConfig config_for(const Scene& scene) {
+/// What testing the leaves costs as they are now.
+BvhConfig leaf_config() {
     BvhConfig config;
-    if (2 * scene.all<Triangle>().size() < scene.primitives.size()) return config;
-    config.lanes = TriangleLeaf::lanes;
-    config.traversal_cost = 1.5F;
+    config.leaf_costs[kind_of<Triangle>()] = {TriangleLeaf::lanes, 0.7F};
+    config.leaf_costs[kind_of<Sphere>()] = {1, 1.0F};
     return config;
 }
 
 }  // namespace
 
 Bvh::Bvh(const Scene& scene) : Intersector(scene) {
-    BvhTree tree = build_bvh(take_bounded(), config_for(scene));
+    BvhTree tree = build_bvh(take_bounded(), leaf_config());
     leaves_ = Leaves(scene, scene_bounds().frame, tree);
     nodes_ = widen(tree.nodes);
 }

@@ -1,0 +1,66 @@
+#include "native_accel/bvh/partition.h"
+
+namespace etalon {
+namespace {
+
+void store(const Bounds& b, BoundedPrimitive& p) {
+    std::memcpy(static_cast<void*>(&p), &b, sizeof(b));
+}
+
+}  // namespace
+
+/// The other side is offered a point that changes nothing.
+void SideCentres::extend(Bounds::Corner centre, bool is_left) {
+    using Mask = std::int32_t __attribute__((vector_size(16)));
+    const Mask here = Mask{} - static_cast<std::int32_t>(is_left);
+    const Bounds nothing;
+    left.min = Bounds::lower(left.min, here ? centre : nothing.min);
+    left.max = Bounds::upper(left.max, here ? centre : nothing.max);
+    right.min = Bounds::lower(right.min, here ? nothing.min : centre);
+    right.max = Bounds::upper(right.max, here ? nothing.max : centre);
+}
+
+void SideCentres::extend(const SideCentres& other) {
+    left.extend(other.left);
+    right.extend(other.right);
+}
+
+SideBins sides(const Bins& bins, const Split& split) {
+    return {bins.sum(split.axis, 0, split.bin), bins.sum(split.axis, split.bin, bins.size())};
+}
+
+Halves partition(std::span<BoundedPrimitive> primitives, const Binning& binning, const Bins& bins,
+                 const Split& split) {
+    const auto plane = static_cast<float>(split.bin);
+    SideCentres centres;
+    // Before `middle` is what goes left, between it and i what goes right.
+    std::size_t middle = 0;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+        const Bounds b = Bounds::of(primitives[i]);
+        const bool is_left = binning.is_below(b, split.axis, plane);
+        store(Bounds::of(primitives[middle]), primitives[i]);
+        store(b, primitives[middle]);
+        middle += is_left;
+        centres.extend(twice_centre(b), is_left);
+    }
+    const auto [left, right] = sides(bins, split);
+    return {{primitives.first(middle), left.bounds, centres.left},
+            {primitives.subspan(middle), right.bounds, centres.right}};
+}
+
+SideCentres scatter(std::span<const BoundedPrimitive> primitives, const Binning& binning,
+                    const Split& split, BoundedPrimitive* left, BoundedPrimitive* right) {
+    const auto plane = static_cast<float>(split.bin);
+    SideCentres centres;
+    for (const BoundedPrimitive& p : primitives) {
+        const Bounds b = Bounds::of(p);
+        const bool is_left = binning.is_below(b, split.axis, plane);
+        store(b, *(is_left ? left : right));
+        left += is_left;
+        right += !is_left;
+        centres.extend(twice_centre(b), is_left);
+    }
+    return centres;
+}
+
+}  // namespace etalon

@@ -1,0 +1,31 @@
+// How primitives are brought to their side of a split.
+#pragma once
+
+#include "native_accel/bvh/primitive_set.h"
+#include "native_accel/bvh/split.h"
+
+namespace etalon {
+
+/// What is known from the bins of both sides.
+struct SideBins {
+    Bin left, right;
+};
+SideBins sides(const Bins& bins, const Split& split);
+
+/// Reorders the primitives that `bins` counted, without a branch on where one goes.
+Halves partition(std::span<BoundedPrimitive> primitives, const Binning& binning, const Bins& bins,
+                 const Split& split);
+
+/// The centres on both sides of a split.
+struct SideCentres {
+    void extend(Bounds::Corner centre, bool is_left);
+    void extend(const SideCentres& other);
+
+    Bounds left, right;
+};
+
+/// Copies primitives to two places, in order, and past the end of none.
+SideCentres scatter(std::span<const BoundedPrimitive> primitives, const Binning& binning,
+                    const Split& split, BoundedPrimitive* left, BoundedPrimitive* right);
+
+}  // namespace etalon
