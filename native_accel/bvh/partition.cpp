@@ -9,22 +9,6 @@ void store(const Bounds& b, BoundedPrimitive& p) {
 
 }  // namespace
 
-/// The other side is offered a point that changes nothing.
-void SideCentres::extend(Bounds::Corner centre, bool is_left) {
-    using Mask = std::int32_t __attribute__((vector_size(16)));
-    const Mask here = Mask{} - static_cast<std::int32_t>(is_left);
-    const Bounds nothing;
-    left.min = Bounds::lower(left.min, here ? centre : nothing.min);
-    left.max = Bounds::upper(left.max, here ? centre : nothing.max);
-    right.min = Bounds::lower(right.min, here ? nothing.min : centre);
-    right.max = Bounds::upper(right.max, here ? nothing.max : centre);
-}
-
-void SideCentres::extend(const SideCentres& other) {
-    left.extend(other.left);
-    right.extend(other.right);
-}
-
 SideBins sides(const Bins& bins, const Split& split) {
     return {bins.sum(split.axis, 0, split.bin), bins.sum(split.axis, split.bin, bins.size())};
 }

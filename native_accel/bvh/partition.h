@@ -18,8 +18,20 @@ Halves partition(std::span<BoundedPrimitive> primitives, const Binning& binning,
 
 /// The centres on both sides of a split.
 struct SideCentres {
-    void extend(Bounds::Corner centre, bool is_left);
-    void extend(const SideCentres& other);
+    /// The other side is offered a point that changes nothing.
+    void extend(Bounds::Corner centre, bool is_left) {
+        using Mask = std::int32_t __attribute__((vector_size(16)));
+        const Mask here = Mask{} - static_cast<std::int32_t>(is_left);
+        const Bounds nothing;
+        left.min = Bounds::lower(left.min, here ? centre : nothing.min);
+        left.max = Bounds::upper(left.max, here ? centre : nothing.max);
+        right.min = Bounds::lower(right.min, here ? nothing.min : centre);
+        right.max = Bounds::upper(right.max, here ? nothing.max : centre);
+    }
+    void extend(const SideCentres& other) {
+        left.extend(other.left);
+        right.extend(other.right);
+    }
 
     Bounds left, right;
 };
