@@ -11,7 +11,7 @@ bool is_of_one_kind(std::span<const BoundedPrimitive> primitives) {
     });
 }
 
-Halves halve(std::span<BoundedPrimitive> primitives, std::size_t middle) {
+Halves divide_at(std::span<BoundedPrimitive> primitives, std::size_t middle) {
     return {measured(primitives.first(middle)), measured(primitives.subspan(middle))};
 }
 
@@ -20,7 +20,7 @@ Halves divide_by_kind(std::span<BoundedPrimitive> primitives) {
     const std::uint32_t kind = primitives.front().kind;
     const auto middle = std::partition(primitives.begin(), primitives.end(),
                                        [&](const BoundedPrimitive& p) { return p.kind == kind; });
-    return halve(primitives, static_cast<std::size_t>(middle - primitives.begin()));
+    return divide_at(primitives, static_cast<std::size_t>(middle - primitives.begin()));
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ std::optional<Halves> Divider::divide(const PrimitiveSet& set, int depth) {
     if (may_end && fills_one_test(set)) return std::nullopt;
     if (depth >= bvh_heuristic_depth) {
         if (may_end) return std::nullopt;
-        return halve(set.primitives, set.size() / 2);
+        return divide_at(set.primitives, smaller_half(set.primitives));
     }
     const Binning binning(set.centres, bins_for(set.size(), config_));
     bins_.count(binning, set.primitives, weights_);
@@ -45,7 +45,7 @@ std::optional<Halves> Divider::divide(const PrimitiveSet& set, int depth) {
         if (may_end) return std::nullopt;
         return divide_by_kind(set.primitives);
     }
-    if (split.axis < 0) return halve(set.primitives, set.size() / 2);
+    if (split.axis < 0) return divide_at(set.primitives, smaller_half(set.primitives));
     return partition(set.primitives, binning, bins_, split);
 }
 

@@ -10,7 +10,7 @@ using Primitives = std::span<BoundedPrimitive>;
 constexpr std::size_t chunk_size = 8192;
 
 Halves halve(Primitives primitives) {
-    const std::size_t middle = primitives.size() / 2;
+    const std::size_t middle = smaller_half(primitives);
     return {survey(primitives.first(middle)).set, survey(primitives.subspan(middle)).set};
 }
 

@@ -22,8 +22,8 @@ struct Division {
     std::span<BoundedPrimitive> spare;
 };
 
-/// Divides by the surface area heuristic, into `spare`. Two equally many, in place, where that
-/// finds no plane, and if `in_halves`.
+/// Divides by the surface area heuristic, into `spare`. By size, in place, where that finds no
+/// plane, and if `in_halves`.
 Division divide_large(const PrimitiveSet& set, std::span<BoundedPrimitive> spare, bool in_halves,
                       const BvhConfig& config, const LeafWeights& weights);
 

@@ -1,5 +1,7 @@
 #include "native_accel/bvh/partition.h"
 
+#include <algorithm>
+
 namespace etalon {
 namespace {
 
@@ -45,6 +47,14 @@ SideCentres scatter(std::span<const BoundedPrimitive> primitives, const Binning&
         centres.extend(twice_centre(b), is_left);
     }
     return centres;
+}
+
+std::size_t smaller_half(std::span<BoundedPrimitive> primitives) {
+    const std::size_t middle = primitives.size() / 2;
+    const auto size = [](const BoundedPrimitive& p) { return Bounds::of(p).half_area(); };
+    std::nth_element(primitives.begin(), primitives.begin() + middle, primitives.end(),
+                     [&](const auto& a, const auto& b) { return size(a) < size(b); });
+    return middle;
 }
 
 }  // namespace etalon

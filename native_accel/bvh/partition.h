@@ -40,4 +40,8 @@ struct SideCentres {
 SideCentres scatter(std::span<const BoundedPrimitive> primitives, const Binning& binning,
                     const Split& split, BoundedPrimitive* left, BoundedPrimitive* right);
 
+/// Brings the smaller boxes to the front, where no plane between centres tells them apart. Returns
+/// how many that are.
+std::size_t smaller_half(std::span<BoundedPrimitive> primitives);
+
 }  // namespace etalon

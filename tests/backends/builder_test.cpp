@@ -230,3 +230,14 @@ TEST_CASE("Given primitives of a kind that is tested one by one, small leaves ar
     for (BoundedPrimitive& p : primitives) p.kind = box_kind;
     CHECK(Inspection(build_bvh(primitives), primitives, {}).leaves == 8);
 }
+
+TEST_CASE("Given boxes about one centre, the small ones are kept from the large ones") {
+    const Primitives primitives = concentric(1000);
+    const BvhTree tree = build_bvh(primitives);
+    float smallest = tree.nodes[0].box.size().x;
+    for (const BvhNode& node : tree.nodes) {
+        if (node.is_leaf() && &node != &tree.nodes[1])
+            smallest = std::min(smallest, node.box.size().x);
+    }
+    CHECK(smallest < 1e-4F * tree.nodes[0].box.size().x);
+}
