@@ -1,6 +1,7 @@
 #include "native_accel/bvh/bvh.h"
 
 #include "core/intersect/kernels.h"
+#include "native_accel/bvh/scene_tree.h"
 #include "native_accel/bvh/traversal.h"
 
 namespace etalon {
@@ -17,7 +18,7 @@ BvhConfig leaf_config() {
 }  // namespace
 
 Bvh::Bvh(const Scene& scene) : Intersector(scene) {
-    BvhTree tree = build_bvh(take_bounded(), leaf_config());
+    BvhTree tree = build_scene_bvh(scene, scene_bounds().frame, take_bounded(), leaf_config());
     leaves_ = Leaves(scene, scene_bounds().frame, tree);
     nodes_ = widen(tree.nodes);
 }
