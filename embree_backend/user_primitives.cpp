@@ -41,7 +41,7 @@ void UserPrimitives::build(const EmbreeDevice& device, RTCScene target, unsigned
 
 void UserPrimitives::bounds(const RTCBoundsFunctionArguments* arguments) {
     const auto& self = *static_cast<const UserPrimitives*>(arguments->geometryUserPtr);
-    const Box3f& box = self.boxes_[arguments->primID].box;
+    const BoundedPrimitive& box = self.boxes_[arguments->primID];
     *arguments->bounds_o = {box.min.x, box.min.y, box.min.z, 0, box.max.x, box.max.y, box.max.z, 0};
 }
 

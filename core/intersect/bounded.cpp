@@ -3,28 +3,73 @@
 #include <numeric>
 
 #include "core/intersect/kernels.h"
+#include "core/parallel/chunks.h"
 
 namespace etalon {
+namespace {
+
+constexpr std::size_t chunk_size = 4096;
+
+/// What is known of a piece of the scene before there is a frame.
+struct Survey {
+    Box3 world;
+    std::size_t bounded = 0;
+    std::vector<std::uint32_t> unbounded;
+};
+
+bool is_bounded(const Box3& box) {
+    return !box.isEmpty() && is_finite(box.min) && is_finite(box.max);
+}
+
+Survey survey(const Scene& scene, std::size_t begin, std::size_t end) {
+    Survey result;
+    for (std::size_t i = begin; i < end; ++i) {
+        const auto id = static_cast<std::uint32_t>(i);
+        const Box3 box = primitive_bounds(scene, id);
+        if (is_bounded(box)) {
+            result.world.extendBy(box);
+            ++result.bounded;
+        } else if (!box.isEmpty()) {
+            result.unbounded.push_back(id);
+        }
+    }
+    return result;
+}
+
+/// The boxes are asked for a second time: that costs less than to keep them in double.
+void bound(const Scene& scene, const Frame& frame, std::size_t begin, std::size_t end,
+           BoundedPrimitive* out) {
+    for (std::size_t i = begin; i < end; ++i) {
+        const auto id = static_cast<std::uint32_t>(i);
+        const Box3 box = primitive_bounds(scene, id);
+        if (is_bounded(box)) *out++ = {frame.box(box), id, scene.primitives[i].kind};
+    }
+}
+
+}  // namespace
 
 SceneBounds SceneBounds::of(const Scene& scene) {
+    const Chunks chunks(scene.primitives.size(), chunk_size);
+    std::vector<Survey> surveys(chunks.number());
+    chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        surveys[chunk] = survey(scene, begin, end);
+    });
+
     SceneBounds result;
-    std::vector<Box3> boxes;
     Box3 world;
-    for (std::uint32_t id = 0; id < scene.primitives.size(); ++id) {
-        const Box3 box = primitive_bounds(scene, id);
-        if (box.isEmpty()) continue;
-        if (!is_finite(box.min) || !is_finite(box.max)) {
-            result.unbounded.push_back(id);
-            continue;
-        }
-        boxes.push_back(box);
-        result.bounded.push_back({Box3f(), id});
-        world.extendBy(box);
+    std::vector<std::size_t> offsets;
+    std::size_t count = 0;
+    for (const Survey& s : surveys) {
+        world.extendBy(s.world);
+        offsets.push_back(count);
+        count += s.bounded;
+        result.unbounded.insert(result.unbounded.end(), s.unbounded.begin(), s.unbounded.end());
     }
     result.frame = Frame(world);
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        result.bounded[i].box = result.frame.box(boxes[i]);
-    }
+    result.bounded.resize(count);
+    chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        bound(scene, result.frame, begin, end, result.bounded.data() + offsets[chunk]);
+    });
     return result;
 }
 

@@ -7,15 +7,27 @@
 
 namespace etalon {
 
-/// A primitive as an accelerator sees it.
-struct BoundedPrimitive {
-    Box3f box;         ///< in the frame, padded
+/// A primitive as an accelerator sees it. Each half is loaded as four floats side by side.
+struct alignas(16) BoundedPrimitive {
+    /// Sets nothing, so that a large array is first written by the threads that fill it.
+    BoundedPrimitive() {}
+    BoundedPrimitive(const Box3f& box, std::uint32_t id_, ShapeKind kind_)
+        : min(box.min), id(id_), max(box.max), kind(kind_) {}
+
+    Box3f box() const { return {min, max}; }
+
+    Vec3f min;         ///< of the box in the frame, padded
     std::uint32_t id;  ///< number in Scene::primitives
+    Vec3f max;
+    std::uint32_t kind;
 };
+
+static_assert(sizeof(BoundedPrimitive) == 32);
 
 /// A scene's primitives sorted by what an accelerator can do with them. Degenerate ones, which
 /// nothing can hit, are in neither list.
 struct SceneBounds {
+    /// On as many threads as allowed; both lists are in the order of the scene.
     static SceneBounds of(const Scene& scene);
 
     /// Every primitive in the list of those that must always be tested.

@@ -3,17 +3,16 @@
 
 #include <vector>
 
-#include "core/intersect/bounded.h"
+#include "native_accel/bvh/leaf_cost.h"
 #include "native_accel/bvh/node.h"
 
 namespace etalon {
 
 struct BvhConfig {
-    int bins = 16;                      ///< candidate planes per axis, plus one; at most 32
-    std::uint32_t max_leaf = 8;         ///< a leaf never holds more, whatever the heuristic says
-    std::uint32_t lanes = 1;            ///< primitives that a leaf tests at the cost of one
-    float traversal_cost = 1.0F;        ///< of one node, in units of one such test
-    std::uint32_t serial_below = 4096;  ///< subtrees of fewer primitives are one thread's work
+    int bins = 32;  ///< candidate planes per axis, plus one; at most 32, fewer in small nodes
+    std::uint32_t max_leaf = 8;  ///< a leaf never holds more, whatever the heuristic says
+    LeafCosts leaf_costs = default_leaf_costs();
+    std::size_t serial_below = 4096;  ///< larger subtrees are more than one thread's work
 };
 
 /// No tree is deeper, whatever it was built from: so many levels by heuristic, then at most 32 that
@@ -28,8 +27,8 @@ struct BvhTree {
 };
 
 /// Top-down by binned surface area heuristic (Wald 2007, "On fast Construction of SAH-based
-/// Bounding Volume Hierarchies"), on as many threads as allowed. The tree is the same for any
-/// number of threads, but for the order of its nodes in memory.
+/// Bounding Volume Hierarchies"), on as many threads as allowed. A leaf's primitives are of one
+/// kind. The tree is the same, bit for bit, for any number of threads.
 BvhTree build_bvh(std::vector<BoundedPrimitive> primitives, const BvhConfig& config = {});
 
 }  // namespace etalon

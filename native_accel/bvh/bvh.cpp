@@ -1,19 +1,10 @@
 #include "native_accel/bvh/bvh.h"
 
-#include "native_accel/bvh/builder.h"
+#include "native_accel/bvh/scene_tree.h"
 #include "native_accel/bvh/walk.h"
 
 namespace etalon {
 namespace {
-
-/// Where most primitives have a filter, leaves of as many as pays when eight cost as much as one.
-BvhConfig config_for(const Scene& scene) {
-    BvhConfig config;
-    const std::size_t filtered = scene.all<Triangle>().size() + scene.all<Sphere>().size();
-    if (2 * filtered < scene.primitives.size()) return config;
-    config.lanes = cluster_lanes;
-    return config;
-}
 
 /// Numbers the leaves, in their `first`, and returns which primitives each one has.
 std::vector<Range> number_leaves(BvhTree& tree) {
@@ -29,7 +20,7 @@ std::vector<Range> number_leaves(BvhTree& tree) {
 }  // namespace
 
 Bvh::Bvh(const Scene& scene) : Intersector(scene) {
-    BvhTree tree = build_bvh(take_bounded(), config_for(scene));
+    BvhTree tree = build_scene_bvh(scene, scene_bounds().frame, take_bounded());
     if (tree.nodes.empty()) return;
     const std::vector<Range> ranges = number_leaves(tree);
     std::vector<ClusterRef> refs;

@@ -36,7 +36,7 @@ struct CellRange {
 double count_references(std::span<const BoundedPrimitive> primitives, const GridShape& shape) {
     return std::accumulate(primitives.begin(), primitives.end(), 0.0,
                            [&](double sum, const BoundedPrimitive& p) {
-                               return sum + CellRange(p.box, shape).count();
+                               return sum + CellRange(p.box(), shape).count();
                            });
 }
 
@@ -91,17 +91,17 @@ int GridShape::cell(double coordinate, int axis) const {
 
 GridCells::GridCells(std::span<const BoundedPrimitive> primitives, const GridConfig& config) {
     if (primitives.empty()) return;
-    for (const BoundedPrimitive& p : primitives) box.extendBy(p.box);
+    for (const BoundedPrimitive& p : primitives) box.extendBy(p.box());
     shape = choose_shape(primitives, box, config);
     offsets.assign(shape.size() + 1, 0);
     for (const BoundedPrimitive& p : primitives) {
-        CellRange(p.box, shape).for_each([&](const CellIndex& c) { ++offsets[shape.flat(c)]; });
+        CellRange(p.box(), shape).for_each([&](const CellIndex& c) { ++offsets[shape.flat(c)]; });
     }
     std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
     ids.resize(offsets.back());
     // Filling from the back turns each cell's end into its begin, ids ascending within it.
     for (std::size_t i = primitives.size(); i-- > 0;) {
-        CellRange(primitives[i].box, shape).for_each([&](const CellIndex& c) {
+        CellRange(primitives[i].box(), shape).for_each([&](const CellIndex& c) {
             ids[--offsets[shape.flat(c)]] = primitives[i].id;
         });
     }

@@ -1,0 +1,30 @@
+// Sets of so many primitives that all threads work at one of them.
+#pragma once
+
+#include "native_accel/bvh/builder.h"
+#include "native_accel/bvh/partition.h"
+
+namespace etalon {
+
+/// What is found of all primitives before the first split.
+struct Survey {
+    void add(const Survey& other);
+
+    PrimitiveSet set;
+    std::array<std::size_t, shape_kinds> of_kind{};  ///< how many there are
+};
+
+Survey survey(std::span<BoundedPrimitive> primitives);
+
+/// A set divided, and an array as large as the set that neither half is in.
+struct Division {
+    Halves halves;
+    std::span<BoundedPrimitive> spare;
+};
+
+/// Divides by the surface area heuristic, into `spare`. By size, in place, where that finds no
+/// plane, and if `in_halves`.
+Division divide_large(const PrimitiveSet& set, std::span<BoundedPrimitive> spare, bool in_halves,
+                      const BvhConfig& config, const LeafWeights& weights);
+
+}  // namespace etalon

@@ -1,0 +1,55 @@
+// What the surface area heuristic takes the tests of primitives to cost.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "core/intersect/bounded.h"
+
+namespace etalon {
+
+/// Testing up to `lanes` primitives of a kind, in visits of a node.
+struct LeafCost {
+    std::uint32_t lanes;
+    float cost;
+};
+
+using LeafCosts = std::array<LeafCost, shape_kinds>;
+
+/// Triangles and spheres are filtered eight at once, others go to their kernels one by one.
+constexpr LeafCosts default_leaf_costs() {
+    LeafCosts costs{};
+    costs.fill({1, 2.0F});
+    costs[kind_of<Triangle>()] = costs[kind_of<Sphere>()] = {8, 0.7F};
+    return costs;
+}
+
+/// Costs as sums of whole numbers, one a primitive, which are the same in any order. A block, as
+/// many primitives of the commonest kind as are tested at once, has a fixed sum, and sums are
+/// rounded up to blocks: exact for a scene of one kind, and as near as need be for others.
+class LeafWeights {
+  public:
+    LeafWeights(const LeafCosts& costs, ShapeKind commonest) : block_cost_(costs[commonest].cost) {
+        for (std::size_t kind = 0; kind < shape_kinds; ++kind) {
+            const float blocks =
+                costs[kind].cost / (block_cost_ * static_cast<float>(costs[kind].lanes));
+            weights_[kind] = std::max(1U, static_cast<std::uint32_t>(block * blocks));
+        }
+    }
+
+    std::uint32_t weight(std::uint32_t kind) const { return weights_[kind]; }
+
+    /// Of testing primitives of so large a sum.
+    float cost(std::uint64_t sum) const {
+        return block_cost_ *
+               static_cast<float>(static_cast<std::int64_t>((sum + block - 1) / block));
+    }
+
+  private:
+    static constexpr std::uint64_t block = 64;
+
+    float block_cost_;
+    std::array<std::uint32_t, shape_kinds> weights_{};
+};
+
+}  // namespace etalon

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/intersect/frame.h"
+#include "core/scene/scene.h"
+#include "native_accel/bvh/builder.h"
+
+namespace etalon {
+
+/// A scene's tree: of pieces of its triangles (presplit.h) where that makes it much cheaper, so
+/// that a primitive may be in several leaves.
+BvhTree build_scene_bvh(const Scene& scene, const Frame& frame,
+                        std::vector<BoundedPrimitive> primitives, const BvhConfig& config = {});
+
+}  // namespace etalon

@@ -1,0 +1,200 @@
+// Triangles cut into pieces before the BVH is built: what the pieces' boxes must hold, and where
+// they are used.
+#include "native_accel/bvh/presplit.h"
+
+#include <algorithm>
+
+#include "core/parallel/parallel.h"
+#include "native_accel/bvh/scene_tree.h"
+#include "native_accel/bvh/triangle_pieces.h"
+#include "tests/backends/contenders.h"
+#include "tests/backends/rays.h"
+#include "tests/backends/scenes.h"
+#include "tests/catch.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+constexpr std::size_t dense_triangles = 4000, needles = 400;
+
+void add(Scene& scene, const Corners& corners) {
+    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+    scene.vertices.insert(scene.vertices.end(), corners.begin(), corners.end());
+    scene.add(Triangle{{first, first + 1, first + 2}}, 0);
+}
+
+/// Small triangles near the origin.
+Scene dense_scene() {
+    Scene scene;
+    scene.materials = {Material()};
+    scene.camera.eye = Vec3(0.3, 0.2, 0.4);
+    test::Random random(1);
+    for (std::size_t i = 0; i < dense_triangles; ++i) {
+        const Vec3 place = 0.05 * random.direction();
+        add(scene, {place, place + 0.003 * random.in_cube(), place + 0.003 * random.in_cube()});
+    }
+    return scene;
+}
+
+/// The same among needles in all directions.
+Scene scene_of_needles() {
+    Scene scene = dense_scene();
+    test::Random random(2);
+    for (std::size_t i = 0; i < needles; ++i) {
+        const Vec3 along = 3.0 * random.direction(), from = random.in_cube() - along / 2;
+        add(scene, {from, from + along, from + 0.01 * random.in_cube()});
+    }
+    return scene;
+}
+
+/// The same above two triangles that are far larger.
+Scene scene_on_a_slope() {
+    Scene scene = dense_scene();
+    const Vec3 a(-5, -3, -5), b(5, 0, -5), c(5, 2, 5), d(-5, -1, 5);
+    add(scene, {a, b, c});
+    add(scene, {a, c, d});
+    return scene;
+}
+
+/// A point of a triangle whose corners are whole numbers below 2^40: exact.
+Vec3 point_of(const Corners& corners, test::Random& random) {
+    const std::uint32_t a = random.below(65), b = random.below(65 - a);
+    const double u = a / 64.0, v = b / 64.0;
+    return corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]);
+}
+
+/// Whole numbers around a place, of a needle more often than not.
+Corners whole_corners(const Vec3& place, test::Random& random) {
+    const auto whole = [](Vec3 v) {
+        for (int k = 0; k < 3; ++k) v[k] = std::round(v[k]);
+        return v;
+    };
+    const Vec3 along = whole(random.magnitude(1, 6) * random.direction());
+    const Vec3 aside = whole(random.magnitude(1, 6) * random.direction());
+    return {place, place + along, place + along / (random.one_in(2) ? 1 : 2) + aside};
+}
+
+bool holds(const std::vector<Box3>& boxes, const Vec3& point) {
+    return std::any_of(boxes.begin(), boxes.end(),
+                       [&](const Box3& box) { return box.intersects(point); });
+}
+
+double surface(const std::vector<Box3>& boxes) {
+    double sum = 0;
+    for (const Box3& box : boxes) {
+        const Vec3 s = box.size();
+        sum += s.x * s.y + s.y * s.z + s.z * s.x;
+    }
+    return sum;
+}
+
+std::vector<Box3f> boxes_of(std::uint32_t id, const std::vector<BoundedPrimitive>& references) {
+    std::vector<Box3f> boxes;
+    for (const BoundedPrimitive& p : references) {
+        if (p.id == id) boxes.push_back(p.box());
+    }
+    return boxes;
+}
+
+BvhTree tree_of(const Scene& scene) {
+    SceneBounds bounds = SceneBounds::of(scene);
+    return build_scene_bvh(scene, bounds.frame, std::move(bounds.bounded));
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Given a triangle anywhere, the boxes of its pieces hold all of it and are within its own") {
+    test::Random random(3);
+    int outside = 0, lost = 0, too_many = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 place = std::round(random.magnitude(0, 12)) * Vec3(1, -1, 0);
+        const Corners corners = whole_corners(place, random);
+        Box3 box;
+        for (const Vec3& corner : corners) box.extendBy(corner);
+        const int cuts = random.below(40);
+        std::vector<Box3> pieces;
+        add_pieces(corners, box, cuts, Frame(Box3(box.min - Vec3(1e5), box.max + Vec3(1e6))),
+                   pieces);
+        if (pieces.size() > static_cast<std::size_t>(cuts) + 1) ++too_many;
+        for (const Box3& piece : pieces) {
+            if (!box.intersects(piece.min) || !box.intersects(piece.max)) ++outside;
+        }
+        for (const Vec3& corner : corners) lost += !holds(pieces, corner);
+        for (int k = 0; k < 50; ++k) lost += !holds(pieces, point_of(corners, random));
+    }
+    CHECK(lost == 0);
+    CHECK(outside == 0);
+    CHECK(too_many == 0);
+}
+
+TEST_CASE("Given a needle across the frame, its pieces have far less surface") {
+    const Corners needle{Vec3(-1, -1, -1), Vec3(1, 1, 1), Vec3(-1, -1, -0.99)};
+    const Box3 box(Vec3(-1), Vec3(1));
+    std::vector<Box3> pieces;
+    add_pieces(needle, box, 15, Frame(box), pieces);
+    CHECK(pieces.size() == 16);
+    CHECK(surface(pieces) < surface({box}) / 3);
+}
+
+TEST_CASE("Given needles, all primitives keep references whose boxes hold them") {
+    const Scene scene = scene_of_needles();
+    const SceneBounds bounds = SceneBounds::of(scene);
+    const auto references = presplit(scene, bounds.frame, bounds.bounded);
+    REQUIRE(references);
+    CHECK(references->size() > bounds.bounded.size() + needles);
+    CHECK(references->size() <= bounds.bounded.size() * 3 / 2);
+    test::Random random(4);
+    std::size_t lost = 0;
+    for (std::uint32_t id = 0; id < scene.primitives.size(); id += 7) {
+        const std::vector<Box3f> boxes = boxes_of(id, *references);
+        const auto& v = scene.get<Triangle>(scene.primitives[id]).vertices;
+        const Corners corners{scene.vertices[v[0]], scene.vertices[v[1]], scene.vertices[v[2]]};
+        for (int k = 0; k < 50; ++k) {
+            const Vec3 point = bounds.frame.point(point_of(corners, random));
+            // The padding is 26 units of rounding; half of it must be left around the point.
+            const Box3 around(point - Vec3(13 * 0x1p-24), point + Vec3(13 * 0x1p-24));
+            lost += std::none_of(boxes.begin(), boxes.end(), [&](const Box3f& box) {
+                const Box3 b(Vec3(box.min), Vec3(box.max));
+                return b.intersects(point) &&
+                       (b.intersects(around.min) || b.intersects(around.max));
+            });
+        }
+    }
+    CHECK(lost == 0);
+}
+
+TEST_CASE("Given needles, a tree of pieces is chosen, the same for any number of threads") {
+    const Scene scene = scene_of_needles();
+    const auto ids = [&](int threads) {
+        const ThreadLimit limit(threads);
+        return tree_of(scene).ids;
+    };
+    const std::vector<std::uint32_t> alone = ids(1);
+    CHECK(alone.size() > scene.primitives.size());
+    CHECK(alone == ids(2));
+    CHECK(alone == ids(7));
+}
+
+TEST_CASE("Given what is not carried by needles, the tree is of whole primitives") {
+    for (const Scene& scene : {dense_scene(), scene_on_a_slope(), make_scene("spheres", 1000)}) {
+        CHECK(tree_of(scene).ids.size() == SceneBounds::of(scene).bounded.size());
+    }
+}
+
+TEST_CASE("Given needles in pieces, the BVH finds what the kernels find") {
+    const Scene scene = scene_of_needles();
+    const auto bvh = backend_named("bvh").build(scene);
+    test::Random random(5);
+    std::size_t hits = 0, different = 0;
+    for (const Ray& ray : make_rays(scene, 200, random)) {
+        if (max_abs(ray.direction) == 0 || !(ray.tmin < ray.tmax)) continue;
+        const std::optional<Hit> expected = brute_force(scene, ray);
+        hits += expected.has_value();
+        different += !difference(*bvh, ray, expected).empty();
+    }
+    CHECK(hits > 30);
+    CHECK(different == 0);
+}
