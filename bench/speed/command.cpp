@@ -11,7 +11,7 @@
 #include "app/output.h"
 #include "app/stopwatch.h"
 #include "bench/commands.h"
-#include "bench/scenes.h"
+#include "bench/scenes/bench_scene.h"
 #include "core/parallel/parallel.h"
 #include "core/render/ray_sets.h"
 
@@ -27,7 +27,7 @@ struct Arguments {
     std::vector<std::string> backends = backend_names();
     std::vector<std::string> rays{"camera", "bounce", "shadow", "random"};
     int repeats = 5;
-    bool only_build = false;
+    bool only_build = false, list = false;
     std::string json;
 };
 
@@ -145,13 +145,30 @@ Json measure_scene(const Arguments& a, const std::string& name, const Scene& sce
     return result;
 }
 
+/// Before anything is measured: a slip of the pen in the last name is to cost no hour.
+bool are_all_there(const std::vector<std::string>& scenes) {
+    std::string complaints;
+    for (const std::string& name : scenes) {
+        const std::string complaint = bench::complaint_about(name);
+        if (!complaint.empty()) complaints += "etalon-bench: error: " + complaint + "\n";
+    }
+    fmt::print(stderr, "{}", complaints);
+    return complaints.empty();
+}
+
 int run(const Arguments& a) {
+    if (a.list) {
+        fmt::print("{}", bench::list_of_scenes());
+        return exit_done;
+    }
+    if (!are_all_there(a.scenes)) return exit_unusable;
     const ThreadLimit one_thread(1);
     Json results = Json::array();
     for (const std::string& name : a.scenes) {
-        const std::optional<Scene> scene = bench_scene(name);
-        if (!scene) return exit_unusable;
-        results.push_back(measure_scene(a, name, *scene));
+        const bench::NamedScene named = bench::bench_scene(name);
+        fmt::print(stderr, "{}", named.messages);
+        if (!named.scene) return exit_unusable;
+        results.push_back(measure_scene(a, name, *named.scene));
     }
     const Json all = {{"version", ETALON_VERSION}, {"repeats", a.repeats}, {"scenes", results}};
     if (!a.json.empty() && !write_json(a.json, all)) return exit_not_written;
@@ -163,7 +180,7 @@ int run(const Arguments& a) {
 Run declare_speed(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
     app.add_option("--scene", a->scenes,
-                   "soup:N, spheres:N, duplicates:N or a scene file; several by commas")
+                   "Names as --list has them, with or without :SIZE, or files; several by commas")
         ->delimiter(',')
         ->capture_default_str();
     app.add_option("--backends", a->backends, "Which, by commas")
@@ -174,6 +191,7 @@ Run declare_speed(CLI::App& app) {
         ->delimiter(',')
         ->check(CLI::IsMember({"camera", "bounce", "shadow", "aimed", "random"}))
         ->capture_default_str();
+    app.add_flag("--list", a->list, "Only say which scenes there are by name");
     app.add_flag("--only-build", a->only_build, "Shoot no rays");
     app.add_option("--repeat", a->repeats, "Alternating repeats; the median counts")
         ->check(CLI::Range(1, 1000))
