@@ -6,7 +6,7 @@ namespace etalon::bench {
 namespace {
 
 constexpr double share_of_needles = 18.0 / 268;
-constexpr double nearest = 0.25, farthest = 4;  ///< middles of needles from the torus's centre
+constexpr double nearest = 4, farthest = 20;  ///< middles of needles from the torus's centre
 
 /// In no axis's direction, and none nearer to the centre than its middle is.
 void add_needles(Scene& scene, std::size_t count) {
@@ -37,9 +37,11 @@ void add_torus(Scene& scene, double triangles) {
 }  // namespace
 
 /// The teapot in the stadium, with seats that no box fits: what is fine is small, and every
-/// needle's box holds most of the scene. The camera looks at the torus from among the needles.
+/// needle's box holds most of the scene. The camera looks at the torus from the midst of the
+/// needles.
 Scene stadium(std::size_t count) {
-    Scene scene = empty_scene({.eye = {0.2, 0.15, 0.4}, .fov_degrees = 30, .light = {2, 3, 2.5}});
+    Scene scene = empty_scene(
+        {.eye = {0.2, 0.15, 0.4}, .fov_degrees = 30, .light = {1, 1.5, 1.2}, .pixels = 128});
     const double needles = std::round(share_of_needles * static_cast<double>(count));
     add_needles(scene, static_cast<std::size_t>(needles));
     add_torus(scene, static_cast<double>(count) - needles);
