@@ -1,202 +1,163 @@
 // etalon-bench speed: how many rays a second, and how many bytes and seconds of building, each
-// backend needs, beside how often it disagrees with the exact kernels on the same rays.
+// backend needs, beside how often it is wrong on the same rays.
 #include <fmt/format.h>
 
 #include <algorithm>
-
 #include <nlohmann/json.hpp>
+#include <set>
 
-#include "app/backends.h"
 #include "app/exit_status.h"
 #include "app/output.h"
-#include "app/stopwatch.h"
 #include "bench/commands.h"
 #include "bench/scenes/bench_scene.h"
-#include "core/parallel/parallel.h"
-#include "core/render/ray_sets.h"
+#include "bench/speed/pinned.h"
+#include "bench/speed/rays.h"
+#include "bench/speed/report/json.h"
+#include "bench/speed/report/table.h"
 
 namespace etalon {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using namespace speed;
 
-constexpr std::size_t max_rays = 1 << 20;  ///< of each kind
+/// `none` tests every primitive against every ray: only who asks for it is to wait for it.
+std::vector<std::string> usual_contenders() {
+    std::vector<std::string> names = contender_names();
+    std::erase(names, "none");
+    return names;
+}
 
 struct Arguments {
     std::vector<std::string> scenes{"soup:1000000", "spheres:100000"};
-    std::vector<std::string> backends = backend_names();
-    std::vector<std::string> rays{"camera", "bounce", "shadow", "random"};
+    std::vector<std::string> backends = usual_contenders();
+    std::vector<std::string> kinds{"camera", "bounce", "shadow", "random"};
+    std::vector<int> threads{1};
     int repeats = 5;
+    std::size_t max_rays = 1 << 18;
+    double oracle_seconds = 1;
     bool only_build = false, list = false;
     std::string json;
-};
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
-struct Contender {
-    const Backend* backend;
-    std::unique_ptr<Intersector> intersector;
-    double build_seconds;
-};
-
-/// What a backend answers to one ray, kept for comparison; occlusion queries know no primitive.
-struct Answer {
-    std::uint32_t primitive = no_index;
-    bool operator==(const Answer&) const = default;
-};
-
-Answer ask(const Intersector& intersector, const RaySet& set, const Ray& ray) {
-    if (set.occlusion) return {intersector.occluded(ray) ? 0 : no_index};
-    const std::optional<Hit> hit = intersector.closest(ray);
-    return {hit ? hit->primitive : no_index};
-}
-
-/// CPU seconds of all rays of a set, one thread.
-double time_rays(const Intersector& intersector, const RaySet& set, std::vector<Answer>& answers) {
-    Stopwatch watch;
-    for (std::size_t i = 0; i < set.rays.size(); ++i) {
-        answers[i] = ask(intersector, set, set.rays[i]);
+    Plan plan() const {
+        std::set<int> counts(threads.begin(), threads.end());
+        counts.insert(1);
+        return {with_yardsticks(backends), {counts.begin(), counts.end()}, repeats, oracle_seconds};
     }
-    return watch.lap().cpu;
+};
+
+/// Tables make room for JSON that another program is to read from standard output.
+void show(const Arguments& a, const std::string& text) {
+    std::FILE* to = a.json == "-" ? stderr : stdout;
+    fmt::print(to, "{}", text);
+    std::fflush(to);
 }
 
-/// Rays per second by alternating repeats, forwards and backwards in turn, so that a drift of the
-/// machine's speed meets all alike.
-std::vector<double> measure(const std::vector<Contender>& contenders, const RaySet& set,
-                            int repeats, std::vector<std::vector<Answer>>& answers) {
-    std::vector<std::vector<double>> seconds(contenders.size());
-    answers.assign(contenders.size(), std::vector<Answer>(set.rays.size()));
-    for (int r = 0; r < repeats; ++r) {
-        for (std::size_t i = 0; i < contenders.size(); ++i) {
-            const std::size_t k = r % 2 == 0 ? i : contenders.size() - 1 - i;
-            seconds[k].push_back(time_rays(*contenders[k].intersector, set, answers[k]));
-        }
-    }
-    std::vector<double> rates;
-    for (const auto& s : seconds) rates.push_back(static_cast<double>(set.rays.size()) / median(s));
-    return rates;
-}
-
-std::vector<Contender> build_all(const Arguments& a, const Scene& scene) {
+std::vector<Contender> enter(const Plan& plan) {
     std::vector<Contender> contenders;
-    for (const std::string& name : a.backends) {
-        const Backend* backend = find_backend(name);
-        Stopwatch watch;
-        auto intersector = backend->build(scene);
-        if (intersector) contenders.push_back({backend, std::move(intersector), watch.lap().cpu});
+    for (const std::string& name : plan.contenders) {
+        contenders.push_back({&find_contender(name), nullptr});
     }
     return contenders;
 }
 
-/// The rate the others are compared with: embree-builtin's where it takes part.
-double yardstick(const std::vector<Contender>& contenders, const std::vector<double>& rates) {
-    for (std::size_t i = 0; i < contenders.size(); ++i) {
-        if (contenders[i].backend->name == "embree-builtin") return rates[i];
+void measure_rays(const Arguments& a, const RayMeasurement& measurement, const Scene& scene,
+                  SceneFigures& figures) {
+    show(a, heading_of_rays());
+    for (const RaySet& set : make_ray_sets(scene, measurement.exact(), a.max_rays)) {
+        const bool is_wanted = std::find(a.kinds.begin(), a.kinds.end(), set.kind) != a.kinds.end();
+        if (!is_wanted || set.rays.empty()) continue;
+        figures.kinds.push_back(measurement.measure(set));
+        show(a, table(figures.kinds.back()));
     }
-    return rates.front();
+    show(a, summary(figures));
 }
 
-Json measure_set(const Arguments& a, const std::vector<Contender>& contenders, const RaySet& set,
-                 const Intersector& exact) {
-    std::vector<std::vector<Answer>> answers;
-    const std::vector<double> rates = measure(contenders, set, a.repeats, answers);
-    const double unit = yardstick(contenders, rates);
-    Json result = Json::object();
-    for (std::size_t i = 0; i < contenders.size(); ++i) {
-        std::size_t differing = 0;
-        for (std::size_t k = 0; k < set.rays.size(); ++k) {
-            if (answers[i][k] != ask(exact, set, set.rays[k])) ++differing;
-        }
-        const double per_million =
-            1e6 * static_cast<double>(differing) / static_cast<double>(set.rays.size());
-        result[std::string(contenders[i].backend->name)] = {{"mrays_per_s", rates[i] * 1e-6},
-                                                            {"ratio", rates[i] / unit},
-                                                            {"differing_per_million", per_million}};
-        fmt::print("  {:<8} {:<15} {:9.3f} Mrays/s  {:6.3f}  {:9.1f} differing per million\n",
-                   set.kind, contenders[i].backend->name, rates[i] * 1e-6, rates[i] / unit,
-                   per_million);
+SceneFigures measure_scene(const Arguments& a, const std::string& name, Scene scene) {
+    hard::Setting setting;
+    setting.scene = std::move(scene);
+    SceneFigures figures{name, setting.scene.primitives.size(), {}, {}};
+    show(a, fmt::format("{}: {} primitives\n", name, figures.primitives));
+    const Plan plan = a.plan();
+    std::vector<Contender> contenders = enter(plan);
+    figures.builds = measure_builds(contenders, setting.scene, plan.threads, plan.repeats);
+    show(a, table(figures.builds));
+    if (!a.only_build) {
+        measure_rays(a, RayMeasurement(setting, contenders, plan), setting.scene, figures);
     }
-    return result;
-}
-
-Json measure_scene(const Arguments& a, const std::string& name, const Scene& scene) {
-    fmt::print("{}: {} primitives\n", name, scene.primitives.size());
-    const std::vector<Contender> contenders = build_all(a, scene);
-    Json result = {{"scene", name}, {"primitives", scene.primitives.size()}};
-    for (const Contender& c : contenders) {
-        const auto bytes = static_cast<double>(c.intersector->memory_bytes());
-        const double per_primitive = bytes / static_cast<double>(scene.primitives.size());
-        result["build"][std::string(c.backend->name)] = {{"cpu_seconds", c.build_seconds},
-                                                         {"bytes_per_primitive", per_primitive}};
-        fmt::print("  build    {:<15} {:9.3f} s CPU  {:8.1f} bytes per primitive\n",
-                   c.backend->name, c.build_seconds, per_primitive);
-    }
-    if (a.only_build) return result;
-    const auto exact = find_backend("bvh")->build(scene);
-    for (const RaySet& set : make_ray_sets(scene, *exact, max_rays)) {
-        const bool wanted = std::find(a.rays.begin(), a.rays.end(), set.kind) != a.rays.end();
-        if (wanted && !set.rays.empty() && !contenders.empty()) {
-            result["rays"][set.kind] = measure_set(a, contenders, set, *exact);
-        }
-    }
-    return result;
+    show(a, "\n");
+    return figures;
 }
 
 /// Before anything is measured: a slip of the pen in the last name is to cost no hour.
-bool are_all_there(const std::vector<std::string>& scenes) {
+int find_obstacle(const Arguments& a) {
     std::string complaints;
-    for (const std::string& name : scenes) {
+    for (const std::string& name : a.scenes) {
         const std::string complaint = bench::complaint_about(name);
         if (!complaint.empty()) complaints += "etalon-bench: error: " + complaint + "\n";
     }
     fmt::print(stderr, "{}", complaints);
-    return complaints.empty();
+    if (!complaints.empty()) return exit_unusable;
+    const std::string obstacle = a.json.empty() || a.json == "-" ? "" : obstacle_to_writing(a.json);
+    if (obstacle.empty()) return exit_done;
+    fmt::print(stderr, "etalon-bench: error: {}\n", obstacle);
+    return exit_not_written;
 }
 
 int run(const Arguments& a) {
-    if (a.list) {
-        fmt::print("{}", bench::list_of_scenes());
-        return exit_done;
-    }
-    if (!are_all_there(a.scenes)) return exit_unusable;
-    const ThreadLimit one_thread(1);
-    Json results = Json::array();
+    if (a.list) return fmt::print("{}", bench::list_of_scenes()), exit_done;
+    if (const int status = find_obstacle(a); status != exit_done) return status;
+    nlohmann::ordered_json json = json_of_circumstances(a.plan());
     for (const std::string& name : a.scenes) {
-        const bench::NamedScene named = bench::bench_scene(name);
+        bench::NamedScene named = bench::bench_scene(name);
         fmt::print(stderr, "{}", named.messages);
         if (!named.scene) return exit_unusable;
-        results.push_back(measure_scene(a, name, *named.scene));
+        json["scenes"].push_back(json_of(measure_scene(a, name, std::move(*named.scene))));
     }
-    const Json all = {{"version", ETALON_VERSION}, {"repeats", a.repeats}, {"scenes", results}};
-    if (!a.json.empty() && !write_json(a.json, all)) return exit_not_written;
-    return exit_done;
+    return a.json.empty() || write_json(a.json, json) ? exit_done : exit_not_written;
+}
+
+void declare_what(CLI::App& app, Arguments& a) {
+    app.add_option("--scene", a.scenes,
+                   "Names as --list has them, with or without :SIZE, or files; several by commas")
+        ->delimiter(',')
+        ->capture_default_str();
+    app.add_option("--backends", a.backends,
+                   "Which, by commas; those that all are compared with take part always")
+        ->delimiter(',')
+        ->check(CLI::IsMember(contender_names()))
+        ->capture_default_str();
+    app.add_option("--rays", a.kinds, "Kinds of rays, by commas")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"camera", "bounce", "shadow", "aimed", "random"}))
+        ->capture_default_str();
+    app.add_flag("--list", a.list, "Only say which scenes there are by name");
+    app.add_flag("--only-build", a.only_build, "Shoot no rays");
+}
+
+void declare_how(CLI::App& app, Arguments& a) {
+    app.add_option("--threads", a.threads, "How many, by commas; 1 is measured always")
+        ->delimiter(',')
+        ->check(CLI::Range(1, usable_cores()))
+        ->capture_default_str();
+    app.add_option("--repeat", a.repeats, "Alternating repeats; medians count")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    app.add_option("--max-rays", a.max_rays, "Of each kind, about")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
+        ->capture_default_str();
+    app.add_option("--oracle", a.oracle_seconds,
+                   "CPU seconds, for each kind of ray, in which the oracle judges a sample")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    app.add_option("--json", a.json, "Write the figures to this file; - is standard output");
 }
 
 }  // namespace
 
 Run declare_speed(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
-    app.add_option("--scene", a->scenes,
-                   "Names as --list has them, with or without :SIZE, or files; several by commas")
-        ->delimiter(',')
-        ->capture_default_str();
-    app.add_option("--backends", a->backends, "Which, by commas")
-        ->delimiter(',')
-        ->check(CLI::IsMember(backend_names()))
-        ->capture_default_str();
-    app.add_option("--rays", a->rays, "Kinds of rays, by commas")
-        ->delimiter(',')
-        ->check(CLI::IsMember({"camera", "bounce", "shadow", "aimed", "random"}))
-        ->capture_default_str();
-    app.add_flag("--list", a->list, "Only say which scenes there are by name");
-    app.add_flag("--only-build", a->only_build, "Shoot no rays");
-    app.add_option("--repeat", a->repeats, "Alternating repeats; the median counts")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    app.add_option("--json", a->json, "Write the figures to this file; - is standard output");
+    declare_what(app, *a);
+    declare_how(app, *a);
     return [a] { return run(*a); };
 }
 
