@@ -68,8 +68,8 @@ class Mixer {
 }  // namespace
 
 Scene mixed(std::size_t count) {
-    Scene scene = empty_scene();
-    Mixer mixer(scene, 0.6 / std::sqrt(static_cast<double>(count)));
+    Scene scene = empty_scene({.eye = {1.5, 1.1, 1.9}});
+    Mixer mixer(scene, 1.2 / std::sqrt(static_cast<double>(count)));
     for (std::size_t i = 0; i < count; ++i) mixer.add(i);
     return scene;
 }

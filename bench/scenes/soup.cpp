@@ -31,7 +31,7 @@ Scene nan_soup(std::size_t count) {
 /// As soup, in the plane y = 0: every box is without thickness, and every ray meets many triangles
 /// at the same distance.
 Scene flat(std::size_t count) {
-    Scene scene = empty_scene();
+    Scene scene = empty_scene({.eye = {0.7, 2, 1}});
     Random random(3);
     const double edge = 3 / std::sqrt(static_cast<double>(count));
     const auto in_plane = [](const Vec3& v) { return Vec3(v.x, 0, v.z); };
