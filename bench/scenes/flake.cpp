@@ -65,7 +65,7 @@ std::vector<Sphere> spheres_for(double triangles) {
 
 /// Small triangles in clusters, and two large ones that they all stand on.
 Scene flake(std::size_t count) {
-    Scene scene = empty_scene({.eye = {2.6, 1.6, 3.2}, .at = {0, 0, 0}});
+    Scene scene = empty_scene({.eye = {2.8, 1.8, 3.4}, .at = {0, 0, 0}});
     const double triangles = std::max(0.0, static_cast<double>(count) - 2);
     const std::vector<Sphere> spheres = spheres_for(triangles);
     const Tessellation tessellation(triangles / static_cast<double>(spheres.size()));

@@ -27,7 +27,7 @@ double noise(double x, double y, std::uint32_t seed) {
 /// Octaves of noise, each half as high and twice as fine, down to two quads (fractional Brownian
 /// motion: Mandelbrot & Van Ness 1968; for terrain, Fournier, Fussell & Carpenter 1982).
 double height(double x, double y, std::uint32_t quads) {
-    double sum = 0, amplitude = 0.35;
+    double sum = 0, amplitude = 0.2;
     std::uint32_t octave = 0;
     for (double frequency = 3; frequency * 2 <= std::max(quads, 6U); frequency *= 2) {
         sum += amplitude * noise(frequency * x, frequency * y, octave++);
@@ -39,7 +39,7 @@ double height(double x, double y, std::uint32_t quads) {
 }  // namespace
 
 Scene terrain(std::size_t count) {
-    Scene scene = empty_scene({.eye = {1.3, 1.1, 1.6}, .at = {0, -0.1, 0}, .light = {-2, 2.5, 1}});
+    Scene scene = empty_scene({.eye = {1.0, 1.2, 1.2}, .at = {0, -0.1, 0}, .light = {-2, 2.5, 1}});
     const double edge = std::max(1.0, std::round(std::sqrt(static_cast<double>(count) / 2)));
     const auto quads = static_cast<std::uint32_t>(edge);
     add_sheet(scene, {quads, quads},
