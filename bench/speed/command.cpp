@@ -28,7 +28,8 @@ std::vector<std::string> usual_contenders() {
 }
 
 struct Arguments {
-    std::vector<std::string> scenes{"soup:1000000", "spheres:100000"};
+    std::vector<std::string> scenes{"terrain", "flake",        "soup",   "stadium",
+                                    "slivers", "spheres:1000", "spheres"};
     std::vector<std::string> backends = usual_contenders();
     std::vector<std::string> kinds{"camera", "bounce", "shadow", "random"};
     std::vector<int> threads{1};
@@ -103,6 +104,12 @@ int find_obstacle(const Arguments& a) {
     return exit_not_written;
 }
 
+/// A file after every scene, so that who interrupts a long run keeps what was measured.
+bool save(const Arguments& a, const nlohmann::ordered_json& json, bool is_complete) {
+    if (a.json.empty() || (a.json == "-" && !is_complete)) return true;
+    return write_json(a.json, json);
+}
+
 int run(const Arguments& a) {
     if (a.list) return fmt::print("{}", bench::list_of_scenes()), exit_done;
     if (const int status = find_obstacle(a); status != exit_done) return status;
@@ -112,8 +119,9 @@ int run(const Arguments& a) {
         fmt::print(stderr, "{}", named.messages);
         if (!named.scene) return exit_unusable;
         json["scenes"].push_back(json_of(measure_scene(a, name, std::move(*named.scene))));
+        if (!save(a, json, &name == &a.scenes.back())) return exit_not_written;
     }
-    return a.json.empty() || write_json(a.json, json) ? exit_done : exit_not_written;
+    return exit_done;
 }
 
 void declare_what(CLI::App& app, Arguments& a) {

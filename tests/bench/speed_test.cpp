@@ -14,6 +14,12 @@ Outcome speed(const Folder& folder, const std::string& arguments) {
     return folder.shell("exec '" ETALON_BINARY_DIR "/bin/etalon-bench' speed " + arguments);
 }
 
+/// From `start`, which is a line's, to its end.
+std::string line_with(const std::string& text, const std::string& start) {
+    const std::size_t at = text.find(start) + 1;
+    return text.substr(at, text.find('\n', at) - at);
+}
+
 const std::string quick = "--scene spheres:200 --repeat 1 --max-rays 500 --oracle 0.02 ";
 
 }  // namespace
@@ -78,6 +84,8 @@ TEST_CASE("speed shows a line for each kind of ray, contender and number of thre
                           ContainsSubstring("\ncamera  embree-builtin-robust  ") &&
                           ContainsSubstring("\nspheres:200, to builtin"));
     CHECK_THAT(r.out, !ContainsSubstring("\nshadow"));
+    CHECK(line_with(r.out, "\nrays ").size() == line_with(r.out, "\ncamera  bvh ").size());
+    CHECK(line_with(r.out, "\nbuild      ").size() == line_with(r.out, "\nbuild   bvh ").size());
 }
 
 TEST_CASE("speed compares threads with one thread, if the machine has them") {
