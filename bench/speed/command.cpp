@@ -153,8 +153,10 @@ void declare_how(CLI::App& app, Arguments& a) {
     app.add_option("--max-rays", a.max_rays, "Of each kind, about")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
         ->capture_default_str();
-    app.add_option("--oracle", a.oracle_seconds,
-                   "CPU seconds, for each kind of ray, in which the oracle judges a sample")
+    app.add_option(
+           "--oracle", a.oracle_seconds,
+           "CPU seconds in which the oracle judges a sample of each kind of ray, and as many "
+           "again for rays in dispute")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     app.add_option("--json", a.json, "Write the figures to this file; - is standard output");

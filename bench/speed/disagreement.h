@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "bench/speed/tracing.h"
 
@@ -20,5 +21,9 @@ struct Disagreement {
 /// Both to the rays of one set, in its order; of occlusion queries only hit or miss is compared.
 Disagreement compare(std::span<const Answer> answers, std::span<const Answer> reference,
                      bool occlusion);
+
+/// The places of the rays to which not all have the same answer, the bits of t apart. All lists are
+/// as long as the first.
+std::vector<std::size_t> disputed(const std::vector<std::vector<Answer>>& answers, bool occlusion);
 
 }  // namespace etalon::speed

@@ -42,7 +42,10 @@ struct BuildFigures {
 struct Errors {
     std::string reference;      ///< the exact backend that all of its answers are compared with
     Disagreement disagreement;  ///< with that one
-    Judgement judgement;        ///< by the oracle, of a sample
+    Judgement sample;           ///< by the oracle, of rays spread evenly over all
+    /// By the oracle, of the rays to which not all contenders have the same answer: whoever is
+    /// wrong alone is found out here.
+    Judgement disputed;
 };
 
 struct RayFigures {

@@ -1,4 +1,4 @@
-// The oracle's word on as many rays of a set as there is time for.
+// The oracle's word on as many rays as there is time for.
 #pragma once
 
 #include "bench/accuracy/truth.h"
@@ -16,12 +16,16 @@ struct Judgement {
     std::uint64_t errors() const { return false_hits + false_misses + wrong_primitives; }
 };
 
-/// What is true of a sample of a set's rays: the same for all contenders.
-class Sample {
+/// All numbers below `count` in an order of which every beginning is spread evenly over them.
+std::vector<std::size_t> scattered(std::size_t count);
+
+/// What is true of some of a set's rays: the same for all contenders.
+class Truths {
   public:
-    /// Asks the oracle for so many CPU seconds, of at least one ray. The setting and the set must
-    /// outlive the sample.
-    Sample(const hard::Setting& setting, const Oracle& oracle, const RaySet& set, double seconds);
+    /// Asks the oracle about the rays at these places of the set, in this order, for so many CPU
+    /// seconds, but at least about one. The setting and the set must outlive this.
+    Truths(const hard::Setting& setting, const Oracle& oracle, const RaySet& set,
+           const std::vector<std::size_t>& places, double seconds);
 
     /// Of a contender's answers to the whole set; see Entrant for `exact`.
     Judgement judge(std::span<const Answer> answers, bool exact) const;

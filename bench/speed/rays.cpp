@@ -69,17 +69,23 @@ std::vector<Answer> RayMeasurement::answers_of(const std::string& name, const Ra
     return found;
 }
 
+Truths RayMeasurement::truths(const RaySet& set, const std::vector<std::size_t>& places) const {
+    return {setting_, oracle_, set, places, plan_.oracle_seconds};
+}
+
 void RayMeasurement::find_errors(const RaySet& set, const Answers& answers,
                                  KindFigures& figures) const {
     const std::vector<Answer> bvh = answers_of("bvh", set, answers);
     const std::vector<Answer> embree = answers_of("embree", set, answers);
-    const Sample sample(setting_, oracle_, set, plan_.oracle_seconds);
+    const Truths sample = truths(set, scattered(set.rays.size()));
+    const Truths quarrels = truths(set, disputed(answers, set.occlusion));
     for (std::size_t i = 0; i < contenders_.size(); ++i) {
         Errors& errors = figures.contenders[i].errors;
         errors.reference = reference_of(contenders_[i].name());
         errors.disagreement =
             compare(answers[i], errors.reference == "bvh" ? bvh : embree, set.occlusion);
-        errors.judgement = sample.judge(answers[i], contenders_[i].backend->exact);
+        errors.sample = sample.judge(answers[i], contenders_[i].backend->exact);
+        errors.disputed = quarrels.judge(answers[i], contenders_[i].backend->exact);
     }
 }
 

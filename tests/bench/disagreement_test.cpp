@@ -1,5 +1,7 @@
 #include "bench/speed/disagreement.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "bench/speed/judgement.h"
@@ -34,7 +36,7 @@ Judgement judge(const std::vector<Answer>& answers, bool occlusion) {
     setting.scene = two_layers();
     const Oracle oracle(setting.scene);
     const RaySet set = four_rays(occlusion);
-    return Sample(setting, oracle, set, 100).judge(answers, true);
+    return Truths(setting, oracle, set, scattered(set.rays.size()), 100).judge(answers, true);
 }
 
 }  // namespace
@@ -104,5 +106,25 @@ TEST_CASE("Without time the oracle still judges one ray") {
     setting.scene = two_layers();
     const Oracle oracle(setting.scene);
     const RaySet set = four_rays(false);
-    CHECK(Sample(setting, oracle, set, 0).judge(right, true).rays == 1);
+    CHECK(Truths(setting, oracle, set, {3, 1}, 0).judge(right, true).rays == 1);
+    CHECK(Truths(setting, oracle, set, {}, 0).judge(right, true).rays == 0);
+}
+
+TEST_CASE("Rays are in dispute where anyone differs in more than the bits of t") {
+    const double next = std::nextafter(2.0, 3.0);
+    const std::vector<std::vector<Answer>> answers{
+        right, {{next, 0}, {3, 1}, {2, 0}, missed}, {{2, 0}, {2, 0}, {2, 0}, {7, 0}}};
+    CHECK(disputed(answers, false) == std::vector<std::size_t>{1, 3});
+    CHECK(disputed(answers, true) == std::vector<std::size_t>{3});
+    CHECK(disputed({right}, false).empty());
+}
+
+TEST_CASE("A scattered order has every number once, and the first ones far apart") {
+    std::vector<std::size_t> order = scattered(1000);
+    CHECK(order[0] == 0);
+    CHECK(order[1] == 512);
+    CHECK(order[2] == 256);
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < 1000; ++i) CHECK(order[i] == i);
+    CHECK(order.size() == 1000);
 }

@@ -71,6 +71,7 @@ TEST_CASE("speed finds no error of an exact backend, whichever takes part") {
             }
             for (const char* error : {"false_hits", "false_misses", "wrong_primitives"}) {
                 CHECK(errors["oracle"][error] == 0);
+                CHECK(errors["disputed"][error] == 0);
             }
         }
     }

@@ -24,6 +24,10 @@ inline std::string beginning(const std::string& what, const std::string& contend
     return fmt::format("{:<8}{:<22}", what, contender);
 }
 
+inline std::string without_trailing_blanks(const std::string& text) {
+    return text.substr(0, text.find_last_not_of(' ') + 1);
+}
+
 template <class Line>
 std::string heading(const std::string& what, std::span<const Column<Line>> columns) {
     std::string above = beginning("", ""), below = beginning(what, "");
@@ -31,14 +35,13 @@ std::string heading(const std::string& what, std::span<const Column<Line>> colum
         above += fmt::format("{:>{}}", c.above, c.width);
         below += fmt::format("{:>{}}", c.name, c.width);
     }
-    return above + "\n" + below + "\n";
+    return without_trailing_blanks(above) + "\n" + below + "\n";
 }
 
 template <class Line>
 std::string text_of(std::string text, const Line& line, std::span<const Column<Line>> columns) {
     for (const Column<Line>& c : columns) text += fmt::format("{:>{}}", c.cell(line), c.width);
-    text.resize(text.find_last_not_of(' ') + 1);
-    return text + "\n";
+    return without_trailing_blanks(text) + "\n";
 }
 
 /// With decimal points below each other as far as that tells anything.
@@ -59,7 +62,7 @@ std::string ratio(const Line& line) {
 
 template <class Line>
 std::string spread(const Line& line) {
-    return figure(line.runs.ratio.spread);
+    return fmt::format("{:.3f}", line.runs.ratio.spread);
 }
 
 template <class Line, Estimate Runs::*Which>

@@ -48,21 +48,24 @@ Json json_of(const Runs& runs, double rays) {
     return json;
 }
 
+Json json_of(const Judgement& j) {
+    return {{"rays", j.rays},
+            {"undecidable", j.undecidable},
+            {"false_hits", j.false_hits},
+            {"false_misses", j.false_misses},
+            {"wrong_primitives", j.wrong_primitives},
+            {"t_float_ulps_max", j.t_ulps}};
+}
+
 Json json_of(const Errors& errors) {
     const Disagreement& d = errors.disagreement;
-    const Judgement& j = errors.judgement;
     return {{"reference", errors.reference},
             {"rays", d.rays},
             {"hit_or_miss", d.hit_or_miss},
             {"primitive", d.primitive},
             {"t_bits", d.distance},
-            {"oracle",
-             {{"rays", j.rays},
-              {"undecidable", j.undecidable},
-              {"false_hits", j.false_hits},
-              {"false_misses", j.false_misses},
-              {"wrong_primitives", j.wrong_primitives},
-              {"t_float_ulps_max", j.t_ulps}}}};
+            {"oracle", json_of(errors.sample)},
+            {"disputed", json_of(errors.disputed)}};
 }
 
 /// The figures of one thread, and below "threads" those of all numbers of them.

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "bench/speed/report/columns.h"
 #include "bench/speed/report/table.h"
 
@@ -50,12 +52,20 @@ std::string disagreement(const Errors& e) {
 }
 
 template <std::uint64_t Judgement::*Count>
-std::string judgement(const Errors& e) {
-    return count(e.judgement.*Count);
+std::string sample(const Errors& e) {
+    return count(e.sample.*Count);
+}
+
+std::string disputed_rays(const Errors& e) {
+    return count(e.disputed.rays);
+}
+
+std::string disputed_errors(const Errors& e) {
+    return count(e.disputed.errors());
 }
 
 std::string ulps(const Errors& e) {
-    return accuracy::brief(e.judgement.t_ulps);
+    return accuracy::brief(std::max(e.sample.t_ulps, e.disputed.t_ulps));
 }
 
 constexpr Column<RayLine> columns[] = {
@@ -72,11 +82,13 @@ constexpr Column<RayLine> columns[] = {
     {"hit or", "miss", 7, any_query<disagreement<&Disagreement::hit_or_miss>>},
     {"", "prim", 7, nearest_hit<disagreement<&Disagreement::primitive>>},
     {"bits", "of t", 8, nearest_hit<disagreement<&Disagreement::distance>>},
-    {"oracle:", "rays", 9, any_query<judgement<&Judgement::rays>>},
-    {"false", "hits", 7, any_query<judgement<&Judgement::false_hits>>},
-    {"false", "misses", 7, any_query<judgement<&Judgement::false_misses>>},
-    {"wrong", "prim", 7, nearest_hit<judgement<&Judgement::wrong_primitives>>},
+    {"oracle:", "rays", 9, any_query<sample<&Judgement::rays>>},
+    {"false", "hits", 7, any_query<sample<&Judgement::false_hits>>},
+    {"false", "misses", 7, any_query<sample<&Judgement::false_misses>>},
+    {"wrong", "prim", 7, nearest_hit<sample<&Judgement::wrong_primitives>>},
     {"t, in", "ulp max", 8, nearest_hit<ulps>},
+    {"in", "dispute", 9, any_query<disputed_rays>},
+    {"", "wrong", 7, any_query<disputed_errors>},
 };
 
 }  // namespace
