@@ -17,13 +17,15 @@ TEST_CASE("Pinned threads have a core each, and leave the caller its own") {
     sched_getaffinity(0, sizeof before, &before);
     std::mutex mutex;
     std::set<int> cores;
+    int with_one_core = 0;
     run_pinned(usable_cores(), [&] {
         cpu_set_t mine;
-        CHECK(sched_getaffinity(0, sizeof mine, &mine) == 0);
+        sched_getaffinity(0, sizeof mine, &mine);
         const std::lock_guard lock(mutex);
-        CHECK(CPU_COUNT(&mine) == 1);
+        with_one_core += CPU_COUNT(&mine) == 1;
         cores.insert(sched_getcpu());
     });
+    CHECK(with_one_core == usable_cores());
     CHECK(static_cast<int>(cores.size()) == usable_cores());
     sched_getaffinity(0, sizeof after, &after);
     CHECK(CPU_EQUAL(&before, &after));
