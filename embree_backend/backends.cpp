@@ -14,16 +14,37 @@ std::unique_ptr<Intersector> build(const Scene& scene) {
     return std::make_unique<Accelerator>(scene);
 }
 
+std::unique_ptr<Intersector> build_robust(const Scene& scene) {
+    const DefaultFloatEnvironment restored;
+    return std::make_unique<EmbreeBuiltin>(scene, EmbreeBuiltin::Traversal::robust);
+}
+
 constexpr Backend backends[] = {
     {"embree", "Embree's hierarchy over the exact kernels", true, build<EmbreeUserGeometry>},
     {"embree-builtin", "Embree's own float triangles, quads and spheres", false,
      build<EmbreeBuiltin>},
 };
 
+constexpr Backend robust = {"embree-builtin-robust", "The same, traversed with more care", false,
+                            build_robust};
+
 }  // namespace
 
 std::span<const Backend> embree_backends() {
     return backends;
+}
+
+const Backend& embree_builtin_robust() {
+    return robust;
+}
+
+EmbreeLibrary embree_library() {
+    const DefaultFloatEnvironment restored;
+    const EmbreeDevice device;
+    const auto v = rtcGetDeviceProperty(device.handle(), RTC_DEVICE_PROPERTY_VERSION);
+    const std::string version = std::to_string(v / 10000) + '.' + std::to_string(v / 100 % 100) +
+                                '.' + std::to_string(v % 100);
+    return {version, device.isa()};
 }
 
 }  // namespace etalon

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "core/intersect/intersector.h"
 
@@ -8,5 +9,18 @@ namespace etalon {
 
 /// embree, embree-builtin.
 std::span<const Backend> embree_backends();
+
+/// embree-builtin with RTC_SCENE_FLAG_ROBUST, a second yardstick for measurements; no program
+/// offers it to render with.
+const Backend& embree_builtin_robust();
+
+/// The library that is loaded, which need not be the one whose header was compiled.
+struct EmbreeLibrary {
+    std::string version;  ///< "3.13.5"
+    std::string isa;      ///< that its devices are made for, "avx2"
+};
+
+/// Throws as EmbreeDevice does.
+EmbreeLibrary embree_library();
 
 }  // namespace etalon

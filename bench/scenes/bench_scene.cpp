@@ -1,0 +1,81 @@
+#include "bench/scenes/bench_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+#include "bench/scenes/families.h"
+#include "core/formats/load.h"
+
+namespace etalon::bench {
+namespace {
+
+/// "FAMILY" or "FAMILY:SIZE" taken apart.
+struct Request {
+    explicit Request(const std::string& name) {
+        const std::size_t colon = name.find(':');
+        const std::string_view word = std::string_view(name).substr(0, colon);
+        const auto found = std::find_if(families().begin(), families().end(),
+                                        [&](const Family& f) { return f.name == word; });
+        if (found == families().end()) return;
+        family = &*found;
+        size = colon == std::string::npos ? family->usual : number(name.substr(colon + 1));
+    }
+
+    bool has_size() const { return size >= 1 && size <= family->most; }
+
+    const Family* family = nullptr;
+    std::size_t size = 0;  ///< 0 if what stands there is no number
+
+  private:
+    static std::size_t number(const std::string& text) {
+        std::size_t value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        return error == std::errc() && end == text.data() + text.size() ? value : 0;
+    }
+};
+
+std::string names_of_families() {
+    std::string names;
+    for (const Family& f : families()) names += fmt::format("{}[:{}], ", f.name, f.unit);
+    return names;
+}
+
+NamedScene from_file(const std::string& path) {
+    LoadResult loaded = load_scene(path);
+    return {std::move(loaded.scene), report(loaded.diagnostics)};
+}
+
+}  // namespace
+
+std::string complaint_about(const std::string& name) {
+    const Request request(name);
+    if (request.family != nullptr) {
+        if (request.has_size()) return "";
+        return fmt::format("{}: expected a {} from 1 to {} after {}:", name, request.family->unit,
+                           request.family->most, request.family->name);
+    }
+    std::error_code ignored;
+    if (name == "-" || std::filesystem::exists(name, ignored)) return "";
+    return fmt::format("{}: no such scene: expected {}or a scene file", name, names_of_families());
+}
+
+NamedScene bench_scene(const std::string& name) {
+    const std::string complaint = complaint_about(name);
+    if (!complaint.empty()) return {std::nullopt, "error: " + complaint + "\n"};
+    const Request request(name);
+    if (request.family == nullptr) return from_file(name);
+    return {request.family->make(request.size), ""};
+}
+
+std::string list_of_scenes() {
+    std::string text;
+    for (const Family& f : families()) {
+        text += fmt::format("{:<20} {}\n", fmt::format("{}:{}", f.name, f.usual), f.what);
+    }
+    return text;
+}
+
+}  // namespace etalon::bench

@@ -1,0 +1,25 @@
+// Scenes to measure accelerators on: made here by name, or read from a file.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/scene/scene.h"
+
+namespace etalon::bench {
+
+/// What is wrong with a scene's name and what was expected; empty if it is "FAMILY" or
+/// "FAMILY:SIZE" with a family of bench/scenes/families.h, or the path of a file.
+std::string complaint_about(const std::string& name);
+
+struct NamedScene {
+    std::optional<Scene> scene;  ///< nothing if there is no such scene
+    std::string messages;        ///< for the user, whole lines
+};
+
+NamedScene bench_scene(const std::string& name);
+
+/// A line for each family: its name with its usual size, and what it is.
+std::string list_of_scenes();
+
+}  // namespace etalon::bench

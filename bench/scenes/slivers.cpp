@@ -1,0 +1,18 @@
+#include "bench/scenes/families.h"
+#include "bench/scenes/needles.h"
+#include "bench/scenes/stage.h"
+
+namespace etalon::bench {
+
+/// Boxes far larger than what is in them.
+Scene slivers(std::size_t count) {
+    Scene scene = empty_scene({.eye = {1.5, 1.1, 1.9}});
+    Random random(5);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 place = random.in_cube();
+        add_needle(scene, place, random.direction(), 0.24, 0.002, random);
+    }
+    return scene;
+}
+
+}  // namespace etalon::bench

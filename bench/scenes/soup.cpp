@@ -1,0 +1,47 @@
+#include "bench/scenes/families.h"
+#include "bench/scenes/mesh.h"
+#include "bench/scenes/stage.h"
+
+namespace etalon::bench {
+
+/// Corners within an edge of their triangle's place; the edge shrinks so that the total area, and
+/// with it the number of surfaces a ray passes, stays alike for every count.
+Scene soup(std::size_t count) {
+    Scene scene = empty_scene();
+    Random random(1);
+    const double edge = 3 / std::sqrt(static_cast<double>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 place = random.in_cube();
+        const Vec3 a = random.in_cube(), b = random.in_cube(), c = random.in_cube();
+        add_triangle(scene, place + edge * a, place + edge * b, place + edge * c);
+    }
+    return scene;
+}
+
+/// What a broken exporter writes: nothing can hit such a triangle, and no other may suffer by it.
+Scene nan_soup(std::size_t count) {
+    Scene scene = soup(count);
+    for (std::size_t i = 9; i < count; i += 10) {
+        const std::size_t corner = i / 10 % 3, axis = i / 30 % 3;
+        scene.vertices[3 * i + corner][static_cast<int>(axis)] = nan_value;
+    }
+    return scene;
+}
+
+/// As soup, in the plane y = 0: every box is without thickness, and every ray meets many triangles
+/// at the same distance.
+Scene flat(std::size_t count) {
+    Scene scene = empty_scene({.eye = {0.7, 2, 1}});
+    Random random(3);
+    const double edge = 3 / std::sqrt(static_cast<double>(count));
+    const auto in_plane = [](const Vec3& v) { return Vec3(v.x, 0, v.z); };
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 place = in_plane(random.in_cube());
+        const Vec3 a = random.in_cube(), b = random.in_cube(), c = random.in_cube();
+        add_triangle(scene, place + edge * in_plane(a), place + edge * in_plane(b),
+                     place + edge * in_plane(c));
+    }
+    return scene;
+}
+
+}  // namespace etalon::bench

@@ -1,0 +1,19 @@
+#include "bench/scenes/families.h"
+#include "bench/scenes/stage.h"
+#include "core/sampling/random.h"
+
+namespace etalon::bench {
+
+/// The radius shrinks so that the number of spheres a ray passes stays alike for every count.
+Scene spheres(std::size_t count) {
+    Scene scene = empty_scene();
+    Random random(2);
+    const double radius = 0.5 / std::sqrt(static_cast<double>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 place = random.in_cube();
+        scene.add(Sphere{place, radius * random.uniform(0.5, 1.5)}, 0);
+    }
+    return scene;
+}
+
+}  // namespace etalon::bench

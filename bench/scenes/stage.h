@@ -1,0 +1,20 @@
+// What every scene to measure has besides its shapes.
+#pragma once
+
+#include "core/scene/scene.h"
+
+namespace etalon::bench {
+
+/// Where the camera and the only light stand.
+struct Stage {
+    Vec3 eye{2.2, 1.6, 2.8};  ///< by default all of the cube from -1 to 1 is seen
+    Vec3 at{0};
+    double fov_degrees = 45;
+    Vec3 light{3, 5, 4};
+    int pixels = 512;  ///< along either side; fewer where a ray costs a hundred times the usual
+};
+
+/// Material 0, a light and a camera; no shapes.
+Scene empty_scene(const Stage& stage = {});
+
+}  // namespace etalon::bench

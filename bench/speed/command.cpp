@@ -1,0 +1,174 @@
+// etalon-bench speed: how many rays a second, and how many bytes and seconds of building, each
+// backend needs, beside how often it is wrong on the same rays.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/exit_status.h"
+#include "app/output.h"
+#include "bench/commands.h"
+#include "bench/scenes/bench_scene.h"
+#include "bench/speed/pinned.h"
+#include "bench/speed/rays.h"
+#include "bench/speed/report/json.h"
+#include "bench/speed/report/table.h"
+
+namespace etalon {
+namespace {
+
+using namespace speed;
+
+/// `none` tests every primitive against every ray: only who asks for it is to wait for it.
+std::vector<std::string> usual_contenders() {
+    std::vector<std::string> names = contender_names();
+    std::erase(names, "none");
+    return names;
+}
+
+struct Arguments {
+    std::vector<std::string> scenes{"terrain", "flake",        "soup",   "stadium",
+                                    "slivers", "spheres:1000", "spheres"};
+    std::vector<std::string> backends = usual_contenders();
+    std::vector<std::string> kinds{"camera", "bounce", "shadow", "random"};
+    std::vector<int> threads{1};
+    int repeats = 5;
+    std::size_t max_rays = 1 << 18;
+    double oracle_seconds = 1;
+    bool only_build = false, list = false;
+    std::string json;
+
+    Plan plan() const {
+        std::set<int> counts(threads.begin(), threads.end());
+        counts.insert(1);
+        return {with_yardsticks(backends), {counts.begin(), counts.end()}, repeats, oracle_seconds};
+    }
+};
+
+/// Tables make room for JSON that another program is to read from standard output.
+void show(const Arguments& a, const std::string& text) {
+    std::FILE* to = a.json == "-" ? stderr : stdout;
+    fmt::print(to, "{}", text);
+    std::fflush(to);
+}
+
+std::vector<Contender> enter(const Plan& plan) {
+    std::vector<Contender> contenders;
+    for (const std::string& name : plan.contenders) {
+        contenders.push_back({&find_contender(name), nullptr});
+    }
+    return contenders;
+}
+
+void measure_rays(const Arguments& a, const RayMeasurement& measurement, const Scene& scene,
+                  SceneFigures& figures) {
+    show(a, heading_of_rays());
+    for (const RaySet& set : make_ray_sets(scene, measurement.exact(), a.max_rays)) {
+        const bool is_wanted = std::find(a.kinds.begin(), a.kinds.end(), set.kind) != a.kinds.end();
+        if (!is_wanted || set.rays.empty()) continue;
+        figures.kinds.push_back(measurement.measure(set));
+        show(a, table(figures.kinds.back()));
+    }
+    show(a, summary(figures));
+}
+
+SceneFigures measure_scene(const Arguments& a, const std::string& name, Scene scene) {
+    hard::Setting setting;
+    setting.scene = std::move(scene);
+    SceneFigures figures{name, setting.scene.primitives.size(), {}, {}};
+    show(a, fmt::format("{}: {} primitives\n", name, figures.primitives));
+    const Plan plan = a.plan();
+    std::vector<Contender> contenders = enter(plan);
+    figures.builds = measure_builds(contenders, setting.scene, plan.threads, plan.repeats);
+    show(a, table(figures.builds));
+    if (!a.only_build) {
+        measure_rays(a, RayMeasurement(setting, contenders, plan), setting.scene, figures);
+    }
+    show(a, "\n");
+    return figures;
+}
+
+/// Before anything is measured: a slip of the pen in the last name is to cost no hour.
+int find_obstacle(const Arguments& a) {
+    std::string complaints;
+    for (const std::string& name : a.scenes) {
+        const std::string complaint = bench::complaint_about(name);
+        if (!complaint.empty()) complaints += "etalon-bench: error: " + complaint + "\n";
+    }
+    fmt::print(stderr, "{}", complaints);
+    if (!complaints.empty()) return exit_unusable;
+    const std::string obstacle = a.json.empty() || a.json == "-" ? "" : obstacle_to_writing(a.json);
+    if (obstacle.empty()) return exit_done;
+    fmt::print(stderr, "etalon-bench: error: {}\n", obstacle);
+    return exit_not_written;
+}
+
+/// A file after every scene, so that who interrupts a long run keeps what was measured.
+bool save(const Arguments& a, const nlohmann::ordered_json& json, bool is_complete) {
+    if (a.json.empty() || (a.json == "-" && !is_complete)) return true;
+    return write_json(a.json, json);
+}
+
+int run(const Arguments& a) {
+    if (a.list) return fmt::print("{}", bench::list_of_scenes()), exit_done;
+    if (const int status = find_obstacle(a); status != exit_done) return status;
+    nlohmann::ordered_json json = json_of_circumstances(a.plan());
+    for (const std::string& name : a.scenes) {
+        bench::NamedScene named = bench::bench_scene(name);
+        fmt::print(stderr, "{}", named.messages);
+        if (!named.scene) return exit_unusable;
+        json["scenes"].push_back(json_of(measure_scene(a, name, std::move(*named.scene))));
+        if (!save(a, json, &name == &a.scenes.back())) return exit_not_written;
+    }
+    return exit_done;
+}
+
+void declare_what(CLI::App& app, Arguments& a) {
+    app.add_option("--scene", a.scenes,
+                   "Names as --list has them, with or without :SIZE, or files; several by commas")
+        ->delimiter(',')
+        ->capture_default_str();
+    app.add_option("--backends", a.backends,
+                   "Which, by commas; those that all are compared with take part always")
+        ->delimiter(',')
+        ->check(CLI::IsMember(contender_names()))
+        ->capture_default_str();
+    app.add_option("--rays", a.kinds, "Kinds of rays, by commas")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"camera", "bounce", "shadow", "aimed", "random"}))
+        ->capture_default_str();
+    app.add_flag("--list", a.list, "Only say which scenes there are by name");
+    app.add_flag("--only-build", a.only_build, "Shoot no rays");
+}
+
+void declare_how(CLI::App& app, Arguments& a) {
+    app.add_option("--threads", a.threads, "How many, by commas; 1 is measured always")
+        ->delimiter(',')
+        ->check(CLI::Range(1, usable_cores()))
+        ->capture_default_str();
+    app.add_option("--repeat", a.repeats, "Alternating repeats; medians count")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    app.add_option("--max-rays", a.max_rays, "Of each kind, about")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
+        ->capture_default_str();
+    app.add_option(
+           "--oracle", a.oracle_seconds,
+           "CPU seconds in which the oracle judges a sample of each kind of ray, and as many "
+           "again for rays in dispute")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    app.add_option("--json", a.json, "Write the figures to this file; - is standard output");
+}
+
+}  // namespace
+
+Run declare_speed(CLI::App& app) {
+    auto a = std::make_shared<Arguments>();
+    declare_what(app, *a);
+    declare_how(app, *a);
+    return [a] { return run(*a); };
+}
+
+}  // namespace etalon

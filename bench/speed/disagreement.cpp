@@ -1,0 +1,54 @@
+#include "bench/speed/disagreement.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace etalon::speed {
+namespace {
+
+bool is_hit(const Answer& a) {
+    return a.primitive != no_index;
+}
+
+bool has_same_bits(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+/// To the same ray.
+bool is_same(const Answer& a, const Answer& b, bool occlusion) {
+    return occlusion ? is_hit(a) == is_hit(b) : a.primitive == b.primitive;
+}
+
+}  // namespace
+
+Disagreement compare(std::span<const Answer> answers, std::span<const Answer> reference,
+                     bool occlusion) {
+    Disagreement d;
+    d.rays = answers.size();
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        const Answer &a = answers[i], &b = reference[i];
+        if (is_hit(a) != is_hit(b)) {
+            ++d.hit_or_miss;
+        } else if (is_hit(a) && !occlusion) {
+            if (a.primitive != b.primitive) {
+                ++d.primitive;
+            } else {
+                d.distance += !has_same_bits(a.t, b.t);
+            }
+        }
+    }
+    return d;
+}
+
+std::vector<std::size_t> disputed(const std::vector<std::vector<Answer>>& answers, bool occlusion) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < answers.front().size(); ++i) {
+        const bool is_agreed = std::all_of(answers.begin(), answers.end(), [&](const auto& list) {
+            return is_same(list[i], answers.front()[i], occlusion);
+        });
+        if (!is_agreed) places.push_back(i);
+    }
+    return places;
+}
+
+}  // namespace etalon::speed

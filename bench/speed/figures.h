@@ -1,0 +1,76 @@
+// What is measured on a scene.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/stopwatch.h"
+#include "bench/speed/disagreement.h"
+#include "bench/speed/judgement.h"
+#include "bench/speed/statistics.h"
+
+namespace etalon::speed {
+
+/// Who every other is compared with, in the same run.
+inline constexpr const char* yardstick = "embree-builtin";
+inline constexpr const char* robust_yardstick = "embree-builtin-robust";
+
+/// The same work over and over, on so many threads.
+struct Runs {
+    int threads = 1;
+    std::vector<Duration> repeats;
+    Estimate ratio,
+        ratio_robust;  ///< of CPU seconds, the yardstick's over these: above 1 is faster
+    /// Seconds on one thread over these: what the work of a thread is still worth, and how much
+    /// sooner it is done. 1 for one thread.
+    Estimate cpu_scaling, wall_scaling;
+
+    std::vector<double> cpu() const;
+    std::vector<double> wall() const;
+};
+
+/// For each number of threads, with nothing in them yet.
+std::vector<Runs> runs_on(const std::vector<int>& threads);
+
+struct BuildFigures {
+    std::string contender, isa;
+    double bytes_per_primitive = 0;
+    std::vector<Runs> by_threads;
+};
+
+/// How often a contender is wrong. A speed without it says nothing.
+struct Errors {
+    std::string reference;      ///< the exact backend that all of its answers are compared with
+    Disagreement disagreement;  ///< with that one
+    Judgement sample;           ///< by the oracle, of rays spread evenly over all
+    /// By the oracle, of the rays to which not all contenders have the same answer: whoever is
+    /// wrong alone is found out here.
+    Judgement disputed;
+};
+
+struct RayFigures {
+    std::string contender;
+    std::vector<Runs> by_threads;
+    Errors errors;
+};
+
+struct KindFigures {
+    std::string kind;        ///< of ray
+    std::size_t rays = 0;    ///< that each repeat traces
+    bool occlusion = false;  ///< only whether something is hit is asked
+    std::vector<RayFigures> contenders;
+};
+
+struct SceneFigures {
+    std::string scene;
+    std::size_t primitives = 0;
+    std::vector<BuildFigures> builds;
+    std::vector<KindFigures> kinds;
+};
+
+/// Fills in what follows from comparing one contender's repeats with another's, and with its own on
+/// one thread. The yardsticks must be among them.
+void compare_with_yardsticks(std::vector<BuildFigures>& all);
+void compare_with_yardsticks(std::vector<RayFigures>& all);
+
+}  // namespace etalon::speed

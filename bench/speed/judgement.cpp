@@ -1,0 +1,62 @@
+#include "bench/speed/judgement.h"
+
+#include <bit>
+
+namespace etalon::speed {
+/// The bits of 0, 1, 2, ... reversed (van der Corput 1935).
+std::vector<std::size_t> scattered(std::size_t count) {
+    const int bits = static_cast<int>(std::bit_width(count));
+    std::vector<std::size_t> order;
+    for (std::size_t step = 0; step < std::size_t{1} << bits; ++step) {
+        std::size_t number = 0;
+        for (int b = 0; b < bits; ++b) number |= (step >> b & 1) << (bits - 1 - b);
+        if (number < count) order.push_back(number);
+    }
+    return order;
+}
+
+Truths::Truths(const hard::Setting& setting, const Oracle& oracle, const RaySet& set,
+               const std::vector<std::size_t>& places, double seconds)
+    : set_(set) {
+    Stopwatch watch;
+    double spent = 0;
+    for (const std::size_t place : places) {
+        if (!rays_.empty() && spent >= seconds) return;
+        const Ray& ray = set.rays[place];
+        rays_.push_back(place);
+        if (set.occlusion) {
+            is_occluded_.push_back(oracle.closest(ray, setting.tie).kind);
+        } else {
+            truth_.emplace_back(setting, oracle, ray);
+        }
+        spent += watch.lap().cpu;
+    }
+}
+
+Judgement Truths::judge(std::span<const Answer> answers, bool exact) const {
+    return set_.occlusion ? judge_occlusion(answers) : judge_closest(answers, exact);
+}
+
+Judgement Truths::judge_closest(std::span<const Answer> answers, bool exact) const {
+    const accuracy::Entrant entrant{nullptr, exact, true};
+    accuracy::Tally tally;
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+        truth_[i].judge(entrant, answers[rays_[i]], tally);
+    }
+    return {tally.rays,         tally.undecidable,      tally.false_hits,
+            tally.false_misses, tally.wrong_primitives, tally.float_ulps.max()};
+}
+
+Judgement Truths::judge_occlusion(std::span<const Answer> answers) const {
+    Judgement j;
+    j.rays = rays_.size();
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+        const bool said = answers[rays_[i]].primitive != no_index;
+        j.undecidable += is_occluded_[i] == OracleAnswer::undecidable;
+        j.false_hits += is_occluded_[i] == OracleAnswer::miss && said;
+        j.false_misses += is_occluded_[i] == OracleAnswer::hit && !said;
+    }
+    return j;
+}
+
+}  // namespace etalon::speed

@@ -1,0 +1,43 @@
+// The oracle's word on as many rays as there is time for.
+#pragma once
+
+#include "bench/accuracy/truth.h"
+#include "bench/speed/tracing.h"
+
+namespace etalon::speed {
+
+/// See accuracy::Tally for what each counts.
+struct Judgement {
+    std::uint64_t rays = 0, undecidable = 0;
+    std::uint64_t false_hits = 0, false_misses = 0;
+    std::uint64_t wrong_primitives = 0;  ///< of occlusion queries none is known
+    double t_ulps = 0;                   ///< largest error of t, in ulp of a float
+
+    std::uint64_t errors() const { return false_hits + false_misses + wrong_primitives; }
+};
+
+/// All numbers below `count` in an order of which every beginning is spread evenly over them.
+std::vector<std::size_t> scattered(std::size_t count);
+
+/// What is true of some of a set's rays: the same for all contenders.
+class Truths {
+  public:
+    /// Asks the oracle about the rays at these places of the set, in this order, for so many CPU
+    /// seconds, but at least about one. The setting and the set must outlive this.
+    Truths(const hard::Setting& setting, const Oracle& oracle, const RaySet& set,
+           const std::vector<std::size_t>& places, double seconds);
+
+    /// Of a contender's answers to the whole set; see Entrant for `exact`.
+    Judgement judge(std::span<const Answer> answers, bool exact) const;
+
+  private:
+    Judgement judge_closest(std::span<const Answer> answers, bool exact) const;
+    Judgement judge_occlusion(std::span<const Answer> answers) const;
+
+    const RaySet& set_;
+    std::vector<std::size_t> rays_;                ///< their places in the set
+    std::vector<accuracy::Truth> truth_;           ///< of each, where the nearest hit is asked for
+    std::vector<OracleAnswer::Kind> is_occluded_;  ///< of each, where only occlusion is
+};
+
+}  // namespace etalon::speed

@@ -1,0 +1,96 @@
+#include "bench/speed/pinned.h"
+
+#include <pthread.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <barrier>
+#include <exception>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace etalon::speed {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::vector<int> cores() {
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    sched_getaffinity(0, sizeof set, &set);
+    std::vector<int> numbers;
+    for (int core = 0; core < CPU_SETSIZE; ++core) {
+        if (CPU_ISSET(core, &set)) numbers.push_back(core);
+    }
+    return numbers;
+}
+
+void pin_to(int core) {
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    CPU_SET(core, &set);
+    const int error = pthread_setaffinity_np(pthread_self(), sizeof set, &set);
+    if (error != 0) throw std::system_error(error, std::generic_category(), "pinning a thread");
+}
+
+double thread_cpu_seconds() {
+    timespec t = {};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// One thread's share of the work.
+struct Shift {
+    Clock::time_point begin, end;
+    double cpu = 0;
+    std::exception_ptr failure;
+
+    void run(const std::function<void()>& work) {
+        begin = Clock::now();
+        const double start = thread_cpu_seconds();
+        work();
+        cpu = thread_cpu_seconds() - start;
+        end = Clock::now();
+    }
+};
+
+Duration total(const std::vector<Shift>& shifts) {
+    Clock::time_point begin = shifts.front().begin, end = shifts.front().end;
+    double cpu = 0;
+    for (const Shift& s : shifts) {
+        if (s.failure) std::rethrow_exception(s.failure);
+        begin = std::min(begin, s.begin);
+        end = std::max(end, s.end);
+        cpu += s.cpu;
+    }
+    return {std::chrono::duration<double>(end - begin).count(), cpu};
+}
+
+}  // namespace
+
+int usable_cores() {
+    return static_cast<int>(cores().size());
+}
+
+Duration run_pinned(int threads, const std::function<void()>& work) {
+    const std::vector<int> places = cores();
+    std::vector<Shift> shifts(static_cast<std::size_t>(threads));
+    std::barrier all_there(threads);
+    std::vector<std::jthread> crew;
+    for (std::size_t k = 0; k < shifts.size(); ++k) {
+        crew.emplace_back([&, k] {
+            try {
+                pin_to(places.at(k));
+                all_there.arrive_and_wait();
+                shifts[k].run(work);
+            } catch (...) {
+                shifts[k].failure = std::current_exception();
+            }
+        });
+    }
+    crew.clear();  // joins
+    return total(shifts);
+}
+
+}  // namespace etalon::speed

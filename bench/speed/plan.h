@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace etalon::speed {
+
+/// How thoroughly to measure.
+struct Plan {
+    std::vector<std::string> contenders;  ///< with the yardsticks among them
+    std::vector<int> threads{1};          ///< 1 first; every measurement is made with each
+    int repeats = 5;                      ///< by turns; medians count
+    double oracle_seconds =
+        1;  ///< CPU seconds for a kind of ray: a sample, and again disputed rays
+};
+
+}  // namespace etalon::speed

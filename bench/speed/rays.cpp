@@ -1,0 +1,92 @@
+#include "bench/speed/rays.h"
+
+#include <algorithm>
+
+#include "bench/speed/alternate.h"
+
+namespace etalon::speed {
+namespace {
+
+/// An exact backend other than the one that is compared with it.
+std::string reference_of(const std::string& contender) {
+    return contender == "bvh" ? "embree" : "bvh";
+}
+
+const Contender* find(const std::vector<Contender>& list, const std::string& name) {
+    const auto found = std::find_if(list.begin(), list.end(),
+                                    [&](const Contender& c) { return c.name() == name; });
+    return found == list.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+RayMeasurement::RayMeasurement(const hard::Setting& setting,
+                               const std::vector<Contender>& contenders, const Plan& plan)
+    : setting_(setting), contenders_(contenders), plan_(plan), oracle_(setting.scene) {
+    for (const std::string name : {"bvh", "embree"}) {
+        if (find(contenders, name) != nullptr) continue;
+        const Backend& backend = find_contender(name);
+        references_.push_back({&backend, backend.build(setting.scene)});
+    }
+}
+
+const Contender& RayMeasurement::who(const std::string& name) const {
+    const Contender* contender = find(contenders_, name);
+    return contender != nullptr ? *contender : *find(references_, name);
+}
+
+KindFigures RayMeasurement::measure(const RaySet& set) const {
+    Answers answers(contenders_.size(), std::vector<Answer>(set.rays.size(), missed));
+    KindFigures figures{set.kind, set.rays.size(), set.occlusion, time(set, answers)};
+    find_errors(set, answers, figures);
+    return figures;
+}
+
+std::vector<RayFigures> RayMeasurement::time(const RaySet& set, Answers& answers) const {
+    std::vector<RayFigures> all(contenders_.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i].contender = contenders_[i].name();
+        all[i].by_threads = runs_on(plan_.threads);
+    }
+    const std::size_t ways = plan_.threads.size();
+    alternate(plan_.repeats, contenders_.size() * ways, [&](int, std::size_t k) {
+        const std::size_t i = k / ways;
+        const Intersector& intersector = *contenders_[i].intersector;
+        Runs& runs = all[i].by_threads[k % ways];
+        runs.repeats.push_back(trace(intersector, set, runs.threads, answers[i]));
+    });
+    compare_with_yardsticks(all);
+    return all;
+}
+
+std::vector<Answer> RayMeasurement::answers_of(const std::string& name, const RaySet& set,
+                                               const Answers& answers) const {
+    for (std::size_t i = 0; i < contenders_.size(); ++i) {
+        if (contenders_[i].name() == name) return answers[i];
+    }
+    std::vector<Answer> found(set.rays.size(), missed);
+    trace(*who(name).intersector, set, 1, found);
+    return found;
+}
+
+Truths RayMeasurement::truths(const RaySet& set, const std::vector<std::size_t>& places) const {
+    return {setting_, oracle_, set, places, plan_.oracle_seconds};
+}
+
+void RayMeasurement::find_errors(const RaySet& set, const Answers& answers,
+                                 KindFigures& figures) const {
+    const std::vector<Answer> bvh = answers_of("bvh", set, answers);
+    const std::vector<Answer> embree = answers_of("embree", set, answers);
+    const Truths sample = truths(set, scattered(set.rays.size()));
+    const Truths quarrels = truths(set, disputed(answers, set.occlusion));
+    for (std::size_t i = 0; i < contenders_.size(); ++i) {
+        Errors& errors = figures.contenders[i].errors;
+        errors.reference = reference_of(contenders_[i].name());
+        errors.disagreement =
+            compare(answers[i], errors.reference == "bvh" ? bvh : embree, set.occlusion);
+        errors.sample = sample.judge(answers[i], contenders_[i].backend->exact);
+        errors.disputed = quarrels.judge(answers[i], contenders_[i].backend->exact);
+    }
+}
+
+}  // namespace etalon::speed

@@ -1,0 +1,38 @@
+// How fast and how well the contenders answer rays.
+#pragma once
+
+#include "bench/speed/contender.h"
+#include "bench/speed/plan.h"
+
+namespace etalon::speed {
+
+class RayMeasurement {
+  public:
+    /// The setting, of which only the scene and the tie matter, and the contenders, which are
+    /// built, must outlive it.
+    RayMeasurement(const hard::Setting& setting, const std::vector<Contender>& contenders,
+                   const Plan& plan);
+
+    /// Who decides where rays start.
+    const Intersector& exact() const { return *who("bvh").intersector; }
+
+    KindFigures measure(const RaySet& set) const;
+
+  private:
+    using Answers = std::vector<std::vector<Answer>>;  ///< of each contender
+
+    const Contender& who(const std::string& name) const;
+    std::vector<RayFigures> time(const RaySet& set, Answers& answers) const;
+    std::vector<Answer> answers_of(const std::string& name, const RaySet& set,
+                                   const Answers& answers) const;
+    Truths truths(const RaySet& set, const std::vector<std::size_t>& places) const;
+    void find_errors(const RaySet& set, const Answers& answers, KindFigures& figures) const;
+
+    const hard::Setting& setting_;
+    const std::vector<Contender>& contenders_;
+    const Plan plan_;
+    const Oracle oracle_;
+    std::vector<Contender> references_;  ///< others are compared with them; they do not take part
+};
+
+}  // namespace etalon::speed

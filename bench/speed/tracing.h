@@ -1,0 +1,20 @@
+// Rays through an intersector, against the clock.
+#pragma once
+
+#include <span>
+
+#include "app/stopwatch.h"
+#include "bench/accuracy/contender.h"
+#include "core/render/ray_sets.h"
+
+namespace etalon::speed {
+
+using accuracy::Answer;
+using accuracy::missed;
+
+/// Answers all rays of the set on so many pinned threads. Of a set of occlusion queries, primitive
+/// 0 means occluded.
+Duration trace(const Intersector& intersector, const RaySet& set, int threads,
+               std::span<Answer> answers);
+
+}  // namespace etalon::speed

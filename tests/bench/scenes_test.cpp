@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <cstring>
+#include <set>
+
+#include "app/backends.h"
+#include "bench/scenes/bench_scene.h"
+#include "bench/scenes/families.h"
+#include "core/render/ray_sets.h"
+#include "tests/catch.h"
+
+using namespace etalon;
+using namespace etalon::bench;
+
+namespace {
+
+/// A size that takes no time, and how many primitives it promises.
+struct Small {
+    std::string_view family;
+    std::size_t size, primitives;
+};
+
+constexpr Small small_scenes[] = {
+    {"soup", 3000, 3000},      {"spheres", 3000, 3000}, {"duplicates", 500, 500},
+    {"terrain", 3000, 3000},   {"flake", 30000, 30000}, {"stadium", 3000, 3000},
+    {"slivers", 20000, 20000}, {"sphereflake", 3, 820}, {"mixed", 3000, 3000},
+    {"flat", 3000, 3000},      {"equal", 500, 500},     {"nan", 3000, 3000},
+};
+
+Scene make(const Small& s) {
+    return *bench_scene(std::string(s.family) + ":" + std::to_string(s.size)).scene;
+}
+
+/// FNV-1a of bytes.
+class Hash {
+  public:
+    template <class T>
+    void add(const std::vector<T>& values) {
+        const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
+        for (std::size_t i = 0; i < values.size() * sizeof(T); ++i) {
+            value_ = (value_ ^ bytes[i]) * 0x100000001b3U;
+        }
+    }
+    std::uint64_t value() const { return value_; }
+
+  private:
+    std::uint64_t value_ = 0xcbf29ce484222325U;
+};
+
+std::uint64_t hash_of(const Scene& scene) {
+    Hash hash;
+    hash.add(scene.vertices);
+    std::apply([&](const auto&... shapes) { (hash.add(shapes), ...); }, scene.shapes);
+    return hash.value();
+}
+
+/// 3 in a soup, 0.5 in a large mesh.
+double vertices_per_triangle(const Scene& scene) {
+    return static_cast<double>(scene.vertices.size()) /
+           static_cast<double>(scene.all<Triangle>().size());
+}
+
+bool is_finite_triangle(const Scene& scene, const Triangle& t) {
+    return std::all_of(t.vertices.begin(), t.vertices.end(),
+                       [&](std::uint32_t v) { return is_finite(scene.vertices[v]); });
+}
+
+Vec3 sum_of_corners(const Scene& scene, const Triangle& t) {
+    return scene.vertices[t.vertices[0]] + scene.vertices[t.vertices[1]] +
+           scene.vertices[t.vertices[2]];
+}
+
+}  // namespace
+
+TEST_CASE("Every family of scenes has a line in the test's table") {
+    std::set<std::string_view> tested, known;
+    for (const Small& s : small_scenes) tested.insert(s.family);
+    for (const Family& f : families()) known.insert(f.name);
+    CHECK(tested == known);
+}
+
+TEST_CASE("Every scene has as many primitives as promised, within a tenth") {
+    for (const Small& s : small_scenes) {
+        INFO(s.family);
+        const auto promised = static_cast<double>(s.primitives);
+        CHECK(static_cast<double>(make(s).primitives.size()) == Approx(promised).epsilon(0.1));
+    }
+}
+
+TEST_CASE("Every scene is the same when made again, and another at another size") {
+    for (const Small& s : small_scenes) {
+        INFO(s.family);
+        CHECK(hash_of(make(s)) == hash_of(make(s)));
+        CHECK(hash_of(make(s)) != hash_of(make({s.family, s.size / 2, 0})));
+    }
+}
+
+TEST_CASE("The camera of every scene sees something, and something that the light may reach") {
+    for (const Small& s : small_scenes) {
+        INFO(s.family);
+        const Scene scene = make(s);
+        const auto bvh = find_backend("bvh")->build(scene);
+        const auto sets = make_ray_sets(scene, *bvh, 400);
+        const auto hits = std::count_if(sets[0].rays.begin(), sets[0].rays.end(),
+                                        [&](const Ray& ray) { return bvh->occluded(ray); });
+        CHECK(hits > 20);
+        CHECK(sets[2].kind == "shadow");
+        CHECK(sets[2].rays.size() > 20);
+    }
+}
+
+TEST_CASE("A family's name alone is its usual size, as listed") {
+    CHECK(bench_scene("sphereflake").scene->primitives.size() == 7381);
+    CHECK(bench_scene("flake").scene->primitives.size() == 432'962);
+    CHECK(bench_scene("stadium").scene->primitives.size() == 268'000);
+    for (const Family& f : families()) {
+        CHECK_THAT(list_of_scenes(), ContainsSubstring(std::string(f.name) + ":"));
+    }
+}
+
+TEST_CASE("Meshes share their vertices") {
+    CHECK(vertices_per_triangle(make({"terrain", 3000, 0})) < 0.6);
+    CHECK(vertices_per_triangle(make({"flake", 30000, 0})) < 0.6);
+    CHECK(vertices_per_triangle(*bench_scene("stadium").scene) < 0.8);  // needles are no mesh
+}
+
+TEST_CASE("Needles are as long and as wide as the names of their scenes say") {
+    const Scene slivers = make({"slivers", 300, 0});
+    for (const Triangle& t : slivers.all<Triangle>()) {
+        const Vec3 &a = slivers.vertices[t.vertices[0]], &b = slivers.vertices[t.vertices[1]],
+                   &c = slivers.vertices[t.vertices[2]];
+        CHECK((a - b).length() == Approx(0.002));
+        CHECK((c - (a + b) / 2).length() == Approx(0.24));
+    }
+}
+
+TEST_CASE("All triangles of equal have their centre in one point, and are no points themselves") {
+    const Scene scene = make({"equal", 500, 0});
+    for (const Triangle& t : scene.all<Triangle>()) {
+        CHECK(sum_of_corners(scene, t) == Vec3(0));
+        Box3 box;
+        for (const std::uint32_t v : t.vertices) box.extendBy(scene.vertices[v]);
+        CHECK(box.center() == Vec3(0));
+        CHECK(box.size().x > 0);
+    }
+}
+
+TEST_CASE("Every tenth triangle of nan has a NaN, and no other") {
+    const Scene scene = make({"nan", 3000, 0});
+    const auto& triangles = scene.all<Triangle>();
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        CHECK(is_finite_triangle(scene, triangles[i]) == (i % 10 != 9));
+    }
+}
+
+TEST_CASE("All of flat is in one plane, and mixed has every bounded shape in equal shares") {
+    for (const Vec3& v : make({"flat", 300, 0}).vertices) CHECK(v.y == 0);
+    const Scene mixed = make({"mixed", 1000, 0});
+    CHECK(mixed.all<Sphere>().size() == 200);
+    CHECK(mixed.all<Cone>().size() == 200);
+    CHECK(mixed.all<Box>().size() == 200);
+    CHECK(mixed.all<Triangle>().size() == 200);
+    CHECK(mixed.all<Polygon>().size() == 200);
+}
+
+TEST_CASE("An unknown name or a size out of range is told with what was expected") {
+    CHECK_THAT(complaint_about("soap"),
+               ContainsSubstring("soap: no such scene") && ContainsSubstring("stadium[:N]"));
+    for (const char* wrong : {"soup:", "soup:0", "soup:many", "soup:12x", "soup:-3", "soup:1e5",
+                              "soup:200000000", "soup:99999999999999999999", "sphereflake:9"}) {
+        INFO(wrong);
+        CHECK_THAT(complaint_about(wrong), ContainsSubstring("expected a"));
+        CHECK_FALSE(bench_scene(wrong).scene);
+    }
+    CHECK(complaint_about("terrain") == "");
+    CHECK(complaint_about(ETALON_SOURCE_DIR "/scenes/showcase.p3f") == "");
+}

@@ -1,0 +1,126 @@
+// etalon-bench speed from outside.
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+
+using nlohmann::json;
+
+namespace {
+
+Outcome speed(const Folder& folder, const std::string& arguments) {
+    return folder.shell("exec '" ETALON_BINARY_DIR "/bin/etalon-bench' speed " + arguments);
+}
+
+/// From `start`, which is a line's, to its end.
+std::string line_with(const std::string& text, const std::string& start) {
+    const std::size_t at = text.find(start) + 1;
+    return text.substr(at, text.find('\n', at) - at);
+}
+
+const std::string quick = "--scene spheres:200 --repeat 1 --max-rays 500 --oracle 0.02 ";
+
+}  // namespace
+
+TEST_CASE("speed gives every figure its ratios and every speed its errors") {
+    const Folder f;
+    const auto r = speed(f, quick + "--backends bvh,embree --json s.json");
+    REQUIRE(r.status == 0);
+    const json j = json::parse(f.read("s.json"));
+    for (const char* key : {"version", "machine", "compiler", "flags", "embree", "repeats"}) {
+        CHECK(j.contains(key));
+    }
+    CHECK(j["machine"]["cores"] > 0);
+    CHECK(j["embree"]["version"] != "");
+    const json& scene = j["scenes"].at(0);
+    CHECK(scene["primitives"] == 200);
+    for (const char* who : {"bvh", "embree", "embree-builtin", "embree-builtin-robust"}) {
+        INFO(who);
+        const json& build = scene["build"].at(who);
+        CHECK(build["isa"] != "");
+        CHECK(build["bytes_per_primitive"] > 0);
+        CHECK(build["threads"]["1"]["repeats"]["cpu_seconds"].size() == 1);
+        CHECK(build["threads"]["1"]["ratio"] > 0);
+        for (const char* kind : {"camera", "bounce", "shadow", "random"}) {
+            const json& rays = scene["rays"].at(kind).at(who);
+            for (const char* key : {"mrays_per_s", "ratio", "ratio_robust"}) CHECK(rays[key] > 0);
+            CHECK(rays["spread"] == 0);  // of one repeat
+            CHECK(rays["repeats"]["cpu_seconds"].size() == 1);
+            CHECK(rays["errors"]["reference"] == (who == std::string("bvh") ? "embree" : "bvh"));
+            CHECK(rays["errors"]["rays"] > 0);
+            CHECK(rays["errors"]["oracle"]["rays"] > 0);
+        }
+    }
+    for (const char* yardstick : {"camera", "random"}) {
+        CHECK(scene["rays"][yardstick]["embree-builtin"]["ratio"] == 1);
+        CHECK(scene["rays"][yardstick]["embree-builtin-robust"]["ratio_robust"] == 1);
+    }
+}
+
+TEST_CASE("speed finds no error of an exact backend, whichever takes part") {
+    const Folder f;
+    REQUIRE(speed(f, quick + "--backends none,grid --rays aimed,shadow --json s.json").status == 0);
+    const json j = json::parse(f.read("s.json"));
+    for (const char* kind : {"aimed", "shadow"}) {
+        for (const char* who : {"none", "grid"}) {
+            const json& errors = j["scenes"][0]["rays"][kind][who]["errors"];
+            for (const char* error : {"hit_or_miss", "primitive", "t_bits"}) {
+                CHECK(errors[error] == 0);
+            }
+            for (const char* error : {"false_hits", "false_misses", "wrong_primitives"}) {
+                CHECK(errors["oracle"][error] == 0);
+                CHECK(errors["disputed"][error] == 0);
+            }
+        }
+    }
+}
+
+TEST_CASE("speed shows a line for each kind of ray, contender and number of threads") {
+    const Folder f;
+    const auto r = speed(f, quick + "--backends bvh --rays camera --threads 1");
+    REQUIRE(r.status == 0);
+    CHECK_THAT(r.out, ContainsSubstring("\ncamera  bvh  ") &&
+                          ContainsSubstring("\ncamera  embree-builtin-robust  ") &&
+                          ContainsSubstring("\nspheres:200, to builtin"));
+    CHECK_THAT(r.out, !ContainsSubstring("\nshadow"));
+    CHECK(line_with(r.out, "\nrays ").size() == line_with(r.out, "\ncamera  bvh ").size());
+    CHECK(line_with(r.out, "\nbuild      ").size() == line_with(r.out, "\nbuild   bvh ").size());
+}
+
+TEST_CASE("speed compares threads with one thread, if the machine has them") {
+    const Folder f;
+    const auto r = speed(f, quick + "--backends bvh --rays camera --threads 2 --json s.json");
+    if (r.status != 0) {
+        CHECK_THAT(r.err, ContainsSubstring("--threads"));  // a single core
+        return;
+    }
+    const json j = json::parse(f.read("s.json"));
+    for (const json& runs : {j["scenes"][0]["rays"]["camera"]["bvh"]["threads"],
+                             j["scenes"][0]["build"]["bvh"]["threads"]}) {
+        CHECK(runs["1"]["wall_scaling"] == 1);
+        CHECK(runs["2"]["cpu_scaling"] > 0);
+        CHECK(runs["2"]["wall_scaling"] > 0);
+    }
+}
+
+TEST_CASE("speed leaves standard output to JSON where that is asked for") {
+    const Folder f;
+    const auto r = speed(f, quick + "--backends bvh --rays camera --json -");
+    CHECK(json::parse(r.out)["scenes"].size() == 1);
+    CHECK_THAT(r.err, ContainsSubstring("camera  bvh"));
+}
+
+TEST_CASE("speed says what is wrong before it measures anything") {
+    const Folder f;
+    const auto r = speed(f, "--scene spheres:200,soap");
+    CHECK(r.status == 3);
+    CHECK(r.out == "");
+    CHECK_THAT(r.err, ContainsSubstring("soap: no such scene") &&
+                          ContainsSubstring("sphereflake[:DEPTH]"));
+    CHECK(speed(f, quick + "--json no/such/place.json").status == 4);
+    CHECK(speed(f, quick + "--threads 100000").status == 2);
+    CHECK(speed(f, quick + "--backends magic").status == 2);
+    CHECK_THAT(speed(f, "--list").out, ContainsSubstring("stadium:268000"));
+}
