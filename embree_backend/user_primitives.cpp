@@ -1,75 +1,75 @@
 #include "embree_backend/user_primitives.h"
 
-#include "core/intersect/kernels.h"
-#include "embree_backend/query.h"
+#include <span>
+
+#include "embree_backend/grouping.h"
 
 namespace etalon {
 namespace {
 
-std::vector<std::uint32_t> ids_of(const std::vector<BoundedPrimitive>& primitives) {
-    std::vector<std::uint32_t> ids;
-    ids.reserve(primitives.size());
-    for (const BoundedPrimitive& p : primitives) ids.push_back(p.id);
-    return ids;
+/// How many primitives share a box, by kind of cluster. Those without a filter gain nothing.
+constexpr std::array<unsigned, 3> cluster_sizes = {1, cluster_lanes, cluster_lanes};
+
+using ByKind = std::array<std::vector<RTCBuildPrimitive>, 3>;
+
+ClusterRef::Kind kind_for(const Primitive& primitive) {
+    if (primitive.kind == kind_of<Triangle>()) return ClusterRef::triangles;
+    if (primitive.kind == kind_of<Sphere>()) return ClusterRef::spheres;
+    return ClusterRef::list;
 }
 
-/// Embree's single-ray layout is what a packet of one is.
-template <class Ray, class PacketOfOne>
-Ray& single(PacketOfOne* packet) {
-    return *reinterpret_cast<Ray*>(packet);
+ByKind by_kind(const Scene& scene, const std::vector<BoundedPrimitive>& primitives) {
+    ByKind parts;
+    for (const auto& [box, id] : primitives) {
+        parts[kind_for(scene.primitives[id])].push_back(
+            {box.min.x, box.min.y, box.min.z, 0, box.max.x, box.max.y, box.max.z, id});
+    }
+    return parts;
+}
+
+void bounds(const RTCBoundsFunctionArguments* arguments) {
+    const Box3f& box = static_cast<const Box3f*>(arguments->geometryUserPtr)[arguments->primID];
+    *arguments->bounds_o = {box.min.x, box.min.y, box.min.z, 0, box.max.x, box.max.y, box.max.z, 0};
+}
+
+/// One primitive of Embree's for each of `boxes`, which must be there until it is built.
+void attach(const EmbreeDevice& device, RTCScene target, unsigned number, std::span<Box3f> boxes,
+            const UserTracing::Callbacks& callbacks) {
+    const EmbreeOwned<RTCGeometry> geometry(
+        rtcNewGeometry(device.handle(), RTC_GEOMETRY_TYPE_USER));
+    device.check();
+    rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(boxes.size()));
+    rtcSetGeometryUserData(geometry.get(), boxes.data());
+    rtcSetGeometryBoundsFunction(geometry.get(), bounds, nullptr);
+    rtcSetGeometryIntersectFunction(geometry.get(), callbacks.intersect);
+    rtcSetGeometryOccludedFunction(geometry.get(), callbacks.occluded);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometryByID(target, geometry.get(), number);
 }
 
 }  // namespace
 
-void UserPrimitives::build(const EmbreeDevice& device, RTCScene target, unsigned geometry_id,
-                           std::vector<BoundedPrimitive> primitives) {
-    boxes_ = std::move(primitives);
-    ids_ = PrimitiveIds(ids_of(boxes_));
-    const EmbreeOwned<RTCGeometry> geometry(
-        rtcNewGeometry(device.handle(), RTC_GEOMETRY_TYPE_USER));
-    device.check();
-    rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(boxes_.size()));
-    rtcSetGeometryUserData(geometry.get(), this);
-    rtcSetGeometryBoundsFunction(geometry.get(), bounds, nullptr);
-    rtcSetGeometryIntersectFunction(geometry.get(), intersect);
-    rtcSetGeometryOccludedFunction(geometry.get(), occluded);
-    rtcCommitGeometry(geometry.get());
-    rtcAttachGeometryByID(target, geometry.get(), geometry_id);
+void UserPrimitives::build(const EmbreeDevice& device, RTCScene target, unsigned first,
+                           const Frame& frame, std::vector<BoundedPrimitive> primitives) {
+    empty_ = primitives.empty();
+    ByKind parts = by_kind(scene_, primitives);
+    primitives = {};
+    Grouping groups;
+    std::array<std::size_t, 4> ends = {};
+    for (std::size_t kind = 0; kind < parts.size(); ++kind) {
+        group(device, std::move(parts[kind]), cluster_sizes[kind], groups);
+        ends[kind + 1] = groups.boxes.size();
+    }
+    std::vector<ClusterRef> refs;
+    clusters_ = Clusters(scene_, frame, groups.ids, groups.ranges, refs);
+    for (unsigned kind = 0; kind < parts.size(); ++kind) {
+        const std::span<Box3f> boxes =
+            std::span(groups.boxes).subspan(ends[kind], ends[kind + 1] - ends[kind]);
+        if (!boxes.empty()) {
+            attach(device, target, first + kind, boxes, tracing_.callbacks[kind]);
+        }
+    }
     device.commit(target);
-    boxes_ = {};
-}
-
-void UserPrimitives::bounds(const RTCBoundsFunctionArguments* arguments) {
-    const auto& self = *static_cast<const UserPrimitives*>(arguments->geometryUserPtr);
-    const Box3f& box = self.boxes_[arguments->primID].box;
-    *arguments->bounds_o = {box.min.x, box.min.y, box.min.z, 0, box.max.x, box.max.y, box.max.z, 0};
-}
-
-/// What is offered at t may lie behind a hit that is not in `nearest`: one on a geometry of
-/// Embree's own, which its tfar tells.
-void UserPrimitives::intersect(const RTCIntersectFunctionNArguments* arguments) {
-    const auto& self = *static_cast<const UserPrimitives*>(arguments->geometryUserPtr);
-    auto& query = *static_cast<EmbreeQuery*>(arguments->context);
-    auto& [ray, hit] = single<RTCRayHit>(arguments->rayhit);
-    const std::uint32_t id = self.ids_[arguments->primID];
-    const double t = primitive_first_hit(self.scene_, id, query.query);
-    report(*arguments, false);
-    if (!(t <= query.nearest.t)) return;
-    const float tfar = query.local.tmax(t);
-    if (tfar > ray.tfar) return;
-    query.nearest.offer(t, id);
-    ray.tfar = tfar;
-    hit.geomID = arguments->geomID;
-    report(*arguments, true);
-}
-
-void UserPrimitives::occluded(const RTCOccludedFunctionNArguments* arguments) {
-    const auto& self = *static_cast<const UserPrimitives*>(arguments->geometryUserPtr);
-    const auto& query = *static_cast<const EmbreeQuery*>(arguments->context);
-    const std::uint32_t id = self.ids_[arguments->primID];
-    const bool hit = primitive_first_hit(self.scene_, id, query.query) <= query.query.ray.tmax;
-    if (hit) single<RTCRay>(arguments->ray).tfar = -std::numeric_limits<float>::infinity();
-    report(*arguments, hit);
 }
 
 }  // namespace etalon
