@@ -65,6 +65,7 @@ void group(const EmbreeDevice& device, std::vector<RTCBuildPrimitive> primitives
     if (primitives.empty()) return;
     const Leaves leaves = build_leaves(device, primitives, most);
     const auto offset = static_cast<std::uint32_t>(groups.ids.size());
+    groups.ids.reserve(offset + primitives.size());
     for (const RTCBuildPrimitive& p : primitives) groups.ids.push_back(p.primID);
     const std::size_t before = groups.ranges.size();
     for (std::uint32_t i = 0; i < primitives.size(); i += leaves.counts[i]) {

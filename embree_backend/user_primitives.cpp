@@ -20,9 +20,12 @@ ClusterRef::Kind kind_for(const Primitive& primitive) {
 
 ByKind by_kind(const Scene& scene, const std::vector<BoundedPrimitive>& primitives) {
     ByKind parts;
-    for (const auto& [box, id] : primitives) {
-        parts[kind_for(scene.primitives[id])].push_back(
-            {box.min.x, box.min.y, box.min.z, 0, box.max.x, box.max.y, box.max.z, id});
+    parts[ClusterRef::triangles].reserve(scene.all<Triangle>().size());
+    parts[ClusterRef::spheres].reserve(scene.all<Sphere>().size());
+    for (const BoundedPrimitive& p : primitives) {
+        const Vec3f &min = p.box.min, &max = p.box.max;
+        parts[kind_for(scene.primitives[p.id])].push_back(
+            {min.x, min.y, min.z, 0, max.x, max.y, max.z, p.id});
     }
     return parts;
 }

@@ -16,25 +16,54 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
+/// Made for the first cluster that a ray meets: many rays meet none of one kind, or none at all.
+template <class Filter>
+class Late {
+  public:
+    HWY_INLINE Late() {}
+
+    template <class... Arguments>
+    HWY_INLINE const Filter& get(const Arguments&... arguments) {
+        if (!made_) new (&filter_) Filter(arguments...);
+        made_ = true;
+        return filter_;
+    }
+
+  private:
+    union {
+        Filter filter_;
+    };
+    bool made_ = false;
+};
+
 /// What the callbacks need of a ray: Embree hands them the context it was given.
 struct UserQuery : EmbreeContext {
-    /// Before 0 in the frame there is nothing.
     HWY_INLINE UserQuery(const UserView& view, const RayQuery& q, const FrameRay& l, NearestHit* n)
-        : filter(l, std::max(0.0F, l.tmin(q.ray.tmin))),
-          scene(view.scene),
-          clusters(view.clusters),
-          query(q),
-          local(l),
-          nearest(n) {
+        : scene(view.scene), clusters(view.clusters), query(q), local(l), nearest(n) {
         initialise(*this);
     }
 
-    ClusterFilter filter;
+    /// Before 0 in the frame there is nothing.
+    template <ClusterRef::Kind kind>
+    HWY_INLINE std::uint32_t candidates(std::uint32_t cluster, float tmax) {
+        const ClusterRef ref(kind, cluster);
+        if constexpr (kind == ClusterRef::triangles) {
+            return triangles.get(local).candidates(clusters.triangles(ref), tmax);
+        } else if constexpr (kind == ClusterRef::spheres) {
+            return spheres.get(local, std::max(0.0F, local.tmin(query.ray.tmin)))
+                .candidates(clusters.spheres(ref), tmax);
+        } else {
+            return 1;  // lists are of one primitive: see UserPrimitives
+        }
+    }
+
     const Scene& scene;
     const Clusters& clusters;
     const RayQuery& query;
     const FrameRay& local;
     NearestHit* nearest;
+    Late<TriangleFilter> triangles;
+    Late<SphereFilter> spheres;
 };
 
 /// Embree's single-ray layout is what a packet of one is.
@@ -45,13 +74,11 @@ HWY_INLINE Ray& single(PacketOfOne* packet) {
 
 /// Calls offer(id) for what could be hit at t <= tmax in the frame, as long as it returns true.
 template <ClusterRef::Kind kind, class Offer>
-HWY_INLINE void visit(const UserQuery& query, std::uint32_t cluster, float tmax,
-                      const Offer& offer) {
-    const ClusterRef ref(kind, cluster);
-    std::uint32_t lanes = query.filter.candidates(query.clusters, ref, tmax);
+HWY_INLINE void visit(UserQuery& query, std::uint32_t cluster, float tmax, const Offer& offer) {
+    const auto& ids = query.clusters.ids(ClusterRef(kind, cluster));
+    std::uint32_t lanes = query.candidates<kind>(cluster, tmax);
     for (; lanes != 0; lanes &= lanes - 1) {
-        const std::uint32_t id = query.clusters.ids(ref)[std::countr_zero(lanes)];
-        if (id == no_index || !offer(id)) return;
+        if (!offer(ids[std::countr_zero(lanes)])) return;
     }
 }
 
@@ -59,7 +86,7 @@ HWY_INLINE void visit(const UserQuery& query, std::uint32_t cluster, float tmax,
 /// Embree's own, which its tfar tells.
 template <ClusterRef::Kind kind>
 void intersect_cluster(const RTCIntersectFunctionNArguments* arguments) {
-    const auto& query = *static_cast<const UserQuery*>(arguments->context);
+    auto& query = *static_cast<UserQuery*>(arguments->context);
     auto& [ray, hit] = single<RTCRayHit>(arguments->rayhit);
     bool found = false;
     visit<kind>(query, arguments->primID, ray.tfar, [&](std::uint32_t id) HWY_ATTR {
@@ -77,7 +104,7 @@ void intersect_cluster(const RTCIntersectFunctionNArguments* arguments) {
 
 template <ClusterRef::Kind kind>
 void occluded_cluster(const RTCOccludedFunctionNArguments* arguments) {
-    const auto& query = *static_cast<const UserQuery*>(arguments->context);
+    auto& query = *static_cast<UserQuery*>(arguments->context);
     auto& ray = single<RTCRay>(arguments->ray);
     bool found = false;
     visit<kind>(query, arguments->primID, ray.tfar, [&](std::uint32_t id) HWY_ATTR {
