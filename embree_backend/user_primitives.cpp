@@ -7,9 +7,7 @@
 namespace etalon {
 namespace {
 
-/// How many primitives share a box, by kind of cluster. Those without a filter gain nothing.
-constexpr std::array<unsigned, 3> cluster_sizes = {1, cluster_lanes, cluster_lanes};
-
+/// What Embree's builder wants of primitives, by kind of cluster.
 using ByKind = std::array<std::vector<RTCBuildPrimitive>, 3>;
 
 ClusterRef::Kind kind_for(const Primitive& primitive) {
@@ -30,14 +28,30 @@ ByKind by_kind(const Scene& scene, const std::vector<BoundedPrimitive>& primitiv
     return parts;
 }
 
-void bounds(const RTCBoundsFunctionArguments* arguments) {
+PrimitiveIds ids_of(const std::vector<RTCBuildPrimitive>& primitives) {
+    std::vector<std::uint32_t> ids;
+    ids.reserve(primitives.size());
+    for (const RTCBuildPrimitive& p : primitives) ids.push_back(p.primID);
+    return PrimitiveIds(std::move(ids));
+}
+
+void bounds_of_group(const RTCBoundsFunctionArguments* arguments) {
     const Box3f& box = static_cast<const Box3f*>(arguments->geometryUserPtr)[arguments->primID];
     *arguments->bounds_o = {box.min.x, box.min.y, box.min.z, 0, box.max.x, box.max.y, box.max.z, 0};
 }
 
-/// One primitive of Embree's for each of `boxes`, which must be there until it is built.
-void attach(const EmbreeDevice& device, RTCScene target, unsigned number, std::span<Box3f> boxes,
+void bounds_of_single(const RTCBoundsFunctionArguments* arguments) {
+    const auto& p =
+        static_cast<const RTCBuildPrimitive*>(arguments->geometryUserPtr)[arguments->primID];
+    *arguments->bounds_o = {p.lower_x, p.lower_y, p.lower_z, 0, p.upper_x, p.upper_y, p.upper_z, 0};
+}
+
+/// A geometry of as many primitives as there are `boxes`, which must be there until it is built.
+template <class BoxSource>
+void attach(const EmbreeDevice& device, RTCScene target, unsigned number,
+            std::span<BoxSource> boxes, RTCBoundsFunction bounds,
             const UserTracing::Callbacks& callbacks) {
+    if (boxes.empty()) return;
     const EmbreeOwned<RTCGeometry> geometry(
         rtcNewGeometry(device.handle(), RTC_GEOMETRY_TYPE_USER));
     device.check();
@@ -55,23 +69,21 @@ void attach(const EmbreeDevice& device, RTCScene target, unsigned number, std::s
 void UserPrimitives::build(const EmbreeDevice& device, RTCScene target, unsigned first,
                            const Frame& frame, std::vector<BoundedPrimitive> primitives) {
     empty_ = primitives.empty();
-    ByKind parts = by_kind(scene_, primitives);
+    auto [singles, triangles, spheres] = by_kind(scene_, primitives);
     primitives = {};
+    singles_ = ids_of(singles);
     Grouping groups;
-    std::array<std::size_t, 4> ends = {};
-    for (std::size_t kind = 0; kind < parts.size(); ++kind) {
-        group(device, std::move(parts[kind]), cluster_sizes[kind], groups);
-        ends[kind + 1] = groups.boxes.size();
-    }
+    group(device, std::move(triangles), cluster_lanes, groups);
+    const std::size_t triangle_groups = groups.boxes.size();
+    group(device, std::move(spheres), cluster_lanes, groups);
     std::vector<ClusterRef> refs;
     clusters_ = Clusters(scene_, frame, groups.ids, groups.ranges, refs);
-    for (unsigned kind = 0; kind < parts.size(); ++kind) {
-        const std::span<Box3f> boxes =
-            std::span(groups.boxes).subspan(ends[kind], ends[kind + 1] - ends[kind]);
-        if (!boxes.empty()) {
-            attach(device, target, first + kind, boxes, tracing_.callbacks[kind]);
-        }
-    }
+
+    const std::span<Box3f> boxes = groups.boxes;
+    const auto& [single, triangle, sphere] = tracing_.callbacks;
+    attach(device, target, first, std::span(singles), bounds_of_single, single);
+    attach(device, target, first + 1, boxes.first(triangle_groups), bounds_of_group, triangle);
+    attach(device, target, first + 2, boxes.subspan(triangle_groups), bounds_of_group, sphere);
     device.commit(target);
 }
 

@@ -8,10 +8,11 @@
 
 namespace etalon {
 
-/// Primitives in clusters, of which Embree knows only the boxes: it finds the boxes that a ray
-/// meets, nearest first; filters say what in them the ray could hit, and the kernels decide. Its
-/// robust flag does nothing for these: that a float traversal loses no hit is due to the padding
-/// of the boxes and to a tfar that is never below the best t.
+/// Primitives of which Embree knows only the boxes: those of clusters, and of single primitives
+/// where there is no filter for a cluster. It finds the boxes that a ray meets, nearest first;
+/// filters say what in them the ray could hit, and the kernels decide. Its robust flag does nothing
+/// for these: that a float traversal loses no hit is due to the padding of the boxes and to a tfar
+/// that is never below the best t.
 class UserPrimitives {
   public:
     explicit UserPrimitives(const Scene& scene) : scene_(scene) {}
@@ -24,22 +25,23 @@ class UserPrimitives {
                std::vector<BoundedPrimitive> primitives);
 
     bool empty() const { return empty_; }
-    std::size_t memory_bytes() const { return clusters_.memory_bytes(); }
+    std::size_t memory_bytes() const { return clusters_.memory_bytes() + singles_.memory_bytes(); }
 
     /// As UserTracing has it.
     void intersect(RTCScene target, const RayQuery& query, const FrameRay& local,
                    NearestHit& nearest, RTCRayHit& ray) const {
-        tracing_.intersect({target, scene_, clusters_}, query, local, nearest, ray);
+        tracing_.intersect({target, scene_, clusters_, singles_}, query, local, nearest, ray);
     }
     void occluded(RTCScene target, const RayQuery& query, const FrameRay& local,
                   RTCRay& ray) const {
-        tracing_.occluded({target, scene_, clusters_}, query, local, ray);
+        tracing_.occluded({target, scene_, clusters_, singles_}, query, local, ray);
     }
 
   private:
     const Scene& scene_;
     bool empty_ = true;
     Clusters clusters_;
+    PrimitiveIds singles_;
     UserTracing tracing_ = user_tracing();
 };
 

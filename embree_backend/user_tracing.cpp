@@ -39,7 +39,12 @@ class Late {
 /// What the callbacks need of a ray: Embree hands them the context it was given.
 struct UserQuery : EmbreeContext {
     HWY_INLINE UserQuery(const UserView& view, const RayQuery& q, const FrameRay& l, NearestHit* n)
-        : scene(view.scene), clusters(view.clusters), query(q), local(l), nearest(n) {
+        : scene(view.scene),
+          clusters(view.clusters),
+          singles(view.singles),
+          query(q),
+          local(l),
+          nearest(n) {
         initialise(*this);
     }
 
@@ -49,16 +54,15 @@ struct UserQuery : EmbreeContext {
         const ClusterRef ref(kind, cluster);
         if constexpr (kind == ClusterRef::triangles) {
             return triangles.get(local).candidates(clusters.triangles(ref), tmax);
-        } else if constexpr (kind == ClusterRef::spheres) {
+        } else {
             return spheres.get(local, std::max(0.0F, local.tmin(query.ray.tmin)))
                 .candidates(clusters.spheres(ref), tmax);
-        } else {
-            return 1;  // lists are of one primitive: see UserPrimitives
         }
     }
 
     const Scene& scene;
     const Clusters& clusters;
+    const PrimitiveIds& singles;
     const RayQuery& query;
     const FrameRay& local;
     NearestHit* nearest;
@@ -75,10 +79,14 @@ HWY_INLINE Ray& single(PacketOfOne* packet) {
 /// Calls offer(id) for what could be hit at t <= tmax in the frame, as long as it returns true.
 template <ClusterRef::Kind kind, class Offer>
 HWY_INLINE void visit(UserQuery& query, std::uint32_t cluster, float tmax, const Offer& offer) {
-    const auto& ids = query.clusters.ids(ClusterRef(kind, cluster));
-    std::uint32_t lanes = query.candidates<kind>(cluster, tmax);
-    for (; lanes != 0; lanes &= lanes - 1) {
-        if (!offer(ids[std::countr_zero(lanes)])) return;
+    if constexpr (kind == ClusterRef::list) {
+        offer(query.singles[cluster]);
+    } else {
+        const auto& ids = query.clusters.ids(ClusterRef(kind, cluster));
+        std::uint32_t lanes = query.candidates<kind>(cluster, tmax);
+        for (; lanes != 0; lanes &= lanes - 1) {
+            if (!offer(ids[std::countr_zero(lanes)])) return;
+        }
     }
 }
 

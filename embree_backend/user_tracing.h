@@ -7,6 +7,7 @@
 #include "core/intersect/clusters/clusters.h"
 #include "core/intersect/ray.h"
 #include "embree_backend/embree_shim.h"
+#include "embree_backend/primitive_ids.h"
 
 namespace etalon {
 
@@ -15,6 +16,7 @@ struct UserView {
     RTCScene target;
     const Scene& scene;
     const Clusters& clusters;
+    const PrimitiveIds& singles;  ///< what no filter is for, in place of lists
 };
 
 /// What belongs together: callbacks find in the context of a ray what its query put there.
