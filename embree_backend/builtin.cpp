@@ -44,7 +44,7 @@ EmbreeBuiltin::EmbreeBuiltin(const Scene& scene, Traversal traversal)
         ids_.emplace_back(std::move(ids));
     }
     others_.build(device_, embree_scene_.get(), static_cast<unsigned>(ids_.size()),
-                  std::move(others));
+                  scene_bounds().frame, std::move(others));
 }
 
 std::size_t EmbreeBuiltin::memory_bytes() const {
@@ -55,11 +55,14 @@ std::size_t EmbreeBuiltin::memory_bytes() const {
 
 void EmbreeBuiltin::closest_bounded(const RayQuery& query, const FrameRay& local,
                                     NearestHit& nearest) const {
-    EmbreeQuery context(query, local, nearest);
     RTCRayHit ray;
     set_ray(ray.ray, local, first_t(local, query.ray.tmin), local.tmax(nearest.t));
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    embree_intersect(embree_scene_.get(), context, ray);
+    if (others_.empty()) {
+        embree_intersect(embree_scene_.get(), ray);
+    } else {
+        others_.intersect(embree_scene_.get(), query, local, nearest, ray);
+    }
     if (ray.hit.geomID >= ids_.size()) return;
     const double t = ray.ray.tfar / local.scale + local.shift;
     nearest.offer(std::min(t, nearest.t), ids_[ray.hit.geomID][ray.hit.primID]);
@@ -68,11 +71,13 @@ void EmbreeBuiltin::closest_bounded(const RayQuery& query, const FrameRay& local
 bool EmbreeBuiltin::occluded_bounded(const RayQuery& query, const FrameRay& local) const {
     const float tfar = local.tmax(query.ray.tmax);
     if (tfar < 0) return false;  // which is how Embree would tell that there is a hit
-    NearestHit unused(query.ray.tmax);
-    EmbreeQuery context(query, local, unused);
     RTCRay ray;
     set_ray(ray, local, first_t(local, query.ray.tmin), tfar);
-    embree_occluded(embree_scene_.get(), context, ray);
+    if (others_.empty()) {
+        embree_occluded(embree_scene_.get(), ray);
+    } else {
+        others_.occluded(embree_scene_.get(), query, local, ray);
+    }
     return ray.tfar < 0;
 }
 

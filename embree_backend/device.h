@@ -14,6 +14,7 @@ struct EmbreeRelease {
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
     void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
     void operator()(RTCBuffer buffer) const { rtcReleaseBuffer(buffer); }
+    void operator()(RTCBVH bvh) const { rtcReleaseBVH(bvh); }
 };
 
 /// Owns what an rtcNew... function returned.

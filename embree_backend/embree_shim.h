@@ -63,4 +63,17 @@ void report(const CallbackArguments&, bool) {}
 
 #endif
 
+/// For a scene without callbacks.
+inline void embree_intersect(RTCScene scene, RTCRayHit& ray) {
+    EmbreeContext context;
+    initialise(context);
+    embree_intersect(scene, context, ray);
+}
+
+inline void embree_occluded(RTCScene scene, RTCRay& ray) {
+    EmbreeContext context;
+    initialise(context);
+    embree_occluded(scene, context, ray);
+}
+
 }  // namespace etalon

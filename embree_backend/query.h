@@ -1,4 +1,3 @@
-// One ray on its way through Embree.
 #pragma once
 
 #include <bit>
@@ -7,18 +6,6 @@
 #include "embree_backend/embree_shim.h"
 
 namespace etalon {
-
-/// What the callbacks need of a ray: Embree hands them the context it was given.
-struct EmbreeQuery : EmbreeContext {
-    EmbreeQuery(const RayQuery& q, const FrameRay& l, NearestHit& n)
-        : query(q), local(l), nearest(n) {
-        initialise(*this);
-    }
-
-    const RayQuery& query;
-    const FrameRay& local;
-    NearestHit& nearest;
-};
 
 /// Fills in the ray as Embree wants it, from t = 0 on; the frame puts nothing before. It is written
 /// as the three vectors as which Embree reads it: a vector load cannot be served from scalar stores

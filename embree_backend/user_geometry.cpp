@@ -7,7 +7,7 @@ namespace etalon {
 EmbreeUserGeometry::EmbreeUserGeometry(const Scene& scene)
     : Intersector(scene), primitives_(scene), embree_scene_(rtcNewScene(device_.handle())) {
     device_.check();
-    primitives_.build(device_, embree_scene_.get(), 0, take_bounded());
+    primitives_.build(device_, embree_scene_.get(), 0, scene_bounds().frame, take_bounded());
 }
 
 std::size_t EmbreeUserGeometry::memory_bytes() const {
@@ -16,20 +16,17 @@ std::size_t EmbreeUserGeometry::memory_bytes() const {
 
 void EmbreeUserGeometry::closest_bounded(const RayQuery& query, const FrameRay& local,
                                          NearestHit& nearest) const {
-    EmbreeQuery context(query, local, nearest);
     RTCRayHit ray;
     set_ray(ray.ray, local, local.tmin(query.ray.tmin), local.tmax(nearest.t));
-    embree_intersect(embree_scene_.get(), context, ray);
+    primitives_.intersect(embree_scene_.get(), query, local, nearest, ray);
 }
 
 bool EmbreeUserGeometry::occluded_bounded(const RayQuery& query, const FrameRay& local) const {
     const float tfar = local.tmax(query.ray.tmax);
     if (tfar < 0) return false;  // which is how Embree would tell that there is a hit
-    NearestHit unused(query.ray.tmax);
-    EmbreeQuery context(query, local, unused);
     RTCRay ray;
     set_ray(ray, local, local.tmin(query.ray.tmin), tfar);
-    embree_occluded(embree_scene_.get(), context, ray);
+    primitives_.occluded(embree_scene_.get(), query, local, ray);
     return ray.tfar < 0;
 }
 

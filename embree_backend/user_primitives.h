@@ -2,36 +2,47 @@
 
 #include <vector>
 
-#include "core/intersect/intersector.h"
+#include "core/intersect/bounded.h"
 #include "embree_backend/device.h"
-#include "embree_backend/primitive_ids.h"
+#include "embree_backend/user_tracing.h"
 
 namespace etalon {
 
-/// Primitives of which Embree knows only the boxes: it finds the boxes that a ray meets, nearest
-/// first, and the kernels decide. Its robust flag does nothing for these: that a float traversal
-/// loses no hit is due to the padding of the boxes and to a tfar that is never below the best t.
+/// Primitives of which Embree knows only the boxes: those of clusters, and of single primitives
+/// where there is no filter for a cluster. It finds the boxes that a ray meets, nearest first;
+/// filters say what in them the ray could hit, and the kernels decide. Its robust flag does nothing
+/// for these: that a float traversal loses no hit is due to the padding of the boxes and to a tfar
+/// that is never below the best t.
 class UserPrimitives {
   public:
     explicit UserPrimitives(const Scene& scene) : scene_(scene) {}
     UserPrimitives(const UserPrimitives&) = delete;
     UserPrimitives& operator=(const UserPrimitives&) = delete;
 
-    /// Puts `primitives` into `target` as the geometry `geometry_id` and builds it, with whatever
-    /// else is in it.
-    void build(const EmbreeDevice& device, RTCScene target, unsigned geometry_id,
+    /// Puts `primitives`, of this frame, into `target` as geometries from the number `first` on,
+    /// and builds it with whatever else is in it.
+    void build(const EmbreeDevice& device, RTCScene target, unsigned first, const Frame& frame,
                std::vector<BoundedPrimitive> primitives);
 
-    std::size_t memory_bytes() const { return ids_.memory_bytes(); }
+    bool empty() const { return empty_; }
+    std::size_t memory_bytes() const { return clusters_.memory_bytes() + singles_.memory_bytes(); }
+
+    /// As UserTracing has it.
+    void intersect(RTCScene target, const RayQuery& query, const FrameRay& local,
+                   NearestHit& nearest, RTCRayHit& ray) const {
+        tracing_.intersect({target, scene_, clusters_, singles_}, query, local, nearest, ray);
+    }
+    void occluded(RTCScene target, const RayQuery& query, const FrameRay& local,
+                  RTCRay& ray) const {
+        tracing_.occluded({target, scene_, clusters_, singles_}, query, local, ray);
+    }
 
   private:
-    static void bounds(const RTCBoundsFunctionArguments* arguments);
-    static void intersect(const RTCIntersectFunctionNArguments* arguments);
-    static void occluded(const RTCOccludedFunctionNArguments* arguments);
-
     const Scene& scene_;
-    PrimitiveIds ids_;
-    std::vector<BoundedPrimitive> boxes_;  ///< while building
+    bool empty_ = true;
+    Clusters clusters_;
+    PrimitiveIds singles_;
+    UserTracing tracing_ = user_tracing();
 };
 
 }  // namespace etalon

@@ -70,6 +70,17 @@ TEST_CASE("Given an Embree backend, it reports its memory and instruction set",
     }
 }
 
+TEST_CASE("Given triangles or spheres, the backend embree needs little memory for each",
+          "[backends][embree]") {
+    const auto bytes = [](const char* family) {
+        const Scene scene = make_scene(family, 20000);
+        const auto intersector = backend_named("embree").build(scene);
+        return static_cast<double>(intersector->memory_bytes()) / 20000;
+    };
+    CHECK(bytes("triangles") < 75);
+    CHECK(bytes("spheres") < 45);
+}
+
 TEST_CASE("Given rays of moderate length, Embree's own shapes hit nearly what the kernels hit",
           "[backends][embree]") {
     for (const char* family : {"spheres", "triangles", "polygons", "mix", "one_sided"}) {

@@ -7,17 +7,11 @@
 namespace etalon {
 namespace {
 
-ClusterRef::Kind kind_for(const Primitive& primitive) {
-    if (primitive.kind == kind_of<Triangle>()) return ClusterRef::triangles;
-    if (primitive.kind == kind_of<Sphere>()) return ClusterRef::spheres;
-    return ClusterRef::list;
-}
-
 /// That of all, or a list.
 ClusterRef::Kind kind_for(const Scene& scene, std::span<const std::uint32_t> ids) {
-    const ClusterRef::Kind kind = kind_for(scene.primitives[ids[0]]);
+    const ClusterRef::Kind kind = cluster_kind(scene.primitives[ids[0]].kind);
     const bool alike = std::all_of(ids.begin(), ids.end(), [&](std::uint32_t id) {
-        return kind_for(scene.primitives[id]) == kind;
+        return cluster_kind(scene.primitives[id].kind) == kind;
     });
     return alike ? kind : ClusterRef::list;
 }

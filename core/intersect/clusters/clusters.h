@@ -22,6 +22,12 @@ struct ClusterRef {
     std::uint32_t bits;  ///< the highest is free
 };
 
+/// In what clusters primitives of a kind are.
+constexpr ClusterRef::Kind cluster_kind(ShapeKind kind) {
+    if (kind == kind_of<Triangle>()) return ClusterRef::triangles;
+    return kind == kind_of<Sphere>() ? ClusterRef::spheres : ClusterRef::list;
+}
+
 /// A part of a list.
 struct Range {
     std::uint32_t first, count;

@@ -1,0 +1,44 @@
+// A ray on its way through clusters that Embree found: compiled for several instruction sets, of
+// which the best that the machine has is taken.
+#pragma once
+
+#include <array>
+
+#include "core/intersect/clusters/clusters.h"
+#include "core/intersect/ray.h"
+#include "embree_backend/embree_shim.h"
+#include "embree_backend/primitive_ids.h"
+
+namespace etalon {
+
+/// What a ray can meet.
+struct UserView {
+    RTCScene target;
+    const Scene& scene;
+    const Clusters& clusters;
+    const PrimitiveIds& singles;  ///< what no filter is for, in place of lists
+};
+
+/// What belongs together: callbacks find in the context of a ray what its query put there.
+struct UserTracing {
+    struct Callbacks {
+        RTCIntersectFunctionN intersect;
+        RTCOccludedFunctionN occluded;
+    };
+
+    std::array<Callbacks, 3> callbacks;  ///< of the geometries, by kind of cluster
+
+    /// Offers `nearest` what the kernels hit no later than at ray.ray.tfar, and keeps that at the
+    /// nearest hit, rounded up.
+    void (*intersect)(const UserView& view, const RayQuery& query, const FrameRay& local,
+                      NearestHit& nearest, RTCRayHit& ray);
+
+    /// Leaves a negative ray.tfar where anything is hit.
+    void (*occluded)(const UserView& view, const RayQuery& query, const FrameRay& local,
+                     RTCRay& ray);
+};
+
+/// For the instruction set in use now.
+UserTracing user_tracing();
+
+}  // namespace etalon
