@@ -68,8 +68,29 @@ inline TriangleCrossing cross_triangle(const std::array<Vec3, 3>& p, const RayQu
 /// between them, and not along the plane.
 double exact_distance(const TriangleCrossing& c, const std::array<Vec3, 3>& p, const RayQuery& q);
 
+/// Whether n . (p - o) and n . d, for the normal n = (b - a) x (c - a), are of opposite signs
+/// beyond all doubt: the plane is behind the ray's start, as that of a triangle which it has just
+/// left. A component of n is off by 4 u of its two products, and the sums over f = p - o by 4 u
+/// more, to first order.
+inline bool is_plane_behind(const std::array<Vec3, 3>& p, const RayQuery& q) {
+    const Vec3 e = p[1] - p[0], g = p[2] - p[0], f = p[0] - q.ray.origin;
+    const Vec3& d = q.ray.direction;
+    Vec3 n, terms;
+    for (int k = 0; k < 3; ++k) {
+        const double plus = e[(k + 1) % 3] * g[(k + 2) % 3],
+                     minus = e[(k + 2) % 3] * g[(k + 1) % 3];
+        n[k] = plus - minus;
+        terms[k] = std::abs(plus) + std::abs(minus);
+    }
+    const double distance = n.dot(f), approach = n.dot(d);
+    const double doubt = 10 * unit_roundoff, least = 0x1p-900;  // no product underflows
+    return (distance < 0) != (approach < 0) &&
+           std::abs(distance) > std::max(doubt * terms.dot(abs(f)), least) &&
+           std::abs(approach) > std::max(doubt * terms.dot(abs(d)), least);
+}
+
 /// The mean of the corners' depths. It is good to t_tolerance, or taken exactly, unless it is
-/// certainly behind the ray's start, where a ray that has just left the triangle has it.
+/// certainly behind the ray's start.
 inline double distance_of(const TriangleCrossing& c, const std::array<Vec3, 3>& p,
                           const RayQuery& q) {
     const auto [u, v, w] = c.weight;
@@ -80,6 +101,7 @@ inline double distance_of(const TriangleCrossing& c, const std::array<Vec3, 3>& 
     const double doubt = 4 * c.doubt / std::abs(c.sum) * spread + 8 * unit_roundoff * deepest;
     const bool good = doubt <= t_tolerance * std::abs(depth);
     if (good || (t < 0 && std::abs(depth) > doubt)) return t;
+    if (is_plane_behind(p, q)) return no_hit;
     return exact_distance(c, p, q);
 }
 
