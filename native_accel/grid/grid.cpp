@@ -2,6 +2,7 @@
 
 #include "core/intersect/kernels.h"
 #include "core/intersect/shapes/triangle.h"
+#include "native_accel/grid/visit.h"
 
 namespace etalon {
 namespace {
@@ -17,6 +18,14 @@ TriangleItem triangle_item(const Scene& scene, const Frame& frame, const Bounded
 SphereItem sphere_item(const Scene& scene, const Frame& frame, const BoundedPrimitive& p) {
     const Sphere& s = scene.get<Sphere>(scene.primitives[p.id]);
     return {p.box, p.id, frame.point(s.centre), s.radius * frame.scale()};
+}
+
+/// FrameRay::tmax, up to a few units of rounding more, without a branch.
+float end_of(const FrameRay& ray, double t) {
+    constexpr float largest = std::numeric_limits<float>::max();
+    const double end = std::min((t - ray.shift) * ray.scale, double(largest) / 2);
+    const auto rounded = static_cast<float>(end);
+    return rounded + (0x1p-22F * std::abs(rounded) + std::numeric_limits<float>::min());
 }
 
 }  // namespace
@@ -36,9 +45,9 @@ Grid::Grid(const Scene& scene) : Intersector(scene) {
             others.push_back({p.box, p.id});
         }
     }
-    spheres_ = PackedGrid<SpherePack, SphereFilter>(spheres);
-    triangles_ = PackedGrid<TrianglePack, TrianglePackFilter>(triangles);
-    others_ = PackedGrid<BoxPack, BoxFilter>(others);
+    spheres_ = PackedGrid<SpherePack>(spheres);
+    triangles_ = PackedGrid<TrianglePack>(triangles);
+    others_ = PackedGrid<BoxPack>(others);
 }
 
 std::size_t Grid::memory_bytes() const {
@@ -49,29 +58,29 @@ void Grid::closest_bounded(const RayQuery& query, const FrameRay& local,
                            NearestHit& nearest) const {
     const GridRay ray(local);
     const float tmin = local.tmin(query.ray.tmin);
-    float tmax = local.tmax(nearest.t);
+    float tmax = end_of(local, nearest.t);
     const auto offer = [&](std::uint32_t id) {
         const double before = nearest.t;
         nearest.offer(primitive_first_hit(scene(), id, query), id);
-        if (nearest.t < before) tmax = local.tmax(nearest.t);
+        if (nearest.t < before) tmax = end_of(local, nearest.t);
         return tmax;
     };
-    triangles_.visit(local, ray, tmin, tmax, offer);
-    spheres_.visit(local, ray, tmin, tmax, offer);
-    others_.visit(local, ray, tmin, tmax, offer);
+    visit<TrianglePackFilter>(triangles_, local, ray, tmin, tmax, offer);
+    visit<SphereFilter>(spheres_, local, ray, tmin, tmax, offer);
+    visit<BoxFilter>(others_, local, ray, tmin, tmax, offer);
 }
 
 bool Grid::occluded_bounded(const RayQuery& query, const FrameRay& local) const {
     const GridRay ray(local);
-    const float tmin = local.tmin(query.ray.tmin), tmax = local.tmax(query.ray.tmax);
+    const float tmin = local.tmin(query.ray.tmin), tmax = end_of(local, query.ray.tmax);
     bool found = false;
     const auto offer = [&](std::uint32_t id) {
         if (!found) found = primitive_first_hit(scene(), id, query) <= query.ray.tmax;
         return found ? -std::numeric_limits<float>::infinity() : tmax;
     };
-    spheres_.visit(local, ray, tmin, tmax, offer);
-    if (!found) triangles_.visit(local, ray, tmin, tmax, offer);
-    if (!found) others_.visit(local, ray, tmin, tmax, offer);
+    visit<SphereFilter>(spheres_, local, ray, tmin, tmax, offer);
+    if (!found) visit<TrianglePackFilter>(triangles_, local, ray, tmin, tmax, offer);
+    if (!found) visit<BoxFilter>(others_, local, ray, tmin, tmax, offer);
     return found;
 }
 

@@ -20,9 +20,9 @@ class Grid final : public Intersector {
     bool occluded_bounded(const RayQuery& query, const FrameRay& local) const override;
 
   private:
-    PackedGrid<SpherePack, SphereFilter> spheres_;
-    PackedGrid<TrianglePack, TrianglePackFilter> triangles_;
-    PackedGrid<BoxPack, BoxFilter> others_;
+    PackedGrid<SpherePack> spheres_;
+    PackedGrid<TrianglePack> triangles_;
+    PackedGrid<BoxPack> others_;
 };
 
 }  // namespace etalon

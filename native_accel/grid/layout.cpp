@@ -19,44 +19,34 @@ double half_area(const Vec3& size) {
     return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-Vec3f lanes_of(const Vec3& v) {
-    return Vec3f(v);
-}
-
 }  // namespace
 
-GridLayout::GridLayout(const Box3& box, double cell_count) {
+GridLayout::GridLayout(const Box3& box, double cell_count) : low_(lanes(Vec3f(box.min), 0)) {
     const Vec3 size = box.size();
     const double edge = cube_edge(size, std::max(cell_count, 1.0));
-    low = Vec3(Vec3f(box.min));
     for (int k = 0; k < 3; ++k) {
         const double wanted = std::round(size[k] / edge);
-        resolution[k] = static_cast<int>(std::clamp(wanted, 1.0, double(max_resolution)));
-        cell_size[k] = static_cast<float>(size[k] / resolution[k]);
-        cells_per_length[k] = 1 / cell_size[k];
+        count_[k] = static_cast<int>(std::clamp(wanted, 1.0, double(max_resolution)));
+        cell_size_[k] = static_cast<float>(size[k] / count_[k]);
+        cells_per_length_[k] = 1 / cell_size_[k];
     }
 }
 
 GridNode GridLayout::node(std::uint32_t first_cell) const {
-    const Vec3 count(resolution[0], resolution[1], resolution[2]);
-    return {lanes(lanes_of(low), 0),
-            lanes(lanes_of(low + cell_size * count), 0),
-            lanes(lanes_of(cell_size), 0),
-            lanes(lanes_of(cells_per_length), 0),
-            resolution,
+    const Float4 high = lanes(Vec3f(low() + cell_size() * count()), 0);
+    return {low_,      high, cell_size_, cells_per_length_, {count_[0], count_[1], count_[2]},
             first_cell};
 }
 
 Box3 GridLayout::box_of(std::uint32_t flat_index) const {
-    const int x = static_cast<int>(flat_index % resolution[0]);
-    const int rows = static_cast<int>(flat_index / resolution[0]);
-    const Vec3 corner = low + cell_size * Vec3(x, rows % resolution[1], rows / resolution[1]);
-    return {corner, corner + cell_size};
+    const int x = static_cast<int>(flat_index % count_[0]);
+    const int row = static_cast<int>(flat_index / count_[0]);
+    const Vec3 corner = low() + cell_size() * Vec3(x, row % count_[1], row / count_[1]);
+    return {corner, corner + cell_size()};
 }
 
 double GridLayout::share_of_rays() const {
-    const Vec3 count(resolution[0], resolution[1], resolution[2]);
-    return half_area(cell_size) / half_area(cell_size * count);
+    return half_area(cell_size()) / half_area(cell_size() * count());
 }
 
 }  // namespace etalon

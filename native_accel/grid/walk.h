@@ -8,22 +8,17 @@
 //   22 u for the time itself: 4 u each for the difference from the origin, the reciprocal of the
 //     direction, their product and the last sum, 2 u each for the pace, its product with the cell's
 //     size and that with the index;
-//   3 u for `high`, which is a rounded sum, and for the size's rounding, as often as there are
-//     cells, where the start is found by cells_per_length;
+//   3 u for `high`, which is a rounded sum, and for cells_per_length, by which the start is found;
 //   6.1 u for the ray, whose float origin and direction are off by 2.1 u and 4 u.
-// grid_padding makes up for it: whatever comes so near to a cell is in the cell's list. The ends of
+// Together 31.1 u; what comes within grid_padding of a cell is in the cell's list. The ends of
 // a grid need no care: on each axis the first and the last cell have no end, and the walk stops at
 // a time that is its caller's.
 #pragma once
 
+#include "native_accel/grid/layout.h"
 #include "native_accel/grid/ray.h"
-#include "native_accel/grid/tree.h"
 
 namespace etalon {
-
-/// By how much a cell's list reaches beyond the cell, at least. What the boxes were padded with
-/// before they came to the grid is not counted on.
-inline constexpr double grid_padding = 40 * 0x1p-24;
 
 class GridWalk {
   public:
