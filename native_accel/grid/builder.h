@@ -149,7 +149,9 @@ class GridBuilder {
             references += count;
             fullest = std::max(fullest, count);
         }
-        if (fullest == part.items.size() || references > part.budget) return infinity;
+        const auto items = static_cast<double>(part.items.size());
+        const bool no_progress = fullest == part.items.size() && references > 2 * items;
+        if (no_progress || references > part.budget) return infinity;
         return config_.cost.enter + layout.share_of_rays() * sum;
     }
 

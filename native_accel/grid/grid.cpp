@@ -1,24 +1,11 @@
 #include "native_accel/grid/grid.h"
 
 #include "core/intersect/kernels.h"
-#include "core/intersect/shapes/triangle.h"
+#include "native_accel/grid/items.h"
 #include "native_accel/grid/visit.h"
 
 namespace etalon {
 namespace {
-
-TriangleItem triangle_item(const Scene& scene, const Frame& frame, const BoundedPrimitive& p) {
-    const auto exact = corners(scene, scene.get<Triangle>(scene.primitives[p.id]));
-    return {
-        p.box,
-        p.id,
-        {Vec3f(frame.point(exact[0])), Vec3f(frame.point(exact[1])), Vec3f(frame.point(exact[2]))}};
-}
-
-SphereItem sphere_item(const Scene& scene, const Frame& frame, const BoundedPrimitive& p) {
-    const Sphere& s = scene.get<Sphere>(scene.primitives[p.id]);
-    return {p.box, p.id, frame.point(s.centre), s.radius * frame.scale()};
-}
 
 /// FrameRay::tmax, up to a few units of rounding more, without a branch.
 float end_of(const FrameRay& ray, double t) {
@@ -31,23 +18,11 @@ float end_of(const FrameRay& ray, double t) {
 }  // namespace
 
 Grid::Grid(const Scene& scene) : Intersector(scene) {
-    std::vector<SphereItem> spheres;
-    std::vector<TriangleItem> triangles;
-    std::vector<BoxItem> others;
-    const Frame& frame = scene_bounds().frame;
-    for (const BoundedPrimitive& p : take_bounded()) {
-        const ShapeKind kind = scene.primitives[p.id].kind;
-        if (kind == kind_of<Sphere>()) {
-            spheres.push_back(sphere_item(scene, frame, p));
-        } else if (kind == kind_of<Triangle>()) {
-            triangles.push_back(triangle_item(scene, frame, p));
-        } else {
-            others.push_back({p.box, p.id});
-        }
-    }
-    spheres_ = PackedGrid<SpherePack>(spheres);
-    triangles_ = PackedGrid<TrianglePack>(triangles);
-    others_ = PackedGrid<BoxPack>(others);
+    const GridItems items(scene, scene_bounds());
+    take_bounded();  // which frees them
+    spheres_ = PackedGrid<SpherePack>(items.spheres);
+    triangles_ = PackedGrid<TrianglePack>(items.triangles);
+    others_ = PackedGrid<BoxPack>(items.others);
 }
 
 std::size_t Grid::memory_bytes() const {
