@@ -11,7 +11,7 @@ struct GridCost {
     static constexpr std::uint32_t pack_size = 4;
 
     double pack = 1;   ///< of testing the items of a pack against a ray
-    double enter = 4;  ///< of beginning to walk through a grid
+    double enter = 8;  ///< of beginning to walk through a grid
 
     double list(std::uint32_t items) const { return pack * ((items + pack_size - 1) / pack_size); }
 
