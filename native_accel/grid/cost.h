@@ -1,0 +1,29 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace etalon {
+
+/// What walking and testing costs, in steps from one cell to the next.
+struct GridCost {
+    static constexpr std::uint32_t pack_size = 4;
+
+    double pack = 1;   ///< of testing the items of a pack against a ray
+    double enter = 8;  ///< of beginning to walk through a grid
+
+    double list(std::uint32_t items) const { return pack * ((items + pack_size - 1) / pack_size); }
+
+    /// Of a cell that may become a grid. A ray through a good one meets about as many cells as lie
+    /// along an edge, the cube root of their number.
+    double cell(std::uint32_t items) const {
+        if (items <= pack_size) return items == 0 ? 0 : pack;
+        return std::min(list(items), enter + 2 * std::cbrt(items));
+    }
+
+    /// Whether a list is so short that no grid could be better.
+    bool is_short(std::uint32_t items) const { return list(items) <= enter + 2; }
+};
+
+}  // namespace etalon

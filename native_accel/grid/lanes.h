@@ -1,0 +1,51 @@
+// What a walk through a grid does with four floats at once.
+#pragma once
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+#include "core/numerics/vec.h"
+#include "native_accel/grid/float4.h"
+
+namespace etalon {
+
+inline Float4 select(Mask4 mask, Float4 yes, Float4 no) {
+    const auto a = reinterpret_cast<Mask4>(yes), b = reinterpret_cast<Mask4>(no);
+    return reinterpret_cast<Float4>((mask & a) | (~mask & b));
+}
+
+/// The lanes where the mask holds, zero in the others.
+inline Float4 keep(Mask4 mask, Float4 value) {
+    return reinterpret_cast<Float4>(mask & reinterpret_cast<Mask4>(value));
+}
+
+/// The smallest lane, in every lane.
+inline Float4 min_of_lanes(Float4 v) {
+    v = min(v, __builtin_shufflevector(v, v, 1, 0, 3, 2));
+    return min(v, __builtin_shufflevector(v, v, 2, 3, 0, 1));
+}
+
+/// One bit a lane.
+inline unsigned bits(Mask4 mask) {
+#if defined(__SSE2__)
+    return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
+#else
+    const Mask4 bit = mask & Mask4{1, 2, 4, 8};
+    return static_cast<unsigned>(bit[0] | bit[1] | bit[2] | bit[3]);
+#endif
+}
+
+inline Mask4 truncated(Float4 v) {
+    return __builtin_convertvector(v, Mask4);
+}
+inline Float4 to_float(Mask4 v) {
+    return __builtin_convertvector(v, Float4);
+}
+
+/// Three components, and what the walk wants in the fourth lane.
+inline Float4 lanes(const Vec3f& v, float fourth) {
+    return Float4{v.x, v.y, v.z, fourth};
+}
+
+}  // namespace etalon

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "native_accel/grid/tree.h"
+
+namespace etalon {
+
+/// By how much the list of a cell reaches beyond the cell, so that GridWalk loses nothing; 9 u of
+/// it for the roundings of GridLayout::cells_of. That boxes come to the grid padded is not counted
+/// on.
+inline constexpr float grid_padding = 48 * 0x1p-24F;
+
+/// A range of cells, both ends included.
+struct CellRange {
+    bool is_one_cell() const { return low == high; }
+    double size() const {
+        return (high[0] - low[0] + 1.0) * (high[1] - low[1] + 1.0) * (high[2] - low[2] + 1.0);
+    }
+    CellIndex low, high;
+};
+
+/// How a box is cut into cells.
+struct GridLayout {
+    /// About so many cells, as near to cubes as the box's proportions allow; an axis along which
+    /// the box is thinner than a cell is not cut.
+    GridLayout(const Box3& box, double cell_count);
+
+    GridNode node(std::uint32_t first_cell) const;
+
+    /// The cells that a box, padded, reaches into; those at the border for what is outside.
+    CellRange cells_of(const Box3f& box) const {
+        const Float4 last = to_float(count_) - 1.0F;
+        const auto at = [&](Float4 place) {
+            const Float4 passed = (place - low_) * cells_per_length_;
+            const Mask4 c = truncated(min(max(passed, Float4{}), last));
+            return CellIndex{c[0], c[1], c[2]};
+        };
+        return {at(lanes(box.min, 0) - grid_padding), at(lanes(box.max, 0) + grid_padding)};
+    }
+
+    std::uint32_t flat(const CellIndex& c) const {
+        return static_cast<std::uint32_t>((c[2] * count_[1] + c[1]) * count_[0] + c[0]);
+    }
+
+    Vec3 centre(const CellIndex& c) const {
+        return low() + cell_size() * Vec3(c[0] + 0.5, c[1] + 0.5, c[2] + 0.5);
+    }
+
+    /// The box of a cell of that number.
+    Box3 box_of(std::uint32_t flat_index) const;
+
+    Vec3 cell_size() const { return {cell_size_[0], cell_size_[1], cell_size_[2]}; }
+
+    std::size_t size() const { return static_cast<std::size_t>(count_[0]) * count_[1] * count_[2]; }
+
+    /// Of the rays that cross the box, about how many cross a certain cell.
+    double share_of_rays() const;
+
+  private:
+    Vec3 low() const { return {low_[0], low_[1], low_[2]}; }
+    Vec3 count() const { return Vec3(count_[0], count_[1], count_[2]); }
+
+    Float4 low_{}, cell_size_{}, cells_per_length_{};
+    Mask4 count_{1, 1, 1, 1};
+};
+
+}  // namespace etalon

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "core/numerics/rounding.h"
+#include "native_accel/grid/builder.h"
+
+namespace etalon {
+
+/// A grid over shapes of one kind. Its cells hold them packed, to be filtered four at once; what
+/// lies in many cells is there as often, so that a cell is one read from memory.
+template <class Pack>
+class PackedGrid {
+    using Item = typename Pack::Item;
+    using Ids = std::array<std::uint32_t, GridCost::pack_size>;
+
+  public:
+    PackedGrid() = default;
+
+    explicit PackedGrid(const std::vector<Item>& items) {
+        if (items.empty()) return;
+        Box3 all;
+        for (const Item& item : items) all.extendBy(Box3(Vec3(item.box.min), Vec3(item.box.max)));
+        all = {all.min - Vec3(grid_padding), all.max + Vec3(grid_padding)};
+        box_ = round_outward(all);
+        GridConfig config;
+        config.cost.pack = Pack::cost;
+        tree_ = GridBuilder<Item>(items, config).build(all);
+        pack(items);
+    }
+
+    bool empty() const { return tree_.root.count == 0; }
+    const Box3f& box() const { return box_; }
+    const GridCell& root() const { return tree_.root; }
+    const GridNode& node(std::uint32_t i) const { return tree_.nodes[i]; }
+    const GridCell& cell(std::uint32_t i) const { return tree_.cells[i]; }
+    const Pack& packed(std::uint32_t i) const { return packs_[i]; }
+
+    /// Number in Scene::primitives.
+    std::uint32_t id(std::uint32_t pack, int lane) const { return ids_[pack][lane]; }
+
+    /// Asks the memory for what a cell holds.
+    void prefetch(const GridCell& c) const {
+        const char* begin = c.is_grid() ? reinterpret_cast<const char*>(&tree_.nodes[c.first])
+                                        : reinterpret_cast<const char*>(&packs_[c.first]);
+        for (std::size_t i = 0; i < sizeof(Pack); i += 64) __builtin_prefetch(begin + i);
+    }
+
+    std::size_t memory_bytes() const {
+        return tree_.nodes.capacity() * sizeof(GridNode) +
+               tree_.cells.capacity() * sizeof(GridCell) + packs_.capacity() * sizeof(Pack) +
+               ids_.capacity() * sizeof(Ids);
+    }
+
+  private:
+    /// Turns lists of items into packs.
+    void pack(const std::vector<Item>& items) {
+        const ItemNumbers listed = std::move(tree_.items);
+        std::vector<std::uint32_t> firsts;
+        std::uint32_t count = packs_of(tree_.root);
+        for (const GridCell& c : tree_.cells) {
+            firsts.push_back(count);
+            count += packs_of(c);
+        }
+        packs_.resize(count);
+        ids_.resize(count);
+        const auto fill = [&](GridCell& c, std::uint32_t first) {
+            if (c.is_grid() || c.count == 0) return;
+            for (std::uint32_t i = 0; i < c.count; ++i) {
+                const Item& item = items[listed[c.first + i]];
+                packs_[first + i / GridCost::pack_size].set(i % GridCost::pack_size, item);
+                ids_[first + i / GridCost::pack_size][i % GridCost::pack_size] = item.id;
+            }
+            c = {first, packs_of(c)};
+        };
+        fill(tree_.root, 0);
+        parallel_for(tree_.cells.size(), 4096, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t c = begin; c < end; ++c) fill(tree_.cells[c], firsts[c]);
+        });
+        tree_.cells.shrink_to_fit();
+        tree_.nodes.shrink_to_fit();
+    }
+
+    static std::uint32_t packs_of(const GridCell& c) {
+        return c.is_grid() ? 0 : (c.count + GridCost::pack_size - 1) / GridCost::pack_size;
+    }
+
+    Box3f box_;
+    GridTree tree_;
+    std::vector<Pack> packs_;
+    std::vector<Ids> ids_;
+};
+
+}  // namespace etalon

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/intersect/frame.h"
+#include "native_accel/grid/lanes.h"
+
+namespace etalon {
+
+/// A ray as the walk through grids wants it: time per length and length per time along each axis,
+/// without signs, which are apart.
+struct GridRay {
+    explicit GridRay(const FrameRay& ray) : origin(lanes(ray.origin, 0)) {
+        // No smaller than 2^-40 of the largest component: no infinity times zero, and over the
+        // few units a ray can travel in the frame a drift far below the padding.
+        const Float4 direction = lanes(ray.direction, 1);
+        forward = direction >= 0;
+        speed = max(abs(direction), broadcast(0x1p-40F));
+        pace = keep(axes, 1 / speed);
+        speed = keep(axes, speed);
+        reciprocal = select(forward, pace, -pace);
+    }
+
+    static constexpr Mask4 axes{-1, -1, -1, 0};
+    Float4 origin, speed, pace, reciprocal;
+    Mask4 forward;
+};
+
+}  // namespace etalon

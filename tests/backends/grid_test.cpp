@@ -1,0 +1,230 @@
+// The grid's own hard cases: rays along its planes and through its corners, dense meshes in large
+// scenes, and what it promises of its size.
+#include "native_accel/grid/grid.h"
+
+#include "core/intersect/kernels.h"
+#include "native_accel/grid/items.h"
+#include "native_accel/grid/visit.h"
+#include "tests/backends/contenders.h"
+#include "tests/backends/rays.h"
+#include "tests/backends/scenes.h"
+#include "tests/catch.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+/// What is needed of a cube of n^3 places to make grids lay their planes through them: things whose
+/// borders are the places, and the cube's corners.
+Scene lattice(int n, bool spheres) {
+    Scene scene;
+    for (int i = 0; i < n * n * n; ++i) {
+        const Vec3 place(i % n, i / n % n, i / (n * n));
+        if (spheres) {
+            scene.add(Sphere{place + Vec3(0.5), 0.5}, 0);
+        } else {
+            const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+            for (const Vec3& corner : {Vec3(0), Vec3(0.5, 0, 0), Vec3(0, 0.5, 0)}) {
+                scene.vertices.push_back(place + corner);
+            }
+            scene.add(Triangle{{first, first + 1, first + 2}}, 0);
+        }
+    }
+    return scene;
+}
+
+/// Along planes, diagonals of faces and of cubes, through corners, from inside, beside and afar.
+std::vector<Ray> rays_along_planes(int n, std::size_t count) {
+    test::Random random(count);
+    std::vector<Ray> rays;
+    while (rays.size() < count) {
+        const auto whole = [&](int below) { return static_cast<double>(random.below(below)); };
+        const Vec3 direction(whole(3) - 1, whole(3) - 1, whole(3) - 1);
+        if (max_abs(direction) == 0) continue;
+        const Vec3 through(whole(2 * n + 1) / 2, whole(2 * n + 1) / 2, whole(2 * n + 1) / 2);
+        const double back = random.one_in(8) ? 1e7 * n : whole(2 * n);
+        const double aside = random.one_in(2) ? 0 : random.magnitude(-16, -5);
+        rays.push_back({through - back * direction, direction + aside * random.direction()});
+    }
+    return rays;
+}
+
+void require_hits_of_brute_force(const Scene& scene, const std::vector<Ray>& rays) {
+    const Grid grid(scene);
+    std::size_t different = 0, hits = 0;
+    std::string first;
+    for (const Ray& ray : rays) {
+        const std::optional<Hit> expected = brute_force(scene, ray);
+        hits += expected ? 1 : 0;
+        const std::string text = difference(grid, ray, expected);
+        if (!text.empty() && different++ == 0) first = text;
+    }
+    INFO(first);
+    CHECK(different == 0);
+    CHECK(hits > rays.size() / 100);
+}
+
+/// A mesh of the sphere of radius 1, in a floor and walls of triangles 100 times as large.
+Scene teapot_in_stadium(std::size_t count) {
+    Scene scene = make_scene("closed_mesh", count);
+    test::Random random(1);
+    for (int i = 0; i < 40; ++i) {
+        const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+        for (int corner = 0; corner < 3; ++corner) {
+            scene.vertices.push_back(100.0 * Vec3(Vec3f(random.direction())));
+        }
+        scene.add(Triangle{{first, first + 1, first + 2}}, 0);
+    }
+    return scene;
+}
+
+std::vector<BoxItem> box_items(const Scene& scene) {
+    std::vector<BoxItem> items;
+    for (const BoundedPrimitive& p : SceneBounds::of(scene).bounded)
+        items.push_back({p.box(), p.id});
+    return items;
+}
+
+GridTree tree_of(const std::vector<BoxItem>& items) {
+    return GridBuilder<BoxItem>(items, {}).build(Box3(Vec3(-1), Vec3(1)));
+}
+
+bool same(const GridTree& a, const GridTree& b) {
+    const auto equal = [](const GridCell& x, const GridCell& y) {
+        return x.first == y.first && x.count == y.count;
+    };
+    const auto same_start = [](const GridNode& x, const GridNode& y) {
+        return x.first_cell == y.first_cell && x.resolution == y.resolution;
+    };
+    return a.items == b.items && equal(a.root, b.root) &&
+           std::equal(a.cells.begin(), a.cells.end(), b.cells.begin(), b.cells.end(), equal) &&
+           std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), same_start);
+}
+
+/// Counts what a filter does with everything in a scene that the kernel hits, or misses.
+template <class Pack, class Filter>
+class FilterTrial {
+  public:
+    FilterTrial(const Scene& scene, std::vector<typename Pack::Item> items)
+        : scene_(scene), frame_(SceneBounds::of(scene).frame), items_(std::move(items)) {
+        for (std::size_t i = 0; i < items_.size(); ++i) {
+            if (i % 4 == 0) packs_.emplace_back();
+            packs_.back().set(i % 4, items_[i]);
+        }
+    }
+
+    void shoot(const Ray& ray) {
+        if (!frame_.resolves(ray)) return;
+        const auto local = frame_.ray(ray);
+        const RayQuery query(ray);
+        for (std::size_t i = 0; local && i < items_.size(); ++i) {
+            const double t = primitive_first_hit(scene_, items_[i].id, query);
+            const Mask4 candidates = Filter(*local).candidates(packs_[i / 4], local->tmax(t));
+            const bool passes = (bits(candidates) >> (i % 4) & 1) != 0;
+            if (!std::isnan(t)) ++hit, hit_and_dropped += passes ? 0 : 1;
+            if (std::isnan(t)) ++missed, missed_and_passed += passes ? 1 : 0;
+        }
+        for (std::size_t i = items_.size(); local && i < 4 * packs_.size(); ++i) {
+            const Mask4 candidates = Filter(*local).candidates(packs_[i / 4], local->tmax(1));
+            empty_and_passed += bits(candidates) >> (i % 4) & 1;
+        }
+    }
+
+    std::size_t hit = 0, hit_and_dropped = 0, missed = 0, missed_and_passed = 0;
+    std::size_t empty_and_passed = 0;
+
+  private:
+    const Scene& scene_;
+    Frame frame_;
+    std::vector<typename Pack::Item> items_;
+    std::vector<Pack> packs_;
+};
+
+template <class Pack, class Filter>
+void require_nothing_dropped(const Scene& scene, std::vector<typename Pack::Item> items) {
+    FilterTrial<Pack, Filter> trial(scene, std::move(items));
+    test::Random random(3);
+    for (const Ray& ray : make_rays(scene, 2000, random)) trial.shoot(ray);
+    CAPTURE(trial.hit, trial.missed, trial.missed_and_passed);
+    CHECK(trial.hit_and_dropped == 0);
+    CHECK(trial.empty_and_passed == 0);
+}
+
+}  // namespace
+
+TEST_CASE("Given rays along planes, diagonals and corners of cells, the grid loses no hit",
+          "[grid]") {
+    for (const bool spheres : {false, true}) {
+        for (const int n : {2, 8, 13, 16}) {
+            INFO((spheres ? "spheres" : "triangles") << ", " << n << " an edge");
+            require_hits_of_brute_force(lattice(n, spheres), rays_along_planes(n, 3000));
+        }
+    }
+}
+
+TEST_CASE("Given a dense mesh in a hundred times larger scene, the grid finds all in little memory",
+          "[grid]") {
+    const Scene scene = teapot_in_stadium(20000);
+    test::Random random(2);
+    std::vector<Ray> rays = make_rays(scene, 300, random);
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 origin = 100.0 * random.direction();
+        rays.push_back({origin, random.in_cube(0.7) - origin});
+    }
+    require_hits_of_brute_force(scene, rays);
+    CHECK(Grid(scene).memory_bytes() < 400 * scene.primitives.size());
+}
+
+TEST_CASE("Given any scene, the grid lists no more references and cells than it says", "[grid]") {
+    for (const SceneFamily& family : scene_families()) {
+        const std::vector<BoxItem> items = box_items(family.make(5000));
+        const GridConfig config;
+        const GridTree tree = tree_of(items);
+        INFO(family.name);
+        const double most = config.max_references * static_cast<double>(items.size());
+        CHECK(static_cast<double>(tree.items.size()) <= most);
+        CHECK(static_cast<double>(tree.cells.size()) <= config.max_depth * most);
+    }
+}
+
+TEST_CASE("Given one thread or several, the grid is the same", "[grid]") {
+    for (const char* family : {"spheres", "triangles", "closed_mesh", "slivers"}) {
+        INFO(family);
+        const std::vector<BoxItem> items = box_items(make_scene(family, 60000));
+        const GridTree several = tree_of(items);
+        const ThreadLimit one_thread(1);
+        CHECK(same(tree_of(items), several));
+        CHECK(!several.nodes.empty());
+    }
+}
+
+TEST_CASE("Given any scene, the filters of the grid's packs drop nothing that is hit", "[grid]") {
+    for (const SceneFamily& family : scene_families()) {
+        INFO(family.name);
+        for (const Scene& scene :
+             {family.make(101), transformed(family.make(50), 1e-3, Vec3(148376, 1234, -223423))}) {
+            const GridItems items(scene, SceneBounds::of(scene));
+            require_nothing_dropped<SpherePack, SphereFilter>(scene, items.spheres);
+            require_nothing_dropped<TrianglePack, TrianglePackFilter>(scene, items.triangles);
+            require_nothing_dropped<BoxPack, BoxFilter>(scene, items.others);
+        }
+    }
+}
+
+TEST_CASE("Given random rays, the filters of the grid's packs drop nearly all that is missed",
+          "[grid]") {
+    const auto shoot = [](auto trial) {
+        test::Random random(1);
+        for (int i = 0; i < 10000; ++i) {
+            const Vec3 origin = random.in_cube(2);
+            trial.shoot({origin, random.in_cube() - origin});
+        }
+        CHECK(trial.hit > 1000);
+        CHECK(1000 * trial.missed_and_passed < trial.missed);
+    };
+    const Scene spheres = make_scene("spheres", 300), triangles = make_scene("triangles", 300);
+    const GridItems a(spheres, SceneBounds::of(spheres)), b(triangles, SceneBounds::of(triangles));
+    shoot(FilterTrial<SpherePack, SphereFilter>(spheres, a.spheres));
+    shoot(FilterTrial<TrianglePack, TrianglePackFilter>(triangles, b.triangles));
+}
