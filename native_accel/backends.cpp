@@ -15,7 +15,7 @@ std::unique_ptr<Intersector> build(const Scene& scene) {
 constexpr Backend backends[] = {
     {"none", "every primitive for every ray: the reference", true, build<None>},
     {"grid", "grids within grids, walked by a 3D-DDA", true, build<Grid>},
-    {"bvh", "bounding volume hierarchy by binned SAH, four-wide", true, build<Bvh>},
+    {"bvh", "bounding volume hierarchy by binned SAH, eight-wide", true, build<Bvh>},
 };
 
 }  // namespace

@@ -19,16 +19,26 @@ constexpr double gamma(int n) {
     return n * unit_roundoff / (1 - n * unit_roundoff);
 }
 
+/// The neighbours of a float that is not NaN nor at that end of the line.
+inline float next_above(float x) {
+    if (x == 0) return std::numeric_limits<float>::denorm_min();
+    const auto bits = std::bit_cast<std::int32_t>(x);
+    return std::bit_cast<float>(bits + (x > 0 ? 1 : -1));
+}
+inline float next_below(float x) {
+    return -next_above(-x);
+}
+
 /// The largest float <= x; x may be infinite.
 inline float float_down(double x) {
-    const float f = static_cast<float>(x);
-    return f > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+    const auto f = static_cast<float>(x);
+    return f > x ? next_below(f) : f;
 }
 
 /// The smallest float >= x; x may be infinite.
 inline float float_up(double x) {
-    const float f = static_cast<float>(x);
-    return f < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
+    const auto f = static_cast<float>(x);
+    return f < x ? next_above(f) : f;
 }
 
 inline Vec3f float_down(const Vec3& v) {
