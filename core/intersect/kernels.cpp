@@ -10,6 +10,7 @@ Box3 primitive_bounds(const Scene& scene, std::uint32_t primitive) {
 }
 
 double primitive_first_hit(const Scene& scene, std::uint32_t primitive, const RayQuery& query) {
+    if (primitive == query.ray.left) return no_hit;
     const Primitive& p = scene.primitives[primitive];
     return with_shape(p.kind, [&]<class Shape>() {
         return first_hit(scene, scene.get<Shape>(p), p.sides, query);
@@ -26,8 +27,12 @@ template double shape_first_hit(const Scene&, const Sphere&, Sides, const RayQue
 SurfacePoint surface_at(const Scene& scene, const Ray& ray, const Hit& hit) {
     const Primitive& p = scene.primitives[hit.primitive];
     const RayQuery query(ray);
-    return with_shape(
-        p.kind, [&]<class Shape>() { return surface(scene, scene.get<Shape>(p), query, hit.t); });
+    return with_shape(p.kind, [&]<class Shape>() {
+        SurfacePoint point = surface(scene, scene.get<Shape>(p), query, hit.t);
+        point.primitive = hit.primitive;
+        point.form = Shape::form;
+        return point;
+    });
 }
 
 }  // namespace etalon

@@ -13,6 +13,9 @@ struct Ray {
     Vec3 origin, direction;
     double tmin = 0;
     double tmax = infinity;
+    /// The number of a primitive that the ray has just left and cannot meet again, if there is one:
+    /// it need not be tested to learn that.
+    std::uint32_t left = no_index;
 };
 
 struct Hit {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/intersect/ray.h"
 #include "core/numerics/rounding.h"
-#include "core/numerics/vec.h"
 
 namespace etalon {
 
@@ -13,6 +13,8 @@ struct SurfacePoint {
     Vec3 error;
     Vec3 normal;          ///< geometric, unit, as the shape defines it (outward, or by winding)
     Vec3 shading_normal;  ///< unit; interpolated where the shape has corner normals
+    std::uint32_t primitive = no_index;
+    Form form = Form::any;  ///< of the primitive
 };
 
 /// The bound used by the kernels: both the position's rounding and the kernel's own evaluation are
@@ -21,19 +23,42 @@ inline Vec3 position_error(const Vec3& magnitude, double extent) {
     return 64 * unit_roundoff * (magnitude + Vec3(extent));
 }
 
+/// To which side of the surface a ray leaves it: 1 for where the normal points, else -1.
+inline double side_of(const SurfacePoint& p, const Vec3& direction) {
+    return p.normal.dot(direction) < 0 ? -1.0 : 1.0;
+}
+
 /// Origin for a ray that leaves `p` towards `direction`: moved off the surface along the geometric
 /// normal, to the direction's side, by the error bound projected on the normal, and each coordinate
 /// then rounded away (Pharr, Jakob & Humphreys 2016, section 3.9.5).
 inline Vec3 spawn_origin(const SurfacePoint& p, const Vec3& direction) {
     const double distance = abs(p.normal).dot(p.error);
-    const double side = p.normal.dot(direction) < 0 ? -1.0 : 1.0;
-    const Vec3 offset = side * distance * p.normal;
+    const Vec3 offset = side_of(p, direction) * distance * p.normal;
     Vec3 origin = p.position + offset;
     for (int k = 0; k < 3; ++k) {
         if (offset[k] != 0)
             origin[k] = std::nextafter(origin[k], std::copysign(infinity, offset[k]));
     }
     return origin;
+}
+
+/// A ray that leaves `p`.
+inline Ray ray_from(const SurfacePoint& p, const Vec3& direction) {
+    const bool outward = p.normal.dot(direction) > 0;
+    const bool for_good = p.form == Form::flat || (p.form == Form::convex && outward);
+    return {spawn_origin(p, direction), direction, 0, infinity, for_good ? p.primitive : no_index};
+}
+
+/// The same for a target, at t = 1. One that is nearer than the origin was moved lies behind the
+/// surface from there.
+inline Ray ray_between(const SurfacePoint& p, const Vec3& target) {
+    const Vec3 towards = target - p.position;
+    Ray ray = ray_from(p, towards);
+    ray.direction = target - ray.origin;
+    ray.tmax = 1;
+    const bool moves_away = side_of(p, towards) * p.normal.dot(ray.direction) > 0;
+    if (!moves_away) ray.left = no_index;
+    return ray;
 }
 
 }  // namespace etalon

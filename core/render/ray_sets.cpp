@@ -79,7 +79,7 @@ class RaySetMaker {
         RaySet set{"bounce", false, {}};
         for_each_hit([&](const SurfacePoint& p, const Vec3& normal, const SampleSource& sample) {
             const Vec3 direction = cosine_direction(normal, sample.point(0));
-            set.rays.push_back({spawn_origin(p, direction), direction});
+            set.rays.push_back(ray_from(p, direction));
         });
         return set;
     }
@@ -90,8 +90,7 @@ class RaySetMaker {
         for_each_hit([&](const SurfacePoint& p, const Vec3&, const SampleSource& sample) {
             const Light& light = scene_.lights[set.rays.size() % scene_.lights.size()];
             const Vec3 target = LightSamples(light, 1).position(0, sample, 1);
-            const Vec3 origin = spawn_origin(p, target - p.position);
-            set.rays.push_back({origin, target - origin, 0, 1});
+            set.rays.push_back(ray_between(p, target));
         });
         return set;
     }

@@ -95,9 +95,14 @@ Color Whitted::lit_by(const Vec3& light, const Path& path, const Encounter& at,
     const double cosine = at.normal.dot(towards);
     if (!(cosine > 0) || !(at.facing.dot(towards) > 0)) return Color(0.0F);
 
-    const Vec3 origin = origin_of(at, towards, false);
+    Ray shadow = ray_between(at.surface, light);
+    if (scene_.whitted.fixed_bias != 0) {
+        shadow = leave(at, towards, false);
+        shadow.direction = light - shadow.origin;
+    }
+    shadow.tmax = shadow_end;
     ++context.counts.shadow;
-    if (intersector_.occluded({origin, light - origin, 0, shadow_end})) {
+    if (intersector_.occluded(shadow)) {
         ++context.counts.shadow_blocked;
         return Color(0.0F);
     }
@@ -138,10 +143,10 @@ Color Whitted::secondary(const Path& path, const Encounter& at, Context& context
     return sum;
 }
 
-Vec3 Whitted::origin_of(const Encounter& at, const Vec3& direction, bool crosses) const {
+Ray Whitted::leave(const Encounter& at, const Vec3& direction, bool crosses) const {
     const double bias = scene_.whitted.fixed_bias;
-    if (bias == 0) return spawn_origin(at.surface, direction);
-    return at.surface.position + (crosses ? -bias : bias) * at.facing;
+    if (bias == 0) return ray_from(at.surface, direction);
+    return {at.surface.position + (crosses ? -bias : bias) * at.facing, direction};
 }
 
 /// `inside`: the new ray runs behind the surface.
@@ -150,9 +155,7 @@ Color Whitted::follow(const Path& from, const Encounter& at, const Vec3& directi
     const bool crosses = inside == at.entering;
     Color absorption = from.absorption;
     if (crosses) absorption = inside ? at.material.absorption : Color(0.0F);
-    const Path path{{origin_of(at, direction, crosses), direction},
-                    from.depth + 1,
-                    hash(from.name, crosses ? 1 : 0),
+    const Path path{leave(at, direction, crosses), from.depth + 1, hash(from.name, crosses ? 1 : 0),
                     absorption};
     const std::optional<Hit> hit = intersector_.closest(path.ray);
     if (hit) ++context.counts.secondary_hits;

@@ -50,7 +50,7 @@ class Whitted {
     Color direct(const Path& path, const Encounter& at, Context& context) const;
     Color lit_by(const Vec3& light, const Path& path, const Encounter& at, Context& context) const;
     Color secondary(const Path& path, const Encounter& at, Context& context) const;
-    Vec3 origin_of(const Encounter& at, const Vec3& direction, bool crosses) const;
+    Ray leave(const Encounter& at, const Vec3& direction, bool crosses) const;
     Color follow(const Path& from, const Encounter& at, const Vec3& direction, bool inside,
                  Context& context) const;
 

@@ -19,8 +19,13 @@ namespace etalon {
 
 inline constexpr std::uint32_t no_index = 0xFFFFFFFFU;
 
+/// What is known of all shapes of a kind: that a ray that leaves one to the outside, or to either
+/// side, does not meet it again.
+enum class Form : std::uint8_t { any, convex, flat };
+
 struct Sphere {
     static constexpr std::string_view name = "sphere";
+    static constexpr Form form = Form::convex;
     Vec3 centre;
     double radius;  ///< > 0; an inside-only sphere is a matter of Sides
 };
@@ -29,6 +34,7 @@ struct Sphere {
 /// The front is where the corners run counter-clockwise.
 struct Triangle {
     static constexpr std::string_view name = "triangle";
+    static constexpr Form form = Form::flat;
     std::array<std::uint32_t, 3> vertices;
     std::uint32_t normals = no_index;  ///< first of three consecutive normals
 };
@@ -36,6 +42,7 @@ struct Triangle {
 /// A planar polygon with count >= 4 corners, concave or not: scene.vertices[first ... first+count).
 struct Polygon {
     static constexpr std::string_view name = "polygon";
+    static constexpr Form form = Form::any;  // corners may lie off their plane
     std::uint32_t first;
     std::uint32_t count;
     std::uint32_t normals = no_index;  ///< first of `count` consecutive normals
@@ -44,12 +51,14 @@ struct Polygon {
 /// An axis-aligned box, both sides visible; min <= max in each axis.
 struct Box {
     static constexpr std::string_view name = "box";
+    static constexpr Form form = Form::convex;
     Vec3 min, max;
 };
 
 /// The infinite plane through `point`; `normal` need not be of unit length.
 struct Plane {
     static constexpr std::string_view name = "plane";
+    static constexpr Form form = Form::flat;
     Vec3 point, normal;
 };
 
@@ -57,6 +66,7 @@ struct Plane {
 /// agree, a cone where one is zero. No caps.
 struct Cone {
     static constexpr std::string_view name = "cone";
+    static constexpr Form form = Form::convex;
     Vec3 base, top;
     double base_radius, top_radius;
 };

@@ -76,12 +76,14 @@ inline Clusters::Candidate Clusters::ask(const Scene& scene, ClusterRef ref, std
         case ClusterRef::triangles: {
             const TriangleCluster& cluster = triangles(ref);
             const auto& [id, vertices] = cluster.members[lane];
+            if (id == query.ray.left) return {id, no_hit};
             return {id, shape_first_hit(scene, Triangle{vertices}, cluster.sides[lane], query)};
         }
         case ClusterRef::spheres: {
             const SphereCluster& cluster = spheres(ref);
-            return {cluster.ids[lane],
-                    shape_first_hit(scene, cluster.exact[lane], cluster.sides[lane], query)};
+            const std::uint32_t id = cluster.ids[lane];
+            if (id == query.ray.left) return {id, no_hit};
+            return {id, shape_first_hit(scene, cluster.exact[lane], cluster.sides[lane], query)};
         }
         default: {
             const std::uint32_t id = lists_[ref.index()][lane];

@@ -1,0 +1,64 @@
+// Rays that say which primitive they have left, and so cannot meet again.
+#include "core/intersect/kernels.h"
+#include "tests/backends/contenders.h"
+#include "tests/backends/rays.h"
+#include "tests/backends/scenes.h"
+#include "tests/catch.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+Ray without_hint(Ray ray) {
+    ray.left = no_index;
+    return ray;
+}
+
+/// Rays from where others hit a scene, to both sides.
+std::vector<Ray> leaving_rays(const Scene& scene, std::size_t count) {
+    test::Random random(count);
+    std::vector<Ray> rays;
+    for (const Ray& ray : make_rays(scene, count, random)) {
+        const auto hit = brute_force(scene, ray);
+        if (!hit) continue;
+        const SurfacePoint p = surface_at(scene, ray, *hit);
+        rays.push_back(ray_from(p, random.direction()));
+        rays.push_back(ray_between(p, p.position + random.direction()));
+    }
+    return rays;
+}
+
+}  // namespace
+
+TEST_CASE("Given a ray that says what it left, it hits what one that does not say so hits",
+          "[leaving]") {
+    for (const SceneFamily& family : scene_families()) {
+        const Scene scene = transformed(family.make(200), 3, Vec3(70, -30, 0.1));
+        const std::vector<Ray> rays = leaving_rays(scene, 400);
+        for (const Backend& backend : exact_backends()) {
+            INFO(backend.name << " on " << family.name);
+            const auto intersector = backend.build(scene);
+            for (const Ray& ray : rays) {
+                const std::string found =
+                    difference(*intersector, ray, brute_force(scene, without_hint(ray)));
+                REQUIRE(found == "");
+            }
+        }
+    }
+}
+
+TEST_CASE(
+    "Given a flat primitive, or a convex one that is left outward, a ray says that it left it",
+    "[leaving]") {
+    SurfacePoint p{Vec3(0), Vec3(1e-15), Vec3(0, 0, 1), Vec3(0, 0, 1), 7, Form::any};
+    const Vec3 outward(1, 0, 1), inward(1, 0, -1);
+    p.form = Form::flat;
+    CHECK(ray_from(p, outward).left == 7);
+    CHECK(ray_from(p, inward).left == 7);
+    p.form = Form::convex;
+    CHECK(ray_from(p, outward).left == 7);
+    CHECK(ray_from(p, inward).left == no_index);
+    p.form = Form::any;
+    CHECK(ray_from(p, outward).left == no_index);
+}
