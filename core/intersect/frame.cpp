@@ -1,7 +1,5 @@
 #include "core/intersect/frame.h"
 
-#include "core/numerics/rounding.h"
-
 namespace etalon {
 namespace {
 
@@ -10,13 +8,6 @@ constexpr double largest_distance = 0x1p24;
 constexpr double largest_speed = 0x1p900;
 
 }  // namespace
-
-float FrameRay::tmin(double t) const {
-    return float_down((t - shift) * scale);
-}
-float FrameRay::tmax(double t) const {
-    return std::min(float_up((t - shift) * scale), std::numeric_limits<float>::max());
-}
 
 Frame::Frame(const Box3& world) {
     if (world.isEmpty()) return;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/intersect/ray.h"
+#include "core/numerics/rounding.h"
 
 namespace etalon {
 
@@ -15,8 +16,13 @@ struct FrameRay {
     Vec3f origin, direction;  ///< |origin| <= 3, the direction's largest component in [1, 2)
     double shift, scale;
 
-    float tmin(double t) const;  ///< rounded down
-    float tmax(double t) const;  ///< rounded up, so what lies at t exactly is never culled; finite
+    /// Rounded down.
+    float tmin(double t) const { return float_down((t - shift) * scale); }
+
+    /// Rounded up, so what lies at t exactly is never culled; finite.
+    float tmax(double t) const {
+        return std::min(float_up((t - shift) * scale), std::numeric_limits<float>::max());
+    }
 };
 
 class Frame {

@@ -56,6 +56,11 @@ inline Box3f round_outward(const Box3& box) {
 /// The power of two 2^-e with 2^e <= x < 2^(e+1): multiplying by it is exact and brings x to [1,
 /// 2). The largest there is, 2^1023, where that would be infinite; 1 for zero, infinities and NaN.
 inline double power_of_two_reciprocal(double x) {
+    // The exponent's field of x is e + 1023, that of the result 1023 - e: the C library's functions
+    // for this cost as much as the rest of a ray's set-up.
+    constexpr std::uint64_t one = 1023, largest = 2046, exponent = 52;
+    const std::uint64_t field = std::bit_cast<std::uint64_t>(x) >> exponent;
+    if (field > 0 && field < largest) return std::bit_cast<double>((2 * one - field) << exponent);
     if (!(x > 0) || !std::isfinite(x)) return 1;
     return std::ldexp(1.0, std::min(-std::ilogb(x), 1023));
 }

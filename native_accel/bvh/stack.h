@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -15,11 +16,23 @@ class TraversalStack {
     /// Takes the lanes `entered` of a node, at least one, and gives back the nearest; the others
     /// are kept, the nearer the later.
     ChildRef descend(const WideNode& node, const Lanes& entry, std::uint32_t entered) {
-        const std::size_t bottom = height_;
-        do {
+        const auto take = [&] {
             const int lane = std::countr_zero(entered);
-            insert(bottom, Entry(entry[lane], node.children[lane]));
             entered &= entered - 1;
+            return Entry(entry[lane], node.children[lane]);
+        };
+        const Entry first = take();
+        if (entered == 0) return first.child();
+        const Entry second = take(), near = std::min(first, second), far = std::max(first, second);
+        if (entered == 0) {
+            entries_[height_++] = far;
+            return near.child();
+        }
+        const std::size_t bottom = height_;
+        entries_[height_++] = far;
+        entries_[height_++] = near;
+        do {
+            insert(bottom, take());
         } while (entered != 0);
         return entries_[--height_].child();
     }
