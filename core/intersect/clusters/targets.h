@@ -2,7 +2,9 @@
 // included before anything of Highway's.
 #pragma once
 
-// SSSE3 and AVX-512 gain nothing over their neighbours for eight floats; vectors of no fixed size
-// cannot be members.
-#define HWY_DISABLED_TARGETS \
-    (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+// SSSE3 and AVX-512 gain nothing over their neighbours for eight floats (0x50: its variants for Zen
+// 4 and Sapphire Rapids, for which older releases have no names); vectors of no fixed size cannot
+// be members.
+#define HWY_DISABLED_TARGETS                                                                       \
+    (HWY_SSSE3 | HWY_AVX3 | HWY_AVX3_DL | 0x50 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | \
+     HWY_RVV)
