@@ -3,14 +3,6 @@
 #include <limits>
 
 namespace etalon {
-namespace {
-
-float half_area(const Box3f& box) {
-    const Vec3f s = box.size();
-    return s.x * s.y + s.y * s.z + s.z * s.x;
-}
-
-}  // namespace
 
 /// Children come after their parents.
 Collapse::Collapse(const std::vector<BvhNode>& nodes) : nodes_(nodes), plans_(nodes.size()) {

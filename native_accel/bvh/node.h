@@ -6,6 +6,13 @@
 
 namespace etalon {
 
+/// Half the surface; 0 for an empty box.
+inline float half_area(const Box3f& box) {
+    if (box.isEmpty()) return 0;
+    const Vec3f s = box.size();
+    return s.x * s.y + s.y * s.z + s.z * s.x;
+}
+
 /// A node of the binary tree that building makes. The two children of an inner node stand side by
 /// side.
 struct BvhNode {

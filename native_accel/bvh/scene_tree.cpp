@@ -5,11 +5,6 @@
 namespace etalon {
 namespace {
 
-double half_area(const Box3f& box) {
-    const Vec3 s(box.max - box.min);
-    return s.x * s.y + s.y * s.z + s.z * s.x;
-}
-
 /// By the surface area heuristic, of trees about the same primitives.
 double cost(const BvhTree& tree, const Scene& scene, const LeafCosts& costs) {
     double sum = 0;
@@ -18,7 +13,8 @@ double cost(const BvhTree& tree, const Scene& scene, const LeafCosts& costs) {
         const BvhNode& node = tree.nodes[i];
         if (node.is_leaf()) {
             const LeafCost& c = costs[scene.primitives[tree.ids[node.first]].kind];
-            sum += half_area(node.box) * c.cost * ((node.count + c.lanes - 1) / c.lanes);
+            const double tests = (node.count + c.lanes - 1) / c.lanes;
+            sum += half_area(node.box) * c.cost * tests;
         } else {
             sum += half_area(node.box);
         }

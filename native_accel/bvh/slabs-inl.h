@@ -6,7 +6,7 @@
 #define ETALON_BVH_SLABS_INL_H
 #endif
 
-#include "core/intersect/clusters/filter-inl.h"
+#include "core/intersect/clusters/lanes-inl.h"
 #include "native_accel/bvh/wide_node.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -12,6 +12,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "core/intersect/clusters/filter-inl.h"
 #include "native_accel/bvh/slabs-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -33,54 +34,60 @@ HWY_INLINE float start(const RayQuery& query, const FrameRay& local) {
     return std::max(0.0F, local.tmin(query.ray.tmin));
 }
 
+/// Takes the tree's leaves one by one to at_leaf(cluster), for as long as that returns true.
+/// descend(stack, node, entry, lanes) picks which of the children that are entered is next.
+template <class Descend, class AtLeaf>
+HWY_INLINE void walk(const WideTree& tree, const Slabs& slabs, const float& tmax,
+                     const Descend& descend, const AtLeaf& at_leaf) {
+    TraversalStack stack;
+    ChildRef next = tree.root;
+    do {
+        while (!next.is_leaf()) {
+            const WideNode& node = tree.nodes[next.node()];
+            alignas(32) Lanes entry;
+            const std::uint32_t entered = slabs.entered(node, tmax, entry);
+            if (entered == 0) break;
+            next = descend(stack, node, entry, entered);
+        }
+        if (next.is_leaf() && !at_leaf(next.cluster())) return;
+    } while (stack.pop(tmax, next));
+}
+
 void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
                   NearestHit& nearest) {
     const float tmin = start(query, local);
-    const Slabs slabs(local, tmin);
+    float tmax = local.tmax(nearest.t);
+    const ClusterFilter filter(local, tmin);
     const auto offer = [&](double t, std::uint32_t id) HWY_ATTR {
         nearest.offer(t, id);
         return true;
     };
-    const ClusterFilter filter(local, tmin);
-    float tmax = local.tmax(nearest.t);
-    TraversalStack stack;
-    ChildRef next = bvh.tree.root;
-    do {
-        while (!next.is_leaf()) {
-            const WideNode& node = bvh.tree.nodes[next.node()];
-            alignas(32) Lanes entry;
-            const std::uint32_t entered = slabs.entered(node, tmax, entry);
-            if (entered == 0) break;
-            next = stack.descend(node, entry, entered);
-        }
-        if (!next.is_leaf()) continue;
+    const auto nearest_first =
+        [](TraversalStack& stack, const WideNode& node, const Lanes& entry, std::uint32_t entered)
+            HWY_ATTR { return stack.descend(node, entry, entered); };
+    walk(bvh.tree, Slabs(local, tmin), tmax, nearest_first, [&](ClusterRef ref) HWY_ATTR {
         const double before = nearest.t;
-        visit(bvh, next.cluster(), filter, tmax, query, offer);
+        visit(bvh, ref, filter, tmax, query, offer);
         if (nearest.t < before) tmax = local.tmax(nearest.t);
-    } while (stack.pop(tmax, next));
+        return true;
+    });
 }
 
 bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
     const float tmin = start(query, local), tmax = local.tmax(query.ray.tmax);
-    const Slabs slabs(local, tmin);
+    const ClusterFilter filter(local, tmin);
     bool found = false;
     const auto offer = [&](double t, std::uint32_t) HWY_ATTR {
         found = t <= query.ray.tmax;
         return !found;
     };
-    const ClusterFilter filter(local, tmin);
-    TraversalStack stack;
-    ChildRef next = bvh.tree.root;
-    do {
-        while (!next.is_leaf()) {
-            const WideNode& node = bvh.tree.nodes[next.node()];
-            alignas(32) Lanes entry;
-            const std::uint32_t entered = slabs.entered(node, tmax, entry);
-            if (entered == 0) break;
-            next = stack.descend(node, entered);
-        }
-        if (next.is_leaf()) visit(bvh, next.cluster(), filter, tmax, query, offer);
-    } while (!found && stack.pop(tmax, next));
+    const auto as_they_come =
+        [](TraversalStack& stack, const WideNode& node, const Lanes&, std::uint32_t entered)
+            HWY_ATTR { return stack.descend(node, entered); };
+    walk(bvh.tree, Slabs(local, tmin), tmax, as_they_come, [&](ClusterRef ref) HWY_ATTR {
+        visit(bvh, ref, filter, tmax, query, offer);
+        return !found;
+    });
     return found;
 }
 

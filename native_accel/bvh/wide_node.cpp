@@ -8,11 +8,6 @@
 namespace etalon {
 namespace {
 
-float half_area(const Box3f& box) {
-    const Vec3f s = box.size();
-    return s.x * s.y + s.y * s.z + s.z * s.x;
-}
-
 class Widener {
   public:
     Widener(const std::vector<BvhNode>& nodes, const std::vector<ClusterRef>& leaves,
