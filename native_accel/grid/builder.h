@@ -139,8 +139,9 @@ class GridBuilder {
         return Distribution<Item>(items_, part.items, layout).box_references() <= limit;
     }
 
-    /// What a ray through the box costs if it is cut so; infinity where nothing would be gained.
-    double cost(const Part& part, const GridLayout& layout) const {
+    /// What a ray through the box costs if it is cut so, and so many of all pass through a cell;
+    /// infinity where nothing would be gained.
+    double cost(const Part& part, const GridLayout& layout, double share_of_rays) const {
         double sum = static_cast<double>(layout.size()), references = 0;
         std::uint32_t fullest = 0;
         for (const std::uint32_t count :
@@ -152,23 +153,47 @@ class GridBuilder {
         const auto items = static_cast<double>(part.items.size());
         const bool no_progress = fullest == part.items.size() && references > 2 * items;
         if (no_progress || references > part.budget) return infinity;
-        return config_.cost.enter + layout.share_of_rays() * sum;
+        return config_.cost.enter + share_of_rays * sum;
+    }
+
+    /// A layout, if it costs less than `cost`.
+    struct Choice {
+        std::optional<GridLayout> layout;
+        double cost;
+    };
+
+    std::optional<GridLayout> best_layout(const Part& part) const {
+        const auto count = static_cast<std::uint32_t>(part.items.size());
+        if (config_.cost.is_short(count) || part.depth == config_.max_depth) return std::nullopt;
+        const Choice as_list{std::nullopt, config_.cost.list(count)};
+        const Choice cubes = best_layout(part, Cut::cubes, as_list);
+        const Vec3 size = part.box.size();
+        const bool is_long = max_abs(size) > 4 * std::min({size.x, size.y, size.z});
+        if (!is_long) return cubes.layout;
+        const Choice alike = best_layout(part, Cut::alike, as_list);
+        return is_safer(part, alike, cubes) ? alike.layout : cubes.layout;
+    }
+
+    /// Few of all rays go along a box that is long, so that cubes cost less; but where those few
+    /// would cost many times more, as in a mesh that is a needle, they are what counts.
+    bool is_safer(const Part& part, const Choice& choice, const Choice& other) const {
+        constexpr double much = 8;
+        if (!choice.layout || !other.layout) return choice.layout.has_value();
+        return much * cost(part, *choice.layout, choice.layout->share_along_axes()) <
+               cost(part, *other.layout, other.layout->share_along_axes());
     }
 
     /// From about as many cells as items to ever fewer, as long as that is better.
-    std::optional<GridLayout> best_layout(const Part& part) const {
-        std::optional<GridLayout> best;
-        const auto count = static_cast<std::uint32_t>(part.items.size());
-        if (config_.cost.is_short(count) || part.depth == config_.max_depth) return best;
-        double least = config_.cost.list(count);
-        bool allowed = false;
-        for (double cells = config_.cells_per_item * count; cells >= 4; cells /= 2) {
-            const GridLayout layout(part.box, cells);
+    Choice best_layout(const Part& part, Cut cut, Choice best) const {
+        bool allowed = false, found = false;
+        for (double cells = config_.cells_per_item * static_cast<double>(part.items.size());
+             cells >= 4; cells /= 2) {
+            const GridLayout layout(part.box, cells, cut);
             allowed = allowed || is_allowed(part, layout);  // coarser cuts then hardly need more
             if (!allowed) continue;
-            const double c = cost(part, layout);
-            if (c >= least && best) break;
-            if (c < least) best = layout, least = c;
+            const double c = cost(part, layout, layout.share_of_rays());
+            if (c >= best.cost && found) break;
+            if (c < best.cost) best = {layout, c}, found = true;
         }
         return best;
     }

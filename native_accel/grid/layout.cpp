@@ -21,11 +21,12 @@ double half_area(const Vec3& size) {
 
 }  // namespace
 
-GridLayout::GridLayout(const Box3& box, double cell_count) : low_(lanes(Vec3f(box.min), 0)) {
+GridLayout::GridLayout(const Box3& box, double cell_count, Cut cut)
+    : low_(lanes(Vec3f(box.min), 0)) {
     const Vec3 size = box.size();
-    const double edge = cube_edge(size, std::max(cell_count, 1.0));
+    const double count = std::max(cell_count, 1.0), edge = cube_edge(size, count);
     for (int k = 0; k < 3; ++k) {
-        const double wanted = std::round(size[k] / edge);
+        const double wanted = std::round(cut == Cut::cubes ? size[k] / edge : std::cbrt(count));
         count_[k] = static_cast<int>(std::clamp(wanted, 1.0, double(max_resolution)));
         cell_size_[k] = static_cast<float>(size[k] / count_[k]);
         cells_per_length_[k] = 1 / cell_size_[k];
@@ -47,6 +48,11 @@ Box3 GridLayout::box_of(std::uint32_t flat_index) const {
 
 double GridLayout::share_of_rays() const {
     return half_area(cell_size()) / half_area(cell_size() * count());
+}
+
+double GridLayout::share_along_axes() const {
+    const Vec3 n = count();
+    return (1 / (n.x * n.y) + 1 / (n.y * n.z) + 1 / (n.z * n.x)) / 3;
 }
 
 }  // namespace etalon

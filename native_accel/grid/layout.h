@@ -18,11 +18,15 @@ struct CellRange {
     CellIndex low, high;
 };
 
+/// Into what a box is cut.
+enum class Cut {
+    cubes,  ///< as near as the box's proportions allow; not at all where it is thinner than they
+    alike,  ///< as often along each axis, for what is as long as the box or as thin
+};
+
 /// How a box is cut into cells.
 struct GridLayout {
-    /// About so many cells, as near to cubes as the box's proportions allow; an axis along which
-    /// the box is thinner than a cell is not cut.
-    GridLayout(const Box3& box, double cell_count);
+    GridLayout(const Box3& box, double cell_count, Cut cut = Cut::cubes);  ///< about so many
 
     GridNode node(std::uint32_t first_cell) const;
 
@@ -52,8 +56,10 @@ struct GridLayout {
 
     std::size_t size() const { return static_cast<std::size_t>(count_[0]) * count_[1] * count_[2]; }
 
-    /// Of the rays that cross the box, about how many cross a certain cell.
+    /// Of the rays that cross the box, about how many cross a certain cell; and the mean of that
+    /// for rays along each axis.
     double share_of_rays() const;
+    double share_along_axes() const;
 
   private:
     Vec3 low() const { return {low_[0], low_[1], low_[2]}; }

@@ -188,6 +188,23 @@ TEST_CASE("Given any scene, the grid lists no more references and cells than it 
     }
 }
 
+TEST_CASE("Given a hull a thousand times as long as wide, a ray along it is spared most of it",
+          "[grid]") {
+    std::vector<BoxItem> items;
+    for (std::uint32_t i = 0; i < 20000; ++i) {
+        const double z = (i % 100) / 50.0 - 0.99, angle = i / 100 * 0.0314159265;
+        const Vec3 place = 1e-3 * std::sqrt(1 - z * z) * Vec3(std::cos(angle), std::sin(angle), 0);
+        const Vec3 reach(2e-5, 2e-5, 0.01), centre = place + Vec3(0, 0, z);
+        items.push_back({Box3f(Vec3f(centre - reach), Vec3f(centre + reach)), i});
+    }
+    const GridTree tree =
+        GridBuilder<BoxItem>(items, {}).build(Box3(Vec3(-1e-3, -1e-3, -1), Vec3(1e-3, 1e-3, 1)));
+    REQUIRE(tree.root.is_grid());
+    const CellIndex& cut = tree.nodes[tree.root.first].resolution;
+    CHECK(cut[0] >= 8);
+    CHECK(cut[1] >= 8);
+}
+
 TEST_CASE("Given one thread or several, the grid is the same", "[grid]") {
     for (const char* family : {"spheres", "triangles", "closed_mesh", "slivers"}) {
         INFO(family);
