@@ -64,9 +64,10 @@ std::vector<Contender> enter(const Plan& plan) {
 void measure_rays(const Arguments& a, const RayMeasurement& measurement, const Scene& scene,
                   SceneFigures& figures) {
     show(a, heading_of_rays());
-    for (const RaySet& set : make_ray_sets(scene, measurement.exact(), a.max_rays)) {
-        const bool is_wanted = std::find(a.kinds.begin(), a.kinds.end(), set.kind) != a.kinds.end();
-        if (!is_wanted || set.rays.empty()) continue;
+    for (const char* kind : ray_kinds) {
+        if (std::find(a.kinds.begin(), a.kinds.end(), kind) == a.kinds.end()) continue;
+        const RaySet set = make_ray_set(kind, scene, measurement.exact(), a.max_rays);
+        if (set.rays.empty()) continue;
         figures.kinds.push_back(measurement.measure(set));
         show(a, table(figures.kinds.back()));
     }
@@ -136,7 +137,7 @@ void declare_what(CLI::App& app, Arguments& a) {
         ->capture_default_str();
     app.add_option("--rays", a.kinds, "Kinds of rays, by commas")
         ->delimiter(',')
-        ->check(CLI::IsMember({"camera", "bounce", "shadow", "aimed", "random"}))
+        ->check(CLI::IsMember(std::vector<std::string>(ray_kinds.begin(), ray_kinds.end())))
         ->capture_default_str();
     app.add_flag("--list", a.list, "Only say which scenes there are by name");
     app.add_flag("--only-build", a.only_build, "Shoot no rays");

@@ -141,9 +141,13 @@ class RaySetMaker {
 
 }  // namespace
 
-std::vector<RaySet> make_ray_sets(const Scene& scene, const Intersector& exact, std::size_t limit) {
+RaySet make_ray_set(const std::string& kind, const Scene& scene, const Intersector& exact,
+                    std::size_t limit) {
     const RaySetMaker maker(scene, exact, limit);
-    return {maker.camera(), maker.bounce(), maker.shadow(), maker.aimed(), maker.random()};
+    if (kind == "camera") return maker.camera();
+    if (kind == "bounce") return maker.bounce();
+    if (kind == "shadow") return maker.shadow();
+    return kind == "aimed" ? maker.aimed() : maker.random();
 }
 
 }  // namespace etalon

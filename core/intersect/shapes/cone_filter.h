@@ -81,9 +81,9 @@ class ConeFilter {
     /// The computed t is a root of a form that differs from the true one, there, by at most e_form:
     /// the vectors F + t G and r(t) are of equal length and together off by at most e, and products
     /// are rounded: the squares of the lengths differ by 6 u reach^2, so neither is above radius +
-    /// sqrt(6 u) reach, and 1e-7 is over three times sqrt(6 u). Where the true form has a discriminant D of more than 3/4 of the computed one,
-    /// and D + alpha e_form of more than 5/12, its root is within e_form / (sqrt(D) + sqrt(D +
-    /// alpha e_form)).
+    /// sqrt(6 u) reach, and 1e-7 is over three times sqrt(6 u). Where the true form has a
+    /// discriminant D of more than 3/4 of the computed one, and D + alpha e_form of more than 5/12,
+    /// its root is within e_form / (sqrt(D) + sqrt(D + alpha e_form)).
     double root(int way) const {
         constexpr double u = unit_roundoff;
         const double root = std::sqrt(discriminant_), sum = std::abs(beta_) + root;
