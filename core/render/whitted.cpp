@@ -31,6 +31,15 @@ Vec3 normalized(const Vec3& v) {
     return v / std::sqrt(v.dot(v));
 }
 
+/// For unit vectors; `normal` on the light's side.
+double highlight_of(const Material& m, const Vec3& direction, const Vec3& normal,
+                    const Vec3& towards) {
+    const double cosine = m.highlight == Highlight::phong
+                              ? reflect(direction, normal).dot(towards)
+                              : normal.dot(normalized(towards - direction));
+    return std::pow(std::max(0.0, cosine), m.shininess);
+}
+
 }  // namespace
 
 Whitted::Whitted(const Scene& scene, const Intersector& intersector,
@@ -51,7 +60,7 @@ Color Whitted::trace(const Path& path, std::optional<Hit> hit, Context& context)
     Color color;
     if (hit) {
         const Encounter at = encounter(path.ray, *hit);
-        color = direct(path, at, context);
+        color = at.material.ambient + direct(path, at, context);
         if (path.depth < max_depth_) color += secondary(path, at, context);
         if (!is_black(path.absorption)) color *= transmittance(path.absorption, hit->t);
     } else {
@@ -106,10 +115,12 @@ Color Whitted::lit_by(const Vec3& light, const Path& path, const Encounter& at,
         ++context.counts.shadow_blocked;
         return Color(0.0F);
     }
-    const Vec3 half = normalized(towards - path.ray.direction);
-    const double highlight = std::pow(std::max(0.0, at.normal.dot(half)), at.material.shininess);
-    return at.material.diffuse * static_cast<float>(cosine) +
-           at.material.specular * static_cast<float>(highlight);
+    Color reflected = at.material.diffuse * static_cast<float>(cosine);
+    if (!is_black(at.material.specular)) {
+        const double highlight = highlight_of(at.material, path.ray.direction, at.normal, towards);
+        reflected += at.material.specular * static_cast<float>(highlight);
+    }
+    return reflected;
 }
 
 Color Whitted::secondary(const Path& path, const Encounter& at, Context& context) const {

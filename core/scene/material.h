@@ -2,14 +2,22 @@
 // a format's own rules are turned into these numbers by its loader.
 #pragma once
 
+#include <cstdint>
+
 #include "core/numerics/vec.h"
 
 namespace etalon {
 
+/// Of what angle a highlight is a power: between N and the half of eye and light (Blinn 1977), or
+/// between the mirrored eye ray and the light (Phong 1975).
+enum class Highlight : std::uint8_t { blinn, phong };
+
 struct Material {
+    Color ambient{0.0F};   ///< sent back whatever the light
     Color diffuse{0.0F};   ///< times max(0, N.L), for each light
-    Color specular{0.0F};  ///< times max(0, N.H)^shininess, for each light (Blinn 1977)
+    Color specular{0.0F};  ///< times max(0, cosine)^shininess, for each light
     double shininess = 1;
+    Highlight highlight = Highlight::blinn;
 
     Color reflection{0.0F};    ///< weight of the mirrored ray
     Color transmission{0.0F};  ///< weight of the refracted ray

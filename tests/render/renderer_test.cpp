@@ -1,6 +1,7 @@
 #include "core/render/renderer.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "app/backends.h"
 #include "core/parallel/parallel.h"
@@ -220,4 +221,27 @@ TEST_CASE("Clamping each ray keeps highlights from glowing through a mirror", "[
     CHECK(centre(scene).x == Approx(2));
     scene.whitted.clamp_each_ray = true;
     CHECK(centre(scene).x == Approx(0.5));
+}
+
+TEST_CASE("An ambient colour is seen without any light", "[render]") {
+    Scene scene = empty_scene();
+    Material glowing;
+    glowing.ambient = Color(0.25F, 0.5F, 0.75F);
+    scene.materials = {glowing};
+    scene.add(Sphere{Vec3(0), 1}, 0);
+    CHECK(centre(scene) == glowing.ambient);
+}
+
+TEST_CASE("A highlight is a power of Blinn's or of Phong's angle", "[render]") {
+    Scene scene = empty_scene();
+    Material shiny;
+    shiny.specular = Color(1.0F);
+    shiny.shininess = 3;
+    scene.materials = {shiny};
+    scene.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
+    // Seen along its normal, lit at 60 degrees from it.
+    scene.lights = {PointLight{Vec3(std::sqrt(3.0), 0, 1), Color(1.0F)}};
+    CHECK(centre(scene).x == Approx(std::pow(std::cos(std::numbers::pi / 6), 3)));
+    scene.materials[0].highlight = Highlight::phong;
+    CHECK(centre(scene).x == Approx(std::pow(0.5, 3)));
 }
