@@ -28,7 +28,7 @@ class Slabs {
             const float reciprocal = 1.0F / clamped;
             reciprocal_[k] = broadcast(reciprocal);
             offset_[k] = broadcast(ray.origin[k] * reciprocal);
-            near_[k] = 2 * k + (clamped > 0 ? 0 : 1);
+            near_[k] = WideNode::plane(k, std::signbit(clamped));
         }
     }
 
@@ -38,8 +38,9 @@ class Slabs {
         for (std::size_t i = 0; i < node_width; i += hn::MaxLanes(Tag())) {
             Floats from = tmin_, to = broadcast(tmax);
             for (int k = 0; k < 3; ++k) {
-                from = hn::Max(from, passage(node, near_[k], k, i));
-                to = hn::Min(to, passage(node, near_[k] ^ 1U, k, i));
+                from = hn::Max(from, passage(node, near_[k] + i, k));
+                const std::size_t far = near_[k] ^ node_width;
+                to = hn::Min(to, passage(node, far + i, k));
             }
             hn::Store(from, Tag(), &entry[i]);
             found |= bits(hn::Le(from, to), i);
@@ -48,13 +49,14 @@ class Slabs {
     }
 
   private:
-    HWY_INLINE Floats passage(const WideNode& node, std::size_t plane, int k, std::size_t i) const {
-        return hn::MulSub(load(node.planes[plane], i), reciprocal_[k], offset_[k]);
+    HWY_INLINE Floats passage(const WideNode& node, std::size_t place, int k) const {
+        const Floats planes = hn::Load(Tag(), &node.planes[place]);
+        return hn::MulSub(planes, reciprocal_[k], offset_[k]);
     }
 
     Floats tmin_;
     std::array<Floats, 3> reciprocal_, offset_;
-    std::array<std::size_t, 3> near_;
+    std::array<std::size_t, 3> near_;  ///< WideNode::plane
 };
 
 }  // namespace etalon::HWY_NAMESPACE

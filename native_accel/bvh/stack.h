@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -10,46 +9,71 @@
 
 namespace etalon {
 
-/// What a ray has yet to visit, the next one last.
+/// A child that a ray enters, and where: t >= 0 above the reference, as floats that are not
+/// negative are ordered as their bits are.
+class StackEntry {
+  public:
+    StackEntry() = default;
+    StackEntry(float t, ChildRef child)
+        : key_(std::uint64_t{std::bit_cast<std::uint32_t>(t)} << 32 | child.bits()) {}
+
+    float t() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key_ >> 32)); }
+    ChildRef child() const { return ChildRef(static_cast<std::uint32_t>(key_)); }
+    bool operator<(const StackEntry& other) const { return key_ < other.key_; }
+
+    /// Puts the nearer into `near`. Which it is nobody can predict: so without a branch.
+    static void sort(StackEntry& near, StackEntry& far) {
+        const std::uint64_t turn = -std::uint64_t{far < near} & (near.key_ ^ far.key_);
+        near.key_ ^= turn;
+        far.key_ ^= turn;
+    }
+
+  private:
+    std::uint64_t key_;
+};
+
+/// Each level leaves at most seven siblings behind.
+using StackSpace = std::array<StackEntry, (node_width - 1) * bvh_max_depth + node_width>;
+
+/// What a ray has yet to visit, the next one last. The space is the caller's, apart, so that all
+/// else can be in registers.
 class TraversalStack {
   public:
+    explicit TraversalStack(StackSpace& space) : bottom_(space.data()), top_(bottom_) {}
+
     /// Takes the lanes `entered` of a node, at least one, and gives back the nearest; the others
-    /// are kept, the nearer the later.
+    /// are kept, the nearer the later. The walk waits for what comes back: so of one lane, or of
+    /// two in the order foreseen, it depends on no place of entry.
     ChildRef descend(const WideNode& node, const Lanes& entry, std::uint32_t entered) {
-        const auto take = [&] {
-            const int lane = std::countr_zero(entered);
-            entered &= entered - 1;
-            return Entry(entry[lane], node.children[lane]);
-        };
-        const Entry first = take();
-        if (entered == 0) return first.child();
-        const Entry second = take(), near = std::min(first, second), far = std::max(first, second);
-        if (entered == 0) {
-            entries_[height_++] = far;
-            return near.child();
-        }
-        const std::size_t bottom = height_;
-        entries_[height_++] = far;
-        entries_[height_++] = near;
-        do {
-            insert(bottom, take());
-        } while (entered != 0);
-        return entries_[--height_].child();
+        const int lane = std::countr_zero(entered);
+        const ChildRef child = node.children[lane];
+        const std::uint32_t others = entered & (entered - 1);
+        if (others == 0) return child;
+
+        const int other_lane = std::countr_zero(others);
+        const ChildRef other_child = node.children[other_lane];
+        const StackEntry first(entry[lane], child), second(entry[other_lane], other_child);
+        const std::uint32_t rest = others & (others - 1);
+        if (rest != 0) return keep_sorted(first, second, node, entry, rest);
+
+        const bool turned = second < first;
+        *top_++ = turned ? first : second;
+        return turned ? other_child : child;
     }
 
     /// The same without regard to where the ray enters.
     ChildRef descend(const WideNode& node, std::uint32_t entered) {
         ChildRef last = node.children[std::countr_zero(entered)];
         while ((entered &= entered - 1) != 0) {
-            entries_[height_++] = Entry(0, node.children[std::countr_zero(entered)]);
+            *top_++ = StackEntry(0, node.children[std::countr_zero(entered)]);
         }
         return last;
     }
 
     /// The next that is entered no later than at tmax; false where nothing is left.
     bool pop(float tmax, ChildRef& next) {
-        while (height_ > 0) {
-            const Entry entry = entries_[--height_];
+        while (top_ != bottom_) {
+            const StackEntry entry = *--top_;
             if (entry.t() > tmax) continue;
             next = entry.child();
             return true;
@@ -58,33 +82,30 @@ class TraversalStack {
     }
 
   private:
-    /// t >= 0 above the reference: floats that are not negative are ordered as their bits are.
-    class Entry {
-      public:
-        Entry() = default;
-        Entry(float t, ChildRef child)
-            : key_(std::uint64_t{std::bit_cast<std::uint32_t>(t)} << 32 | child.bits()) {}
-
-        float t() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key_ >> 32)); }
-        ChildRef child() const { return ChildRef(static_cast<std::uint32_t>(key_)); }
-        bool operator<(const Entry& other) const { return key_ < other.key_; }
-
-      private:
-        std::uint64_t key_;
-    };
-
-    /// Above the entries from `bottom` on that are further.
-    void insert(std::size_t bottom, Entry entry) {
-        std::size_t place = height_++;
-        for (; place > bottom && entries_[place - 1] < entry; --place) {
-            entries_[place] = entries_[place - 1];
+    /// Of two entries and those of the lanes `rest`: all but the nearest, which is given back.
+    ChildRef keep_sorted(StackEntry near, StackEntry far, const WideNode& node, const Lanes& entry,
+                         std::uint32_t rest) {
+        StackEntry::sort(near, far);
+        StackEntry* const first = top_;
+        *top_++ = far;
+        for (; rest != 0; rest &= rest - 1) {
+            const int lane = std::countr_zero(rest);
+            StackEntry next(entry[lane], node.children[lane]);
+            StackEntry::sort(near, next);
+            insert(first, next);
         }
-        entries_[place] = entry;
+        return near.child();
     }
 
-    // Each level leaves at most seven siblings behind.
-    std::array<Entry, (node_width - 1) * bvh_max_depth + node_width> entries_;
-    std::size_t height_ = 0;
+    /// Above the entries from `first` on that are further.
+    void insert(StackEntry* first, StackEntry entry) {
+        StackEntry* place = top_++;
+        for (; place != first && place[-1] < entry; --place) *place = place[-1];
+        *place = entry;
+    }
+
+    StackEntry* const bottom_;
+    StackEntry* top_;
 };
 
 }  // namespace etalon

@@ -39,7 +39,8 @@ HWY_INLINE float start(const RayQuery& query, const FrameRay& local) {
 template <class Descend, class AtLeaf>
 HWY_INLINE void walk(const WideTree& tree, const Slabs& slabs, const float& tmax,
                      const Descend& descend, const AtLeaf& at_leaf) {
-    TraversalStack stack;
+    StackSpace space;
+    TraversalStack stack(space);
     ChildRef next = tree.root;
     do {
         while (!next.is_leaf()) {

@@ -57,15 +57,15 @@ class Widener {
 
 WideNode::WideNode() {
     constexpr float far = std::numeric_limits<float>::infinity();
-    for (std::size_t plane = 0; plane < planes.size(); ++plane) {
-        planes[plane].fill(plane % 2 == 0 ? far : -far);
+    for (std::size_t lane = 0; lane < node_width; ++lane) {
+        set(lane, Box3f(Vec3f(far), Vec3f(-far)), ChildRef());
     }
 }
 
 void WideNode::set(std::size_t lane, const Box3f& box, ChildRef child) {
     for (int k = 0; k < 3; ++k) {
-        planes[2 * k][lane] = box.min[k];
-        planes[2 * k + 1][lane] = box.max[k];
+        planes[plane(k, false) + lane] = box.min[k];
+        planes[plane(k, true) + lane] = box.max[k];
     }
     children[lane] = child;
 }

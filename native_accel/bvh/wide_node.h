@@ -36,7 +36,12 @@ struct alignas(64) WideNode {
     WideNode();
     void set(std::size_t lane, const Box3f& box, ChildRef child);
 
-    std::array<Lanes, 6> planes;  ///< min x, max x, min y, max y, min z, max z
+    /// Where in `planes` the lanes of an axis's min or max begin: min x, max x, min y, ...
+    static constexpr std::size_t plane(int axis, bool max) {
+        return (2 * axis + (max ? 1 : 0)) * node_width;
+    }
+
+    std::array<float, 6 * node_width> planes;
     std::array<ChildRef, node_width> children;
 };
 

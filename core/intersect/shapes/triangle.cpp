@@ -2,6 +2,18 @@
 
 namespace etalon {
 
+void settle_weights(TriangleCrossing& c, const std::array<Vec3, 3>& p, const RayQuery& q) {
+    const bool thin = is_thin(c);
+    for (int k = 0; k < 3; ++k) {
+        if (!thin && std::abs(c.weight[k]) > c.doubt) continue;
+        const Vec3 &from = p[(k + 1) % 3], &to = p[(k + 2) % 3];
+        c.weight[k] = thin ? exact_edge_function(from, to, q) : exact_edge_side(from, to, q);
+    }
+    const auto [u, v, w] = c.weight;
+    c.sum = u + v + w;
+    if (thin) c.doubt = 0x1p-38 * max_abs(u, v, w);
+}
+
 /// o + t d is in the plane of a, b and c, seen from o, where t d . (b x c + c x a + a x b) is
 /// a . (b x c). The terms on the left are the weights but for dz, of one sign where the ray passes
 /// between the corners. For a ray that has just left the triangle they are known well enough: it is

@@ -38,29 +38,32 @@ struct TriangleCrossing {
     }
 };
 
-/// Edge functions decided in double where their error bound allows it, exactly where not. Where the
-/// triangle is so thin or edge-on that the weights would mean little, they are taken exactly too.
-inline TriangleCrossing cross_triangle(const std::array<Vec3, 3>& p, const RayQuery& q) {
+/// Takes the weights exactly that their roundings could spoil; all of them where the triangle is so
+/// thin or edge-on that they would mean little.
+[[gnu::cold]] void settle_weights(TriangleCrossing& c, const std::array<Vec3, 3>& p,
+                                  const RayQuery& q);
+
+inline double max_abs(double x, double y, double z) {
+    return std::max(std::abs(x), std::max(std::abs(y), std::abs(z)));
+}
+
+/// Whether a triangle is so thin or edge-on that its weights mean little.
+inline bool is_thin(const TriangleCrossing& c) {
+    return !(std::abs(c.sum) > 0x1p28 * c.doubt);
+}
+
+/// Edge functions decided in double where their error bound allows it, exactly where not.
+[[gnu::always_inline]] inline TriangleCrossing cross_triangle(const std::array<Vec3, 3>& p,
+                                                              const RayQuery& q) {
     const ShearedCorner a = shear(p[0], q), b = shear(p[1], q), c = shear(p[2], q);
-    TriangleCrossing r{
-        {edge_function(b, c), edge_function(c, a), edge_function(a, b)}, {a.z, b.z, c.z}, 0, 0};
-    r.sum = r.weight[0] + r.weight[1] + r.weight[2];
-    const auto largest = [](double x, double y, double z) {
-        return std::max(std::abs(x), std::max(std::abs(y), std::abs(z)));
-    };
-    const double extent = std::max(largest(a.x, b.x, c.x), largest(a.y, b.y, c.y));
-    r.doubt = edge_error(extent, largest(a.z, b.z, c.z), q);
-    const auto [u, v, w] = r.weight;
-    const bool surely_outside = std::min({u, v, w}) < -r.doubt && std::max({u, v, w}) > r.doubt;
-    if (surely_outside) return r;
-    const bool thin = !(std::abs(r.sum) > 0x1p28 * r.doubt);
-    for (int k = 0; k < 3; ++k) {
-        if (!thin && std::abs(r.weight[k]) > r.doubt) continue;
-        const Vec3 &from = p[(k + 1) % 3], &to = p[(k + 2) % 3];
-        r.weight[k] = thin ? exact_edge_function(from, to, q) : exact_edge_side(from, to, q);
-    }
-    r.sum = r.weight[0] + r.weight[1] + r.weight[2];
-    if (thin) r.doubt = 0x1p-38 * largest(r.weight[0], r.weight[1], r.weight[2]);
+    const double u = edge_function(b, c), v = edge_function(c, a), w = edge_function(a, b);
+    const double extent = std::max(max_abs(a.x, b.x, c.x), max_abs(a.y, b.y, c.y));
+    const double doubt = edge_error(extent, max_abs(a.z, b.z, c.z), q);
+    TriangleCrossing r{{u, v, w}, {a.z, b.z, c.z}, u + v + w, doubt};
+    const double least = std::min({u, v, w}), most = std::max({u, v, w});
+    const bool surely_outside = least < -doubt && most > doubt;
+    const bool surely_inside = (least > doubt || most < -doubt) && !is_thin(r);
+    if (!surely_inside && !surely_outside) settle_weights(r, p, q);
     return r;
 }
 
