@@ -1,5 +1,9 @@
 #include "tests/intersect/shape_cases.h"
 
+#include "core/sampling/directions.h"
+#include "core/sampling/quadric_points.h"
+#include "core/scene/quadric_form.h"
+
 namespace etalon {
 namespace {
 
@@ -77,8 +81,8 @@ ShapeCase cone(const std::string& name, const Cone& shape) {
                              const double needed = shape.base_radius + s * spread +
                                                    spread * f.dot(h) / (length * length);
                              const double cosine = needed / std::hypot(x, y) * nearly_one(random);
-                             const double turn = std::acos(std::clamp(cosine, -1.0, 1.0));
-                             return on_circle(s, std::atan2(y, x) + random.sign() * turn);
+                             const double opening = std::acos(std::clamp(cosine, -1.0, 1.0));
+                             return on_circle(s, std::atan2(y, x) + random.sign() * opening);
                          }});
     if (shape.top_radius == 0) {
         c.tips.push_back(shape.top);
@@ -168,6 +172,44 @@ ShapeCase plane(const std::string& name, const Plane& p) {
     return c;
 }
 
+ShapeCase ring(const std::string& name, const Ring& r) {
+    ShapeCase c{name, {}, r.centre, r.outer, true, {}, {}};
+    c.scene.add(r, 0);
+    const auto at = [r](double radius, Random& random) {
+        return r.centre + radius * across(r.normal.normalized(), random.uniform(0, 2 * pi));
+    };
+    c.targets.push_back({"surface", [=](Random& random, const Vec3&) {
+                             return at(random.uniform(r.inner, r.outer), random);
+                         }});
+    c.targets.push_back({"hole", [=](Random& random, const Vec3&) {
+                             return at(r.inner * random.uniform(), random);
+                         }});
+    c.targets.push_back({"rim", [=](Random& random, const Vec3&) {
+                             return at(random.index(2) == 0 ? r.inner : r.outer, random);
+                         }});
+    c.targets.push_back({"next to a rim", [=](Random& random, const Vec3&) {
+                             const double rim = random.index(2) == 0 ? r.inner : r.outer;
+                             return at(rim * nearly_one(random), random);
+                         }});
+    return c;
+}
+
+ShapeCase quadric(const std::string& name, const Quadric& s) {
+    ShapeCase c{name, {}, s.clip.center(), s.clip.size().length() / 2, true, {}, {}};
+    c.scene.add(s, 0);
+    const QuadricPoints points(s);
+    c.targets.push_back(
+        {"inside", [=](Random& random, const Vec3&) { return points.in_clip(random); }});
+    c.targets.push_back(
+        {"surface", [=](Random& random, const Vec3&) { return points.on_surface(random); }});
+    c.targets.push_back(
+        {"rim", [=](Random& random, const Vec3&) { return points.on_rim(random); }});
+    c.targets.push_back({"silhouette", [=](Random& random, const Vec3& from) {
+                             return points.silhouette(from, nearly_one(random) - 1, random);
+                         }});
+    return c;
+}
+
 std::vector<Vec3> star(int points, double inner) {
     std::vector<Vec3> p;
     for (int i = 0; i < 2 * points; ++i) {
@@ -181,6 +223,13 @@ std::vector<Vec3> moved(std::vector<Vec3> p, const Vec3& by) {
     for (Vec3& corner : p) corner += by;
     return p;
 }
+
+Box3 around(const Vec3& centre, double reach) {
+    return {centre - Vec3(reach), centre + Vec3(reach)};
+}
+
+/// x^2 + y^2 + z^2 = 1
+constexpr std::array<double, 10> sphere_form = {1, 0, 0, 0, 1, 0, 0, 1, 0, -1};
 
 }  // namespace
 
@@ -220,6 +269,11 @@ std::vector<ShapeCase> shape_cases() {
         plane("plane", {tilted(0.2, 0.3, 0.4), tilted(0.1, 0.2, 3)}),
         plane("plane across an axis", {{0, 0, 1}, {0, 0, 1}}),
         plane("plane, far from the origin", {far_away, tilted(0.4, 0.1, 1)}),
+        ring("ring", {base, tilted(0, 0, 3), 0.5, 1}),
+        ring("ring, far from the origin", {far_away, tilted(0, 0.3, 3), 0.5, 2}),
+        ring("ring, full disc across an axis", {{0, 0, 1}, {0, 0, -1}, 0, 2}),
+        ring("ring, narrow", {base, tilted(0.1, 0.2, 3), 1 - 0x1p-10, 1}),
+        quadric("quadric, sphere", {base, sphere_form, around(base, 1)}),
     };
 }
 
@@ -237,6 +291,15 @@ std::vector<DegenerateCase> degenerate_cases() {
     add("box inside out", Box{{1, -1, -1}, {-1, 1, 1}});
     add("box inside out in all axes", Box{{1, 1, 1}, {-1, -1, -1}});
     add("plane without a normal", Plane{{0, 0, 0}, {0, 0, 0}});
+
+    add("ring without a normal", Ring{{0, 0, 0}, {0, 0, 0}, 0, 1});
+    add("ring of no width", Ring{{0, 0, 0}, {0, 0, 1}, 0, 0});
+    add("ring inside out", Ring{{0, 0, 0}, {0, 0, 1}, 1, 0.5});
+    add("ring of negative radius", Ring{{0, 0, 0}, {0, 0, 1}, -0.5, 1});
+    add("quadric of nothing", Quadric{{0, 0, 0}, {}, around(Vec3(0), 1)});
+    add("quadric of a constant",
+        Quadric{{0, 0, 0}, {0, 0, 0, 0, 0, 0, 0, 0, 0, 1}, around(Vec3(0), 1)});
+    add("quadric clipped away", Quadric{{0, 0, 0}, sphere_form, {Vec3(1), Vec3(-1)}});
 
     const auto add_flat = [&](const std::string& name, const std::vector<Vec3>& p, bool empty) {
         cases.push_back({name, flat(name, p).scene, empty});
@@ -269,6 +332,15 @@ void list_numbers(Shape& s, Scene& scene, std::vector<double*>& list) {
         add(s.base);
         add(s.top);
         list.insert(list.end(), {&s.base_radius, &s.top_radius});
+    } else if constexpr (std::is_same_v<Shape, Ring>) {
+        add(s.centre);
+        add(s.normal);
+        list.insert(list.end(), {&s.inner, &s.outer});
+    } else if constexpr (std::is_same_v<Shape, Quadric>) {
+        add(s.centre);
+        add(s.clip.min);
+        add(s.clip.max);
+        for (double& number : s.coefficients) list.push_back(&number);
     } else {
         for (Vec3& v : scene.vertices) add(v);
     }
@@ -285,6 +357,10 @@ std::vector<double*> numbers_of(Scene& scene) {
 
 Scene scaled(Scene scene, int k) {
     for (double* number : numbers_of(scene)) *number = std::ldexp(*number, k);
+    // A common factor changes nothing, and now they have one.
+    for (Quadric& s : scene.all<Quadric>()) {
+        s.coefficients = scaled(s.coefficients, std::ldexp(1.0, k));
+    }
     return scene;
 }
 
