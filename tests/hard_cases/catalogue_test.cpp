@@ -115,11 +115,12 @@ const std::map<std::string, Share> special_shares = {
     {"TRI-6, level", {0, 0}},
     {"TRI-6, tilted", {0, 1}},
     {"POL-1, within the plane", {0, 0}},
+    {"QUA-1, nothing", {0, 0}},
     {"AIM-2, box, no thickness", {0, 0.5}},  // a ray that leaves it never comes back
 };
 
 bool is_flat(const HardCase& c) {
-    return c.shape == "triangle" || c.shape == "polygon" || c.shape == "plane";
+    return c.shape == "triangle" || c.shape == "polygon" || c.shape == "plane" || c.shape == "ring";
 }
 
 Share wanted_share(const HardCase& c) {

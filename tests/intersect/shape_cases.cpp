@@ -228,8 +228,71 @@ Box3 around(const Vec3& centre, double reach) {
     return {centre - Vec3(reach), centre + Vec3(reach)};
 }
 
-/// x^2 + y^2 + z^2 = 1
-constexpr std::array<double, 10> sphere_form = {1, 0, 0, 0, 1, 0, 0, 1, 0, -1};
+using Coefficients = std::array<double, 10>;
+
+/// a x^2 + e y^2 + h z^2 + 2i z + j
+constexpr Coefficients upright(double a, double e, double h, double i, double j) {
+    return {a, 0, 0, 0, e, 0, 0, h, i, j};
+}
+
+constexpr Coefficients sphere_form = upright(1, 1, 1, 0, -1);
+
+/// |p - at|^2 = 1 for p seen from where it is not.
+constexpr Coefficients sphere_seen_from_afar(double x, double y, double z) {
+    return {1, 0, 0, -x, 1, 0, -y, 1, -z, x * x + y * y + z * z - 1};
+}
+
+/// Along the odd frame's axes.
+ShapeCase ellipsoid(const std::string& name, const Vec3& centre, const Vec3& radii) {
+    const std::array<Vec3, 3> axes = {tilted(1, 0, 0), tilted(0, 1, 0), tilted(0, 0, 1)};
+    Coefficients c{};
+    c[9] = -1;
+    Vec3 reach2(0);
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 v = axes[static_cast<std::size_t>(k)] / radii[k];
+        const Vec3 step = radii[k] * axes[static_cast<std::size_t>(k)];
+        std::size_t next = 0;
+        for (int i = 0; i < 3; ++i, ++next) {
+            for (int j = i; j < 3; ++j) c[next++] += v[i] * v[j];
+        }
+        reach2 += step * step;
+    }
+    const Vec3 reach(std::sqrt(reach2.x), std::sqrt(reach2.y), std::sqrt(reach2.z));
+    return quadric(name, {centre, c, {centre - reach, centre + reach}});
+}
+
+std::vector<ShapeCase> quadrics() {
+    const Vec3 base(0.3, -0.7, 0.45), far_away(148376, 1234, -223423), zero(0);
+    ShapeCase cone =
+        quadric("quadric, double cone", {base, upright(1, 1, -1, 0, 0), around(base, 1)});
+    cone.tips.push_back(base);
+    return {
+        quadric("quadric, sphere", {base, sphere_form, around(base, 1)}),
+        quadric("quadric, sphere far from the origin",
+                {far_away, sphere_form, around(far_away, 1)}),
+        quadric("quadric, sphere given from afar",
+                {zero, sphere_seen_from_afar(100, -200, 50), around({100, -200, 50}, 1)}),
+        quadric("quadric, part of a sphere",
+                {zero, sphere_form, {{-1, -0.5, -0.25}, {0.5, 1, 0.75}}}),
+        quadric("quadric, hollow sphere", {base, upright(-1, -1, -1, 0, 1), around(base, 1)}),
+        ellipsoid("quadric, ellipsoid", base, {1, 2, 0.5}),
+        quadric("quadric, thin ellipsoid",
+                {zero, upright(1, 0.25, 0x1p20, 0, -1), {{-1, -2, -0x1p-10}, {1, 2, 0x1p-10}}}),
+        ellipsoid("quadric, ellipsoid far from the origin", far_away, {2, 1, 0.5}),
+        quadric("quadric, cylinder", {base, upright(1, 1, 0, 0, -1), around(base, 1)}),
+        quadric("quadric, paraboloid", {zero, upright(1, 1, 0, -0.5, 0), {{-1, -1, 0}, {1, 1, 1}}}),
+        quadric("quadric, saddle", {base, upright(1, -1, 0, -0.5, 0), around(base, 1)}),
+        quadric("quadric, hyperboloid", {base, upright(1, 1, -1, 0, -0.25), around(base, 1)}),
+        quadric("quadric, hyperboloid of two sheets",
+                {base, upright(-1, -1, 2, 0, -0.25), around(base, 1)}),
+        cone,
+        quadric("quadric, plane", {base, {0, 0, 0, 1, 0, 0, 2, 0, 3, 0}, around(base, 1)}),
+        quadric("quadric, planes that would cross",
+                {base, {0, 1, 0, 0, 0, 0, 0, 0, 0, -0.01}, around(base, 1)}),
+        quadric("quadric, any",
+                {base, {0.3, -0.7, 0.2, 0.1, 0.5, 0.4, -0.2, -0.6, 0.3, -0.2}, around(base, 1)}),
+    };
+}
 
 }  // namespace
 
@@ -238,7 +301,7 @@ std::vector<ShapeCase> shape_cases() {
     const std::vector<Vec3> bent = {
         {0, 0, 1e-6}, {2, 0, -1e-6}, {2, 1, 1e-6}, {0.5, 1.5, 0}, {0, 1, -1e-6}};
     const std::vector<Vec3> notched = {{0, 0, 3}, {4, 0, 3}, {4, 4, 3}, {2, 2, 3}, {0, 4, 3}};
-    return {
+    std::vector<ShapeCase> cases = {
         sphere("sphere", {{0.3, -0.7, 0.45}, 1}),
         sphere("sphere, planet", {{0, 0, -6.4e6}, 6.4e6}),
         sphere("sphere, far from the origin", {far_away, 2}),
@@ -273,8 +336,9 @@ std::vector<ShapeCase> shape_cases() {
         ring("ring, far from the origin", {far_away, tilted(0, 0.3, 3), 0.5, 2}),
         ring("ring, full disc across an axis", {{0, 0, 1}, {0, 0, -1}, 0, 2}),
         ring("ring, narrow", {base, tilted(0.1, 0.2, 3), 1 - 0x1p-10, 1}),
-        quadric("quadric, sphere", {base, sphere_form, around(base, 1)}),
     };
+    for (ShapeCase& c : quadrics()) cases.push_back(std::move(c));
+    return cases;
 }
 
 std::vector<DegenerateCase> degenerate_cases() {

@@ -10,13 +10,13 @@ template <class Real>
 struct QuadricCoefficients {
     explicit QuadricCoefficients(const Quadric& s)
         : centre(s.centre), min(s.clip.min), max(s.clip.max) {
-        for (std::size_t i = 0; i < c.size(); ++i) c[i] = static_cast<Real>(s.coefficients[i]);
+        for (std::size_t i = 0; i < m.size(); ++i) m[i] = static_cast<Real>(s.coefficients[i]);
     }
 
     /// M v for the matrix of the squares.
     Vec<Real> turned(const Vec<Real>& v) const {
-        return {c[0] * v.x + c[1] * v.y + c[2] * v.z, c[1] * v.x + c[4] * v.y + c[5] * v.z,
-                c[2] * v.x + c[5] * v.y + c[7] * v.z};
+        return {m[0] * v.x + m[1] * v.y + m[2] * v.z, m[1] * v.x + m[4] * v.y + m[5] * v.z,
+                m[2] * v.x + m[5] * v.y + m[7] * v.z};
     }
 
     /// a t^2 + 2 b t + c = 0 on the line f + t d, f seen from the centre.
@@ -24,8 +24,8 @@ struct QuadricCoefficients {
         Real a, b, c;
     };
     Quadratic of_line(const Vec<Real>& f, const Vec<Real>& d) const {
-        const Vec<Real> l(c[3], c[6], c[8]), slope = turned(f) + l;
-        return {d.dot(turned(d)), d.dot(slope), f.dot(slope + l) + c[9]};
+        const Vec<Real> l(m[3], m[6], m[8]), slope = turned(f) + l;
+        return {d.dot(turned(d)), d.dot(slope), f.dot(slope + l) + m[9]};
     }
 
     /// t, or NaN where the line o + t d is out of the clip box there.
@@ -38,7 +38,7 @@ struct QuadricCoefficients {
     }
 
     Vec<Real> centre, min, max;
-    std::array<Real, 10> c;
+    std::array<Real, 10> m;  ///< a, b, ... j
 };
 
 /// The quadratic formula, as in Glassner (ed.) 1989, "An Introduction to Ray Tracing", ch. 2.

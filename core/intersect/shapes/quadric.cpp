@@ -30,7 +30,7 @@ struct Evaluation {
         const auto terms = RealForm(magnitudes_of(s.coefficients)).on_line(abs(w), Vec3(0));
         value = line.C;
         slope = line.slope;
-        doubt = 16 * unit_roundoff * terms.C;
+        doubt = 10 * unit_roundoff * terms.C;
         doubt_of_slope = 16 * unit_roundoff * max_abs(terms.slope);
     }
 
@@ -55,18 +55,18 @@ Vec3 refined(const Quadric& s, Vec3 w) {
 
 }  // namespace
 
-/// Where there is no slope to speak of, as on a double plane, the form grows with the square of the
-/// distance.
+/// By what is left of the form the point may be off: that by the slope or, where there is none to
+/// speak of, as on a double plane, that by the square of the distance. Twice that is enough for the
+/// kernel to see it.
 SurfacePoint surface(const Scene&, const Quadric& s, const RayQuery& q, double t) {
     const Vec3 w = refined(s, (q.ray.origin - s.centre) + t * q.ray.direction);
     const Evaluation at(s, w);
     const Vec3 row = steepest_row(RealForm(s.coefficients));
-    const Vec3 normal = unit(at.is_flat() ? row : at.slope);
+    const Vec3 normal = unit(at.is_flat() ? row : at.slope), position = s.centre + w;
     const double by_slope = at.doubt / max_abs(at.slope);
-    const double by_turn = std::sqrt(at.doubt / max_abs(row));
-    const double extent = std::min(by_turn, by_slope) / unit_roundoff;
-    const Vec3 position = s.centre + w;
-    return {position, position_error(abs(position) + abs(s.centre), extent / 16), normal, normal};
+    const double off = std::min(std::sqrt(at.doubt / max_abs(row)), by_slope);
+    const Vec3 error = position_error(abs(position) + abs(s.centre), 0) + Vec3(2 * off);
+    return {position, error, normal, normal};
 }
 
 }  // namespace etalon
