@@ -1,6 +1,7 @@
 #include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/families.h"
 #include "bench/hard_cases/rows.h"
+#include "core/numerics/rounding.h"
 #include "core/sampling/quadric_points.h"
 
 namespace etalon::hard {
@@ -12,9 +13,10 @@ Box3 around(const Vec3& centre, double reach) {
     return {centre - Vec3(reach), centre + Vec3(reach)};
 }
 
-/// About the usual place, in a box that reaches as far as 1.
+/// About the usual place, in a box of floats that reaches as far as 1.
 Quadric usual(const Coefficients& c) {
-    return {usual_place(), c, around(usual_place(), 1)};
+    const Box3f box = round_outward(around(usual_place(), 1));
+    return {usual_place(), c, {Vec3(box.min), Vec3(box.max)}};
 }
 
 constexpr Coefficients sphere = {1, 0, 0, 0, 1, 0, 0, 1, 0, -1};
@@ -49,15 +51,18 @@ Setting close_to_centre(const Quadric& s, double gap) {
     });
 }
 
-/// Through points of the z axis exactly, or one rounding beside them.
-Setting exactly_through_axis(const Coefficients& c) {
-    return only(Quadric{{0, 0, 0}, c, around(Vec3(0), 4)}, 4, [](Random& random) {
-        const Vec3 v = 8.0 * random.in_cube();
-        const Vec3 d(1 + std::round(std::abs(v.x)), std::round(v.y), std::round(v.z));
-        const Ray exact{-random.sign() * d, random.sign() * d};
-        if (random.index(2) == 0) return exact;
-        return Ray{exact.origin + Vec3(0, 0x1p-49, 0), exact.direction};
-    });
+/// Through a point in whole numbers, half of the rays one rounding beside it.
+Ray through(const Vec3& point, Random& random) {
+    const Vec3 v = 8.0 * random.in_cube();
+    Vec3 d(1 + std::round(std::abs(v.x)), std::round(v.y), std::round(v.z));
+    if (random.index(2) == 0) d = -d;
+    const Vec3 beside(0, random.index(2) == 0 ? 0x1p-49 : 0, 0);
+    return {point - d + beside, d};
+}
+
+Setting exactly_through_centre(const Coefficients& c) {
+    return only(Quadric{{0, 0, 0}, c, around(Vec3(0), 4)}, 4,
+                [](Random& random) { return through(Vec3(0), random); });
 }
 
 /// A sphere in the least box there is, from inside along the axes or next to them.
@@ -81,6 +86,18 @@ Setting pieces(const Vec3& centre, const Vec3& at) {
         const QuadricPoints points(whole[random.index(whole.size())]);
         return towards(centre + 0.3 * random.in_cube(), points.on_rim(random));
     };
+    return setting;
+}
+
+/// A sphere of radius 5 as far as x = 3, and beyond in a box of its own if there are `boxes` two:
+/// through points at x = 3 in whole numbers, or one rounding beside them.
+Setting cut_exactly(int boxes) {
+    static constexpr std::array points = {Vec3(3, 4, 0), Vec3(3, 0, -4), Vec3(3, -4, 0)};
+    constexpr Coefficients form = {1, 0, 0, 0, 1, 0, 0, 1, 0, -25};
+    Setting setting = only(Quadric{{0, 0, 0}, form, {Vec3(-5), {3, 5, 5}}}, 5, [](Random& random) {
+        return through(points[random.index(points.size())], random);
+    });
+    if (boxes == 2) setting.scene.add(Quadric{{0, 0, 0}, form, {{3, -5, -5}, Vec3(5)}}, 0);
     return setting;
 }
 
@@ -120,12 +137,15 @@ void add_degenerate(Rows& rows) {
         rows.add_both("QUA-1", f.name, [c = f.coefficients] { return aimed(usual(c), -1, 4); });
     }
     rows.add("QUA-1", "a line, exactly through it", [] {
-        return exactly_through_axis({1, 0, 0, 0, 1, 0, 0, 0, 0, 0});
+        return exactly_through_centre({1, 0, 0, 0, 1, 0, 0, 0, 0, 0});
     });
     rows.add("QUA-1", "a point, exactly through it", [] {
-        return exactly_through_axis({1, 0, 0, 0, 1, 0, 0, 1, 0, 0});
+        return exactly_through_centre({1, 0, 0, 0, 1, 0, 0, 1, 0, 0});
     });
-    rows.add("QUA-1", "apex, exactly through it", [] { return exactly_through_axis(cone); });
+    rows.add("QUA-1", "double plane, in whole numbers", [] {
+        return exactly_through_centre({1, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+    });
+    rows.add("QUA-1", "apex, exactly through it", [] { return exactly_through_centre(cone); });
     for (const int k : {1, 6, 12}) {
         rows.add("QUA-1", "apex " + power_of_ten(-k),
                  [k] { return close_to_centre(usual(cone), std::pow(10.0, -k)); });
@@ -143,6 +163,7 @@ void add_clipped(Rows& rows) {
     rows.add(
         "QUA-2", "touching the box, along the axes", [] { return touching(Vec3(0)); },
         Judge::enclosed);
+    rows.add("QUA-2", "cut exactly where it is hit", [] { return cut_exactly(1); });
     rows.add("QUA-2", "planes that are faces of the box", coincident, Judge::enclosed);
 }
 
@@ -151,7 +172,7 @@ void add_conditions(Rows& rows) {
         rows.add("QUA-3", "sphere seen from " + power_of_ten(k),
                  [k] { return aimed(off_centre(std::pow(10.0, k)), -1, 1); });
     }
-    for (const int k : {0, 3, 5, 7}) {
+    for (const int k : {1, 3, 5, 7}) {
         rows.add_both("QUA-3", "sphere, " + power_of_ten(k) + " radii away",
                       [k] { return aimed(usual(sphere), k, k); });
     }
@@ -169,6 +190,7 @@ std::vector<HardCase> quadric_cases() {
 
 std::vector<HardCase> quadric_group_cases() {
     Rows rows("scene");
+    rows.add("QUA-2", "two boxes that meet exactly where it is hit", [] { return cut_exactly(2); });
     rows.add(
         "QUA-2", "a sphere in eight pieces",
         [] {

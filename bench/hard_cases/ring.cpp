@@ -81,8 +81,6 @@ std::vector<HardCase> ring_cases() {
     rows.add("RNG-1", "inner circle, points exactly on it", [=] {
         return exact_points({level.centre, level.normal, 5, 8});
     });
-    rows.add(
-        "SPN-3", "ring", [=] { return seen_from(usual, 10); }, Judge::spawned);
     return rows.take();
 }
 

@@ -111,8 +111,10 @@ Crossings define(const Scene&, const Ring& r, const Ray& ray) {
         const Tracked r_times = cosine * radius;
         return r_times * r_times;
     };
-    const Truth between = (on_circle(r.inner) <= p2) & (p2 <= on_circle(r.outer));
-    found.add({distance / cosine, !is_zero(cosine) & between, is_negative(cosine)});
+    const Truth beyond_inner = truth(r.inner == 0) | (on_circle(r.inner) <= p2);
+    const Truth between = beyond_inner & (p2 <= on_circle(r.outer));
+    const Truth passes = !is_zero(cosine);
+    found.add({distance / cosine, passes & between, is_negative(cosine)});
     return found;
 }
 
