@@ -19,7 +19,10 @@ namespace etalon {
 class QuadricSieve {
   public:
     QuadricSieve(const Quadric& s, const RayQuery& q)
-        : shape_(s), ray_(q.ray), slabs_(cross_slabs(Box{s.clip.min, s.clip.max}, q.ray)) {}
+        : shape_(s),
+          ray_(q.ray),
+          form_(s.coefficients),
+          slabs_(cross_slabs(Box{s.clip.min, s.clip.max}, q.ray)) {}
 
     /// The first visible t beyond tmin, good to t_tolerance; no_hit; or in_doubt.
     double first_hit(Sides sides) {
@@ -47,23 +50,24 @@ class QuadricSieve {
 
     void expand() {
         const Vec3 &o = ray_.origin, &d = ray_.direction, f = o - shape_.centre;
-        const Vec3 w = f + start_ * d, e = (2.1 * u) * (abs(f) + start_ * abs(d));
-        const auto line = QuadricForm<double>(shape_.coefficients).on_line(w, d);
+        const Vec3 e = (2.1 * u) * (abs(f) + start_ * abs(d));
+        w_ = f + start_ * d;
+        const auto line = form_.on_line(w_, d);
         const auto terms =
-            QuadricForm<double>(magnitudes_of(shape_.coefficients)).on_line(abs(w) + e, abs(d));
+            QuadricForm<double>(magnitudes_of(shape_.coefficients)).on_line(abs(w_) + e, abs(d));
         A_ = line.A, B_ = line.B, C_ = line.C;
         doubt_of_A_ = 10 * u * terms.A;
         doubt_of_B_ = 10 * u * terms.B + terms.Md.dot(e);
         doubt_of_C_ = 10 * u * terms.C + 2 * terms.slope.dot(e);
         speed_ = max_abs(d);
-        reach_ = max_abs(w) + stretch_ * speed_;
+        reach_ = max_abs(w_) + stretch_ * speed_;
     }
 
     /// So that nothing underflows that counts, and nothing overflows.
     bool is_in_range() const {
         constexpr double least = 0x1p-120, most = 0x1p120;
         return speed_ > least && speed_ < most && reach_ < most && doubt_of_C_ > 0x1p-460 &&
-               is_finite(shape_.clip.min) && is_finite(shape_.clip.max);
+               is_finite(shape_.clip.min) && is_finite(shape_.clip.max) && !shape_.clip.isEmpty();
     }
 
     /// By the sum of like signs. Of two roots ahead the one that is a quotient by the sum is the
@@ -102,12 +106,23 @@ class QuadricSieve {
         const bool certain =
             t - apart > slabs_.entry && t + apart < slabs_.exit && doubt <= t_tolerance / 2 * t;
         if (!certain) return in_doubt;
+        if (doubt > 0x1p-44 * t) t = polished(t);
         return t > ray_.tmin ? t : no_hit;
+    }
+
+    /// One step of Newton's method: near the point itself, as next to a cone's tip, the form's
+    /// terms may be far smaller than where the ray comes from.
+    double polished(double t) const {
+        const Vec3& d = ray_.direction;
+        const auto there = form_.on_line(w_ + (t - start_) * d, d);
+        return t - there.C / (2 * there.B);
     }
 
     const Quadric& shape_;
     const Ray& ray_;
+    const QuadricForm<double> form_;
     const SlabCrossing slabs_;
+    Vec3 w_;
     double doubt_of_slabs_, start_, stretch_;
     double A_, B_, C_, doubt_of_A_, doubt_of_B_, doubt_of_C_;
     double speed_, reach_, root_, sum_;

@@ -20,16 +20,15 @@ inline Box3 bounds(const Scene&, const Ring& r) {
     return {r.centre - reach, r.centre + reach};
 }
 
-/// Where the line of `ray` passes the ring's plane, from the centre, times n.d, squared. Cannot be
-/// told from a circle where that is closer to the circle's than `doubt`.
+/// How far from the centre a line passes the ring's plane, with a bound on its error.
 class RingPassage {
   public:
     /// The line o + t d passes at w + t d, w = o - c; times n.d, that is n x (w x d).
     ///
     /// The error, u = 2^-53: w is off by u, and a cross or dot product adds less than 3 u of its
     /// factors. So the vector is off by less than 7 u |n| |w| |d|, and a radius times n.d by 4 u
-    /// |n| |d| r: by Cauchy and Schwarz both together by 9 u size. Their squares, rounded too,
-    /// differ by that times twice the longer one, and by 8 u of its square.
+    /// |n| |d| r: by Cauchy and Schwarz both together by 9 u size, size^2 = nn dd (ww + rr). Their
+    /// squares, rounded too, differ by that times twice the longer one, and by 8 u of its square.
     RingPassage(const Ring& r, const Ray& ray) {
         const Vec3 &n = r.normal, &d = ray.direction, w = ray.origin - r.centre;
         const Vec3 passage = n.cross(w.cross(d));
