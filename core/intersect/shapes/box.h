@@ -32,10 +32,13 @@ inline SlabCrossing cross_slabs(const Box& b, const Ray& ray) {
             if (o < b.min[k] || o > b.max[k]) return {infinity, -infinity, k, k};
             continue;
         }
-        const double near = ((d > 0 ? b.min : b.max)[k] - o) / d;
-        const double far = ((d > 0 ? b.max : b.min)[k] - o) / d;
-        if (near > c.entry) c.entry = near, c.entry_axis = k;
-        if (far < c.exit) c.exit = far, c.exit_axis = k;
+        // No branches: nobody could predict them.
+        const double to_min = (b.min[k] - o) / d, to_max = (b.max[k] - o) / d;
+        const double near = std::min(to_min, to_max), far = std::max(to_min, to_max);
+        c.entry_axis = near > c.entry ? k : c.entry_axis;
+        c.exit_axis = far < c.exit ? k : c.exit_axis;
+        c.entry = std::max(c.entry, near);
+        c.exit = std::min(c.exit, far);
     }
     return c;
 }
