@@ -13,7 +13,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/numerics/inverse.h"
+#include "core/numerics/local_frame.h"
 #include "core/numerics/vec.h"
 
 namespace etalon {
@@ -77,10 +77,10 @@ struct Ellipsoid {
     static constexpr std::string_view name = "ellipsoid";
     static constexpr Form form = Form::convex;
 
-    explicit Ellipsoid(const Affine& map) : to_world(map), to_local(map) {}
+    explicit Ellipsoid(const Affine& map) : to_world(map), frame(map, Symmetry::sphere) {}
 
     Affine to_world;
-    LinearInverse to_local;
+    LocalFrame frame;
 };
 
 /// The image of the solid cylinder x^2 + y^2 <= 1, 0 <= z <= 1 under `to_world`: its side and both
@@ -89,10 +89,10 @@ struct ClosedCylinder {
     static constexpr std::string_view name = "cylinder";
     static constexpr Form form = Form::convex;
 
-    explicit ClosedCylinder(const Affine& map) : to_world(map), to_local(map) {}
+    explicit ClosedCylinder(const Affine& map) : to_world(map), frame(map, Symmetry::about_z) {}
 
     Affine to_world;
-    LinearInverse to_local;
+    LocalFrame frame;
 };
 
 /// One array per kind of shape. A kind's number is its place in this list.

@@ -168,7 +168,7 @@ ShapeCase plane(const std::string& name, const Plane& p) {
     return c;
 }
 
-/// The targets of `unit` moved by the map, seen from where the inverse takes the ray's origin.
+/// The targets of `unit` in the frame of its image.
 template <class Shape>
 ShapeCase affine(const std::string& name, const Affine& map, const ShapeCase& unit) {
     const Shape shape(map);
@@ -177,8 +177,8 @@ ShapeCase affine(const std::string& name, const Affine& map, const ShapeCase& un
     c.scene.add(shape, 0);
     for (const Target& target : unit.targets) {
         c.targets.push_back({target.name, [=](Random& random, const Vec3& from) {
-                                 const Vec3 seen = shape.to_local.vector(from - map.origin);
-                                 return map.point(target.point(random, seen));
+                                 const Vec3 seen = shape.frame.vector(from - map.origin);
+                                 return shape.frame.point(target.point(random, seen));
                              }});
     }
     return c;
@@ -215,6 +215,7 @@ struct NamedMap {
 };
 std::vector<NamedMap> affine_maps(const Vec3& far_away) {
     const Affine askew = rotation(), shear{{1, 0, 0}, {0.5, 1, 0}, {-2, 3, 1}};
+    const Affine turned{{0.6, 0.8, 0}, {-0.8, 0.6, 0}, {0, 0, 1}};
     Affine distant = askew * scaling(1, 2, 0.5);
     distant.origin = far_away;
     return {
@@ -225,6 +226,8 @@ std::vector<NamedMap> affine_maps(const Vec3& far_away) {
         {"mirrored and sheared", shear * scaling(1, 1, -0.5)},
         {"needle", askew * scaling(1, 1, 1e4)},
         {"disk", askew * scaling(1, 1, 1e-4)},
+        {"condition 1e6", askew * scaling(1, 1e-3, 1e-6) * turned * shear},
+        {"condition 1e8", askew * scaling(1e-4, 1e4, 1) * turned * askew},
         {"far from the origin", distant},
     };
 }

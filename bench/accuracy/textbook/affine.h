@@ -12,8 +12,8 @@ namespace etalon::accuracy {
 template <class RayForm>
 class RayMover {
   public:
-    RayMover(const Affine& map, const LinearInverse& inverse)
-        : origin_(map.origin), x_(inverse.x), y_(inverse.y), z_(inverse.z) {}
+    RayMover(const Vec3& origin, const LocalFrame& frame)
+        : origin_(origin), x_(frame.row(0)), y_(frame.row(1)), z_(frame.row(2)) {}
 
     RayForm operator()(RayForm ray) const {
         ray.origin = moved(ray.origin - origin_);
@@ -34,7 +34,7 @@ template <class SphereKernel>
 struct MovedSphere {
     using RayForm = typename SphereKernel::RayForm;
 
-    explicit MovedSphere(const Ellipsoid& e) : mover(e.to_world, e.to_local) {}
+    explicit MovedSphere(const Ellipsoid& e) : mover(e.to_world.origin, e.frame) {}
 
     auto first_hit(const RayForm& ray) const { return unit.first_hit(mover(ray)); }
 
@@ -54,7 +54,7 @@ template <class Real>
 struct TextbookClosedCylinder {
     using RayForm = PlainRay<Real>;
 
-    explicit TextbookClosedCylinder(const ClosedCylinder& c) : mover(c.to_world, c.to_local) {}
+    explicit TextbookClosedCylinder(const ClosedCylinder& c) : mover(c.to_world.origin, c.frame) {}
 
     Real first_hit(const RayForm& world) const {
         const RayForm ray = mover(world);

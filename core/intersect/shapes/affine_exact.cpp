@@ -51,7 +51,7 @@ Passage between_caps(const ExactLine& line) {
 }  // namespace
 
 Passage exact_passage(const Ellipsoid& e, const Ray& ray) {
-    if (!e.to_local.exists || !is_finite(ray.origin) || !is_finite(ray.direction)) return {};
+    if (!e.frame.exists() || !is_finite(ray.origin) || !is_finite(ray.direction)) return {};
     const ExactLine line(e.to_world, ray);
     const ExactQuadratic form(dot(line.d, line.d), dot(line.w, line.d),
                               dot(line.w, line.w) - square(line.unit));
@@ -60,7 +60,7 @@ Passage exact_passage(const Ellipsoid& e, const Ray& ray) {
 }
 
 Passage exact_passage(const ClosedCylinder& c, const Ray& ray) {
-    if (!c.to_local.exists || !is_finite(ray.origin) || !is_finite(ray.direction)) return {};
+    if (!c.frame.exists() || !is_finite(ray.origin) || !is_finite(ray.direction)) return {};
     const ExactLine line(c.to_world, ray);
     const auto &w = line.w, &d = line.d;
     const Dyadic a = square(d[0]) + square(d[1]);

@@ -10,7 +10,7 @@ namespace etalon {
 
 /// The box of the two caps' circles.
 inline Box3 bounds(const Scene&, const ClosedCylinder& c) {
-    if (!c.to_local.exists) return {};
+    if (!c.frame.exists()) return {};
     const Affine& m = c.to_world;
     Box3 centres;
     centres.extendBy(m.origin);
@@ -42,7 +42,7 @@ inline double inset(const Vec3& gradient, const Vec3& normal, const Vec3& error)
 inline CylinderPoint nearest_on(const ClosedCylinder& c, const Vec3& local, const Vec3& error) {
     const double radius = std::hypot(local.x, local.y);
     const Vec3 outward = radius > 0 ? Vec3(local.x, local.y, 0) / radius : Vec3(1, 0, 0);
-    const Vec3 up = c.to_local.z, sideways = c.to_local.normal(outward);
+    const Vec3 up = c.frame.row(2), sideways = c.frame.normal(outward);
     const double cap = local.z < 0.5 ? 0 : 1;
     const double from_cap = std::abs(local.z - cap), from_side = std::abs(radius - 1);
     if (from_cap * max_abs(sideways) < from_side * max_abs(up)) {
@@ -59,8 +59,8 @@ inline SurfacePoint surface(const Scene&, const ClosedCylinder& c, const RayQuer
     const Affine& m = c.to_world;
     const Vec3 seen = q.ray.origin - m.origin + t * q.ray.direction;
     const Vec3 error = position_error(abs(m.origin) + reach(m.x, m.y) + abs(m.z), 0);
-    const CylinderPoint p = nearest_on(c, c.to_local.vector(seen), error);
-    return {m.point(p.local), error, p.normal, p.normal};
+    const CylinderPoint p = nearest_on(c, c.frame.vector(seen), error);
+    return {c.frame.point(p.local), error, p.normal, p.normal};
 }
 
 }  // namespace etalon

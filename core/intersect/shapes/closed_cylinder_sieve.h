@@ -10,10 +10,10 @@ namespace etalon {
 class ClosedCylinderSieve {
   public:
     ClosedCylinderSieve(const ClosedCylinder& c, const RayQuery& q)
-        : line_(c.to_world, c.to_local, q.ray),
+        : line_(c.to_world.origin, c.frame, q.ray),
           tmin_(q.ray.tmin),
-          across_(c.to_local.lengths.x + c.to_local.lengths.y),
-          along_(c.to_local.lengths.z) {}
+          across_(c.frame.length(0) + c.frame.length(1)),
+          along_(c.frame.length(2)) {}
 
     /// The first visible t beyond tmin, good to t_tolerance; no_hit; or in_doubt.
     double first_hit(Sides sides) const {
@@ -21,14 +21,13 @@ class ClosedCylinderSieve {
         const Vec3 w(line_.w.x, line_.w.y, 0), d(line_.d.x, line_.d.y, 0);
         const UnitLine side(w, line_.error_of_w(across_), d, line_.error_of_d(across_));
         if (side.leaves() || side.misses()) return no_hit;
+        if (side.is_parallel()) return first_between_caps(side, sides);
         if (!side.is_certain()) return in_doubt;
-        const UnitLine::Roots roots = side.roots();
-        const Place entry = place(roots.entry), exit = place(roots.exit);
+        const Stretch inside = side.stretch();
+        const Place entry = place(inside.entry), exit = place(inside.exit);
         if (entry == exit && (entry == below || entry == above)) return no_hit;
         if (entry == unknown || (entry != between && exit == unknown)) return in_doubt;
-        const double t = sides == Sides::back ? no_hit : ahead(end(entry, roots.entry), tmin_);
-        if (t <= infinity || sides == Sides::front) return t;
-        return exit == unknown ? in_doubt : ahead(end(exit, roots.exit), tmin_);
+        return first_ahead({end(entry, inside.entry), end(exit, inside.exit)}, sides, tmin_);
     }
 
   private:
@@ -45,8 +44,20 @@ class ClosedCylinderSieve {
         return z > e_z && z < 1 - e_z ? between : unknown;
     }
 
-    /// Where the stretch ends, of whose side's end the place is known.
+    /// Of a line so nearly along the axis that it stays inside or outside from cap to cap.
+    double first_between_caps(const UnitLine& side, Sides sides) const {
+        const Approximate base = cap(0), top = cap(1);
+        const double longest = std::max(base.error + std::abs(base.value),  //
+                                        top.error + std::abs(top.value));
+        if (!side.stays_clear(longest)) return in_doubt;
+        if (!side.starts_inside()) return no_hit;
+        const bool rises = line_.d.z > 0;
+        return first_ahead({rises ? base : top, rises ? top : base}, sides, tmin_);
+    }
+
+    /// Where the stretch ends, if that of the side's ends there.
     Approximate end(Place place, const Approximate& root) const {
+        if (place == unknown) return {0, infinity};
         return place == between ? root : cap(place == below ? 0 : 1);
     }
 

@@ -14,23 +14,18 @@ inline Vec3 reach(const Ellipsoid& e) {
 }
 
 inline Box3 bounds(const Scene&, const Ellipsoid& e) {
-    if (!e.to_local.exists) return {};
+    if (!e.frame.exists()) return {};
     return box_around(e.to_world.origin, e.to_world.origin, reach(e));
 }
 
 /// The first visible t beyond tmin, good to t_tolerance; no_hit; or in_doubt.
 inline double sieve(const Ellipsoid& e, Sides sides, const RayQuery& q) {
-    const LinearInverse& inverse = e.to_local;
-    const double rows = inverse.lengths.x + inverse.lengths.y + inverse.lengths.z;
-    const LocalLine line(e.to_world, inverse, q.ray);
+    const LocalLine line(e.to_world.origin, e.frame, q.ray);
+    const double rows = e.frame.length(0) + e.frame.length(1) + e.frame.length(2);
     if (!line.is_in_range(rows)) return in_doubt;
     const UnitLine unit(line.w, line.error_of_w(rows), line.d, line.error_of_d(rows));
     if (unit.leaves() || unit.misses()) return no_hit;
-    if (!unit.is_certain()) return in_doubt;
-    const UnitLine::Roots roots = unit.roots();
-    const double entry = sides == Sides::back ? no_hit : ahead(roots.entry, q.ray.tmin);
-    if (entry <= infinity || sides == Sides::front) return entry;
-    return ahead(roots.exit, q.ray.tmin);
+    return unit.is_certain() ? first_ahead(unit.stretch(), sides, q.ray.tmin) : in_doubt;
 }
 
 /// Hit or miss is right for every ray, and t good to t_tolerance. The ray's direction is not made
@@ -44,10 +39,10 @@ inline double first_hit(const Scene&, const Ellipsoid& e, Sides sides, const Ray
 
 inline SurfacePoint surface(const Scene&, const Ellipsoid& e, const RayQuery& q, double t) {
     const Vec3 seen = q.ray.origin - e.to_world.origin + t * q.ray.direction;
-    const Vec3 local = unit_vector(e.to_local.vector(seen));
-    const Vec3 normal = unit_vector(e.to_local.normal(local));
+    const Vec3 local = unit_vector(e.frame.vector(seen));
+    const Vec3 normal = unit_vector(e.frame.normal(local));
     const Vec3 magnitude = abs(e.to_world.origin) + reach(e);
-    return {e.to_world.point(local), position_error(magnitude, 0), normal, normal};
+    return {e.frame.point(local), position_error(magnitude, 0), normal, normal};
 }
 
 }  // namespace etalon

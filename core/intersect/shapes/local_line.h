@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/intersect/shapes/roots.h"
+#include "core/numerics/local_frame.h"
 #include "core/numerics/rounding.h"
 
 namespace etalon {
@@ -19,12 +20,23 @@ inline double ahead(const Approximate& t, double tmin) {
     return is_ahead(t.value, tmin) ? t.value : no_hit;
 }
 
-/// The point w + t d as the rows of the inverse give it. A difference, a row and a dot product put
-/// the origin's coordinates off by 1 + 3 + 3 roundings of |row| |origin|, the direction's by one
-/// less; these bounds leave room for a dot or cross product of the two, another 3.
+/// The part of a line inside a solid.
+struct Stretch {
+    Approximate entry, exit;
+};
+
+/// Of its ends, the first visible one beyond tmin; no_hit; or in_doubt.
+inline double first_ahead(const Stretch& s, Sides sides, double tmin) {
+    const double entry = sides == Sides::back ? no_hit : ahead(s.entry, tmin);
+    return entry <= infinity || sides == Sides::front ? entry : ahead(s.exit, tmin);
+}
+
+/// A ray's line in a frame, w + t d. A difference, a row and a dot product put w off by 1 + 2 + 3
+/// roundings of |row| |origin|, d by one less; these bounds leave room for a dot or cross product
+/// of the two, another 3.
 struct LocalLine {
-    LocalLine(const Affine& map, const LinearInverse& inverse, const Ray& ray)
-        : LocalLine(inverse, ray.origin - map.origin, ray.direction) {}
+    LocalLine(const Vec3& centre, const LocalFrame& frame, const Ray& ray)
+        : LocalLine(frame, ray.origin - centre, ray.direction) {}
 
     /// The error of coordinates from rows that are together no longer than `rows`.
     double error_of_w(double rows) const { return 8 * unit_roundoff * rows * distance; }
@@ -41,9 +53,9 @@ struct LocalLine {
     double distance, speed;  ///< no less than the lengths, in the world
 
   private:
-    LocalLine(const LinearInverse& inverse, const Vec3& from, const Vec3& towards)
-        : w(inverse.vector(from)),
-          d(inverse.vector(towards)),
+    LocalLine(const LocalFrame& frame, const Vec3& from, const Vec3& towards)
+        : w(frame.vector(from)),
+          d(frame.vector(towards)),
           distance(sum_abs(from)),
           speed(sum_abs(towards)) {}
 };
@@ -55,7 +67,7 @@ struct LocalLine {
 class UnitLine {
   public:
     UnitLine(const Vec3& w, double e_w, const Vec3& d, double e_d)
-        : A_(d.dot(d)), B_(w.dot(d)), C_(w.dot(w) - 1) {
+        : A_(d.dot(d)), B_(w.dot(d)), C_(w.dot(w) - 1), e_w_(e_w), speed_(sum_abs(d) + e_d) {
         const Vec3 m = w.cross(d);
         const double far = sum_abs(w), fast = sum_abs(d);
         discriminant_ = A_ - m.dot(m);
@@ -71,17 +83,25 @@ class UnitLine {
     bool misses() const { return discriminant_ < -e_discriminant_; }
     bool is_certain() const { return discriminant_ > e_discriminant_; }
 
+    /// Whether not even the order of A is known: of a line along the cylinder.
+    bool is_parallel() const { return !(A_ > 8 * e_A_); }
+
+    /// Whether the points up to t = +-longest are all inside or all outside.
+    bool stays_clear(double longest) const {
+        const double radius = std::sqrt(C_ + 1);
+        const double drift = speed_ * longest + e_w_ + 4 * unit_roundoff * (1 + radius);
+        return std::abs(radius - 1) > 1.01 * drift;
+    }
+    bool starts_inside() const { return C_ < 0; }
+
     /// By the sum of like signs, in which nothing cancels.
-    struct Roots {
-        Approximate entry, exit;
-    };
-    Roots roots() const {
+    Stretch stretch() const {
         const double root = std::sqrt(discriminant_), sum = std::abs(B_) + root;
         const double off = (e_B_ + e_discriminant_ / root) / sum + 4 * unit_roundoff;
         const double off_A = e_A_ / A_;
         // To the first order; what the higher ones add is less than a quarter of it.
-        const bool small = std::max(off, off_A) < 0.1;
-        const double far = sum / A_, near = C_ / sum, more = small ? 1.25 : infinity;
+        const double more = std::max(off, off_A) < 0.1 ? 1.25 : infinity;
+        const double far = sum / A_, near = C_ / sum;
         const double e_far = more * (off + off_A) * far;
         const double e_near = more * (off * std::abs(near) + e_C_ / sum);
         if (B_ < 0) return {{near, e_near}, {far, e_far}};
@@ -91,6 +111,7 @@ class UnitLine {
   private:
     double A_, B_, C_, discriminant_;
     double e_A_, e_B_, e_C_, e_discriminant_;
+    double e_w_, speed_;
 };
 
 }  // namespace etalon
