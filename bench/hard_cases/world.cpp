@@ -31,6 +31,12 @@ void add_cone(Scene& scene, const Vec3& place, double size, Sides sides, Random&
     scene.add(Cone{place, top, base_radius, size * random.uniform(0.1, 0.5)}, 0, sides);
 }
 
+/// Sheared, and in half of all cases mirrored.
+Affine any_map(const Vec3& place, double size, Random& random) {
+    const Vec3 x = size * random.in_cube(), y = size * random.in_cube();
+    return {x, y, size * random.in_cube(), place};
+}
+
 void add_shape(Scene& scene, ShapeKind kind, double size, Sides sides, Random& random) {
     const Vec3 place = random.in_cube();
     if (kind == kind_of<Sphere>()) {
@@ -44,6 +50,10 @@ void add_shape(Scene& scene, ShapeKind kind, double size, Sides sides, Random& r
         scene.add(Box{place - half, place + half}, 0, sides);
     } else if (kind == kind_of<Plane>()) {
         scene.add(Plane{3.0 * place, random.direction()}, 0, sides);
+    } else if (kind == kind_of<Ellipsoid>()) {
+        scene.add(Ellipsoid(any_map(place, size, random)), 0, sides);
+    } else if (kind == kind_of<ClosedCylinder>()) {
+        scene.add(ClosedCylinder(any_map(place, size, random)), 0, sides);
     } else {
         add_cone(scene, place, size, sides, random);
     }
@@ -81,6 +91,11 @@ Scene moved(Scene scene, double factor, const Vec3& offset) {
         move(c.base), move(c.top);
         c.base_radius *= factor, c.top_radius *= factor;
     }
+    const auto placed = [&](const Affine& map) {
+        return Affine{factor * map.x, factor * map.y, factor * map.z, factor * map.origin + offset};
+    };
+    for (Ellipsoid& e : scene.all<Ellipsoid>()) e = Ellipsoid(placed(e.to_world));
+    for (ClosedCylinder& c : scene.all<ClosedCylinder>()) c = ClosedCylinder(placed(c.to_world));
     return scene;
 }
 

@@ -33,6 +33,12 @@ void add_polygon(Scene& scene, Random& random, const Vec3& place, double size, S
     scene.add(Polygon{first, count}, 0, sides);
 }
 
+/// Sheared, and in half of all cases mirrored.
+Affine any_map(const Vec3& place, double size, Random& random) {
+    const Vec3 x = random.in_cube(size), y = random.in_cube(size);
+    return {x, y, random.in_cube(size), place};
+}
+
 /// Adds a shape of number `kind` in the order of ShapeArrays.
 void add_shape(Scene& scene, Random& random, ShapeKind kind, double size, Sides sides) {
     const Vec3 place = random.in_cube();
@@ -48,6 +54,10 @@ void add_shape(Scene& scene, Random& random, ShapeKind kind, double size, Sides 
         scene.add(Box{place - half, place + half}, 0, sides);
     } else if (kind == kind_of<Plane>()) {
         scene.add(Plane{3.0 * place, random.direction()}, 0, sides);
+    } else if (kind == kind_of<Ellipsoid>()) {
+        scene.add(Ellipsoid(any_map(place, size, random)), 0, sides);
+    } else if (kind == kind_of<ClosedCylinder>()) {
+        scene.add(ClosedCylinder(any_map(place, size, random)), 0, sides);
     } else {
         scene.add(Cone{place, place + random.in_cube(size), size * random.between(0, 0.5),
                        size * random.between(0.1, 0.5)},
@@ -210,6 +220,8 @@ const std::vector<SceneFamily>& scene_families() {
         {"boxes", only<Box>},
         {"planes", only<Plane>},
         {"cones", only<Cone>},
+        {"ellipsoids", only<Ellipsoid>},
+        {"cylinders", only<ClosedCylinder>},
         {"mix", mix},
         {"one_sided", one_sided},
         {"duplicates", duplicates},
@@ -244,6 +256,11 @@ Scene transformed(Scene scene, double factor, const Vec3& offset) {
         move(c.base), move(c.top);
         c.base_radius *= factor, c.top_radius *= factor;
     }
+    const auto placed = [&](const Affine& map) {
+        return Affine{factor * map.x, factor * map.y, factor * map.z, factor * map.origin + offset};
+    };
+    for (Ellipsoid& e : scene.all<Ellipsoid>()) e = Ellipsoid(placed(e.to_world));
+    for (ClosedCylinder& c : scene.all<ClosedCylinder>()) c = ClosedCylinder(placed(c.to_world));
     return scene;
 }
 

@@ -29,4 +29,11 @@ inline Vec3 unit_vector(Vec3 v) {
     return v / std::sqrt(v.dot(v));
 }
 
+/// A point next to a surface moved onto it, the shortest way to the first order: along the gradient
+/// of what is zero on the surface and `value` at the point.
+inline Vec3 moved_onto_surface(const Vec3& point, const Vec3& gradient, double value) {
+    const Vec3 normal = unit_vector(gradient);
+    return point - (value / gradient.dot(normal)) * normal;
+}
+
 }  // namespace etalon

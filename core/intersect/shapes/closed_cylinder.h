@@ -37,29 +37,49 @@ inline double inset(const Vec3& gradient, const Vec3& normal, const Vec3& error)
     return 2 * (offset + abs(gradient).dot(error));
 }
 
-/// The point of the side or of a cap, whichever is nearer in the world. At a rim it is moved along
-/// its face, so that a ray that goes inward from there starts inside.
-inline CylinderPoint nearest_on(const ClosedCylinder& c, const Vec3& local, const Vec3& error) {
+/// From the axis, of unit length; of the axis itself any such.
+inline Vec3 outward(const Vec3& local) {
     const double radius = std::hypot(local.x, local.y);
-    const Vec3 outward = radius > 0 ? Vec3(local.x, local.y, 0) / radius : Vec3(1, 0, 0);
-    const Vec3 up = c.frame.row(2), sideways = c.frame.normal(outward);
+    return radius > 0 ? Vec3(local.x, local.y, 0) / radius : Vec3(1, 0, 0);
+}
+
+/// At a rim a point is moved along its face, so that a ray that goes inward from there starts
+/// inside.
+inline CylinderPoint on_cap(const ClosedCylinder& c, const Vec3& local, double cap,
+                            const Vec3& error) {
+    const Vec3 side = outward(local);
+    const Vec3 normal = unit_vector((cap == 0 ? -1.0 : 1.0) * c.frame.row(2));
+    const double widest = std::max(1 - inset(c.frame.normal(side), normal, error), 0.0);
+    const double radius = std::min(std::hypot(local.x, local.y), widest);
+    return {radius * side + Vec3(0, 0, cap), normal};
+}
+
+inline CylinderPoint on_side(const ClosedCylinder& c, const Vec3& local, const Vec3& error) {
+    const Vec3 side = outward(local), normal = unit_vector(c.frame.normal(side));
+    const double lowest = std::min(inset(c.frame.row(2), normal, error), 0.5);
+    return {side + Vec3(0, 0, std::clamp(local.z, lowest, 1 - lowest)), normal};
+}
+
+/// On the side or on a cap, whichever is nearer in the world.
+inline CylinderPoint nearest_on(const ClosedCylinder& c, const Vec3& seen, const Vec3& error) {
+    const Vec3 local = c.frame.vector(seen);
+    const Vec3 up = c.frame.row(2), sideways = c.frame.normal(outward(local));
     const double cap = local.z < 0.5 ? 0 : 1;
-    const double from_cap = std::abs(local.z - cap), from_side = std::abs(radius - 1);
-    if (from_cap * max_abs(sideways) < from_side * max_abs(up)) {
-        const Vec3 normal = unit_vector((cap == 0 ? -1.0 : 1.0) * up);
-        const double widest = std::max(1 - inset(sideways, normal, error), 0.0);
-        return {std::min(radius, widest) * outward + Vec3(0, 0, cap), normal};
+    const double above_cap = local.z - cap, off_side = std::hypot(local.x, local.y) - 1;
+    const auto moved = [&](const Vec3& gradient, double value) {
+        return c.frame.vector(moved_onto_surface(seen, gradient, value));
+    };
+    if (std::abs(above_cap) * max_abs(sideways) < std::abs(off_side) * max_abs(up)) {
+        return on_cap(c, moved(up, above_cap), cap, error);
     }
-    const Vec3 normal = unit_vector(sideways);
-    const double lowest = std::min(inset(up, normal, error), 0.5);
-    return {outward + Vec3(0, 0, std::clamp(local.z, lowest, 1 - lowest)), normal};
+    return on_side(c, moved(sideways, off_side), error);
 }
 
 inline SurfacePoint surface(const Scene&, const ClosedCylinder& c, const RayQuery& q, double t) {
     const Affine& m = c.to_world;
     const Vec3 seen = q.ray.origin - m.origin + t * q.ray.direction;
     const Vec3 error = position_error(abs(m.origin) + reach(m.x, m.y) + abs(m.z), 0);
-    const CylinderPoint p = nearest_on(c, c.frame.vector(seen), error);
+    const CylinderPoint p = nearest_on(c, seen, error);
     return {c.frame.point(p.local), error, p.normal, p.normal};
 }
 

@@ -62,11 +62,11 @@ class ClosedCylinderSieve {
     }
 
     Approximate cap(double z) const {
-        const double speed = std::abs(line_.d.z), e_d = line_.error_of_d(along_);
-        const double t = (z - line_.w.z) / line_.d.z;
+        const double per_climb = 1 / line_.d.z, t = (z - line_.w.z) * per_climb;
         const double e_start = line_.error_of_w(along_) + unit_roundoff;
-        const double error = 1.25 * (e_start + std::abs(t) * e_d) / speed;
-        return {t, e_d < 0.1 * speed ? error : infinity};
+        const double e_d = line_.error_of_d(along_), off = e_d * std::abs(per_climb);
+        const double error = 1.25 * (e_start * std::abs(per_climb) + off * std::abs(t));
+        return {t, off < 0.1 ? error : infinity};
     }
 
     const LocalLine line_;

@@ -39,7 +39,9 @@ inline double first_hit(const Scene&, const Ellipsoid& e, Sides sides, const Ray
 
 inline SurfacePoint surface(const Scene&, const Ellipsoid& e, const RayQuery& q, double t) {
     const Vec3 seen = q.ray.origin - e.to_world.origin + t * q.ray.direction;
-    const Vec3 local = unit_vector(e.frame.vector(seen));
+    const Vec3 near = e.frame.vector(seen), gradient = e.frame.normal(unit_vector(near));
+    const Vec3 on = moved_onto_surface(seen, gradient, near.length() - 1);
+    const Vec3 local = unit_vector(e.frame.vector(on));
     const Vec3 normal = unit_vector(e.frame.normal(local));
     const Vec3 magnitude = abs(e.to_world.origin) + reach(e);
     return {e.frame.point(local), position_error(magnitude, 0), normal, normal};

@@ -18,6 +18,9 @@ class ExactQuadratic {
         return discriminant_.sign() >= 0 && (a_.sign() != 0 || b_.sign() != 0);
     }
 
+    /// The sign of A: which way the form goes in the end.
+    int opening() const { return a_.sign(); }
+
     /// Good to a few roundings. NaN or infinite where A vanishes and with it this root.
     double root(int way) const;
 

@@ -97,13 +97,14 @@ class UnitLine {
     /// By the sum of like signs, in which nothing cancels.
     Stretch stretch() const {
         const double root = std::sqrt(discriminant_), sum = std::abs(B_) + root;
-        const double off = (e_B_ + e_discriminant_ / root) / sum + 4 * unit_roundoff;
-        const double off_A = e_A_ / A_;
+        const double per_sum = 1 / sum, per_A = 1 / A_;
+        const double off = (e_B_ + e_discriminant_ / root) * per_sum + 4 * unit_roundoff;
+        const double off_A = e_A_ * per_A;
         // To the first order; what the higher ones add is less than a quarter of it.
         const double more = std::max(off, off_A) < 0.1 ? 1.25 : infinity;
-        const double far = sum / A_, near = C_ / sum;
+        const double far = sum * per_A, near = C_ * per_sum;
         const double e_far = more * (off + off_A) * far;
-        const double e_near = more * (off * std::abs(near) + e_C_ / sum);
+        const double e_near = more * (off * std::abs(near) + e_C_ * per_sum);
         if (B_ < 0) return {{near, e_near}, {far, e_far}};
         return {{-far, e_far}, {-near, e_near}};
     }
