@@ -32,6 +32,12 @@ Example cone(const char* name, const Cone& c) {
     return example(name, {0.5 * (c.base + c.top), (c.top - c.base).length() + widest}, c);
 }
 
+template <class Shape>
+Example image(const char* name, const Affine& map) {
+    const double size = map.x.length() + map.y.length() + map.z.length();
+    return example(name, {map.point({0, 0, 0.5}), size}, Shape(map));
+}
+
 Example box(const char* name, const Box& b) {
     return example(name, {0.5 * (b.min + b.max), (b.max - b.min).length() / 2}, b);
 }
@@ -62,6 +68,8 @@ Example face(const char* name, const Corners& corners) {
 
 std::vector<Example> rounded_shapes() {
     const Vec3 far = far_place(), base(0.3, -0.7, 0.45);
+    const Affine sheared{{1, 0, 0.25}, {0.5, 1, 0}, {-2, 3, 1}, base};
+    const Affine mirrored{tilted(-1, 0, 0), tilted(0, 0.5, 0), tilted(0, 0, 2), far};
     return {
         sphere("sphere", {base, 1}),
         sphere("sphere, planet", {{0, 0, -6.4e6}, 6.4e6}),
@@ -83,6 +91,10 @@ std::vector<Example> rounded_shapes() {
         quadric("quadric, cone", base, {1, 0.1, 0, 0, 2, 0, 0, -1, 0, 0}),
         quadric("quadric, hyperboloid", base, {1, 0.1, 0, 0, 2, 0, 0, -1, 0, -0.125}),
         quadric("quadric, saddle at 3e5", far, {1, 0.1, 0, 0, -2, 0, 0, 0, 0.5, 0}),
+        image<Ellipsoid>("ellipsoid", sheared),
+        image<Ellipsoid>("ellipsoid, mirrored", mirrored),
+        image<ClosedCylinder>("closed cylinder", sheared),
+        image<ClosedCylinder>("closed cylinder, mirrored", mirrored),
     };
 }
 

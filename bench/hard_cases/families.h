@@ -9,6 +9,8 @@ std::vector<HardCase> sphere_cases();
 std::vector<HardCase> shell_cases();
 std::vector<HardCase> cylinder_cases();
 std::vector<HardCase> cone_cases();
+std::vector<HardCase> ellipsoid_cases();
+std::vector<HardCase> closed_cylinder_cases();
 std::vector<HardCase> plane_cases();
 std::vector<HardCase> plane_pair_cases();
 std::vector<HardCase> box_cases();

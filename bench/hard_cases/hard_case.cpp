@@ -25,6 +25,8 @@ std::vector<HardCase> hard_cases() {
     add(shell_cases());
     add(cylinder_cases());
     add(cone_cases());
+    add(ellipsoid_cases());
+    add(closed_cylinder_cases());
     add(plane_cases());
     add(plane_pair_cases());
     add(box_cases());

@@ -48,6 +48,12 @@ void add_quadric(Scene& scene, const Vec3& place, double size, Sides sides, Rand
     scene.add(s, 0, sides);
 }
 
+/// Sheared, and in half of all cases mirrored.
+Affine any_map(const Vec3& place, double size, Random& random) {
+    const Vec3 x = size * random.in_cube(), y = size * random.in_cube();
+    return {x, y, size * random.in_cube(), place};
+}
+
 void add_shape(Scene& scene, ShapeKind kind, double size, Sides sides, Random& random) {
     const Vec3 place = random.in_cube();
     if (kind == kind_of<Sphere>()) {
@@ -65,8 +71,12 @@ void add_shape(Scene& scene, ShapeKind kind, double size, Sides sides, Random& r
         add_cone(scene, place, size, sides, random);
     } else if (kind == kind_of<Ring>()) {
         add_ring(scene, place, size, sides, random);
-    } else {
+    } else if (kind == kind_of<Quadric>()) {
         add_quadric(scene, place, size, sides, random);
+    } else if (kind == kind_of<Ellipsoid>()) {
+        scene.add(Ellipsoid(any_map(place, size, random)), 0, sides);
+    } else {
+        scene.add(ClosedCylinder(any_map(place, size, random)), 0, sides);
     }
 }
 
@@ -110,6 +120,11 @@ Scene moved(Scene scene, double factor, const Vec3& offset) {
         move(s.centre), move(s.clip.min), move(s.clip.max);
         s.coefficients = scaled(s.coefficients, factor);
     }
+    const auto placed = [&](const Affine& map) {
+        return Affine{factor * map.x, factor * map.y, factor * map.z, factor * map.origin + offset};
+    };
+    for (Ellipsoid& e : scene.all<Ellipsoid>()) e = Ellipsoid(placed(e.to_world));
+    for (ClosedCylinder& c : scene.all<ClosedCylinder>()) c = ClosedCylinder(placed(c.to_world));
     return scene;
 }
 

@@ -2,11 +2,12 @@
 
 #include <tuple>
 
+#include "core/numerics/double_double.h"
+
 namespace etalon {
 namespace {
 
 using Difference = Expansion<2>;
-using Vec3TwoTerm = std::array<TwoTerm, 3>;
 
 Difference difference(double a, double b) {
     return Difference(two_difference(a, b));
@@ -14,23 +15,6 @@ Difference difference(double a, double b) {
 
 Vec3TwoTerm difference(const Vec3& a, const Vec3& b) {
     return {two_difference(a.x, b.x), two_difference(a.y, b.y), two_difference(a.z, b.z)};
-}
-
-Vec3TwoTerm exactly(const Vec3& v) {
-    return {TwoTerm{v.x, 0}, TwoTerm{v.y, 0}, TwoTerm{v.z, 0}};
-}
-
-/// Double-double arithmetic (Dekker 1971): sums and products to 2^-102 of their operands.
-TwoTerm operator+(const TwoTerm& a, const TwoTerm& b) {
-    const TwoTerm s = two_sum(a.value, b.value);
-    return two_sum(s.value, s.error + (a.error + b.error));
-}
-TwoTerm operator*(const TwoTerm& a, const TwoTerm& b) {
-    const TwoTerm p = two_product(a.value, b.value);
-    return two_sum(p.value, p.error + (a.value * b.error + a.error * b.value));
-}
-TwoTerm operator-(const TwoTerm& a) {
-    return {-a.value, -a.error};
 }
 
 /// d . (p x q), exactly.
@@ -93,7 +77,7 @@ double edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b, d
     if (!std::isfinite(plain)) return plain;
     // The estimate's last bit depends on the order of the terms: take one order for both.
     if (precedes(b, a)) return -edge_volume(o, d, b, a, tolerance);
-    return triple_product(exactly(d), difference(a, o), difference(b, o), tolerance);
+    return triple_product(two_terms(d), difference(a, o), difference(b, o), tolerance);
 }
 
 }  // namespace

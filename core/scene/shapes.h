@@ -13,6 +13,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/numerics/local_frame.h"
 #include "core/numerics/vec.h"
 
 namespace etalon {
@@ -97,10 +98,34 @@ struct Quadric {
     Box3 clip;
 };
 
+/// The image of the unit sphere about the origin under `to_world`.
+struct Ellipsoid {
+    static constexpr std::string_view name = "ellipsoid";
+    static constexpr Form form = Form::convex;
+
+    explicit Ellipsoid(const Affine& map) : to_world(map), frame(map, Symmetry::sphere) {}
+
+    Affine to_world;
+    LocalFrame frame;
+};
+
+/// The image of the solid cylinder x^2 + y^2 <= 1, 0 <= z <= 1 under `to_world`: its side and both
+/// caps.
+struct ClosedCylinder {
+    static constexpr std::string_view name = "cylinder";
+    static constexpr Form form = Form::convex;
+
+    explicit ClosedCylinder(const Affine& map) : to_world(map), frame(map, Symmetry::about_z) {}
+
+    Affine to_world;
+    LocalFrame frame;
+};
+
 /// One array per kind of shape. A kind's number is its place in this list.
 using ShapeArrays =
     std::tuple<std::vector<Sphere>, std::vector<Triangle>, std::vector<Polygon>, std::vector<Box>,
-               std::vector<Plane>, std::vector<Cone>, std::vector<Ring>, std::vector<Quadric>>;
+               std::vector<Plane>, std::vector<Cone>, std::vector<Ring>, std::vector<Quadric>,
+               std::vector<Ellipsoid>, std::vector<ClosedCylinder>>;
 
 inline constexpr std::size_t shape_kinds = std::tuple_size_v<ShapeArrays>;
 

@@ -44,6 +44,12 @@ void add_quadric(Scene& scene, Random& random, const Vec3& place, double size, S
     scene.add(s, 0, sides);
 }
 
+/// Sheared, and in half of all cases mirrored.
+Affine any_map(const Vec3& place, double size, Random& random) {
+    const Vec3 x = random.in_cube(size), y = random.in_cube(size);
+    return {x, y, random.in_cube(size), place};
+}
+
 /// Adds a shape of number `kind` in the order of ShapeArrays.
 void add_shape(Scene& scene, Random& random, ShapeKind kind, double size, Sides sides) {
     const Vec3 place = random.in_cube();
@@ -64,6 +70,10 @@ void add_shape(Scene& scene, Random& random, ShapeKind kind, double size, Sides 
         scene.add(Ring{place, random.direction(), outer * random.between(0, 0.9), outer}, 0, sides);
     } else if (kind == kind_of<Quadric>()) {
         add_quadric(scene, random, place, size, sides);
+    } else if (kind == kind_of<Ellipsoid>()) {
+        scene.add(Ellipsoid(any_map(place, size, random)), 0, sides);
+    } else if (kind == kind_of<ClosedCylinder>()) {
+        scene.add(ClosedCylinder(any_map(place, size, random)), 0, sides);
     } else {
         scene.add(Cone{place, place + random.in_cube(size), size * random.between(0, 0.5),
                        size * random.between(0.1, 0.5)},
@@ -228,6 +238,8 @@ const std::vector<SceneFamily>& scene_families() {
         {"cones", only<Cone>},
         {"rings", only<Ring>},
         {"quadrics", only<Quadric>},
+        {"ellipsoids", only<Ellipsoid>},
+        {"cylinders", only<ClosedCylinder>},
         {"mix", mix},
         {"one_sided", one_sided},
         {"duplicates", duplicates},
@@ -270,6 +282,11 @@ Scene transformed(Scene scene, double factor, const Vec3& offset) {
         move(s.centre), move(s.clip.min), move(s.clip.max);
         s.coefficients = scaled(s.coefficients, factor);
     }
+    const auto placed = [&](const Affine& map) {
+        return Affine{factor * map.x, factor * map.y, factor * map.z, factor * map.origin + offset};
+    };
+    for (Ellipsoid& e : scene.all<Ellipsoid>()) e = Ellipsoid(placed(e.to_world));
+    for (ClosedCylinder& c : scene.all<ClosedCylinder>()) c = ClosedCylinder(placed(c.to_world));
     return scene;
 }
 

@@ -57,6 +57,12 @@ bool fine(const Scene&, const Quadric& s) {
            !s.clip.isEmpty() &&
            std::all_of(s.coefficients.begin(), s.coefficients.end(), is_number);
 }
+bool fine(const Scene&, const Ellipsoid& e) {
+    return e.frame.exists();
+}
+bool fine(const Scene&, const ClosedCylinder& c) {
+    return c.frame.exists();
+}
 
 template <class List>
 bool all_fine(const List& list) {

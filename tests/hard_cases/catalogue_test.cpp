@@ -59,6 +59,10 @@ bool is_float(double x) {
     return x == static_cast<double>(static_cast<float>(x));
 }
 
+bool is_float(const Affine& map) {
+    return is_float(map.x) && is_float(map.y) && is_float(map.z) && is_float(map.origin);
+}
+
 bool is_float(const Scene& scene) {
     const auto all = [](const auto& list, const auto& test) {
         return std::all_of(list.begin(), list.end(), test);
@@ -70,6 +74,9 @@ bool is_float(const Scene& scene) {
            all(scene.all<Box>(), [](const Box& b) { return is_float(b.min) && is_float(b.max); }) &&
            all(scene.all<Plane>(),
                [](const Plane& p) { return is_float(p.point) && is_float(p.normal); }) &&
+           all(scene.all<Ellipsoid>(), [](const Ellipsoid& e) { return is_float(e.to_world); }) &&
+           all(scene.all<ClosedCylinder>(),
+               [](const ClosedCylinder& c) { return is_float(c.to_world); }) &&
            all(scene.all<Cone>(),
                [](const Cone& c) {
                    return is_float(c.base) && is_float(c.top) && is_float(c.base_radius) &&

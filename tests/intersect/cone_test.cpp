@@ -262,7 +262,7 @@ TEMPLATE_TEST_CASE("Cone: given any ray, then exact arithmetic says what a tier 
         const double t = TestType(cone, query).first_hit(sides);
         doubts += t == in_doubt;
         if (t == in_doubt) continue;
-        const ConeCrossing x = exact_crossing(cone, query.ray);
+        const Passage x = exact_passage(cone, query.ray);
         const double exact = first_visible(x.entry, x.exit, sides, query.ray.tmin);
         CAPTURE(i, t, exact);
         REQUIRE(std::isnan(t) == std::isnan(exact));
@@ -318,7 +318,7 @@ TEST_CASE("Cone: given rays from ten radii at its surroundings, then no tier dou
     REQUIRE(filter <= 5);
 }
 
-TEST_CASE("exact_crossing: given any ray, then the oracle agrees") {
+TEST_CASE("exact_passage: given any ray, then the oracle agrees") {
     Random random(22);
     int hits = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -326,7 +326,7 @@ TEST_CASE("exact_crossing: given any ray, then the oracle agrees") {
         Scene scene;
         scene.add(cone, 0);
         const Ray ray = random_ray(cone, random);
-        const ConeCrossing x = exact_crossing(cone, RayQuery(ray).ray);
+        const Passage x = exact_passage(cone, RayQuery(ray).ray);
         const double t = first_visible(x.entry, x.exit, Sides::both, 0);
         const OracleAnswer answer = Oracle(scene).closest(ray);
         CAPTURE(i, t, answer.t);

@@ -46,6 +46,9 @@ inline Scene mixed_scene(int width = 48, int height = 36) {
     s.add(Triangle{{1, 2, 3}}, 1);
     s.add(Box{Vec3(-0.2, -1, 0.8), Vec3(0.3, -0.4, 1.2)}, 0);
     s.add(Cone{Vec3(1.2, -1, 1), Vec3(1.3, 0.1, 1.1), 0.3, 0.1}, 1);
+    const Vec3 across(0.2, 0.1, 0), forth(0, 0.05, -0.3);
+    s.add(Ellipsoid({across, {-0.1, 0.4, 0}, forth, {0.2, 0.9, 0.3}}), 0);
+    s.add(ClosedCylinder({across, forth, {0.1, 0.5, 0.2}, {-1.6, -0.9, 0.5}}), 2);
     s.camera.aperture = 3;
     s.samples_per_pixel = 5;
     return s;
@@ -71,6 +74,11 @@ inline Scene transformed(Scene s, double factor, const Vec3& offset = Vec3(0)) {
     for (Cone& x : s.all<Cone>()) {
         x = {moved(x.base), moved(x.top), x.base_radius * factor, x.top_radius * factor};
     }
+    const auto placed = [&](const Affine& map) {
+        return Affine{factor * map.x, factor * map.y, factor * map.z, moved(map.origin)};
+    };
+    for (Ellipsoid& x : s.all<Ellipsoid>()) x = Ellipsoid(placed(x.to_world));
+    for (ClosedCylinder& x : s.all<ClosedCylinder>()) x = ClosedCylinder(placed(x.to_world));
     return s;
 }
 

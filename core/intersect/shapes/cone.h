@@ -28,7 +28,7 @@ inline Box3 bounds(const Scene&, const Cone& c) {
 [[gnu::noinline]] inline double careful_first_hit(const Cone& c, Sides sides, const RayQuery& q) {
     const double t = ConeFilter(c, q).first_hit(sides);
     if (t != in_doubt) return t < infinity && !is_degenerate(c) ? t : no_hit;
-    const ConeCrossing x = exact_crossing(c, q.ray);
+    const Passage x = exact_passage(c, q.ray);
     return first_visible(x.entry, x.exit, sides, q.ray.tmin);
 }
 

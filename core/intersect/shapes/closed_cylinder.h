@@ -1,0 +1,86 @@
+#pragma once
+
+#include "core/intersect/shapes/affine_exact.h"
+#include "core/intersect/shapes/affine_surface.h"
+#include "core/intersect/shapes/closed_cylinder_sieve.h"
+#include "core/intersect/surface.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+/// The box of the two caps' circles.
+inline Box3 bounds(const Scene&, const ClosedCylinder& c) {
+    if (!c.frame.exists()) return {};
+    const Affine& m = c.to_world;
+    Box3 centres;
+    centres.extendBy(m.origin);
+    centres.extendBy(m.origin + m.z);
+    return box_around(centres.min, centres.max, reach(m.x, m.y));
+}
+
+/// Hit or miss is right for every ray, and t good to t_tolerance.
+inline double first_hit(const Scene&, const ClosedCylinder& c, Sides sides, const RayQuery& q) {
+    const double t = ClosedCylinderSieve(c, q).first_hit(sides);
+    if (t != in_doubt) return t;
+    const Passage x = exact_passage(c, q.ray);
+    return first_visible(x.entry, x.exit, sides, q.ray.tmin);
+}
+
+/// A point of the surface in local coordinates, and its normal in the world.
+struct CylinderPoint {
+    Vec3 local, normal;
+};
+
+/// By how much a coordinate of this gradient may be off where a ray starts that leaves a point.
+inline double inset(const Vec3& gradient, const Vec3& normal, const Vec3& error) {
+    const double offset = std::abs(gradient.dot(normal)) * abs(normal).dot(error);
+    return 2 * (offset + abs(gradient).dot(error));
+}
+
+/// From the axis, of unit length; of the axis itself any such.
+inline Vec3 outward(const Vec3& local) {
+    const double radius = std::hypot(local.x, local.y);
+    return radius > 0 ? Vec3(local.x, local.y, 0) / radius : Vec3(1, 0, 0);
+}
+
+/// At a rim a point is moved along its face, so that a ray that goes inward from there starts
+/// inside.
+inline CylinderPoint on_cap(const ClosedCylinder& c, const Vec3& local, double cap,
+                            const Vec3& error) {
+    const Vec3 side = outward(local);
+    const Vec3 normal = unit_vector((cap == 0 ? -1.0 : 1.0) * c.frame.row(2));
+    const double widest = std::max(1 - inset(c.frame.normal(side), normal, error), 0.0);
+    const double radius = std::min(std::hypot(local.x, local.y), widest);
+    return {radius * side + Vec3(0, 0, cap), normal};
+}
+
+inline CylinderPoint on_side(const ClosedCylinder& c, const Vec3& local, const Vec3& error) {
+    const Vec3 side = outward(local), normal = unit_vector(c.frame.normal(side));
+    const double lowest = std::min(inset(c.frame.row(2), normal, error), 0.5);
+    return {side + Vec3(0, 0, std::clamp(local.z, lowest, 1 - lowest)), normal};
+}
+
+/// On the side or on a cap, whichever is nearer in the world.
+inline CylinderPoint nearest_on(const ClosedCylinder& c, const Vec3& seen, const Vec3& error) {
+    const Vec3 local = c.frame.vector(seen);
+    const Vec3 up = c.frame.row(2), sideways = c.frame.normal(outward(local));
+    const double cap = local.z < 0.5 ? 0 : 1;
+    const double above_cap = local.z - cap, off_side = std::hypot(local.x, local.y) - 1;
+    const auto moved = [&](const Vec3& gradient, double value) {
+        return c.frame.vector(moved_onto_surface(seen, gradient, value));
+    };
+    if (std::abs(above_cap) * max_abs(sideways) < std::abs(off_side) * max_abs(up)) {
+        return on_cap(c, moved(up, above_cap), cap, error);
+    }
+    return on_side(c, moved(sideways, off_side), error);
+}
+
+inline SurfacePoint surface(const Scene&, const ClosedCylinder& c, const RayQuery& q, double t) {
+    const Affine& m = c.to_world;
+    const Vec3 seen = q.ray.origin - m.origin + t * q.ray.direction;
+    const Vec3 error = position_error(abs(m.origin) + reach(m.x, m.y) + abs(m.z), 0);
+    const CylinderPoint p = nearest_on(c, seen, error);
+    return {c.frame.point(p.local), error, p.normal, p.normal};
+}
+
+}  // namespace etalon
