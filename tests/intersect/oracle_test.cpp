@@ -22,6 +22,9 @@ Scene mixed_scene(int copies) {
         scene.add(Cone{p, p + random.in_cube(), random.uniform(), random.uniform()}, 0,
                   Sides::back);
         scene.add(Box{p, p + Vec3(0.5, 0.1, 1)}, 0, Sides::front);
+        scene.add(Ring{p, random.in_cube(), 0.25, 0.5}, 0);
+        const std::array<double, 10> saddle = {1, 0.5, 0, 0.1, -2, 0, 0, 0, 0.5, 0};
+        scene.add(Quadric{p, saddle, {p - Vec3(0.5), p + Vec3(0.5)}}, 0);
         const auto first = static_cast<std::uint32_t>(scene.vertices.size());
         for (const Vec3& v : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}) {
             scene.vertices.push_back(p + v);

@@ -55,9 +55,10 @@ Vec3 refined(const Quadric& s, Vec3 w) {
 
 }  // namespace
 
-/// By what is left of the form the point may be off: that by the slope or, where there is none to
-/// speak of, as on a double plane, that by the square of the distance. Twice that is enough for the
-/// kernel to see it.
+/// The form at the point may differ from zero by twice the doubt: half of it as computed, half by
+/// rounding. So the surface is no further off than the doubt by the slope, which is half the
+/// gradient; where there is no slope to speak of, as on a double plane, the form grows with the
+/// square of the distance. Twice that, so that the kernel sees the difference.
 SurfacePoint surface(const Scene&, const Quadric& s, const RayQuery& q, double t) {
     const Vec3 w = refined(s, (q.ray.origin - s.centre) + t * q.ray.direction);
     const Evaluation at(s, w);
