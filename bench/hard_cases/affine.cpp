@@ -114,11 +114,17 @@ Setting arriving(const Affine& map) {
 }
 
 template <class Shape>
-void add_shape(Rows& rows, const std::string& id, const std::vector<NamedMap>& maps) {
-    for (const auto& [name, map] : maps) {
-        rows.add_both(id, name, [map = map] { return aimed<Shape>(map); });
-        rows.add(
-            id, name + ", leaving", [map = map] { return arriving<Shape>(map); }, Judge::spawned);
+void add_shape(Rows& rows, const std::string& id, const NamedMap& named) {
+    const Affine map = named.map;
+    rows.add_both(id, named.name, [map] { return aimed<Shape>(map); });
+    rows.add(
+        id, named.name + ", leaving", [map] { return arriving<Shape>(map); }, Judge::spawned);
+}
+
+template <class Shape>
+void add_instances(Rows& rows) {
+    for (const NamedMap& named : instance_maps()) {
+        add_shape<Shape>(rows, "INS-1", {std::string(Shape::name) + ", " + named.name, named.map});
     }
 }
 
@@ -126,14 +132,14 @@ void add_shape(Rows& rows, const std::string& id, const std::vector<NamedMap>& m
 
 std::vector<HardCase> ellipsoid_cases() {
     Rows rows("ellipsoid");
-    add_shape<Ellipsoid>(rows, "INS-1", instance_maps());
+    add_instances<Ellipsoid>(rows);
     return rows.take();
 }
 
 std::vector<HardCase> closed_cylinder_cases() {
     Rows rows("cylinder");
-    add_shape<ClosedCylinder>(rows, "CYL-5", odd_maps());
-    add_shape<ClosedCylinder>(rows, "INS-1", instance_maps());
+    for (const NamedMap& named : odd_maps()) add_shape<ClosedCylinder>(rows, "CYL-5", named);
+    add_instances<ClosedCylinder>(rows);
     return rows.take();
 }
 

@@ -19,6 +19,7 @@ Scene scene_of(const Shape& shape, std::vector<Vec3> vertices = {}) {
 /// One a shape and two of cones, about a unit in size. Every number is a float's, so that a kernel
 /// in float is asked about the same shape.
 std::vector<Scene> scenes() {
+    const Affine map{{1, 0.25, 0}, {0, -0.5, 0.25}, {0.25, 0, 1}, {0.25, 0, 0.5}};
     return {scene_of(Sphere{{0.25, 0, 0.5}, 1}),
             scene_of(Triangle{{0, 1, 2}}, {{-1, -1, 0}, {1, -0.5, 0.25}, {0, 1.5, -0.5}}),
             scene_of(Polygon{0, 5}, {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 0, 0}, {-1, 1, 0}}),
@@ -29,7 +30,9 @@ std::vector<Scene> scenes() {
             scene_of(Ring{{0.25, 0, 0.5}, {1, 2, -1}, 0.5, 1}),
             // x^2 + 2 y^2 + xy - z = 1/2
             scene_of(Quadric{
-                {0.25, 0, 0}, {1, 0.5, 0, 0, 2, 0, 0, 0, -0.5, -0.5}, {{-1, -1, -1}, {1, 1, 1}}})};
+                {0.25, 0, 0}, {1, 0.5, 0, 0, 2, 0, 0, 0, -0.5, -0.5}, {{-1, -1, -1}, {1, 1, 1}}}),
+            scene_of(Ellipsoid(map)),
+            scene_of(ClosedCylinder(map))};
 }
 
 Vec3 in_float(const Vec3& v) {

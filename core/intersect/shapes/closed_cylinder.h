@@ -18,9 +18,14 @@ inline Box3 bounds(const Scene&, const ClosedCylinder& c) {
     return box_around(centres.min, centres.max, reach(m.x, m.y));
 }
 
+/// The first visible t beyond tmin, good to t_tolerance; no_hit; or in_doubt.
+inline double sieve(const ClosedCylinder& c, Sides sides, const RayQuery& q) {
+    return ClosedCylinderSieve(c, q).first_hit(sides);
+}
+
 /// Hit or miss is right for every ray, and t good to t_tolerance.
 inline double first_hit(const Scene&, const ClosedCylinder& c, Sides sides, const RayQuery& q) {
-    const double t = ClosedCylinderSieve(c, q).first_hit(sides);
+    const double t = sieve(c, sides, q);
     if (t != in_doubt) return t;
     const Passage x = exact_passage(c, q.ray);
     return first_visible(x.entry, x.exit, sides, q.ray.tmin);

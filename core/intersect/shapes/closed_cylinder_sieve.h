@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/intersect/shapes/local_line.h"
+#include "core/intersect/shapes/unit_line.h"
 #include "core/scene/scene.h"
 
 namespace etalon {

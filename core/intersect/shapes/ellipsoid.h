@@ -2,7 +2,7 @@
 
 #include "core/intersect/shapes/affine_exact.h"
 #include "core/intersect/shapes/affine_surface.h"
-#include "core/intersect/shapes/local_line.h"
+#include "core/intersect/shapes/unit_line.h"
 #include "core/intersect/surface.h"
 #include "core/scene/scene.h"
 

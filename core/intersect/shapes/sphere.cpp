@@ -44,9 +44,9 @@ double exact_first_hit(const Sphere& s, Sides sides, const RayQuery& q) {
     const double discriminant = (minus_b * minus_b - a * c).estimate();
     if (!(discriminant >= 0)) return no_hit;
     const double b = -minus_b.estimate(), sum = std::abs(b) + std::sqrt(discriminant);
-    const double unit = slow / near;  // of t
-    const double t =
-        unit * first_root(a.estimate(), b, c.estimate(), sum, sides, q.ray.tmin / unit);
+    const int unit = std::ilogb(slow) - std::ilogb(near);  // t's, which may be no double itself
+    const double tmin = std::ldexp(q.ray.tmin, -unit);
+    const double t = std::ldexp(first_root(a.estimate(), b, c.estimate(), sum, sides, tmin), unit);
     return is_ahead(t, q.ray.tmin) ? t : no_hit;
 }
 
