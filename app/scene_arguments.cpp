@@ -24,7 +24,8 @@ void declare_scene(CLI::App& app, SceneArguments& a) {
     app.add_option("--legacy", a.legacy, "Shade as the old programs of this format did")
         ->check(CLI::IsMember(formats()))
         ->group(group);
-    app.add_flag("--one-sided", a.options.one_sided, "Surfaces are seen from their front only")
+    app.add_flag("--one-sided", a.options.one_sided,
+                 "Opaque surfaces are seen from their front only")
         ->group(group);
 }
 

@@ -14,9 +14,6 @@ struct Numbers {
     double ks, shine, transmission, ior;
 };
 
-/// The course's own default (its programs leave it to chance).
-constexpr Numbers default_material{Color(0.2F), 0.2, Color(1.0F), 0.8, 20, 0, 1};
-
 Numbers read_numbers(Reader& in) {
     Numbers n{};
     n.diffuse = in.color("diffuse colour");
@@ -27,10 +24,6 @@ Numbers read_numbers(Reader& in) {
     n.transmission = in.number("T");
     n.ior = in.number("index of refraction");
     return n;
-}
-
-bool is_finite(const Color& c) {
-    return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
 }
 
 Material material_of(const Numbers& n) {
@@ -85,11 +78,6 @@ void pass_extra_numbers(Reader& in) {
     }
 }
 
-void set_material(Loader& loader, const Material& m) {
-    loader.material = static_cast<std::uint32_t>(loader.scene.materials.size());
-    loader.scene.materials.push_back(m);
-}
-
 void read_material(Loader& loader, bool absorbs) {
     const Numbers n = read_numbers(loader.in);
     if (!loader.in.ok()) return;
@@ -97,7 +85,7 @@ void read_material(Loader& loader, bool absorbs) {
     if (!is_possible(loader.in, n)) return;
     Material m = material_of(n);
     if (absorbs && m.fresnel) m.absorption = absorption_of(n.diffuse);
-    set_material(loader, m);
+    loader.set_material(m);
 }
 
 }  // namespace
@@ -110,12 +98,8 @@ void read_f(Loader& loader) {
     read_material(loader, false);
 }
 
-std::uint32_t Loader::current_material() {
-    if (!material) {
-        in.warn("no-material", "'{}' before any material; it gets a default one", in.keyword());
-        set_material(*this, material_of(default_material));
-    }
-    return *material;
+Material default_material() {
+    return material_of({Color(0.2F), 0.2, Color(1.0F), 0.8, 20, 0, 1});
 }
 
 }  // namespace etalon::p3f

@@ -1,0 +1,60 @@
+#include "tests/formats/whole_scenes.h"
+
+#include <random>
+
+namespace etalon {
+namespace {
+
+std::string number(std::mt19937& random) {
+    return std::to_string(static_cast<double>(random() % 1000) * 1e-3) + " ";
+}
+
+/// Both dialects.
+std::string p3f_text(const std::string& camera) {
+    std::string text =
+        "# generated\r\naccel grid\nspp 4\nbclr 0.1 0.2 0.3\nenv nosky\n" + camera +
+        "light punctual 1 2 3 1 1 1\nlight quad 4 3 2 1 1 1 4 2 2 3 3 2 16\nl 9 9 9 .5 .5 .5\n"
+        "mat 1 1 1 0.5 1 1 1 0 10 0 1\npl 12 12 -0.5 -12 12 -0.5 -12 -12 -0.5\n"
+        "npl 0 0 1 3 #floor\nf 0 0.5 0 0 1 1 1 0.2 30.1 1 1.15\nbox 0 0 0 1 1 1.5\n"
+        "c 1 2 3 0.5\n3 2 1 0\ns 0 0 0 -9\np 5\n0 0 0\n1 0 0\n1 1 0\n.5 .25 0\n0 1 0\n"
+        "pp 3\n0 0 0 0 0 1\n1 0 0 0 0.1 1\n0 1 0 0.1 0 1\n";
+    std::mt19937 random(3);
+    for (int i = 0; i < 60; ++i) text += "s " + number(random) + "-1.5e-2 +7. .25\n";
+    text += "mesh 40 60\n";
+    for (int i = 0; i < 40; ++i) {
+        for (int k = 0; k < 3; ++k) text += number(random);
+        text += "\n";
+    }
+    for (int i = 0; i < 60; ++i) {
+        const auto v = random() % 38;
+        text += std::to_string(v + 1) + " " + std::to_string(v + 2) + " -1\n";
+    }
+    return text;
+}
+
+WholeScene p3f() {
+    const std::string camera =
+        "camera\neye 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 0.01\nresolution 40 30\n"
+        "aperture 0\nfocal 1\n";
+    return {
+        "p3f",
+        p3f_text(camera),
+        1,  // its skybox does not exist
+        127,
+        camera,
+        "s x\n",
+        "v ",
+        {"s",        "p",     "pp",         "mat", "f",   "box",   "c",     "mesh",   "pl",
+         "npl",      "light", "l",          "v",   "env", "accel", "spp",   "eye",    "at",
+         "quad",     "0",     "1",          "-1",  "3",   "4",     "1e308", "-1e308", "1e-308",
+         "punctual", "angle", "resolution", "up",  "2",   "sm",    "\n",    "#\n",    "camera"}};
+}
+
+}  // namespace
+
+const std::vector<WholeScene>& whole_scenes() {
+    static const std::vector<WholeScene> scenes = {p3f()};
+    return scenes;
+}
+
+}  // namespace etalon
