@@ -30,6 +30,17 @@ std::vector<std::string> files(const std::string& folder, const std::string& ext
     return list;
 }
 
+/// Of every format that is read.
+std::vector<std::string> small_files() {
+    std::vector<std::string> list;
+    for (const std::string_view name : format_names()) {
+        for (const std::string& path : files(std::string(name), "." + std::string(name))) {
+            if (fs::file_size(path) <= 20000) list.push_back(path);
+        }
+    }
+    return list;
+}
+
 std::string content(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -55,9 +66,26 @@ TEST_CASE("every real P3F scene is read without a warning, but for the one with 
     }
 }
 
+TEST_CASE("every real NFF scene is read without a warning") {
+    const auto count = [](const LoadResult& r) { return r.scene->primitives.size(); };
+    const std::pair<const char*, std::size_t> primitives[] = {
+        {"balls", 7382}, {"gears", 9345}, {"mount", 8196}, {"teapot_s12", 9264}, {"tetra", 4096}};
+    for (const std::string& path : files("nff", ".nff")) {
+        const LoadResult r = load_scene(path);
+        CAPTURE(path);
+        REQUIRE(r.scene);
+        CHECK(r.diagnostics.empty());
+        CHECK(r.scene->format == "nff");
+        CHECK(insanity(*r.scene) == "");
+        for (const auto& [name, expected] : primitives) {
+            if (fs::path(path).stem() == name) CHECK(count(r) == expected);
+        }
+    }
+}
+
 TEST_CASE("real scenes of other formats are recognised") {
-    const std::pair<const char*, const char*> kinds[] = {
-        {"nff", "an NFF scene"}, {"prt", "a PRT scene"}, {"sce", "an SCE scene"}};
+    const std::pair<const char*, const char*> kinds[] = {{"prt", "a PRT scene"},
+                                                         {"sce", "an SCE scene"}};
     for (const auto& [name, described] : kinds) {
         for (const std::string& path : files(name, std::string(".") + name)) {
             const LoadResult r = load_scene_text(content(path), "f");
@@ -70,16 +98,15 @@ TEST_CASE("real scenes of other formats are recognised") {
 
 TEST_CASE("damaged real scenes give a scene or an error") {
     std::mt19937 random(7);
-    for (const std::string& path : files("p3f", ".p3f")) {
+    for (const std::string& path : small_files()) {
         const std::string text = content(path);
-        if (text.size() > 20000) continue;
         CAPTURE(path);
         for (int i = 0; i < 100; ++i) {
             std::string damaged =
                 text.substr(0, i % 10 == 0 ? random() % text.size() : text.size());
             if (!damaged.empty())
                 damaged[random() % damaged.size()] ^= static_cast<char>(1U << (random() % 8));
-            const LoadResult r = load_p3f_text(damaged);
+            const LoadResult r = load_scene_text(damaged, path);
             CHECK((r.scene ? insanity(*r.scene).empty() : !r.diagnostics.empty()));
         }
     }

@@ -1,6 +1,5 @@
 // mat and the old dialect's f: Cd(rgb) Kd Cs(rgb) Ks Shine T ior.
 #include <algorithm>
-#include <cmath>
 
 #include "core/formats/p3f/loader.h"
 
@@ -48,20 +47,6 @@ Color absorption_of(const Color& diffuse) {
     return {of(diffuse.x), of(diffuse.y), of(diffuse.z)};
 }
 
-/// Whether there is such a surface; if not, says why.
-bool is_possible(Reader& in, const Numbers& n) {
-    if (n.transmission > 0 && !(n.ior > 0)) {
-        in.warn("material", "the index of refraction of glass is {}; expected more than 0", n.ior);
-    } else if (n.shine < 0) {
-        in.warn("material", "the Shine is {}; expected 0 or more", n.shine);
-    } else if (!is_finite(material_of(n).diffuse) || !is_finite(material_of(n).specular)) {
-        in.warn("material", "Cd Kd or Cs Ks is beyond every colour");
-    } else {
-        return true;
-    }
-    return false;
-}
-
 /// Some programs take numbers after the eleven: a roughness, or an emission.
 void pass_extra_numbers(Reader& in) {
     const std::size_t offset = in.tokens().offset();
@@ -82,7 +67,6 @@ void read_material(Loader& loader, bool absorbs) {
     const Numbers n = read_numbers(loader.in);
     if (!loader.in.ok()) return;
     pass_extra_numbers(loader.in);
-    if (!is_possible(loader.in, n)) return;
     Material m = material_of(n);
     if (absorbs && m.fresnel) m.absorption = absorption_of(n.diffuse);
     loader.set_material(m);
