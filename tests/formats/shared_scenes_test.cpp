@@ -1,5 +1,4 @@
 // Real scenes, where this machine has them.
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -8,6 +7,7 @@
 #include "tests/catch.h"
 #include "tests/formats/p3f_text.h"
 #include "tests/formats/sane_scene.h"
+#include "tests/formats/shared_scenes.h"
 
 using namespace etalon;
 
@@ -15,26 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path scenes() {
-    const char* const named = std::getenv("ETALON_SHARED_SCENES");
-    return named ? fs::path(named) : fs::path(ETALON_SOURCE_DIR) / "../shared/scenes";
-}
-
-/// All files of an extension in a folder of the scenes; none where the folder is not there.
-std::vector<std::string> files(const std::string& folder, const std::string& extension) {
-    std::vector<std::string> list;
-    std::error_code missing;
-    for (const fs::directory_entry& entry : fs::directory_iterator(scenes() / folder, missing)) {
-        if (entry.path().extension() == extension) list.push_back(entry.path().string());
-    }
-    return list;
-}
-
 /// Of every format that is read.
 std::vector<std::string> small_files() {
     std::vector<std::string> list;
     for (const std::string_view name : format_names()) {
-        for (const std::string& path : files(std::string(name), "." + std::string(name))) {
+        for (const std::string& path : shared_scenes(std::string(name), "." + std::string(name))) {
             if (fs::file_size(path) <= 20000) list.push_back(path);
         }
     }
@@ -49,7 +34,7 @@ std::string content(const std::string& path) {
 }  // namespace
 
 TEST_CASE("every real P3F scene is read without a warning, but for the one with stray numbers") {
-    for (const std::string& path : files("p3f", ".p3f")) {
+    for (const std::string& path : shared_scenes("p3f", ".p3f")) {
         const LoadResult r = load_scene(path);
         CAPTURE(path);
         REQUIRE(r.scene);
@@ -70,7 +55,7 @@ TEST_CASE("every real NFF scene is read without a warning") {
     const auto count = [](const LoadResult& r) { return r.scene->primitives.size(); };
     const std::pair<const char*, std::size_t> primitives[] = {
         {"balls", 7382}, {"gears", 9345}, {"mount", 8196}, {"teapot_s12", 9264}, {"tetra", 4096}};
-    for (const std::string& path : files("nff", ".nff")) {
+    for (const std::string& path : shared_scenes("nff", ".nff")) {
         const LoadResult r = load_scene(path);
         CAPTURE(path);
         REQUIRE(r.scene);
@@ -87,7 +72,7 @@ TEST_CASE("real scenes of other formats are recognised") {
     const std::pair<const char*, const char*> kinds[] = {{"prt", "a PRT scene"},
                                                          {"sce", "an SCE scene"}};
     for (const auto& [name, described] : kinds) {
-        for (const std::string& path : files(name, std::string(".") + name)) {
+        for (const std::string& path : shared_scenes(name, std::string(".") + name)) {
             const LoadResult r = load_scene_text(content(path), "f");
             CAPTURE(path);
             REQUIRE(r.diagnostics.size() == 1);
