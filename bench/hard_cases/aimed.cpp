@@ -40,6 +40,16 @@ Example plane(const char* name, const Plane& p) {
     return example(name, {p.point, 1}, p);
 }
 
+Example ring(const char* name, const Ring& r) {
+    return example(name, {r.centre, r.outer}, r);
+}
+
+/// Within 1 of its centre in every axis.
+Example quadric(const char* name, const Vec3& centre, const std::array<double, 10>& form) {
+    const Quadric s{centre, form, {centre - Vec3(1), centre + Vec3(1)}};
+    return example(name, {s.centre, 1}, s);
+}
+
 Example face(const char* name, const Corners& corners) {
     Scene scene;
     add_face(scene, corners);
@@ -65,11 +75,19 @@ std::vector<Example> rounded_shapes() {
         cone("cone, all but a cylinder", {base, base + tilted(0, 0, 3), 1, 1 + 0x1p-40}),
         cone("cone, all but a disk", {base, base + tilted(0, 0, 1e-4), 1, 0}),
         cone("cone at 3e5", {far, far + tilted(0, 0, 3), 2, 1}),
+        quadric("quadric, sphere", base, {1, 0, 0, 0, 1, 0, 0, 1, 0, -1}),
+        quadric("quadric, sphere at 3e5", far, {1, 0, 0, 0, 1, 0, 0, 1, 0, -1}),
+        quadric("quadric, ellipsoid", base, {2, 0.5, 0.25, 0, 4, -0.5, 0, 9, 0, -1}),
+        quadric("quadric, thin ellipsoid", base, {2, 0.5, 0.25, 0, 4, -0.5, 0, 1e6, 0, -1}),
+        quadric("quadric, cylinder", base, {1, 0, 0, 0, 2, 0, 0, 0, 0, -0.5}),
+        quadric("quadric, cone", base, {1, 0.1, 0, 0, 2, 0, 0, -1, 0, 0}),
+        quadric("quadric, hyperboloid", base, {1, 0.1, 0, 0, 2, 0, 0, -1, 0, -0.125}),
+        quadric("quadric, saddle at 3e5", far, {1, 0.1, 0, 0, -2, 0, 0, 0, 0.5, 0}),
     };
 }
 
 std::vector<Example> flat_shapes() {
-    const Vec3 far = far_place();
+    const Vec3 far = far_place(), base(0.3, -0.7, 0.45);
     return {
         face("triangle", {tilted(0, 0, 1), tilted(2, 0.25, 1), tilted(0.5, 1.5, 1)}),
         face("triangle across an axis", {{0, 0, 2}, {4, 0, 2}, {0, 4, 2}}),
@@ -89,12 +107,22 @@ std::vector<Example> flat_shapes() {
         plane("plane", {tilted(0.2, 0.3, 0.4), tilted(0.1, 0.2, 3)}),
         plane("plane across an axis", {{0, 0, 1}, {0, 0, 1}}),
         plane("plane at 3e5", {far, tilted(0.4, 0.1, 1)}),
+        ring("ring", {base, tilted(0, 0.1, 1), 0.5, 1}),
+        ring("ring at 3e5", {far, tilted(0, 0.1, 1), 0.5, 2}),
+        ring("ring, no hole, across an axis", {base, {0, 0, -2}, 0, 1}),
     };
 }
 
 /// A surface has no sides at a tip, so nothing can leave one.
 bool has_tip(const Scene& scene) {
     return !scene.all<Cone>().empty() && scene.all<Cone>()[0].top_radius == 0;
+}
+
+/// Whether a ray may leave to the outside and come back.
+bool is_concave(const Scene& scene) {
+    if (scene.all<Quadric>().empty()) return false;
+    const auto& form = scene.all<Quadric>()[0].coefficients;
+    return form[0] < 0 || form[4] < 0 || form[7] < 0;
 }
 
 using MakeAimedRay = Ray (*)(const Place&, const Target&, Random&);
@@ -113,7 +141,7 @@ void add_rows(const Example& e, std::vector<HardCase>& cases) {
     rows.add("AIM-1", e.name, [e] { return shot_at(e, approach); });
     rows.add("AIM-2", e.name, [e] { return shot_at(e, leave); });
     rows.add("AIM-3", e.name, [e] { return shot_at(e, through_two); });
-    if (!has_tip(*e.scene)) {
+    if (!has_tip(*e.scene) && !is_concave(*e.scene)) {
         rows.add(
             "SPN-0", e.name, [e] { return shot_at(e, approach); }, Judge::spawned);
     }

@@ -32,6 +32,10 @@ std::vector<HardCase> hard_cases() {
     add(triangle_group_cases());
     add(polygon_cases());
     add(polygon_group_cases());
+    add(ring_cases());
+    add(ring_pair_cases());
+    add(quadric_cases());
+    add(quadric_group_cases());
     add(aimed_cases());
     add(mesh_cases());
     add(world_cases());

@@ -32,8 +32,8 @@ struct Setting {
 struct HardCase {
     std::string id;       ///< names the construction, e.g. "SPH-1"
     std::string variant;  ///< tells the id's rows apart, e.g. "1e3 radii"
-    /// "sphere", "cone", "plane", "box", "triangle", "polygon" where the scene is one primitive,
-    /// which kernels by themselves can then be asked too; else "scene".
+    /// The shape's name where the scene is one primitive, which kernels by themselves can then be
+    /// asked too; else "scene".
     std::string shape;
     Judge judge = Judge::oracle;
     std::function<Setting()> make;

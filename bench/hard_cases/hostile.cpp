@@ -47,6 +47,36 @@ void add_hostile_boxes_and_planes(Scene& scene) {
     scene.add(Plane{{0, 0, 0}, {0, 0, 0}}, 0);
 }
 
+void add_hostile_rings(Scene& scene) {
+    for (const double bad : {none, infinity, -infinity}) {
+        scene.add(Ring{{bad, 0, 0}, {0, 0, 1}, 0, 1}, 0);
+        scene.add(Ring{{0, 0, 0}, {0, bad, 1}, 0, 1}, 0);
+        scene.add(Ring{{0, 0, 0}, {0, 0, 1}, bad, 1}, 0);
+        scene.add(Ring{{0, 0, 0}, {0, 0, 1}, 0, bad}, 0);
+    }
+    scene.add(Ring{{0, 0, 0}, {0, 0, 0}, 0, 1}, 0);
+    scene.add(Ring{{0, 0, 0}, {0, 0, 1}, 1, 0.5}, 0);
+    scene.add(Ring{{0, 0, 0}, {0, 0, 1}, 0, 0}, 0);
+}
+
+void add_hostile_quadrics(Scene& scene) {
+    const Quadric good{{0, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 1, 0, -1}, {Vec3(-1), Vec3(1)}};
+    const auto add_but = [&](auto&& change) {
+        Quadric s = good;
+        change(s);
+        scene.add(s, 0);
+    };
+    for (const double bad : {none, infinity, -infinity}) {
+        add_but([=](Quadric& s) { s.centre.y = bad; });
+        add_but([=](Quadric& s) { s.clip.min.x = bad; });
+        add_but([=](Quadric& s) { s.clip.max.z = bad; });
+        for (std::size_t i = 0; i < 10; ++i) add_but([=](Quadric& s) { s.coefficients[i] = bad; });
+    }
+    add_but([](Quadric& s) { std::swap(s.clip.min, s.clip.max); });
+    add_but([](Quadric& s) { s.coefficients = {}; });
+    add_but([](Quadric& s) { s.coefficients = {0, 0, 0, 0, 0, 0, 0, 0, 0, 1}; });
+}
+
 void add_hostile_faces(Scene& scene) {
     const Vec3 a(-1, 0, 0), b(1, 0, 0), c(3, 0, 0), d(0, 1, 0);
     for (const double bad : {none, infinity, -infinity}) {
@@ -69,6 +99,8 @@ Scene hostile_world() {
         add_hostile_spheres(scene);
         add_hostile_cones(scene);
         add_hostile_boxes_and_planes(scene);
+        add_hostile_rings(scene);
+        add_hostile_quadrics(scene);
         add_hostile_faces(scene);
     };
     add_hostile();

@@ -2,6 +2,7 @@
 
 #include "bench/hard_cases/add_face.h"
 #include "bench/hard_cases/aims.h"
+#include "core/scene/quadric_form.h"
 
 namespace etalon::hard {
 namespace {
@@ -31,6 +32,22 @@ void add_cone(Scene& scene, const Vec3& place, double size, Sides sides, Random&
     scene.add(Cone{place, top, base_radius, size * random.uniform(0.1, 0.5)}, 0, sides);
 }
 
+void add_ring(Scene& scene, const Vec3& place, double size, Sides sides, Random& random) {
+    const double outer = size * random.uniform(0.1, 1);
+    const double inner = outer * std::max(0.0, random.uniform(-0.5, 0.9));
+    scene.add(Ring{place, random.direction(), inner, outer}, 0, sides);
+}
+
+/// Of any kind, through its box's middle or near it.
+void add_quadric(Scene& scene, const Vec3& place, double size, Sides sides, Random& random) {
+    const Vec3 half = abs(size * random.in_cube());
+    Quadric s{place, {}, {place - half, place + half}};
+    for (double& number : s.coefficients) number = random.uniform(-1, 1);
+    s.coefficients[9] *= random.uniform();
+    s.coefficients = scaled(s.coefficients, size);
+    scene.add(s, 0, sides);
+}
+
 void add_shape(Scene& scene, ShapeKind kind, double size, Sides sides, Random& random) {
     const Vec3 place = random.in_cube();
     if (kind == kind_of<Sphere>()) {
@@ -44,8 +61,12 @@ void add_shape(Scene& scene, ShapeKind kind, double size, Sides sides, Random& r
         scene.add(Box{place - half, place + half}, 0, sides);
     } else if (kind == kind_of<Plane>()) {
         scene.add(Plane{3.0 * place, random.direction()}, 0, sides);
-    } else {
+    } else if (kind == kind_of<Cone>()) {
         add_cone(scene, place, size, sides, random);
+    } else if (kind == kind_of<Ring>()) {
+        add_ring(scene, place, size, sides, random);
+    } else {
+        add_quadric(scene, place, size, sides, random);
     }
 }
 
@@ -80,6 +101,14 @@ Scene moved(Scene scene, double factor, const Vec3& offset) {
     for (Cone& c : scene.all<Cone>()) {
         move(c.base), move(c.top);
         c.base_radius *= factor, c.top_radius *= factor;
+    }
+    for (Ring& r : scene.all<Ring>()) {
+        move(r.centre);
+        r.inner *= factor, r.outer *= factor;
+    }
+    for (Quadric& s : scene.all<Quadric>()) {
+        move(s.centre), move(s.clip.min), move(s.clip.max);
+        s.coefficients = scaled(s.coefficients, factor);
     }
     return scene;
 }

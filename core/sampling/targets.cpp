@@ -3,6 +3,7 @@
 #include "core/sampling/directions.h"
 #include "core/sampling/frustum.h"
 #include "core/sampling/outline.h"
+#include "core/sampling/quadric_points.h"
 
 namespace etalon {
 namespace {
@@ -69,6 +70,37 @@ std::vector<Target> targets(const Plane& plane, double finest) {
             const Vec3 level = from + n.cross(random.in_cube());
             const double off = random.magnitude(finest, 0);
             return level + off * random.in_cube();
+        },
+    };
+}
+
+std::vector<Target> targets(const Ring& ring, double finest) {
+    const Vec3 n = ring.normal.normalized();
+    const auto at = [=](double radius, Random& random) {
+        return ring.centre + radius * across(n, random.uniform(0, turn));
+    };
+    return {
+        [=](const Vec3&, Random& random) {
+            return at(random.uniform(ring.inner, ring.outer), random);
+        },
+        [=](const Vec3&, Random& random) { return at(random.uniform(0, ring.inner), random); },
+        [=](const Vec3&, Random& random) { return at(ring.inner, random); },
+        [=](const Vec3&, Random& random) {
+            const double rim = random.index(2) == 0 ? ring.inner : ring.outer;
+            return at(rim * nearly_one(finest, random), random);
+        },
+    };
+}
+
+std::vector<Target> targets(const Quadric& quadric, double finest) {
+    const QuadricPoints points(quadric);
+    return {
+        [=](const Vec3&, Random& random) { return points.in_clip(random); },
+        [=](const Vec3&, Random& random) { return points.on_surface(random); },
+        [=](const Vec3&, Random& random) { return points.on_rim(random); },
+        [=](const Vec3& from, Random& random) {
+            const double off = nearly_one(finest, random) - 1;
+            return points.silhouette(from, off, random);
         },
     };
 }

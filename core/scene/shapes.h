@@ -71,9 +71,36 @@ struct Cone {
     double base_radius, top_radius;
 };
 
+/// The part of a plane between two circles, which belong to it: inner <= |p - centre| <= outer.
+/// The front is where the normal points; it need not be of unit length.
+struct Ring {
+    static constexpr std::string_view name = "ring";
+    static constexpr Form form = Form::flat;
+    Vec3 centre, normal;
+    double inner, outer;  ///< 0 <= inner <= outer, outer > 0
+};
+
+/// The points with a x^2 + 2b xy + 2c xz + 2d x + e y^2 + 2f yz + 2g y + h z^2 + 2i z + j = 0 for
+/// (x, y, z) = p - centre, as far as they are in the box `clip`. Its faces belong to the box: a
+/// surface that just touches them is whole, and of two boxes that share a face both have the
+/// surface there, at the same points, so no ray slips through between them. The front is where the
+/// form is positive.
+///
+/// A form whose square terms are a square, as (x - 1)^2, is met where it vanishes, like its plane,
+/// and x^2 + y^2 by lines that pass exactly through the axis. A line all of whose points are on the
+/// surface meets it nowhere.
+struct Quadric {
+    static constexpr std::string_view name = "quadric";
+    static constexpr Form form = Form::any;
+    Vec3 centre;
+    std::array<double, 10> coefficients;  ///< a, b, ... j
+    Box3 clip;
+};
+
 /// One array per kind of shape. A kind's number is its place in this list.
-using ShapeArrays = std::tuple<std::vector<Sphere>, std::vector<Triangle>, std::vector<Polygon>,
-                               std::vector<Box>, std::vector<Plane>, std::vector<Cone>>;
+using ShapeArrays =
+    std::tuple<std::vector<Sphere>, std::vector<Triangle>, std::vector<Polygon>, std::vector<Box>,
+               std::vector<Plane>, std::vector<Cone>, std::vector<Ring>, std::vector<Quadric>>;
 
 inline constexpr std::size_t shape_kinds = std::tuple_size_v<ShapeArrays>;
 

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "core/scene/quadric_form.h"
 #include "tests/backends/random.h"
 #include "tests/catch.h"
 
@@ -33,6 +34,16 @@ void add_polygon(Scene& scene, Random& random, const Vec3& place, double size, S
     scene.add(Polygon{first, count}, 0, sides);
 }
 
+/// Of any kind, through its box's middle or near it.
+void add_quadric(Scene& scene, Random& random, const Vec3& place, double size, Sides sides) {
+    const Vec3 half = abs(random.in_cube(size));
+    Quadric s{place, {}, {place - half, place + half}};
+    for (double& number : s.coefficients) number = random.between(-1, 1);
+    s.coefficients[9] *= random.between(0, 1);
+    s.coefficients = scaled(s.coefficients, size);
+    scene.add(s, 0, sides);
+}
+
 /// Adds a shape of number `kind` in the order of ShapeArrays.
 void add_shape(Scene& scene, Random& random, ShapeKind kind, double size, Sides sides) {
     const Vec3 place = random.in_cube();
@@ -48,6 +59,11 @@ void add_shape(Scene& scene, Random& random, ShapeKind kind, double size, Sides 
         scene.add(Box{place - half, place + half}, 0, sides);
     } else if (kind == kind_of<Plane>()) {
         scene.add(Plane{3.0 * place, random.direction()}, 0, sides);
+    } else if (kind == kind_of<Ring>()) {
+        const double outer = size * random.between(0.1, 1);
+        scene.add(Ring{place, random.direction(), outer * random.between(0, 0.9), outer}, 0, sides);
+    } else if (kind == kind_of<Quadric>()) {
+        add_quadric(scene, random, place, size, sides);
     } else {
         scene.add(Cone{place, place + random.in_cube(size), size * random.between(0, 0.5),
                        size * random.between(0.1, 0.5)},
@@ -210,6 +226,8 @@ const std::vector<SceneFamily>& scene_families() {
         {"boxes", only<Box>},
         {"planes", only<Plane>},
         {"cones", only<Cone>},
+        {"rings", only<Ring>},
+        {"quadrics", only<Quadric>},
         {"mix", mix},
         {"one_sided", one_sided},
         {"duplicates", duplicates},
@@ -243,6 +261,14 @@ Scene transformed(Scene scene, double factor, const Vec3& offset) {
     for (Cone& c : scene.all<Cone>()) {
         move(c.base), move(c.top);
         c.base_radius *= factor, c.top_radius *= factor;
+    }
+    for (Ring& r : scene.all<Ring>()) {
+        move(r.centre);
+        r.inner *= factor, r.outer *= factor;
+    }
+    for (Quadric& s : scene.all<Quadric>()) {
+        move(s.centre), move(s.clip.min), move(s.clip.max);
+        s.coefficients = scaled(s.coefficients, factor);
     }
     return scene;
 }

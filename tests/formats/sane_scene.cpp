@@ -45,6 +45,16 @@ bool fine(const Scene&, const Cone& c) {
     return is_finite(c.base) && is_finite(c.top) && c.base_radius >= 0 && c.top_radius >= 0 &&
            c.base_radius + c.top_radius > 0;
 }
+bool fine(const Scene&, const Ring& r) {
+    return is_finite(r.centre) && is_finite(r.normal) && r.normal != Vec3(0) && r.inner >= 0 &&
+           r.inner <= r.outer && r.outer > 0;
+}
+bool fine(const Scene&, const Quadric& s) {
+    const auto is_number = [](double x) { return std::isfinite(x); };
+    return is_finite(s.centre) && is_finite(s.clip.min) && is_finite(s.clip.max) &&
+           !s.clip.isEmpty() &&
+           std::all_of(s.coefficients.begin(), s.coefficients.end(), is_number);
+}
 
 template <class List>
 bool all_fine(const List& list) {

@@ -70,9 +70,19 @@ bool is_float(const Scene& scene) {
            all(scene.all<Box>(), [](const Box& b) { return is_float(b.min) && is_float(b.max); }) &&
            all(scene.all<Plane>(),
                [](const Plane& p) { return is_float(p.point) && is_float(p.normal); }) &&
-           all(scene.all<Cone>(), [](const Cone& c) {
-               return is_float(c.base) && is_float(c.top) && is_float(c.base_radius) &&
-                      is_float(c.top_radius);
+           all(scene.all<Cone>(),
+               [](const Cone& c) {
+                   return is_float(c.base) && is_float(c.top) && is_float(c.base_radius) &&
+                          is_float(c.top_radius);
+               }) &&
+           all(scene.all<Ring>(),
+               [](const Ring& r) {
+                   return is_float(r.centre) && is_float(r.normal) && is_float(r.inner) &&
+                          is_float(r.outer);
+               }) &&
+           all(scene.all<Quadric>(), [&](const Quadric& s) {
+               return is_float(s.centre) && is_float(s.clip.min) && is_float(s.clip.max) &&
+                      all(s.coefficients, [](double x) { return is_float(x); });
            });
 }
 
@@ -105,11 +115,12 @@ const std::map<std::string, Share> special_shares = {
     {"TRI-6, level", {0, 0}},
     {"TRI-6, tilted", {0, 1}},
     {"POL-1, within the plane", {0, 0}},
+    {"QUA-1, nothing", {0, 0}},
     {"AIM-2, box, no thickness", {0, 0.5}},  // a ray that leaves it never comes back
 };
 
 bool is_flat(const HardCase& c) {
-    return c.shape == "triangle" || c.shape == "polygon" || c.shape == "plane";
+    return c.shape == "triangle" || c.shape == "polygon" || c.shape == "plane" || c.shape == "ring";
 }
 
 Share wanted_share(const HardCase& c) {

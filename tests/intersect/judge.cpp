@@ -110,10 +110,12 @@ bool is_explained(const ShapeCase& shape, const Ray& ray, double t, double true_
     }
     branches.join_tangents();
     // t moves by this much when the surface moves by `reach`.
-    const Vec3 normal = surface_at(shape.scene, ray, {where, 0}).normal;
-    const double cosine = std::abs(normal.dot(ray.direction));
+    const SurfacePoint point = surface_at(shape.scene, ray, {where, 0});
+    const double cosine = std::abs(point.normal.dot(ray.direction));
     if (cosine <= turn) branches.join_sides();
-    branches.widen(reach / cosine + fair_ulps * 2 * unit_roundoff * where);
+    // A quadric's place may be less certain than any length about it: its form's terms cancel.
+    branches.widen(std::max(reach, max_abs(point.error) / 4) / cosine +
+                   fair_ulps * 2 * unit_roundoff * where);
     return contains(branches, shape.scene.primitives[0].sides, ray.tmin, t);
 }
 

@@ -35,13 +35,20 @@ std::optional<Spawned> spawn(const ShapeCase& shape, const Ray& ray, Random& ran
     return Spawned{{spawn_origin(p, direction), direction}, side > 0};
 }
 
-/// No shape of the table is met again from its outside. From the inside of a closed one the ray
-/// comes out elsewhere: it must be on its way out, and where the oracle says.
+/// Of a quadric only, whose other parts may be in any direction, but hardly so close.
+bool is_elsewhere(const ShapeCase& shape, const Spawned& s, double t) {
+    const bool is_curved = shape.scene.primitives[0].kind == kind_of<Quadric>();
+    return is_curved && t * s.ray.direction.length() > 1e-9 * shape.size;
+}
+
+/// No other shape of the table is met again from its outside. From the inside of a closed one the
+/// ray comes out elsewhere: it must be on its way out, and where the oracle says.
 bool hits_itself(const ShapeCase& shape, const Oracle& oracle, const Spawned& s) {
     const double t = primitive_first_hit(shape.scene, 0, RayQuery(s.ray));
     const bool hit = t <= infinity;
     const OracleAnswer answer = oracle.closest(s.ray);
     const bool truly_hit = answer.kind == OracleAnswer::hit;
+    if (hit && is_elsewhere(shape, s, t)) return judge(shape, oracle, s.ray, t) == Verdict::wrong;
     if (s.outward) return hit || truly_hit;
     if (hit && surface_at(shape.scene, s.ray, {t, 0}).normal.dot(s.ray.direction) < 0) return true;
     return judge(shape, oracle, s.ray, t) == Verdict::wrong;

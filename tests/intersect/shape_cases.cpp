@@ -1,5 +1,9 @@
 #include "tests/intersect/shape_cases.h"
 
+#include "core/sampling/directions.h"
+#include "core/sampling/quadric_points.h"
+#include "core/scene/quadric_form.h"
+
 namespace etalon {
 namespace {
 
@@ -77,8 +81,8 @@ ShapeCase cone(const std::string& name, const Cone& shape) {
                              const double needed = shape.base_radius + s * spread +
                                                    spread * f.dot(h) / (length * length);
                              const double cosine = needed / std::hypot(x, y) * nearly_one(random);
-                             const double turn = std::acos(std::clamp(cosine, -1.0, 1.0));
-                             return on_circle(s, std::atan2(y, x) + random.sign() * turn);
+                             const double opening = std::acos(std::clamp(cosine, -1.0, 1.0));
+                             return on_circle(s, std::atan2(y, x) + random.sign() * opening);
                          }});
     if (shape.top_radius == 0) {
         c.tips.push_back(shape.top);
@@ -168,6 +172,44 @@ ShapeCase plane(const std::string& name, const Plane& p) {
     return c;
 }
 
+ShapeCase ring(const std::string& name, const Ring& r) {
+    ShapeCase c{name, {}, r.centre, r.outer, true, {}, {}};
+    c.scene.add(r, 0);
+    const auto at = [r](double radius, Random& random) {
+        return r.centre + radius * across(r.normal.normalized(), random.uniform(0, 2 * pi));
+    };
+    c.targets.push_back({"surface", [=](Random& random, const Vec3&) {
+                             return at(random.uniform(r.inner, r.outer), random);
+                         }});
+    c.targets.push_back({"hole", [=](Random& random, const Vec3&) {
+                             return at(r.inner * random.uniform(), random);
+                         }});
+    c.targets.push_back({"rim", [=](Random& random, const Vec3&) {
+                             return at(random.index(2) == 0 ? r.inner : r.outer, random);
+                         }});
+    c.targets.push_back({"next to a rim", [=](Random& random, const Vec3&) {
+                             const double rim = random.index(2) == 0 ? r.inner : r.outer;
+                             return at(rim * nearly_one(random), random);
+                         }});
+    return c;
+}
+
+ShapeCase quadric(const std::string& name, const Quadric& s) {
+    ShapeCase c{name, {}, s.clip.center(), s.clip.size().length() / 2, true, {}, {}};
+    c.scene.add(s, 0);
+    const QuadricPoints points(s);
+    c.targets.push_back(
+        {"inside", [=](Random& random, const Vec3&) { return points.in_clip(random); }});
+    c.targets.push_back(
+        {"surface", [=](Random& random, const Vec3&) { return points.on_surface(random); }});
+    c.targets.push_back(
+        {"rim", [=](Random& random, const Vec3&) { return points.on_rim(random); }});
+    c.targets.push_back({"silhouette", [=](Random& random, const Vec3& from) {
+                             return points.silhouette(from, nearly_one(random) - 1, random);
+                         }});
+    return c;
+}
+
 std::vector<Vec3> star(int points, double inner) {
     std::vector<Vec3> p;
     for (int i = 0; i < 2 * points; ++i) {
@@ -182,6 +224,76 @@ std::vector<Vec3> moved(std::vector<Vec3> p, const Vec3& by) {
     return p;
 }
 
+Box3 around(const Vec3& centre, double reach) {
+    return {centre - Vec3(reach), centre + Vec3(reach)};
+}
+
+using Coefficients = std::array<double, 10>;
+
+/// a x^2 + e y^2 + h z^2 + 2i z + j
+constexpr Coefficients upright(double a, double e, double h, double i, double j) {
+    return {a, 0, 0, 0, e, 0, 0, h, i, j};
+}
+
+constexpr Coefficients sphere_form = upright(1, 1, 1, 0, -1);
+
+/// |p - at|^2 = 1 for p seen from where it is not.
+constexpr Coefficients sphere_seen_from_afar(double x, double y, double z) {
+    return {1, 0, 0, -x, 1, 0, -y, 1, -z, x * x + y * y + z * z - 1};
+}
+
+/// Along the odd frame's axes.
+ShapeCase ellipsoid(const std::string& name, const Vec3& centre, const Vec3& radii) {
+    const std::array<Vec3, 3> axes = {tilted(1, 0, 0), tilted(0, 1, 0), tilted(0, 0, 1)};
+    Coefficients c{};
+    c[9] = -1;
+    Vec3 reach2(0);
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 v = axes[static_cast<std::size_t>(k)] / radii[k];
+        const Vec3 step = radii[k] * axes[static_cast<std::size_t>(k)];
+        std::size_t next = 0;
+        for (int i = 0; i < 3; ++i, ++next) {
+            for (int j = i; j < 3; ++j) c[next++] += v[i] * v[j];
+        }
+        reach2 += step * step;
+    }
+    const Vec3 reach(std::sqrt(reach2.x), std::sqrt(reach2.y), std::sqrt(reach2.z));
+    return quadric(name, {centre, c, {centre - reach, centre + reach}});
+}
+
+std::vector<ShapeCase> quadrics() {
+    const Vec3 base(0.3, -0.7, 0.45), far_away(148376, 1234, -223423), zero(0);
+    ShapeCase cone =
+        quadric("quadric, double cone", {base, upright(1, 1, -1, 0, 0), around(base, 1)});
+    cone.tips.push_back(base);
+    return {
+        quadric("quadric, sphere", {base, sphere_form, around(base, 1)}),
+        quadric("quadric, sphere far from the origin",
+                {far_away, sphere_form, around(far_away, 1)}),
+        quadric("quadric, sphere given from afar",
+                {zero, sphere_seen_from_afar(100, -200, 50), around({100, -200, 50}, 1)}),
+        quadric("quadric, part of a sphere",
+                {zero, sphere_form, {{-1, -0.5, -0.25}, {0.5, 1, 0.75}}}),
+        quadric("quadric, hollow sphere", {base, upright(-1, -1, -1, 0, 1), around(base, 1)}),
+        ellipsoid("quadric, ellipsoid", base, {1, 2, 0.5}),
+        quadric("quadric, thin ellipsoid",
+                {zero, upright(1, 0.25, 0x1p20, 0, -1), {{-1, -2, -0x1p-10}, {1, 2, 0x1p-10}}}),
+        ellipsoid("quadric, ellipsoid far from the origin", far_away, {2, 1, 0.5}),
+        quadric("quadric, cylinder", {base, upright(1, 1, 0, 0, -1), around(base, 1)}),
+        quadric("quadric, paraboloid", {zero, upright(1, 1, 0, -0.5, 0), {{-1, -1, 0}, {1, 1, 1}}}),
+        quadric("quadric, saddle", {base, upright(1, -1, 0, -0.5, 0), around(base, 1)}),
+        quadric("quadric, hyperboloid", {base, upright(1, 1, -1, 0, -0.25), around(base, 1)}),
+        quadric("quadric, hyperboloid of two sheets",
+                {base, upright(-1, -1, 2, 0, -0.25), around(base, 1)}),
+        cone,
+        quadric("quadric, plane", {base, {0, 0, 0, 1, 0, 0, 2, 0, 3, 0}, around(base, 1)}),
+        quadric("quadric, planes that would cross",
+                {base, {0, 1, 0, 0, 0, 0, 0, 0, 0, -0.01}, around(base, 1)}),
+        quadric("quadric, any",
+                {base, {0.3, -0.7, 0.2, 0.1, 0.5, 0.4, -0.2, -0.6, 0.3, -0.2}, around(base, 1)}),
+    };
+}
+
 }  // namespace
 
 std::vector<ShapeCase> shape_cases() {
@@ -189,7 +301,7 @@ std::vector<ShapeCase> shape_cases() {
     const std::vector<Vec3> bent = {
         {0, 0, 1e-6}, {2, 0, -1e-6}, {2, 1, 1e-6}, {0.5, 1.5, 0}, {0, 1, -1e-6}};
     const std::vector<Vec3> notched = {{0, 0, 3}, {4, 0, 3}, {4, 4, 3}, {2, 2, 3}, {0, 4, 3}};
-    return {
+    std::vector<ShapeCase> cases = {
         sphere("sphere", {{0.3, -0.7, 0.45}, 1}),
         sphere("sphere, planet", {{0, 0, -6.4e6}, 6.4e6}),
         sphere("sphere, far from the origin", {far_away, 2}),
@@ -220,7 +332,13 @@ std::vector<ShapeCase> shape_cases() {
         plane("plane", {tilted(0.2, 0.3, 0.4), tilted(0.1, 0.2, 3)}),
         plane("plane across an axis", {{0, 0, 1}, {0, 0, 1}}),
         plane("plane, far from the origin", {far_away, tilted(0.4, 0.1, 1)}),
+        ring("ring", {base, tilted(0, 0, 3), 0.5, 1}),
+        ring("ring, far from the origin", {far_away, tilted(0, 0.3, 3), 0.5, 2}),
+        ring("ring, full disc across an axis", {{0, 0, 1}, {0, 0, -1}, 0, 2}),
+        ring("ring, narrow", {base, tilted(0.1, 0.2, 3), 1 - 0x1p-10, 1}),
     };
+    for (ShapeCase& c : quadrics()) cases.push_back(std::move(c));
+    return cases;
 }
 
 std::vector<DegenerateCase> degenerate_cases() {
@@ -237,6 +355,15 @@ std::vector<DegenerateCase> degenerate_cases() {
     add("box inside out", Box{{1, -1, -1}, {-1, 1, 1}});
     add("box inside out in all axes", Box{{1, 1, 1}, {-1, -1, -1}});
     add("plane without a normal", Plane{{0, 0, 0}, {0, 0, 0}});
+
+    add("ring without a normal", Ring{{0, 0, 0}, {0, 0, 0}, 0, 1});
+    add("ring of no width", Ring{{0, 0, 0}, {0, 0, 1}, 0, 0});
+    add("ring inside out", Ring{{0, 0, 0}, {0, 0, 1}, 1, 0.5});
+    add("ring of negative radius", Ring{{0, 0, 0}, {0, 0, 1}, -0.5, 1});
+    add("quadric of nothing", Quadric{{0, 0, 0}, {}, around(Vec3(0), 1)});
+    add("quadric of a constant",
+        Quadric{{0, 0, 0}, {0, 0, 0, 0, 0, 0, 0, 0, 0, 1}, around(Vec3(0), 1)});
+    add("quadric clipped away", Quadric{{0, 0, 0}, sphere_form, {Vec3(1), Vec3(-1)}});
 
     const auto add_flat = [&](const std::string& name, const std::vector<Vec3>& p, bool empty) {
         cases.push_back({name, flat(name, p).scene, empty});
@@ -269,6 +396,15 @@ void list_numbers(Shape& s, Scene& scene, std::vector<double*>& list) {
         add(s.base);
         add(s.top);
         list.insert(list.end(), {&s.base_radius, &s.top_radius});
+    } else if constexpr (std::is_same_v<Shape, Ring>) {
+        add(s.centre);
+        add(s.normal);
+        list.insert(list.end(), {&s.inner, &s.outer});
+    } else if constexpr (std::is_same_v<Shape, Quadric>) {
+        add(s.centre);
+        add(s.clip.min);
+        add(s.clip.max);
+        for (double& number : s.coefficients) list.push_back(&number);
     } else {
         for (Vec3& v : scene.vertices) add(v);
     }
@@ -285,6 +421,10 @@ std::vector<double*> numbers_of(Scene& scene) {
 
 Scene scaled(Scene scene, int k) {
     for (double* number : numbers_of(scene)) *number = std::ldexp(*number, k);
+    // A common factor changes nothing, and now they have one.
+    for (Quadric& s : scene.all<Quadric>()) {
+        s.coefficients = scaled(s.coefficients, std::ldexp(1.0, k));
+    }
     return scene;
 }
 

@@ -95,6 +95,77 @@ Crossings define(const Scene&, const Plane& p, const Ray& ray) {
     return found;
 }
 
+/// The same, and inner <= |o + t d - c| <= outer, squared and freed of the quotient that t is.
+Crossings define(const Scene&, const Ring& r, const Ray& ray) {
+    Crossings found;
+    if (!is_finite(r.centre) || !is_finite(r.normal)) return found;
+    if (!(0 <= r.inner && r.inner <= r.outer && 0 < r.outer && r.outer < infinity)) return found;
+    const TrackedVec n = r.normal, d = ray.direction, f = TrackedVec(ray.origin) - r.centre;
+    const Tracked cosine = dot(n, d), distance = -dot(n, f);
+    const auto along = [&](const Tracked& f_k, const Tracked& d_k) {
+        const Tracked p = f_k * cosine + d_k * distance;
+        return p * p;
+    };
+    const Tracked p2 = along(f.x, d.x) + along(f.y, d.y) + along(f.z, d.z);
+    const auto on_circle = [&](double radius) {
+        const Tracked r_times = cosine * radius;
+        return r_times * r_times;
+    };
+    const Truth between = (on_circle(r.inner) <= p2) & (p2 <= on_circle(r.outer));
+    found.add({distance / cosine, !is_zero(cosine) & between, is_negative(cosine)});
+    return found;
+}
+
+/// Whether the root is at a face of the box or within: o + t d, or, where that cannot be told, that
+/// the form a t^2 + 2 b t + c is known to vanish at the face.
+Truth is_within(const Box3& box, const Ray& ray, const Tracked& t, const Tracked& a,
+                const Tracked& b, const Tracked& c) {
+    Truth within = Truth::yes;
+    for (int k = 0; k < 3; ++k) {
+        const Tracked o = ray.origin[k], d = ray.direction[k], p = o + t * d;
+        const auto is_at = [&](double face) {
+            const Tracked w = Tracked(face) - o;
+            return is_zero(a * w * w + 2 * (b * w * d) + c * d * d) & !is_zero(d);
+        };
+        const auto is_not_beyond = [&](Truth inside, double face) {
+            return inside == Truth::unknown ? inside | is_at(face) : inside;
+        };
+        within = within & is_not_beyond(Tracked(box.min[k]) <= p, box.min[k]) &
+                 is_not_beyond(p <= Tracked(box.max[k]), box.max[k]);
+    }
+    return within;
+}
+
+/// The symmetric matrix of the coefficients, row by row, on (p - centre, 1).
+Crossings define(const Scene&, const Quadric& s, const Ray& ray) {
+    Crossings found;
+    if (!is_finite(s.centre) || !is_finite(s.clip.min) || !is_finite(s.clip.max)) return found;
+    for (const double number : s.coefficients) {
+        if (!std::isfinite(number)) return found;
+    }
+    if (s.clip.isEmpty()) return found;
+    const TrackedVec w = TrackedVec(ray.origin) - s.centre, d = ray.direction;
+    const auto polar = [&](const std::array<Tracked, 4>& x, const std::array<Tracked, 4>& y) {
+        Tracked sum;
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            sum = sum + s.coefficients[next++] * (x[i] * y[i]);
+            for (std::size_t j = i + 1; j < 4; ++j) {
+                sum = sum + s.coefficients[next++] * (x[i] * y[j] + x[j] * y[i]);
+            }
+        }
+        return sum;
+    };
+    const std::array<Tracked, 4> x = {w.x, w.y, w.z, 1}, y = {d.x, d.y, d.z, 0};
+    const Tracked a = polar(y, y), b = polar(x, y), c = polar(x, x);
+    const Roots roots = solve(a, b, c);
+    for (std::size_t i = 0; i < roots.count; ++i) {
+        const Root& root = roots.list[i];
+        found.add({root.t, root.exists & is_within(s.clip, ray, root.t, a, b, c), root.falling});
+    }
+    return found;
+}
+
 /// The stretch of a line within a closed box, if there may be one.
 struct Stretch {
     Tracked entry, exit;

@@ -15,5 +15,7 @@
 #include "core/intersect/shapes/cone.h"
 #include "core/intersect/shapes/plane.h"
 #include "core/intersect/shapes/polygon.h"
+#include "core/intersect/shapes/quadric.h"
+#include "core/intersect/shapes/ring.h"
 #include "core/intersect/shapes/sphere.h"
 #include "core/intersect/shapes/triangle.h"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/intersect/ray.h"
+#include "core/intersect/shapes/circle.h"
 #include "core/intersect/shapes/cone_exact.h"
 #include "core/intersect/shapes/cone_filter.h"
 #include "core/intersect/shapes/cone_sieve.h"
@@ -10,19 +11,11 @@
 
 namespace etalon {
 
-/// The box of the two end circles: a circle of radius r about the axis h reaches, along the unit
-/// vector e_k, r sin(h, e_k).
+/// The box of the two end circles.
 inline Box3 bounds(const Scene&, const Cone& c) {
     Box3 box;
     if (is_degenerate(c)) return box;
-    Vec3 h = c.top - c.base;
-    h *= power_of_two_reciprocal(max_abs(h));  // whose square may be out of range
-    const double length2 = h.dot(h);
-    Vec3 reach;
-    for (int k = 0; k < 3; ++k) {
-        const double i = h[(k + 1) % 3], j = h[(k + 2) % 3];
-        reach[k] = std::sqrt((i * i + j * j) / length2);
-    }
+    const Vec3 reach = reach_of_circle(c.top - c.base);
     box.extendBy(c.base - c.base_radius * reach);
     box.extendBy(c.base + c.base_radius * reach);
     box.extendBy(c.top - c.top_radius * reach);

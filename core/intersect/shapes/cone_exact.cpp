@@ -1,20 +1,10 @@
 #include "core/intersect/shapes/cone_exact.h"
 
-#include "core/numerics/dyadic.h"
+#include "core/numerics/dyadic_vec.h"
 #include "core/numerics/rounding.h"
 
 namespace etalon {
 namespace {
-
-using DyadicVec = std::array<Dyadic, 3>;
-
-DyadicVec difference(const Vec3& a, const Vec3& b) {
-    return {Dyadic(a.x) - Dyadic(b.x), Dyadic(a.y) - Dyadic(b.y), Dyadic(a.z) - Dyadic(b.z)};
-}
-
-Dyadic dot(const DyadicVec& a, const DyadicVec& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /// |x a - y b|^2
 Dyadic distance2(const Dyadic& x, const DyadicVec& a, const Dyadic& y, const DyadicVec& b) {
@@ -55,7 +45,7 @@ class ExactCone {
 
 ExactCone::ExactCone(const Cone& c, const Ray& ray)
     : cone_(c),
-      d_(difference(ray.direction, Vec3(0))),
+      d_(exactly(ray.direction)),
       h_(difference(c.top, c.base)),
       base_(ray.origin, c.base, h_),
       top_(ray.origin, c.top, h_),

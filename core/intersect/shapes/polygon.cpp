@@ -1,33 +1,8 @@
 #include "core/intersect/shapes/polygon.h"
 
-#include "core/numerics/dyadic.h"
+#include "core/numerics/dyadic_vec.h"
 
 namespace etalon {
-namespace {
-
-using DyadicVec = std::array<Dyadic, 3>;
-
-DyadicVec exactly(const Vec3& v) {
-    return {Dyadic(v.x), Dyadic(v.y), Dyadic(v.z)};
-}
-
-DyadicVec operator+(const DyadicVec& a, const DyadicVec& b) {
-    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-
-DyadicVec operator-(const DyadicVec& a, const DyadicVec& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-DyadicVec cross(const DyadicVec& a, const DyadicVec& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Dyadic dot(const DyadicVec& a, const DyadicVec& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-}  // namespace
 
 PlanePassage exact_passage(std::span<const Vec3> p, const RayQuery& q) {
     const DyadicVec o = exactly(q.ray.origin), first = exactly(p[0]);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/numerics/rounding.h"
+
+namespace etalon {
+
+/// How far a circle of radius 1 across `axis` reaches along the unit vectors e_k: sin(axis, e_k).
+inline Vec3 reach_of_circle(Vec3 axis) {
+    axis *= power_of_two_reciprocal(max_abs(axis));  // whose square may be out of range
+    const double length2 = axis.dot(axis);
+    Vec3 reach;
+    for (int k = 0; k < 3; ++k) {
+        const double i = axis[(k + 1) % 3], j = axis[(k + 2) % 3];
+        reach[k] = std::sqrt((i * i + j * j) / length2);
+    }
+    return reach;
+}
+
+}  // namespace etalon

@@ -1,0 +1,72 @@
+#include "core/intersect/shapes/quadric.h"
+
+#include "core/numerics/rounding.h"
+#include "core/scene/quadric_form.h"
+
+namespace etalon {
+namespace {
+
+using RealForm = QuadricForm<double>;
+
+Vec3 unit(Vec3 v) {
+    v *= power_of_two_reciprocal(max_abs(v));  // whose square may be out of range
+    return v / std::sqrt(v.dot(v));
+}
+
+/// The longest row of the form's matrix: across a double plane, whose form has no slope.
+Vec3 steepest_row(const RealForm& form) {
+    Vec3 steepest(0);
+    for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+        const Vec3 row = form.times_matrix(axis);
+        if (max_abs(row) > max_abs(steepest)) steepest = row;
+    }
+    return steepest;
+}
+
+/// The form at a point seen from the centre, and the sums of its terms' magnitudes.
+struct Evaluation {
+    Evaluation(const Quadric& s, const Vec3& w) {
+        const auto line = RealForm(s.coefficients).on_line(w, Vec3(0));
+        const auto terms = RealForm(magnitudes_of(s.coefficients)).on_line(abs(w), Vec3(0));
+        value = line.C;
+        slope = line.slope;
+        doubt = 10 * unit_roundoff * terms.C;
+        doubt_of_slope = 16 * unit_roundoff * max_abs(terms.slope);
+    }
+
+    bool is_flat() const { return !(max_abs(slope) > doubt_of_slope); }
+
+    double value, doubt;
+    Vec3 slope;
+    double doubt_of_slope;
+};
+
+/// Down the slope onto the surface (Newton's method), as far as rounding lets one see.
+Vec3 refined(const Quadric& s, Vec3 w) {
+    for (int step = 0; step < 4; ++step) {
+        const Evaluation at(s, w);
+        if (std::abs(at.value) <= at.doubt || at.is_flat()) break;
+        const double unit = power_of_two_reciprocal(max_abs(at.slope));
+        const Vec3 slope = unit * at.slope;  // its square may be out of range
+        w -= unit * at.value / (2 * slope.dot(slope)) * slope;
+    }
+    return w;
+}
+
+}  // namespace
+
+/// By what is left of the form the point may be off: that by the slope or, where there is none to
+/// speak of, as on a double plane, that by the square of the distance. Twice that is enough for the
+/// kernel to see it.
+SurfacePoint surface(const Scene&, const Quadric& s, const RayQuery& q, double t) {
+    const Vec3 w = refined(s, (q.ray.origin - s.centre) + t * q.ray.direction);
+    const Evaluation at(s, w);
+    const Vec3 row = steepest_row(RealForm(s.coefficients));
+    const Vec3 normal = unit(at.is_flat() ? row : at.slope), position = s.centre + w;
+    const double by_slope = at.doubt / max_abs(at.slope);
+    const double off = std::min(std::sqrt(at.doubt / max_abs(row)), by_slope);
+    const Vec3 error = position_error(abs(position) + abs(s.centre), 0) + Vec3(2 * off);
+    return {position, error, normal, normal};
+}
+
+}  // namespace etalon

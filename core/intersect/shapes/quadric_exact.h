@@ -1,0 +1,25 @@
+// A quadric and a ray in exact arithmetic: slow, and right for every finite ray.
+#pragma once
+
+#include <algorithm>
+
+#include "core/intersect/ray.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+/// Not finite, or nothing to be met anywhere.
+inline bool is_degenerate(const Quadric& s) {
+    const auto& c = s.coefficients;
+    const auto is_finite_number = [](double x) { return std::isfinite(x); };
+    const auto is_zero = [](double x) { return x == 0; };
+    return !is_finite(s.centre) || !is_finite(s.clip.min) || !is_finite(s.clip.max) ||
+           s.clip.isEmpty() || !std::all_of(c.begin(), c.end(), is_finite_number) ||
+           std::all_of(c.begin(), c.end() - 1, is_zero);
+}
+
+/// Hit and miss are exact, and t good to a few ulp. None for a degenerate quadric, and for a ray
+/// that is not finite.
+[[gnu::cold]] double exact_first_hit(const Quadric& s, Sides sides, const Ray& ray);
+
+}  // namespace etalon

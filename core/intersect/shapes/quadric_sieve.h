@@ -1,0 +1,116 @@
+// Where most rays meet a quadric, in plain double with a bound on all that rounding may have done.
+// What the bound leaves in doubt is for core/intersect/shapes/quadric_exact.h to tell.
+#pragma once
+
+#include "core/intersect/shapes/box.h"
+#include "core/intersect/shapes/roots.h"
+#include "core/scene/quadric_form.h"
+
+namespace etalon {
+
+/// The form A t^2 + 2 B t + C on the ray from where it enters the clip box, so that nothing cancels
+/// with distance. A t + B is -root where the form falls, so that the front is seen, and +root where
+/// it rises.
+///
+/// The errors, u = 2^-53. The start w is off by less than 2 u (|o - centre| + |start d|) in every
+/// coordinate. The sums for A, B and C have terms of at most 9 roundings; what they are off by is
+/// bounded by 10 u times the same sums of magnitudes. That w is off by e adds (|M||d|).e to B, and
+/// to C twice (|M|(|w| + e) + |l|).e.
+class QuadricSieve {
+  public:
+    QuadricSieve(const Quadric& s, const RayQuery& q)
+        : shape_(s), ray_(q.ray), slabs_(cross_slabs(Box{s.clip.min, s.clip.max}, q.ray)) {}
+
+    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or in_doubt.
+    double first_hit(Sides sides) {
+        doubt_of_slabs_ = 4 * u * (std::abs(slabs_.entry) + std::abs(slabs_.exit));
+        const double start = std::max(slabs_.entry, ray_.tmin);
+        if (slabs_.entry == infinity || start - slabs_.exit > doubt_of_slabs_) return no_hit;
+        start_ = std::max(slabs_.entry, 0.0);
+        stretch_ = slabs_.exit - start_ + doubt_of_slabs_;
+        expand();
+        if (!is_in_range()) return in_doubt;
+        const double discriminant = B_ * B_ - A_ * C_;
+        const double doubt = (2 * std::abs(B_) + doubt_of_B_) * doubt_of_B_ +
+                             (std::abs(C_) + doubt_of_C_) * doubt_of_A_ +
+                             std::abs(A_) * doubt_of_C_ + 4 * u * (B_ * B_ + std::abs(A_ * C_));
+        if (!(doubt > 0x1p-900)) return in_doubt;
+        if (discriminant < -doubt) return no_hit;
+        if (!(discriminant > 2 * doubt)) return in_doubt;
+        root_ = std::sqrt(discriminant);
+        sum_ = std::abs(B_) + root_;
+        return first_root(sides);
+    }
+
+  private:
+    static constexpr double u = unit_roundoff;
+
+    void expand() {
+        const Vec3 &o = ray_.origin, &d = ray_.direction, f = o - shape_.centre;
+        const Vec3 w = f + start_ * d, e = (2.1 * u) * (abs(f) + start_ * abs(d));
+        const auto line = QuadricForm<double>(shape_.coefficients).on_line(w, d);
+        const auto terms =
+            QuadricForm<double>(magnitudes_of(shape_.coefficients)).on_line(abs(w) + e, abs(d));
+        A_ = line.A, B_ = line.B, C_ = line.C;
+        doubt_of_A_ = 10 * u * terms.A;
+        doubt_of_B_ = 10 * u * terms.B + terms.Md.dot(e);
+        doubt_of_C_ = 10 * u * terms.C + 2 * terms.slope.dot(e);
+        speed_ = max_abs(d);
+        reach_ = max_abs(w) + stretch_ * speed_;
+    }
+
+    /// So that nothing underflows that counts, and nothing overflows.
+    bool is_in_range() const {
+        constexpr double least = 0x1p-120, most = 0x1p120;
+        return speed_ > least && speed_ < most && reach_ < most && doubt_of_C_ > 0x1p-460 &&
+               is_finite(shape_.clip.min) && is_finite(shape_.clip.max);
+    }
+
+    /// By the sum of like signs. Of two roots ahead the one that is a quotient by the sum is the
+    /// nearer. The true sum is more than 0.35 of the computed one, so that the other root is known
+    /// to be far even where A may be zero.
+    double first_root(Sides sides) const {
+        const int rise = B_ < 0 ? -1 : 1;
+        const double t = visible(-rise * C_ / sum_, rise, sides);
+        const bool is_far = sum_ > 3 * (std::abs(A_) + doubt_of_A_) * stretch_;
+        if (t <= infinity || is_far) return t;
+        return visible(-rise * sum_ / A_, -rise, sides);
+    }
+
+    /// The computed t is a root of a form that differs from the true one, there, by no more than
+    /// doubt_of_form, and half of whose rise is half_rise or more: a true root is within the
+    /// quotient of the two, if A is small enough to leave it one.
+    double visible(double t, int rise, Sides sides) const {
+        if (sides == (rise < 0 ? Sides::back : Sides::front)) return no_hit;
+        const double length = std::abs(t);
+        const double doubt_of_form =
+            (doubt_of_A_ * length + 2 * doubt_of_B_) * length + doubt_of_C_;
+        const double half_rise = root_ - (doubt_of_A_ * length + doubt_of_B_);
+        const bool certain = 2 * half_rise > root_ &&
+                             (std::abs(A_) + doubt_of_A_) * doubt_of_form <= half_rise * half_rise;
+        if (!certain) return in_doubt;
+        const double roundings = u * length * (2 * sum_ / root_ + 6);
+        return clipped(start_ + t, 1.01 * (doubt_of_form / half_rise) + roundings);
+    }
+
+    double clipped(double t, double doubt) const {
+        doubt += u * std::abs(t);
+        const double apart = doubt + doubt_of_slabs_;
+        const bool is_out =
+            t + doubt < ray_.tmin || t + apart < slabs_.entry || t - apart > slabs_.exit;
+        if (is_out) return no_hit;
+        const bool certain =
+            t - apart > slabs_.entry && t + apart < slabs_.exit && doubt <= t_tolerance / 2 * t;
+        if (!certain) return in_doubt;
+        return t > ray_.tmin ? t : no_hit;
+    }
+
+    const Quadric& shape_;
+    const Ray& ray_;
+    const SlabCrossing slabs_;
+    double doubt_of_slabs_, start_, stretch_;
+    double A_, B_, C_, doubt_of_A_, doubt_of_B_, doubt_of_C_;
+    double speed_, reach_, root_, sum_;
+};
+
+}  // namespace etalon

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "core/intersect/shapes/circle.h"
+#include "core/intersect/shapes/plane.h"
+
+namespace etalon {
+
+inline bool is_degenerate(const Ring& r) {
+    const bool has_width = 0 <= r.inner && r.inner <= r.outer && 0 < r.outer && r.outer < infinity;
+    return !is_finite(r.centre) || !is_finite(r.normal) || r.normal == Vec3(0) || !has_width;
+}
+
+inline Plane plane_of(const Ring& r) {
+    return {r.centre, r.normal};
+}
+
+inline Box3 bounds(const Scene&, const Ring& r) {
+    if (is_degenerate(r)) return {};
+    const Vec3 reach = r.outer * reach_of_circle(r.normal);
+    return {r.centre - reach, r.centre + reach};
+}
+
+/// Where the line of `ray` passes the ring's plane, from the centre, times n.d, squared. Cannot be
+/// told from a circle where that is closer to the circle's than `doubt`.
+class RingPassage {
+  public:
+    /// The line o + t d passes at w + t d, w = o - c; times n.d, that is n x (w x d).
+    ///
+    /// The error, u = 2^-53: w is off by u, and a cross or dot product adds less than 3 u of its
+    /// factors. So the vector is off by less than 7 u |n| |w| |d|, and a radius times n.d by 4 u
+    /// |n| |d| r: by Cauchy and Schwarz both together by 9 u size. Their squares, rounded too,
+    /// differ by that times twice the longer one, and by 8 u of its square.
+    RingPassage(const Ring& r, const Ray& ray) {
+        const Vec3 &n = r.normal, &d = ray.direction, w = ray.origin - r.centre;
+        const Vec3 passage = n.cross(w.cross(d));
+        distance2_ = passage.dot(passage);
+        cosine_ = n.dot(d);
+        const double nn = n.dot(n), dd = d.dot(d), far2 = w.dot(w) + r.outer * r.outer;
+        size2_ = nn * dd * far2;
+        // So that nothing underflows that counts, and nothing overflows.
+        in_range_ = std::min(std::min(nn, dd), far2) > 0x1p-250 && size2_ < 0x1p480;
+    }
+
+    /// 1 for beyond the circle, -1 for within, 0 for in doubt.
+    int side(double radius) const {
+        constexpr double doubt = 32 * unit_roundoff;
+        const double circle2 = (radius * cosine_) * (radius * cosine_);
+        const double difference = distance2_ - circle2;
+        const double doubt2 = doubt * doubt * size2_ * std::max(distance2_, circle2);
+        if (!(in_range_ && doubt2 > 0x1p-1000 && difference * difference > doubt2)) return 0;
+        return difference > 0 ? 1 : -1;
+    }
+
+  private:
+    double distance2_, cosine_, size2_;
+    bool in_range_;
+};
+
+/// Whether the line, which is not parallel to the ring's plane, passes it between the circles or on
+/// one of them. Never for a degenerate ring. Slow.
+[[gnu::cold]] bool is_exactly_between(const Ring& r, const Ray& ray);
+
+/// The same at once for most lines.
+inline bool is_between(const Ring& r, const Ray& ray) {
+    const RingPassage passage(r, ray);
+    const int outer = passage.side(r.outer);
+    if (outer > 0) return false;
+    const int inner = r.inner == 0 ? 1 : passage.side(r.inner);
+    if (inner < 0) return false;
+    return outer < 0 && inner > 0 ? !is_degenerate(r) : is_exactly_between(r, ray);
+}
+
+/// Hit or miss is right for every ray, and t as good as the plane's.
+inline double first_hit(const Scene& scene, const Ring& r, Sides sides, const RayQuery& q) {
+    const double t = first_hit(scene, plane_of(r), sides, q);
+    return t < infinity && is_between(r, q.ray) ? t : no_hit;
+}
+
+inline SurfacePoint surface(const Scene& scene, const Ring& r, const RayQuery& q, double t) {
+    return surface(scene, plane_of(r), q, t);
+}
+
+}  // namespace etalon

@@ -1,0 +1,33 @@
+// Points of a quadric, for aiming at it.
+#pragma once
+
+#include "core/sampling/random.h"
+#include "core/scene/quadric_form.h"
+#include "core/scene/shapes.h"
+
+namespace etalon {
+
+/// Each is looked for on random lines, and is just a point of the clip box if these do not find it.
+class QuadricPoints {
+  public:
+    explicit QuadricPoints(const Quadric& quadric);
+
+    Vec3 in_clip(Random& random) const;
+    Vec3 on_surface(Random& random) const;
+
+    /// Where the surface meets a face of the clip box.
+    Vec3 on_rim(Random& random) const;
+
+    /// In a direction from `from` in which the surface is seen edge-on, but for `off` times the
+    /// box's size.
+    Vec3 silhouette(const Vec3& from, double off, Random& random) const;
+
+  private:
+    Vec3 in_face(int axis, double face, Random& random) const;
+
+    Vec3 centre_;
+    QuadricForm<double> form_;
+    Box3 clip_;
+};
+
+}  // namespace etalon
