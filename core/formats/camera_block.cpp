@@ -59,7 +59,7 @@ class BlockReader {
     BlockReader(Reader& in, std::span<const Line> lines) : in_(in), lines_(lines) {}
 
     CameraBlock read() {
-        CameraBlock block;
+        CameraBlock block{in_.start()};
         while (!ends()) read_line(block);
         return block;
     }
@@ -160,11 +160,11 @@ void check_lens(Reader& in, Camera& c) {
     }
 }
 
-void leave_out(SceneLoader& loader, std::string why) {
+void leave_out(SceneLoader& loader, std::size_t start, std::string why) {
     if (loader.unusable_camera) {
-        loader.in.warn("camera", "{}; this camera is left out", why);
+        loader.in.warn_at(start, "camera", "{}; this camera is left out", why);
     } else {
-        loader.unusable_camera = {loader.in.start(), std::move(why)};
+        loader.unusable_camera = {start, std::move(why)};
     }
 }
 
@@ -177,7 +177,7 @@ void read_resolution(Reader& in, CameraBlock& b) {
 
 void settle_camera(SceneLoader& loader, CameraBlock block, const std::string& missing) {
     std::string why = missing.empty() ? obstacle(block) : "the camera has no " + missing;
-    if (!why.empty()) return leave_out(loader, std::move(why));
+    if (!why.empty()) return leave_out(loader, block.start, std::move(why));
     Reader& in = loader.in;
     if (loader.has_camera) in.warn("camera", "a second camera; it replaces the first");
     check_lens(in, block.camera);

@@ -10,6 +10,7 @@ namespace etalon {
 
 /// A camera half read.
 struct CameraBlock {
+    std::size_t start = 0;  ///< of the statement that complaints are about
     Camera camera{};
     std::int64_t width = 0, height = 0;
 };

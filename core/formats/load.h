@@ -35,4 +35,7 @@ LoadResult load_scene_text(std::string_view text, const std::string& path,
 /// Names of the formats that can be read.
 std::span<const std::string_view> format_names();
 
+/// Those for which LoadOptions::legacy means something.
+std::span<const std::string_view> legacy_names();
+
 }  // namespace etalon

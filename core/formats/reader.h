@@ -64,6 +64,12 @@ class Reader {
         log_.warn(start_, kind, text, std::forward<T>(arguments)...);
     }
 
+    /// A complaint about the statement that makes the scene unusable.
+    template <class... T>
+    void error(std::string_view kind, fmt::format_string<T...> text, T&&... arguments) {
+        log_.error(start_, kind, text, std::forward<T>(arguments)...);
+    }
+
     /// A complaint that fails the statement.
     template <class... T>
     void fail_at(std::size_t offset, std::string_view kind, fmt::format_string<T...> text,

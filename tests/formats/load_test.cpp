@@ -125,9 +125,6 @@ TEST_CASE("scenes of every format that is read are recognised by their content")
 }
 
 TEST_CASE("scenes of other formats are recognised and named") {
-    CHECK(foreign("# an example\nfrom 3 4 7\nat 3 2 2\nup 0 1 0\nangle 40\nresolution 8 "
-                  "8\nbackground .1 .1 "
-                  ".1 n\nlight 3 4 3\n") == looks_like("a PRT scene"));
     CHECK(foreign("sce1.0\neyepos 0 0 1\n") == looks_like("an SCE scene"));
     CHECK(foreign("eyepos 0 0 1\neyedir 0 0 -1\n") == looks_like("an SCE scene"));
     CHECK(

@@ -24,7 +24,7 @@ void check_survives(const WholeScene& scene, const std::string& text) {
     }
     if (r.scene) {
         CHECK(insanity(*r.scene) == "");
-        CHECK(memory_bytes(*r.scene) < 4096 + 40 * text.size());
+        CHECK(memory_bytes(*r.scene) < 4096 + scene.bytes_of_a_byte * text.size());
     } else {
         CHECK_FALSE(r.diagnostics.empty());
     }

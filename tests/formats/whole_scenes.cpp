@@ -69,10 +69,38 @@ WholeScene nff() {
                                                      "-1e308",     "#\n", "3",  "4",      "-1"}};
 }
 
+WholeScene prt() {
+    const std::string camera = "from 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nresolution 40 30\n";
+    std::string text =
+        "# generated\r\n" + camera +
+        "background .1 .1 .1 n\nlight 3 4.9 3\n"
+        "instance pair\nsphere 0 0 0 1\nsurface 1 1 1 .5 0 0 0 0 0 0 .4 0 0 .4 1 1 1 30 0\n"
+        "polygon 4\t# top\n0 0 0\n0 5 0\n6 5 0\n6 0 0\nend_instance\n"
+        "surface .9 .9 .9 .3  .9 .9 .9 .9  0 0 0  0 0 0 .9 .9 .9 70 1.5\n"
+        "hsphere 1 2 3 .5 .1\ninstance_of pair 1 2 3\ninstance_of pair -1 2 3\n"
+        "cone\n1 2 3 .5\n1 2 4 .25\nring 0 0 0 1 0 0 0 1 0 2 1\n"
+        "quadric 0 0 0\n-1 -1 -1 1 1 1\n1 0 0 0 1\n0 0 1 0 -1\n";
+    std::mt19937 random(3);
+    for (int i = 0; i < 100; ++i) text += "sphere " + number(random) + "-1.5e-2 +7. .25\n";
+    return {"prt",
+            text,
+            0,
+            109,
+            camera,
+            "sphere x\n",
+            "from ",
+            {"from",   "at",      "up",      "angle",    "resolution",  "background",
+             "light",  "surface", "polygon", "instance", "instance_of", "end_instance",
+             "a",      "cone",    "sphere",  "hsphere",  "ring",        "quadric",
+             "0 0 0",  "1",       "2",       "3",        "-1",          "1e308",
+             "1e-308", "\n",      "#\n",     "n",        "1 2 3"},
+            400};  // instances
+}
+
 }  // namespace
 
 const std::vector<WholeScene>& whole_scenes() {
-    static const std::vector<WholeScene> scenes = {p3f(), nff()};
+    static const std::vector<WholeScene> scenes = {p3f(), nff(), prt()};
     return scenes;
 }
 
