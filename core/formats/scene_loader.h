@@ -25,8 +25,7 @@ struct SceneLoader {
     bool has_camera = false;
     std::optional<UnusableCamera> unusable_camera{};  ///< the first; an error if no other is good
     std::optional<std::uint32_t> material{};          ///< of the objects to come
-
-    std::vector<std::size_t> uncolored_lights{};  ///< those the file gives no colour
+    std::vector<std::size_t> uncolored_lights{};      ///< those the file gives no colour
 
     /// Of the objects to come, if there can be such a surface; if not, says why.
     void set_material(const Material& material);

@@ -175,6 +175,6 @@ TEST_CASE("instances that amount to more than memory are an error, soon") {
     const LoadResult r = load_prt_text(text);
     CHECK_FALSE(r.scene);
     REQUIRE_FALSE(r.diagnostics.empty());
-    CHECK(to_string(r.diagnostics[0]).find("the instances amount to more than 268435456 bytes") !=
+    CHECK(to_string(r.diagnostics[0]).find("the instances amount to more than 134217728 bytes") !=
           std::string::npos);
 }

@@ -9,7 +9,7 @@ namespace etalon::prt {
 namespace {
 
 /// More text than that is not replayed: a small file could ask for any amount.
-constexpr std::size_t most_replayed = std::size_t{1} << 28;
+constexpr std::size_t most_replayed = std::size_t{1} << 27;
 
 template <class T>
 void cut(std::vector<T>& v, std::size_t size) {
