@@ -56,6 +56,17 @@ TEST_CASE("a matt NFF surface of any Shine has no highlight", "[render]") {
     CHECK(seen == nff_at(0, 0, lamp + "f 0.5 1 0 0.5 0 0 0 0\n" + ball));
 }
 
+TEST_CASE("an NFF highlight is where the mirrored ray goes", "[render]") {
+    const auto seen_from = [](const std::string& eye) {
+        return centre(scene_of("nff", "v from " + eye +
+                                          " at 0 0 0 up 0 1 0 angle 9 hither 0 "
+                                          "resolution 1 1 l -2 0 2 f 1 1 1 0 0.5 40 0 0\n"
+                                          "p 4 -9 -9 0 9 -9 0 9 9 0 -9 9 0\n"));
+    };
+    CHECK(seen_from("1 0 1").x == Approx(0.5));
+    CHECK(seen_from("-1 0 1").x == Approx(0).margin(1e-6));
+}
+
 TEST_CASE("a concave NFF polygon of 144 corners has its teeth and its notches", "[render]") {
     const double step = std::numbers::pi / 72;
     std::string gear = "l 0 0 9\nf 1 1 1 1 0 1 0 0\np 144\n";
