@@ -33,6 +33,12 @@ bool is_possible(Reader& in, const Material& m) {
 
 }  // namespace
 
+Material matt_grey() {
+    Material m;
+    m.diffuse = Color(0.5F);
+    return m;
+}
+
 void SceneLoader::set_material(const Material& m) {
     if (!is_possible(in, m)) return;
     material = static_cast<std::uint32_t>(scene.materials.size());

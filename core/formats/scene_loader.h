@@ -15,12 +15,15 @@ struct UnusableCamera {
     std::string why;
 };
 
+/// What objects before any material are made of, where the format does not say.
+Material matt_grey();
+
 /// A scene file being read: what the formats that grew from NFF have in common.
 struct SceneLoader {
     Reader in;
     const LoadOptions& options;
     std::filesystem::path directory;  ///< of the scene file
-    Material default_material;        ///< of objects before any material
+    Material default_material = matt_grey();
     Scene scene{};
     bool has_camera = false;
     std::optional<UnusableCamera> unusable_camera{};  ///< the first; an error if no other is good

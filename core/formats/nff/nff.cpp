@@ -7,13 +7,6 @@
 namespace etalon {
 namespace {
 
-/// What objects before any `f` are made of: the format's document does not say.
-Material matt_grey() {
-    Material m;
-    m.diffuse = Color(0.5F);
-    return m;
-}
-
 void read_view(SceneLoader& loader) {
     read_camera_block(loader, CameraDialect::nff);
 }
@@ -58,8 +51,8 @@ constexpr auto names = names_of(keywords);
 
 LoadResult load_nff(std::string_view text, const std::string& path, const LoadOptions& options) {
     DiagnosticLog log(path, text, options.strict);
-    SceneLoader loader{Reader(text, log, names), options, std::filesystem::path(path).parent_path(),
-                       matt_grey()};
+    SceneLoader loader{Reader(text, log, names), options,
+                       std::filesystem::path(path).parent_path()};
     loader.scene.format = "nff";
     loader.scene.display_colors = true;
     read_statements(loader, keywords);

@@ -84,11 +84,8 @@ void replay(Loader& loader, const Definition& definition, const Vec3& offset) {
     const SceneMark mark(loader.scene);
     const std::optional<std::uint32_t> before = loader.material;
     DiagnosticLog silent({}, definition.statements, false);
-    Loader again{{Reader(definition.statements, silent, object_names()),
-                  loader.options,
-                  {},
-                  loader.default_material,
-                  std::move(loader.scene)},
+    Loader again{{Reader(definition.statements, silent, object_names()), loader.options,
+                  loader.directory, loader.default_material, std::move(loader.scene)},
                  definition.statements};
     again.material = loader.material;
     read_objects(again);

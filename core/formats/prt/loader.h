@@ -44,6 +44,13 @@ struct Loader : SceneLoader {
 };
 
 // One per kind of statement: reads what follows the keyword and adds it to the scene.
+void read_from(Loader&);
+void read_at(Loader&);
+void read_up(Loader&);
+void read_angle(Loader&);
+void read_resolution(Loader&);
+void read_light(Loader&);
+void read_background(Loader&);
 void read_surface(Loader&);
 void read_hollow_sphere(Loader&);
 void read_ring(Loader&);
@@ -58,5 +65,8 @@ std::span<const std::string_view> object_names();
 
 /// The end of the file inside a definition.
 void drop_open_definition(Loader&);
+
+/// The end of the file: what was read of the camera becomes the scene's.
+void settle_view(Loader&);
 
 }  // namespace etalon::prt
