@@ -7,8 +7,8 @@
 namespace etalon {
 namespace {
 
-std::vector<std::string> formats() {
-    return {format_names().begin(), format_names().end()};
+std::vector<std::string> strings(std::span<const std::string_view> names) {
+    return {names.begin(), names.end()};
 }
 
 }  // namespace
@@ -18,13 +18,14 @@ void declare_scene(CLI::App& app, SceneArguments& a) {
     const char* group = "Scene";
     app.add_option("--format", a.options.format,
                    "Format of the scene (default: told from its content, then its extension)")
-        ->check(CLI::IsMember(formats()))
+        ->check(CLI::IsMember(strings(format_names())))
         ->group(group);
     app.add_flag("--strict", a.options.strict, "Warnings about the scene are errors")->group(group);
     app.add_option("--legacy", a.legacy, "Shade as the old programs of this format did")
-        ->check(CLI::IsMember(formats()))
+        ->check(CLI::IsMember(strings(legacy_names())))
         ->group(group);
-    app.add_flag("--one-sided", a.options.one_sided, "Surfaces are seen from their front only")
+    app.add_flag("--one-sided", a.options.one_sided,
+                 "Opaque surfaces are seen from their front only")
         ->group(group);
 }
 

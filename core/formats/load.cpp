@@ -11,7 +11,9 @@
 #include "core/formats/diagnostic_log.h"
 #include "core/formats/file_text.h"
 #include "core/formats/nearest_name.h"
+#include "core/formats/nff/nff.h"
 #include "core/formats/p3f/p3f.h"
+#include "core/formats/prt/prt.h"
 #include "core/formats/recognise.h"
 
 namespace etalon {
@@ -25,6 +27,7 @@ struct Format {
     std::string_view described;  ///< in messages: "this looks like ..."
     Recogniser recognises;
     Loader load;  ///< null: only recognised, so that it can be named
+    bool has_legacy = false;
 };
 
 // To add a format:
@@ -37,21 +40,24 @@ constexpr std::array formats = {
     Format{"sce", "an SCE scene", is_sce, nullptr},
     Format{"pbrt-v4", "a PBRT scene of version 4", is_pbrt_v4, nullptr},
     Format{"pbrt", "a PBRT scene", is_pbrt, nullptr},
-    Format{"p3f", "a P3F scene", is_p3f, load_p3f},
-    Format{"prt", "a PRT scene", is_prt, nullptr},
-    Format{"nff", "an NFF scene", is_nff, nullptr},
+    Format{"p3f", "a P3F scene", is_p3f, load_p3f, true},
+    Format{"prt", "a PRT scene", is_prt, load_prt, true},
+    Format{"nff", "an NFF scene", is_nff, load_nff},
     Format{"obj", "a Wavefront OBJ mesh", is_obj, nullptr},
     Format{"binary", "a binary file", is_binary, nullptr},
 };
 
+template <class Test>
+std::vector<std::string_view> names_where(Test test) {
+    std::vector<std::string_view> list;
+    for (const Format& f : formats) {
+        if (test(f)) list.push_back(f.name);
+    }
+    return list;
+}
+
 const std::vector<std::string_view>& names() {
-    static const std::vector<std::string_view> list = [] {
-        std::vector<std::string_view> readable;
-        for (const Format& f : formats) {
-            if (f.load) readable.push_back(f.name);
-        }
-        return readable;
-    }();
+    static const auto list = names_where([](const Format& f) { return f.load != nullptr; });
     return list;
 }
 
@@ -86,6 +92,11 @@ std::string readable_names() {
 
 std::span<const std::string_view> format_names() {
     return names();
+}
+
+std::span<const std::string_view> legacy_names() {
+    static const auto list = names_where([](const Format& f) { return f.has_legacy; });
+    return list;
 }
 
 LoadResult load_scene_text(std::string_view text, const std::string& path,

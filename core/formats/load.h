@@ -16,7 +16,7 @@ struct LoadOptions {
     std::string format;      ///< a format's name; empty: told from the content, then the extension
     bool strict = false;     ///< warnings are errors
     bool legacy = false;     ///< shade as the format's own old programs did
-    bool one_sided = false;  ///< surfaces are seen from their front only
+    bool one_sided = false;  ///< opaque surfaces are seen from their front only
 };
 
 struct LoadResult {
@@ -34,5 +34,8 @@ LoadResult load_scene_text(std::string_view text, const std::string& path,
 
 /// Names of the formats that can be read.
 std::span<const std::string_view> format_names();
+
+/// Those for which LoadOptions::legacy means something.
+std::span<const std::string_view> legacy_names();
 
 }  // namespace etalon

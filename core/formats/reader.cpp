@@ -1,5 +1,6 @@
 #include "core/formats/reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -19,6 +20,16 @@ bool is_infinity_or_nan(std::string_view word) {
 std::string_view Reader::begin() {
     start_ = tokens_.offset();
     return keyword_ = tokens_.next();
+}
+
+bool Reader::at_keyword() const {
+    return std::ranges::find(keywords_, tokens_.peek()) != keywords_.end();
+}
+
+std::size_t Reader::skip_to_keyword() {
+    std::size_t words = 0;
+    for (; !tokens_.at_end() && !at_keyword(); ++words) tokens_.next();
+    return words;
 }
 
 Vec3 Reader::vector(std::string_view what) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -14,11 +15,18 @@ namespace etalon {
 /// consumed, until recover(). So a loader reads all it wants and then asks once whether it is ok().
 class Reader {
   public:
-    Reader(std::string_view text, DiagnosticLog& log) : tokens_(text), log_(log) {}
+    /// `keywords` are the words that statements start with.
+    Reader(std::string_view text, DiagnosticLog& log, std::span<const std::string_view> keywords)
+        : tokens_(text), log_(log), keywords_(keywords) {}
 
     /// Takes the next word as the keyword of a new statement.
     std::string_view begin();
     std::string_view keyword() const { return keyword_; }
+
+    bool at_keyword() const;
+
+    /// Passes over everything up to the next keyword. Returns how many words that were.
+    std::size_t skip_to_keyword();
 
     bool ok() const { return ok_; }
     void recover() { ok_ = true; }
@@ -56,6 +64,12 @@ class Reader {
         log_.warn(start_, kind, text, std::forward<T>(arguments)...);
     }
 
+    /// A complaint about the statement that makes the scene unusable.
+    template <class... T>
+    void error(std::string_view kind, fmt::format_string<T...> text, T&&... arguments) {
+        log_.error(start_, kind, text, std::forward<T>(arguments)...);
+    }
+
     /// A complaint that fails the statement.
     template <class... T>
     void fail_at(std::size_t offset, std::string_view kind, fmt::format_string<T...> text,
@@ -78,6 +92,7 @@ class Reader {
 
     Tokenizer tokens_;
     DiagnosticLog& log_;
+    std::span<const std::string_view> keywords_;
     std::string_view keyword_;
     std::size_t start_ = 0;
     bool ok_ = true;

@@ -39,6 +39,10 @@ inline bool is_finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+inline bool is_finite(const Color& c) {
+    return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
+}
+
 /// The index (0, 1, 2) of the component of largest magnitude; the lower index on a tie.
 inline int dominant_axis(const Vec3& v) {
     const Vec3 a = abs(v);

@@ -38,6 +38,26 @@ TEST_CASE("render gives identical pixels with every exact backend and thread cou
     REQUIRE(f.etalon("render ball.p3f --spp 3 -o b.exr -b embree-builtin").status == 0);
 }
 
+TEST_CASE("render --spd shoots a ray through each pixel corner", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto r = f.etalon("render ball.p3f --spd -q -o a.exr --stats s.json");
+    CHECK(r.status == 0);
+    CHECK(pixels(f.path("a.exr")).size() == 32 * 24 * 3);
+    CHECK(json::parse(f.read("s.json"))["rays"]["camera"] == 33 * 25);
+    CHECK(f.etalon("render ball.p3f --spd --spp 2").status == 2);
+}
+
+TEST_CASE("only a format that has one is rendered as its old program did", "[app]") {
+    const Folder f;
+    f.write("a.nff", "v from 0 0 1 at 0 0 0 up 0 1 0 angle 9 hither 0 resolution 4 4\nl 0 0 1\n");
+    f.write("a.prt", "from 0 0 1\nat 0 0 0\nup 0 1 0\nangle 9\nresolution 4 4\nlight 0 0 1\n");
+    CHECK(f.etalon("info a.nff").status == 0);
+    CHECK(f.etalon("info a.nff --legacy nff").status == 2);
+    CHECK(f.etalon("info a.prt --legacy prt").status == 0);
+    CHECK(f.etalon("info a.nff --legacy prt").status == 2);
+}
+
 TEST_CASE("render takes size, crop, depth, seed and several outputs", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);

@@ -59,3 +59,8 @@ TEST_CASE("one-sided shows the front of every shape but those of negative radius
     CHECK(r.scene->primitives[9].sides == Sides::back);
     CHECK(r.scene->primitives[10].sides == Sides::back);
 }
+
+TEST_CASE("one-sided leaves glass its two sides, so that rays leave it again") {
+    const LoadResult r = load_statements("mat 0 0 0 1 1 1 1 0.5 10 1 1.5\ns 0 0 0 1", one_sided());
+    CHECK(r.scene->primitives[0].sides == Sides::both);
+}

@@ -1,10 +1,7 @@
 // Loading P3F text in a test.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "core/formats/load.h"
+#include "tests/formats/messages.h"
 
 namespace etalon {
 
@@ -15,9 +12,8 @@ inline const std::string good_camera =
 
 inline const std::string good_material = "mat 1 1 1 0.5 1 1 1 0 10 0 1\n";
 
-inline LoadResult load_p3f_text(const std::string& text, LoadOptions options = {}) {
-    options.format = "p3f";
-    return load_scene_text(text, "a.p3f", options);
+inline LoadResult load_p3f_text(const std::string& text, const LoadOptions& options = {}) {
+    return load_text("p3f", text, options);
 }
 
 /// `text` before a good camera.
@@ -29,13 +25,5 @@ inline LoadResult load_statements(const std::string& text, const LoadOptions& op
 inline LoadResult load_objects(const std::string& text, const LoadOptions& options = {}) {
     return load_statements(good_material + text, options);
 }
-
-inline std::vector<std::string> messages(const LoadResult& result) {
-    std::vector<std::string> list;
-    for (const Diagnostic& d : result.diagnostics) list.push_back(to_string(d));
-    return list;
-}
-
-using Messages = std::vector<std::string>;
 
 }  // namespace etalon

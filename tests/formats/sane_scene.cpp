@@ -5,17 +5,15 @@
 namespace etalon {
 namespace {
 
-bool fine(const Color& c) {
-    return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
-}
 bool fine(const Light& light) {
     if (const auto* p = std::get_if<PointLight>(&light))
-        return is_finite(p->position) && fine(p->color);
+        return is_finite(p->position) && is_finite(p->color);
     const auto& q = std::get<QuadLight>(light);
     return is_finite(q.corner) && is_finite(q.edge1) && is_finite(q.edge2) && q.samples > 0;
 }
 bool fine(const Material& m) {
-    return fine(m.diffuse) && fine(m.specular) && fine(m.reflection) && fine(m.absorption) &&
+    return is_finite(m.ambient) && is_finite(m.diffuse) && is_finite(m.specular) &&
+           is_finite(m.reflection) && is_finite(m.transmission) && is_finite(m.absorption) &&
            m.shininess >= 0 && m.ior >= 0;
 }
 bool fine(const Camera& c) {

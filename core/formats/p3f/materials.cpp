@@ -1,6 +1,5 @@
 // mat and the old dialect's f: Cd(rgb) Kd Cs(rgb) Ks Shine T ior.
 #include <algorithm>
-#include <cmath>
 
 #include "core/formats/p3f/loader.h"
 
@@ -14,9 +13,6 @@ struct Numbers {
     double ks, shine, transmission, ior;
 };
 
-/// The course's own default (its programs leave it to chance).
-constexpr Numbers default_material{Color(0.2F), 0.2, Color(1.0F), 0.8, 20, 0, 1};
-
 Numbers read_numbers(Reader& in) {
     Numbers n{};
     n.diffuse = in.color("diffuse colour");
@@ -27,10 +23,6 @@ Numbers read_numbers(Reader& in) {
     n.transmission = in.number("T");
     n.ior = in.number("index of refraction");
     return n;
-}
-
-bool is_finite(const Color& c) {
-    return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
 }
 
 Material material_of(const Numbers& n) {
@@ -55,20 +47,6 @@ Color absorption_of(const Color& diffuse) {
     return {of(diffuse.x), of(diffuse.y), of(diffuse.z)};
 }
 
-/// Whether there is such a surface; if not, says why.
-bool is_possible(Reader& in, const Numbers& n) {
-    if (n.transmission > 0 && !(n.ior > 0)) {
-        in.warn("material", "the index of refraction of glass is {}; expected more than 0", n.ior);
-    } else if (n.shine < 0) {
-        in.warn("material", "the Shine is {}; expected 0 or more", n.shine);
-    } else if (!is_finite(material_of(n).diffuse) || !is_finite(material_of(n).specular)) {
-        in.warn("material", "Cd Kd or Cs Ks is beyond every colour");
-    } else {
-        return true;
-    }
-    return false;
-}
-
 /// Some programs take numbers after the eleven: a roughness, or an emission.
 void pass_extra_numbers(Reader& in) {
     const std::size_t offset = in.tokens().offset();
@@ -85,19 +63,13 @@ void pass_extra_numbers(Reader& in) {
     }
 }
 
-void set_material(Loader& loader, const Material& m) {
-    loader.material = static_cast<std::uint32_t>(loader.scene.materials.size());
-    loader.scene.materials.push_back(m);
-}
-
 void read_material(Loader& loader, bool absorbs) {
     const Numbers n = read_numbers(loader.in);
     if (!loader.in.ok()) return;
     pass_extra_numbers(loader.in);
-    if (!is_possible(loader.in, n)) return;
     Material m = material_of(n);
     if (absorbs && m.fresnel) m.absorption = absorption_of(n.diffuse);
-    set_material(loader, m);
+    loader.set_material(m);
 }
 
 }  // namespace
@@ -110,12 +82,8 @@ void read_f(Loader& loader) {
     read_material(loader, false);
 }
 
-std::uint32_t Loader::current_material() {
-    if (!material) {
-        in.warn("no-material", "'{}' before any material; it gets a default one", in.keyword());
-        set_material(*this, material_of(default_material));
-    }
-    return *material;
+Material default_material() {
+    return material_of({Color(0.2F), 0.2, Color(1.0F), 0.8, 20, 0, 1});
 }
 
 }  // namespace etalon::p3f

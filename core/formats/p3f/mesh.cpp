@@ -60,6 +60,7 @@ void read_faces(Loader& loader, const Vertices& vertices, std::size_t count) {
     make_room(loader.scene.all<Triangle>(), expected);
     make_room(loader.scene.primitives, expected);
     const std::uint32_t material = loader.current_material();
+    const Sides sides = loader.sides();
     std::size_t lines = 0;
     for (std::size_t i = 0; i < count && in.ok(); ++i) {
         Triangle face{};
@@ -67,7 +68,7 @@ void read_faces(Loader& loader, const Vertices& vertices, std::size_t count) {
         if (is_line(face.vertices)) {
             ++lines;
         } else {
-            loader.scene.add(face, material, loader.sides());
+            loader.scene.add(face, material, sides);
         }
     }
     if (lines > 0) in.warn("degenerate", "{} faces left out: they name a vertex twice", lines);

@@ -1,57 +1,54 @@
 #include "core/formats/p3f/p3f.h"
 
-#include "core/formats/nearest_name.h"
-#include "core/formats/p3f/keywords.h"
+#include "core/formats/camera_block.h"
+#include "core/formats/p3f/loader.h"
+#include "core/formats/statements.h"
 
 namespace etalon {
 namespace {
 
-using p3f::Loader;
-
-/// One warning for what stands where a keyword should, however long it goes on.
-void complain(Loader& loader, std::string_view before) {
-    Reader& in = loader.in;
-    const bool number = in.tokens().at_number();
-    const std::string_view word = in.begin();
-    const std::size_t more = p3f::skip_to_keyword(in);
-    const std::string end = more == 0 ? "" : fmt::format(" (words skipped: {})", more + 1);
-    if (number && !before.empty()) {
-        in.warn("stray", "expected a keyword after '{}', found {}{}", before, in_quotes(word), end);
-    } else if (number) {
-        in.warn("stray", "expected a keyword, found {}{}", in_quotes(word), end);
-    } else {
-        in.warn("keyword", "unknown keyword {}{}{}", in_quotes(word), end,
-                did_you_mean(word, p3f::keyword_names()));
-    }
+void read_camera(SceneLoader& loader) {
+    read_camera_block(loader, CameraDialect::p3f);
 }
 
-void read_statements(Loader& loader) {
-    Reader& in = loader.in;
-    std::string_view before;
-    while (!in.tokens().at_end()) {
-        const p3f::Handler read = p3f::find_handler(in.tokens().peek());
-        if (!read) {
-            complain(loader, before);
-            continue;
-        }
-        before = in.begin();
-        read(loader);
-        if (!in.ok()) p3f::skip_to_keyword(in);
-        in.recover();
-    }
+/// What single repositories of the course added for themselves.
+void skip_private_extension(SceneLoader& loader) {
+    loader.in.warn("extension", "'{}' is a private extension of one program; it is left out",
+                   loader.in.keyword());
+    loader.in.skip_to_keyword();
 }
 
-/// Without any camera nothing can be rendered. Beside a good one a bad one does no harm.
-void settle_cameras(const Loader& loader, std::size_t end, DiagnosticLog& log) {
-    const std::optional<p3f::UnusableCamera>& bad = loader.unusable_camera;
-    if (bad && loader.has_camera) {
-        log.warn(bad->offset, "camera", "{}; this camera is left out", bad->why);
-    } else if (bad) {
-        log.error(bad->offset, "camera", "{}, so nothing can be rendered", bad->why);
-    } else if (!loader.has_camera) {
-        log.error(end, "camera", "no camera, so nothing can be rendered");
-    }
-}
+using Entry = Keyword<SceneLoader>;
+
+// To add a statement: its reader in the fitting file of this folder, declared in loader.h, and a
+// line here.
+constexpr std::array keywords = {
+    Entry{"s", read_sphere},
+    Entry{"p", read_polygon},
+    Entry{"pp", read_patch},
+    Entry{"mat", p3f::read_mat},
+    Entry{"f", p3f::read_f},
+    Entry{"box", p3f::read_box},
+    Entry{"c", read_cone},
+    Entry{"mesh", p3f::read_mesh},
+    Entry{"pl", p3f::read_plane},
+    Entry{"npl", p3f::read_hessian_plane},
+    Entry{"light", p3f::read_light},
+    Entry{"l", p3f::read_point_light},
+    Entry{"camera", read_camera},
+    Entry{"v", read_camera},
+    Entry{"bclr", read_background},
+    Entry{"env", p3f::read_environment},
+    Entry{"accel", p3f::read_accel},
+    Entry{"spp", p3f::read_samples},
+    Entry{"sm", skip_private_extension, false},
+    Entry{"ms", skip_private_extension, false},
+    Entry{"a", skip_private_extension, false},
+    Entry{"al", skip_private_extension, false},
+    Entry{"fire", skip_private_extension, false},
+};
+
+constexpr auto names = names_of(keywords);
 
 /// What the course's programs of 2021 did to a picture.
 void apply_legacy(Scene& scene) {
@@ -69,16 +66,13 @@ void apply_legacy(Scene& scene) {
 
 LoadResult load_p3f(std::string_view text, const std::string& path, const LoadOptions& options) {
     DiagnosticLog log(path, text, options.strict);
-    Loader loader{Reader(text, log), options, std::filesystem::path(path).parent_path()};
+    SceneLoader loader{Reader(text, log, names), options, std::filesystem::path(path).parent_path(),
+                       p3f::default_material()};
     loader.scene.format = "p3f";
     loader.scene.display_colors = true;
-    read_statements(loader);
-    settle_cameras(loader, text.size(), log);
+    read_statements(loader, keywords);
     if (options.legacy) apply_legacy(loader.scene);
-    LoadResult result;
-    if (!log.has_errors()) result.scene = std::move(loader.scene);
-    result.diagnostics = log.take();
-    return result;
+    return loader.finish(log);
 }
 
 }  // namespace etalon

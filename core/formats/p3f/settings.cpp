@@ -1,4 +1,4 @@
-// Statements about the picture as a whole: accel, spp, bclr, env.
+// Statements about the picture as a whole: accel, spp, env.
 #include <fmt/ranges.h>
 
 #include <array>
@@ -36,11 +36,6 @@ void read_samples(Loader& loader) {
         return;
     }
     loader.scene.samples_per_pixel = static_cast<int>(samples);
-}
-
-void read_background(Loader& loader) {
-    const Color color = loader.in.color("colour");
-    if (loader.in.ok()) loader.scene.environment.background = color;
 }
 
 /// The directory lies beside the scene file, else in the working directory.

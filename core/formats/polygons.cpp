@@ -1,10 +1,10 @@
-// p and pp: polygons of any number of corners, concave ones too, flat or with corner normals.
+// Polygons of any number of corners, concave ones too, flat or with corner normals.
 #include <cmath>
 
-#include "core/formats/p3f/degenerate.h"
-#include "core/formats/p3f/loader.h"
+#include "core/formats/degenerate.h"
+#include "core/formats/scene_loader.h"
 
-namespace etalon::p3f {
+namespace etalon {
 namespace {
 
 Vec3 normalized(const Vec3& v) {
@@ -18,7 +18,7 @@ struct Place {
 };
 
 /// Appends the corners to the scene's vertices (and normals).
-void read_corners(Loader& loader, std::size_t count, bool with_normals) {
+void read_corners(SceneLoader& loader, std::size_t count, bool with_normals) {
     Scene& scene = loader.scene;
     for (std::size_t i = 0; i < count && loader.in.ok(); ++i) {
         scene.vertices.push_back(loader.in.vector("corner"));
@@ -27,39 +27,39 @@ void read_corners(Loader& loader, std::size_t count, bool with_normals) {
 }
 
 /// Nothing where the corners just read make no polygon.
-bool is_visible(Loader& loader, const Place& first) {
+bool is_visible(SceneLoader& loader, const Place& first) {
     if (!loader.in.ok()) return false;
     const Vec3 normal = area_normal(std::span(loader.scene.vertices).subspan(first.vertex));
     if (is_finite(normal) && normal != Vec3(0)) return true;
-    loader.in.warn("degenerate", "'{}' left out: it has no area", loader.in.keyword());
+    loader.leave_out("it has no area");
     return false;
 }
 
 /// Brings the normals to unit length. A zero one leaves the polygon without any.
-std::uint32_t usable_normals(Loader& loader, const Place& first) {
+std::uint32_t usable_normals(SceneLoader& loader, const Place& first) {
     std::vector<Vec3>& normals = loader.scene.normals;
     for (std::size_t i = first.normal; i < normals.size(); ++i) {
         normals[i] = normalized(normals[i]);
         if (is_finite(normals[i])) continue;
-        loader.in.warn("degenerate", "'pp' shaded flat: a corner normal is zero");
+        loader.in.warn("degenerate", "'{}' shaded flat: a corner normal is zero",
+                       loader.in.keyword());
         normals.resize(first.normal);
         return no_index;
     }
     return first.normal;
 }
 
-void add(Loader& loader, const Place& first, std::uint32_t normals) {
-    const std::uint32_t material = loader.current_material();
+void add(SceneLoader& loader, const Place& first, std::uint32_t normals) {
     const std::uint32_t v = first.vertex;
     const auto count = static_cast<std::uint32_t>(loader.scene.vertices.size()) - v;
     if (count == 3) {
-        loader.scene.add(Triangle{{v, v + 1, v + 2}, normals}, material, loader.sides());
+        loader.add(Triangle{{v, v + 1, v + 2}, normals}, loader.sides());
     } else {
-        loader.scene.add(Polygon{v, count, normals}, material, loader.sides());
+        loader.add(Polygon{v, count, normals}, loader.sides());
     }
 }
 
-void read(Loader& loader, bool with_normals) {
+void read(SceneLoader& loader, bool with_normals) {
     Reader& in = loader.in;
     Scene& scene = loader.scene;
     const std::size_t offset = in.tokens().offset();
@@ -80,12 +80,12 @@ void read(Loader& loader, bool with_normals) {
 
 }  // namespace
 
-void read_polygon(Loader& loader) {
+void read_polygon(SceneLoader& loader) {
     read(loader, false);
 }
 
-void read_patch(Loader& loader) {
+void read_patch(SceneLoader& loader) {
     read(loader, true);
 }
 
-}  // namespace etalon::p3f
+}  // namespace etalon

@@ -1,8 +1,8 @@
-#include "core/formats/p3f/degenerate.h"
+#include "core/formats/degenerate.h"
 
 #include "core/numerics/rounding.h"
 
-namespace etalon::p3f {
+namespace etalon {
 
 Vec3 to_unit_magnitude(const Vec3& v) {
     return v * power_of_two_reciprocal(max_abs(v));
@@ -19,4 +19,4 @@ Vec3 area_normal(std::span<const Vec3> corners) {
     return sum;
 }
 
-}  // namespace etalon::p3f
+}  // namespace etalon

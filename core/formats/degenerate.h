@@ -6,7 +6,7 @@
 
 #include "core/numerics/vec.h"
 
-namespace etalon::p3f {
+namespace etalon {
 
 /// `v` times the power of two that brings its largest component to [1, 2): products of such vectors
 /// neither overflow nor vanish.
@@ -16,4 +16,4 @@ Vec3 to_unit_magnitude(const Vec3& v);
 /// (Newell's sum of the fan of triangles about the first corner). Zero if they span no area.
 Vec3 area_normal(std::span<const Vec3> corners);
 
-}  // namespace etalon::p3f
+}  // namespace etalon

@@ -1,0 +1,30 @@
+// The cameras of NFF and its descendants.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/formats/scene_loader.h"
+
+namespace etalon {
+
+/// A camera half read.
+struct CameraBlock {
+    std::size_t start = 0;  ///< of the statement that complaints are about
+    Camera camera{};
+    std::int64_t width = 0, height = 0;
+};
+
+void read_resolution(Reader& in, CameraBlock& block);
+
+/// Makes the block the scene's camera, or says why nothing can be seen with it; `missing` names
+/// what it ought to have and has not.
+void settle_camera(SceneLoader& loader, CameraBlock block, const std::string& missing);
+
+/// NFF's camera is a block of lines that each start with a word of their own; P3F's has a lens, and
+/// a new word for `from`.
+enum class CameraDialect : std::uint8_t { nff, p3f };
+
+void read_camera_block(SceneLoader& loader, CameraDialect dialect);
+
+}  // namespace etalon

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <map>
+
+#include "core/formats/camera_block.h"
+#include "core/formats/scene_loader.h"
+
+namespace etalon::prt {
+
+/// The statements of an instance, and whether they have an object before any surface.
+struct Definition {
+    std::string_view statements;
+    bool inherits_surface = false;
+};
+
+/// Where the objects of a definition start in the scene's arrays.
+struct SceneMark {
+    explicit SceneMark(const Scene& scene);
+
+    std::size_t primitives, materials, vertices;
+    std::array<std::size_t, shape_kinds> shapes;
+};
+
+/// An instance whose end has not come yet.
+struct OpenDefinition {
+    std::string_view name;
+    std::size_t keyword;  ///< offset of the statement
+    std::size_t first;    ///< offset of the statements
+    int nested = 0;       ///< instances inside it, which are errors
+    SceneMark mark;
+    std::optional<std::uint32_t> outer_material;
+};
+
+/// A PRT file being read.
+struct Loader : SceneLoader {
+    std::string_view text;
+    CameraBlock camera{};
+    bool has_camera_lines = false;
+    std::array<bool, 5> camera_lines{};  ///< which of from, at, up, angle, resolution have come
+    std::map<std::string_view, Definition> definitions{};
+    std::optional<OpenDefinition> open{};
+    std::size_t replayed = 0;  ///< bytes of statements
+};
+
+// One per kind of statement: reads what follows the keyword and adds it to the scene.
+void read_from(Loader&);
+void read_at(Loader&);
+void read_up(Loader&);
+void read_angle(Loader&);
+void read_resolution(Loader&);
+void read_light(Loader&);
+void read_background(Loader&);
+void read_surface(Loader&);
+void read_hollow_sphere(Loader&);
+void read_ring(Loader&);
+void read_quadric(Loader&);
+void read_instance(Loader&);
+void read_end_instance(Loader&);
+void read_instance_of(Loader&);
+
+/// Reads the objects and surfaces of a text, and nothing else; and their keywords.
+void read_objects(Loader&);
+std::span<const std::string_view> object_names();
+
+/// The end of the file inside a definition.
+void drop_open_definition(Loader&);
+
+/// The end of the file: what was read of the camera becomes the scene's.
+void settle_view(Loader&);
+
+}  // namespace etalon::prt

@@ -1,0 +1,99 @@
+// surface, hsphere, ring and quadric. What cannot be seen is left out with a warning.
+#include <algorithm>
+
+#include "core/formats/degenerate.h"
+#include "core/formats/prt/loader.h"
+
+namespace etalon::prt {
+namespace {
+
+/// A colour and its weight.
+Color read_weighted(Reader& in, std::string_view color_name, std::string_view weight_name) {
+    const Color color = in.color(color_name);
+    return color * static_cast<float>(in.number(weight_name));
+}
+
+/// The inner side of a shell: matter in front of it, nothing behind.
+std::uint32_t hollow(Loader& loader) {
+    Material inner = loader.scene.materials[loader.current_material()];
+    inner.ior = 1 / inner.ior;
+    loader.scene.materials.push_back(inner);
+    return static_cast<std::uint32_t>(loader.scene.materials.size() - 1);
+}
+
+}  // namespace
+
+/// Without an exponent there is no highlight.
+void read_surface(Loader& loader) {
+    Reader& in = loader.in;
+    Material m;
+    m.reflection = read_weighted(in, "reflected colour", "Ks");
+    m.transmission = read_weighted(in, "refracted colour", "T");
+    m.ambient = in.color("ambient colour");
+    m.diffuse = in.color("diffuse colour");
+    m.specular = in.color("specular colour");
+    m.shininess = in.number("exponent");
+    m.highlight = Highlight::phong;
+    const double ior = in.number("index of refraction");
+    if (m.shininess == 0) m.specular = Color(0.0F);
+    if (m.transmission != Color(0.0F)) m.ior = ior;
+    if (in.ok()) loader.set_material(m);
+}
+
+/// A shell of matter about a hollow: two spheres, the inner one with the outside of matter.
+void read_hollow_sphere(Loader& loader) {
+    Reader& in = loader.in;
+    const Vec3 centre = in.vector("centre");
+    const double radius = in.number("radius"), thickness = in.number("thickness");
+    if (!in.ok()) return;
+    if (!(radius > 0)) return loader.leave_out("its radius is not more than 0");
+    if (!(thickness > 0 && thickness <= radius)) {
+        return loader.leave_out("its thickness is not more than 0 and at most its radius");
+    }
+    const Sides sides = loader.sides();
+    loader.add(Sphere{centre, radius}, sides);
+    if (!(radius - thickness > 0)) return;
+    loader.scene.add(Sphere{centre, radius - thickness}, hollow(loader),
+                     sides == Sides::both ? Sides::both : Sides::back);
+}
+
+/// Of the two points about the centre only the plane matters. (The document's text has the inner
+/// radius first; its synopsis and its program have the outer one.)
+void read_ring(Loader& loader) {
+    Reader& in = loader.in;
+    const std::array points = {in.vector("centre"), in.vector("first point"),
+                               in.vector("second point")};
+    const double outer = in.number("outer radius"), inner = in.number("inner radius");
+    if (!in.ok()) return;
+    const Vec3 normal = area_normal(points);
+    if (!is_finite(normal) || normal == Vec3(0)) {
+        return loader.leave_out("its points span no plane");
+    }
+    if (!(outer > 0)) return loader.leave_out("its outer radius is not more than 0");
+    if (!(inner >= 0 && inner <= outer)) {
+        return loader.leave_out("its inner radius, the second, is not between 0 and the outer one");
+    }
+    loader.add(Ring{points[0], normal, inner, outer}, loader.sides());
+}
+
+/// In `center`, the box it is cut to, and the coefficients a ... j.
+void read_quadric(Loader& loader) {
+    Reader& in = loader.in;
+    Quadric q{in.vector("center"), {}, Box3()};
+    const Vec3 a = in.vector("box's lower corner"), b = in.vector("box's upper corner");
+    for (double& c : q.coefficients) c = in.number("coefficient");
+    if (!in.ok()) return;
+    q.clip.extendBy(a);
+    q.clip.extendBy(b);
+    const auto end = q.coefficients.end() - 1;  // the last alone makes no surface
+    if (std::all_of(q.coefficients.begin(), end, [](double c) { return c == 0; })) {
+        return loader.leave_out("its coefficients are all 0");
+    }
+    if (q.clip.min != a) {
+        in.warn("degenerate",
+                "the corners of the box are not the lower and the upper one; exchanged");
+    }
+    loader.add(q, loader.sides());
+}
+
+}  // namespace etalon::prt

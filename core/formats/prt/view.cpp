@@ -1,0 +1,118 @@
+// from, at, up, angle, resolution, light and background.
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/formats/prt/loader.h"
+
+namespace etalon::prt {
+namespace {
+
+struct CameraLine {
+    std::string_view name;
+    void (*read)(Reader&, CameraBlock&);
+};
+
+constexpr std::array camera_lines = {
+    CameraLine{"from", [](Reader& in, CameraBlock& b) { b.camera.eye = in.vector("eye"); }},
+    CameraLine{"at", [](Reader& in, CameraBlock& b) { b.camera.at = in.vector("point"); }},
+    CameraLine{"up", [](Reader& in, CameraBlock& b) { b.camera.up = in.vector("direction"); }},
+    CameraLine{"angle",
+               [](Reader& in, CameraBlock& b) { b.camera.fov_degrees = in.number("degrees"); }},
+    CameraLine{"resolution", etalon::read_resolution},
+};
+
+/// The document has the camera first, then lights, then objects; the program takes any order.
+void warn_of_order(Loader& loader, bool is_camera) {
+    const bool after_objects = !loader.scene.primitives.empty() || !loader.definitions.empty();
+    if (after_objects || (is_camera && !loader.scene.lights.empty())) {
+        loader.in.warn("order", "'{}' after {}; PRT's document has it before them",
+                       loader.in.keyword(), after_objects ? "objects" : "lights");
+    }
+}
+
+void read_line(Loader& loader, std::size_t line) {
+    Reader& in = loader.in;
+    warn_of_order(loader, true);
+    if (!loader.has_camera_lines) loader.camera.start = in.start();
+    loader.has_camera_lines = true;
+    const CameraBlock before = loader.camera;
+    camera_lines[line].read(in, loader.camera);
+    if (!in.ok()) {
+        loader.camera = before;
+        return;
+    }
+    if (loader.camera_lines[line]) {
+        in.warn("camera", "a second '{}'; it replaces the first", in.keyword());
+    }
+    loader.camera_lines[line] = true;
+}
+
+std::string missing_lines(const Loader& loader) {
+    std::vector<std::string_view> missing;
+    for (std::size_t k = 0; k < camera_lines.size(); ++k) {
+        if (!loader.camera_lines[k]) missing.push_back(camera_lines[k].name);
+    }
+    return fmt::format("{}", fmt::join(missing, ", "));
+}
+
+/// The program took half the picture's extent for tan(angle) / sqrt(2), which turns the picture
+/// over beyond 90 degrees.
+double legacy_fov(double degrees) {
+    const double half = std::tan(degrees * (std::numbers::pi / 180)) / std::numbers::sqrt2;
+    return 2 * std::atan(half) * (180 / std::numbers::pi);
+}
+
+/// What the program did to a picture. It read the centre of a quadric and forgot it.
+void apply_legacy(Scene& scene) {
+    Camera& camera = scene.camera;
+    camera.fov_degrees = legacy_fov(camera.fov_degrees);
+    camera.pixel_rays = PixelRays::upper_left;
+    scene.whitted.fit_eye_rays = true;
+    for (Quadric& q : scene.all<Quadric>()) q.centre = Vec3(0);
+}
+
+}  // namespace
+
+void read_from(Loader& loader) {
+    read_line(loader, 0);
+}
+
+void read_at(Loader& loader) {
+    read_line(loader, 1);
+}
+
+void read_up(Loader& loader) {
+    read_line(loader, 2);
+}
+
+void read_angle(Loader& loader) {
+    read_line(loader, 3);
+}
+
+void read_resolution(Loader& loader) {
+    read_line(loader, 4);
+}
+
+void read_light(Loader& loader) {
+    warn_of_order(loader, false);
+    const Vec3 position = loader.in.vector("position");
+    if (loader.in.ok()) loader.add_light(position);
+}
+
+/// The colour may be followed by a letter, whose meaning the program never gave it.
+void read_background(Loader& loader) {
+    etalon::read_background(loader);
+    const std::string_view word = loader.in.tokens().peek();
+    const bool letter = word.size() == 1 && !loader.in.tokens().at_number();
+    if (loader.in.ok() && letter) loader.in.tokens().next();
+}
+
+void settle_view(Loader& loader) {
+    loader.camera.camera.stretched = true;
+    if (loader.has_camera_lines) settle_camera(loader, loader.camera, missing_lines(loader));
+    if (loader.options.legacy) apply_legacy(loader.scene);
+}
+
+}  // namespace etalon::prt

@@ -1,0 +1,83 @@
+#include "core/formats/scene_loader.h"
+
+#include <cmath>
+
+namespace etalon {
+namespace {
+
+void settle_cameras(const SceneLoader& loader, DiagnosticLog& log) {
+    const std::optional<UnusableCamera>& bad = loader.unusable_camera;
+    if (bad && loader.has_camera) {
+        log.warn(bad->offset, "camera", "{}; this camera is left out", bad->why);
+    } else if (bad) {
+        log.error(bad->offset, "camera", "{}, so nothing can be rendered", bad->why);
+    } else if (!loader.has_camera) {
+        log.error(loader.in.tokens().offset(), "camera", "no camera, so nothing can be rendered");
+    }
+}
+
+/// Whether there is such a surface; if not, says why.
+bool is_possible(Reader& in, const Material& m) {
+    if (m.transmission != Color(0.0F) && !(m.ior > 0)) {
+        in.warn("material", "the index of refraction of glass is {}; expected more than 0", m.ior);
+    } else if (m.shininess < 0) {
+        in.warn("material", "the Shine is {}; expected 0 or more", m.shininess);
+    } else if (!is_finite(m.diffuse) || !is_finite(m.specular) || !is_finite(m.reflection) ||
+               !is_finite(m.transmission)) {
+        in.warn("material", "a colour times its weight is beyond every colour");
+    } else {
+        return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+Material matt_grey() {
+    Material m;
+    m.diffuse = Color(0.5F);
+    return m;
+}
+
+void SceneLoader::set_material(const Material& m) {
+    if (!is_possible(in, m)) return;
+    material = static_cast<std::uint32_t>(scene.materials.size());
+    scene.materials.push_back(m);
+}
+
+std::uint32_t SceneLoader::current_material() {
+    if (!material) {
+        in.warn("no-material", "'{}' before any material; it gets a default one", in.keyword());
+        set_material(default_material);
+    }
+    return *material;
+}
+
+Sides SceneLoader::sides() {
+    const bool opaque = scene.materials[current_material()].transmission == Color(0.0F);
+    return options.one_sided && opaque ? Sides::front : Sides::both;
+}
+
+void SceneLoader::add_light(const Vec3& position) {
+    uncolored_lights.push_back(scene.lights.size());
+    scene.lights.emplace_back(PointLight{position, Color(1.0F)});
+}
+
+LoadResult SceneLoader::finish(DiagnosticLog& log) {
+    settle_cameras(*this, log);
+    const double intensity = 1 / std::sqrt(static_cast<double>(scene.lights.size()));
+    for (const std::size_t i : uncolored_lights) {
+        std::get<PointLight>(scene.lights[i]).color = Color(static_cast<float>(intensity));
+    }
+    LoadResult result;
+    if (!log.has_errors()) result.scene = std::move(scene);
+    result.diagnostics = log.take();
+    return result;
+}
+
+void read_background(SceneLoader& loader) {
+    const Color color = loader.in.color("colour");
+    if (loader.in.ok()) loader.scene.environment.background = color;
+}
+
+}  // namespace etalon

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/formats/load.h"
+#include "core/formats/reader.h"
+
+namespace etalon {
+
+struct UnusableCamera {
+    std::size_t offset;
+    std::string why;
+};
+
+/// What objects before any material are made of, where the format does not say.
+Material matt_grey();
+
+/// A scene file being read: what the formats that grew from NFF have in common.
+struct SceneLoader {
+    Reader in;
+    const LoadOptions& options;
+    std::filesystem::path directory;  ///< of the scene file
+    Material default_material = matt_grey();
+    Scene scene{};
+    bool has_camera = false;
+    std::optional<UnusableCamera> unusable_camera{};  ///< the first; an error if no other is good
+    std::optional<std::uint32_t> material{};          ///< of the objects to come
+    std::vector<std::size_t> uncolored_lights{};      ///< those the file gives no colour
+
+    /// Of the objects to come, if there can be such a surface; if not, says why.
+    void set_material(const Material& material);
+
+    /// A white point light that the file says no more about. So that a picture does not grow
+    /// brighter with every one, n lights have an intensity of 1 / sqrt(n) (as PRT's program did).
+    void add_light(const Vec3& position);
+
+    /// The number of the current material. The first object may find none.
+    std::uint32_t current_material();
+
+    /// Of a shape of the current material. The documents have only the front of opaque things
+    /// visible; the formats' own programs show both sides.
+    Sides sides();
+
+    /// The same, but a negative radius shows only the inside of a shape.
+    Sides sides_for(double radius) { return radius < 0 ? Sides::back : sides(); }
+
+    template <class Shape>
+    void add(const Shape& shape, Sides which) {
+        scene.add(shape, current_material(), which);
+    }
+
+    /// The current statement's shape cannot be seen.
+    void leave_out(std::string_view why) {
+        in.warn("degenerate", "'{}' left out: {}", in.keyword(), why);
+    }
+
+    /// The end of reading. Without any camera nothing can be rendered; beside a good one a bad one
+    /// does no harm.
+    LoadResult finish(DiagnosticLog& log);
+};
+
+// Statements that several formats have, by whichever keyword.
+void read_background(SceneLoader&);  ///< colour
+void read_sphere(SceneLoader&);      ///< centre, radius
+void read_cone(SceneLoader&);        ///< base, base radius, apex, apex radius
+void read_polygon(SceneLoader&);     ///< number of corners, corners
+void read_patch(SceneLoader&);       ///< the same, a normal after each corner
+
+}  // namespace etalon

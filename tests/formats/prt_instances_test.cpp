@@ -1,0 +1,180 @@
+#include "tests/catch.h"
+#include "tests/formats/prt_text.h"
+
+using namespace etalon;
+
+namespace {
+
+/// The diffuse colours of the primitives, by letters.
+std::string colors(const LoadResult& r) {
+    std::string letters;
+    for (const Primitive& p : r.scene->primitives) {
+        const Color& c = r.scene->materials[p.material].diffuse;
+        letters += c.x == 1 ? 'r' : c.y == 1 ? 'g' : '?';
+    }
+    return letters;
+}
+
+}  // namespace
+
+TEST_CASE("an instance is nothing until it is referred to, then moved each time") {
+    const LoadResult r = load_prt_text(
+        red +
+        "instance all\nsphere 1 0 0 1\ncone 0 0 0 1 0 0 1 1\npolygon 3 0 0 0 1 0 0 0 1 0\n"
+        "ring 0 0 0 1 0 0 0 1 0 2 1\nquadric 0 0 0 -1 -1 -1 1 1 1 1 0 0 0 1 0 0 1 0 -1\n"
+        "hsphere 0 0 0 2 1\nend_instance\nsphere 9 9 9 9\ninstance_of all 10 20 30\n"
+        "instance_of all 0 0 0\n");
+    CHECK(messages(r).empty());
+    const Scene& s = *r.scene;
+    REQUIRE(s.primitives.size() == 15);
+    const Vec3 offset(10, 20, 30);
+    CHECK(s.all<Sphere>()[0].centre == Vec3(9));
+    CHECK(s.all<Sphere>()[1].centre == Vec3(11, 20, 30));
+    CHECK(s.all<Sphere>()[2].centre == offset);
+    CHECK(s.all<Sphere>()[3].centre == offset);
+    CHECK(s.all<Sphere>()[4].centre == Vec3(1, 0, 0));
+    CHECK(s.all<Cone>()[0].base == offset);
+    CHECK(s.all<Cone>()[0].top == Vec3(10, 20, 31));
+    CHECK(s.vertices[1] == Vec3(11, 20, 30));
+    CHECK(s.vertices[4] == Vec3(1, 0, 0));
+    CHECK(s.all<Ring>()[0].centre == offset);
+    CHECK(s.all<Ring>()[0].normal.x == 0);
+    CHECK(s.all<Quadric>()[0].centre == offset);
+    CHECK(s.all<Quadric>()[0].clip.min == Vec3(9, 19, 29));
+    CHECK(s.all<Quadric>()[0].clip.max == Vec3(11, 21, 31));
+    CHECK(colors(r) == "rrrrrrrrrrrrrrr");
+}
+
+TEST_CASE("an instance that is never referred to leaves nothing behind") {
+    const LoadResult r =
+        load_prt_text("instance a\n" + red + "polygon 4 0 0 0 1 0 0 1 1 0 0 1 0\nend_instance\n");
+    CHECK(messages(r).empty());
+    CHECK(r.scene->primitives.empty());
+    CHECK(r.scene->vertices.empty());
+    CHECK(r.scene->materials.empty());
+    CHECK(r.scene->all<Polygon>().empty());
+}
+
+TEST_CASE("objects of an instance take the surface that is current at the reference") {
+    const LoadResult r = load_prt_text("instance a\nsphere 0 0 0 1\nend_instance\n" + red +
+                                       "instance_of a 0 0 0\n" + green + "instance_of a 1 0 0\n");
+    CHECK(messages(r).empty());
+    CHECK(colors(r) == "rg");
+}
+
+TEST_CASE("a surface in an instance holds from the reference on, outside too") {
+    const LoadResult r = load_prt_text(red + "instance a\nsphere 0 0 0 1\n" + green +
+                                       "sphere 1 0 0 1\nend_instance\nsphere 2 0 0 1\n"
+                                       "instance_of a 0 0 0\nsphere 3 0 0 1\n"
+                                       "instance_of a 0 0 0\n");
+    CHECK(messages(r).empty());
+    CHECK(colors(r) == "rrgggg");
+}
+
+TEST_CASE("a hollow in an instance is one in the surface of the reference") {
+    const LoadResult r = load_prt_text("instance a\nhsphere 0 0 0 1 .5\nend_instance\n" + glass +
+                                       "instance_of a 0 0 0\n" + red + "instance_of a 0 0 0\n");
+    CHECK(messages(r).empty());
+    const auto ior = [&](int i) { return r.scene->materials[r.scene->primitives[i].material].ior; };
+    CHECK(ior(0) == 1.5);
+    CHECK(ior(1) == 1 / 1.5);
+    CHECK(ior(2) == 1);
+    CHECK(ior(3) == 1);
+}
+
+TEST_CASE("a reference before any surface gives its objects a default one, if they need it") {
+    const std::string needs = "instance a\nsphere 0 0 0 1\nend_instance\n";
+    const LoadResult r = load_prt_text(needs + "instance_of a 0 0 0\n");
+    CHECK(messages(r) ==
+          Messages{"a.prt:9:1: warning: 'instance_of' before any material; it gets a default one"});
+    const std::string has = "instance a\n" + red + "sphere 0 0 0 1\nend_instance\n";
+    CHECK(messages(load_prt_text(has + "instance_of a 0 0 0\n")).empty());
+}
+
+TEST_CASE("camera, lights and background in an instance count at once, and once") {
+    const LoadResult r = load_prt_text(
+        "instance a\nlight 1 2 3\nbackground 1 0 0 n\nangle 50\nend_instance\n"
+        "background 0 0 1\ninstance_of a 0 0 0\ninstance_of a 0 0 0\n");
+    CHECK(messages(r) == Messages{"a.prt:9:1: warning: 'angle' after lights; PRT's document has it "
+                                  "before them",
+                                  "a.prt:9:1: warning: a second 'angle'; it replaces the first"});
+    CHECK(r.scene->lights.size() == 1);
+    CHECK(r.scene->camera.fov_degrees == 50);
+    CHECK(r.scene->environment.background == Color(0, 0, 1));
+}
+
+TEST_CASE("errors in an instance are told once, where it is defined") {
+    const LoadResult r = load_prt_text(
+        red +
+        "instance a\nsphere 0 0 0\nsphere 0 0 0 0\nsphere 0 0 0 1 5\nblob\nend_instance\n"
+        "instance_of a 0 0 0\ninstance_of a 1 0 0\n");
+    CHECK(
+        messages(r) ==
+        Messages{"a.prt:9:1: warning: expected a number for the radius of 'sphere', found 'sphere'",
+                 "a.prt:9:1: warning: 'sphere' left out: its radius is 0",
+                 "a.prt:10:16: warning: expected a keyword after 'sphere', found '5' (words "
+                 "skipped: 2)"});
+    CHECK(r.scene->primitives.size() == 2);
+}
+
+TEST_CASE("what no instance may be is an error") {
+    const auto first_error = [](const std::string& text) {
+        const LoadResult r = load_prt_text(red + text);
+        CHECK_FALSE(r.scene);
+        REQUIRE(r.diagnostics.size() == 1);
+        return to_string(r.diagnostics[0]);
+    };
+    CHECK(first_error("instance a\ninstance b\nsphere 0 0 0 1\nend_instance\nend_instance\n") ==
+          "a.prt:8:1: error: an instance inside instance 'a'");
+    CHECK(first_error("instance a\ninstance_of a 0 0 0\nend_instance\ninstance_of a 0 0 0\n") ==
+          "a.prt:8:1: error: 'instance_of' inside instance 'a'");
+    CHECK(first_error("instance_of a 0 0 0\ninstance a\nend_instance\n") ==
+          "a.prt:7:1: error: no instance 'a' is defined above");
+    CHECK(first_error("end_instance\n") ==
+          "a.prt:7:1: error: 'end_instance' without an instance to end");
+}
+
+TEST_CASE("a reference without an offset is left out") {
+    const LoadResult r =
+        load_prt_text(red + "instance a\nsphere 0 0 0 1\nend_instance\ninstance_of a 1 2\n");
+    CHECK(messages(r) == Messages{"a.prt:11:1: warning: expected a number for the offset of "
+                                  "'instance_of', found the end of the file"});
+    CHECK(r.scene->primitives.empty());
+}
+
+TEST_CASE("a second instance of a name does not replace the first") {
+    const LoadResult r =
+        load_prt_text(red +
+                      "instance a\nsphere 0 0 0 1\nend_instance\ninstance a\nsphere 0 0 0 2\n"
+                      "end_instance\ninstance_of a 0 0 0\n");
+    CHECK(messages(r) ==
+          Messages{"a.prt:10:1: warning: a second instance 'a'; the first one stays"});
+    CHECK(r.scene->all<Sphere>()[0].radius == 1);
+}
+
+TEST_CASE("an instance without an end is left out") {
+    const LoadResult r = load_prt_text(red + "sphere 1 1 1 1\ninstance a\nsphere 0 0 0 1\n");
+    CHECK(messages(r) == Messages{"a.prt:8:1: warning: instance 'a' has no end; it is left out"});
+    CHECK(r.scene->primitives.size() == 1);
+}
+
+TEST_CASE("an instance moved beyond all numbers is left out, its surface with it") {
+    const LoadResult r = load_prt_text(red + "instance a\n" + green +
+                                       "sphere 1e308 0 0 1\nend_instance\n"
+                                       "instance_of a 1e308 0 0\nsphere 0 0 0 1\n");
+    CHECK(messages(r) ==
+          Messages{"a.prt:11:1: warning: 'instance_of' left out: it lies beyond all numbers"});
+    CHECK(colors(r) == "r");
+}
+
+TEST_CASE("instances that amount to more than memory are an error, soon") {
+    std::string text = red + "instance a\n";
+    for (int i = 0; i < 20000; ++i) text += "light 0 0 1\n";  // 240,000 bytes
+    text += "sphere 0 0 0 1\nend_instance\n";
+    for (int i = 0; i < 20000; ++i) text += "instance_of a 0 0 0\n";
+    const LoadResult r = load_prt_text(text);
+    CHECK_FALSE(r.scene);
+    REQUIRE_FALSE(r.diagnostics.empty());
+    CHECK(to_string(r.diagnostics[0]).find("the instances amount to more than 134217728 bytes") !=
+          std::string::npos);
+}
