@@ -1,0 +1,29 @@
+// Affine maps as scene files ask for them, and what they do to a surface.
+#pragma once
+
+#include "core/numerics/affine.h"
+
+namespace etalon {
+
+Affine translation(const Vec3& offset);
+Affine scaling(const Vec3& factors);
+
+/// Right-handed about an axis of any length but zero: a positive angle turns x to y about z.
+/// Quarter turns about an axis of the space are exact.
+Affine rotation(double degrees, const Vec3& axis);
+
+bool is_finite(const Affine& map);
+
+/// Whether the map leaves no volume, as far as can be told: its determinant, a sum of six products,
+/// is no more than the roundings of the map's twelve numbers may have made of zero. No scale by
+/// which a map was composed, however uneven, makes it singular.
+bool is_singular(const Affine& map);
+
+/// Whether the map turns right hands into left ones. It must not be singular.
+bool mirrors(const Affine& map);
+
+/// The linear map that takes normals along with their surface, up to a positive factor: the
+/// transposed inverse.
+Affine normals_under(const Affine& map);
+
+}  // namespace etalon
