@@ -5,8 +5,10 @@
 #include <iterator>
 #include <random>
 
+#include "core/formats/write/write.h"
 #include "tests/catch.h"
 #include "tests/formats/p3f_text.h"
+#include "tests/formats/same_scene.h"
 #include "tests/formats/sane_scene.h"
 
 using namespace etalon;
@@ -55,9 +57,22 @@ TEST_CASE("every real P3F scene is read without a warning, but for the one with 
     }
 }
 
+TEST_CASE("every real P3F scene is the same when it is written and read again") {
+    for (const std::string& path : files("p3f", ".p3f")) {
+        CAPTURE(path);
+        const LoadResult r = load_scene(path);
+        const WrittenScene written = write_p3f(*r.scene, fs::path(path).parent_path());
+        CHECK(written.lost.empty());
+        const LoadResult again = load_scene_text(written.text, path);
+        CHECK(again.diagnostics.empty());
+        REQUIRE(again.scene);
+        CHECK(difference(*r.scene, *again.scene) == "");
+    }
+}
+
 TEST_CASE("real scenes of other formats are recognised") {
-    const std::pair<const char*, const char*> kinds[] = {
-        {"nff", "an NFF scene"}, {"prt", "a PRT scene"}, {"sce", "an SCE scene"}};
+    const std::pair<const char*, const char*> kinds[] = {{"nff", "an NFF scene"},
+                                                         {"prt", "a PRT scene"}};
     for (const auto& [name, described] : kinds) {
         for (const std::string& path : files(name, std::string(".") + name)) {
             const LoadResult r = load_scene_text(content(path), "f");

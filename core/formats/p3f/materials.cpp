@@ -3,19 +3,44 @@
 #include <cmath>
 
 #include "core/formats/p3f/loader.h"
+#include "core/formats/p3f/material.h"
+
+namespace etalon {
+
+namespace {
+
+/// Light loses exp(-(1 - Cd) d) over a distance d in glass, and nothing to Cd >= 1.
+Color absorption_of(const Color& diffuse) {
+    const auto of = [](float c) { return std::max(0.0F, 1 - c); };
+    return {of(diffuse.x), of(diffuse.y), of(diffuse.z)};
+}
+
+}  // namespace
+
+Material to_material(const P3fMaterial& n, bool absorbs) {
+    Material m;
+    m.diffuse = n.diffuse * static_cast<float>(n.kd);
+    m.specular = n.specular * static_cast<float>(n.ks);
+    m.shininess = n.shine;
+    if (n.transmission > 0) {
+        m.reflection = n.specular;
+        m.transmission = Color(1.0F);
+        m.fresnel = true;
+        m.ior = n.ior;
+        if (absorbs) m.absorption = absorption_of(n.diffuse);
+    } else if (n.ks > 0) {
+        m.reflection = m.specular;
+    }
+    return m;
+}
+
+}  // namespace etalon
 
 namespace etalon::p3f {
 namespace {
 
-struct Numbers {
-    Color diffuse;
-    double kd;
-    Color specular;
-    double ks, shine, transmission, ior;
-};
-
-Numbers read_numbers(Reader& in) {
-    Numbers n{};
+P3fMaterial read_numbers(Reader& in) {
+    P3fMaterial n;
     n.diffuse = in.color("diffuse colour");
     n.kd = in.number("Kd");
     n.specular = in.color("specular colour");
@@ -26,35 +51,14 @@ Numbers read_numbers(Reader& in) {
     return n;
 }
 
-Material material_of(const Numbers& n) {
-    Material m;
-    m.diffuse = n.diffuse * static_cast<float>(n.kd);
-    m.specular = n.specular * static_cast<float>(n.ks);
-    m.shininess = n.shine;
-    if (n.transmission > 0) {
-        m.reflection = n.specular;
-        m.transmission = Color(1.0F);
-        m.fresnel = true;
-        m.ior = n.ior;
-    } else if (n.ks > 0) {
-        m.reflection = m.specular;
-    }
-    return m;
-}
-
-/// Light loses exp(-(1 - Cd) d) over a distance d in glass, and nothing to Cd >= 1.
-Color absorption_of(const Color& diffuse) {
-    const auto of = [](float c) { return std::max(0.0F, 1 - c); };
-    return {of(diffuse.x), of(diffuse.y), of(diffuse.z)};
-}
-
 /// Whether there is such a surface; if not, says why.
-bool is_possible(Reader& in, const Numbers& n) {
+bool is_possible(Reader& in, const P3fMaterial& n) {
     if (n.transmission > 0 && !(n.ior > 0)) {
         in.warn("material", "the index of refraction of glass is {}; expected more than 0", n.ior);
     } else if (n.shine < 0) {
         in.warn("material", "the Shine is {}; expected 0 or more", n.shine);
-    } else if (!is_finite(material_of(n).diffuse) || !is_finite(material_of(n).specular)) {
+    } else if (const Material m = to_material(n, false);
+               !is_finite(m.diffuse) || !is_finite(m.specular)) {
         in.warn("material", "Cd Kd or Cs Ks is beyond every colour");
     } else {
         return true;
@@ -79,13 +83,11 @@ void pass_extra_numbers(Reader& in) {
 }
 
 void read_material(Loader& loader, bool absorbs) {
-    const Numbers n = read_numbers(loader.in);
+    const P3fMaterial n = read_numbers(loader.in);
     if (!loader.in.ok()) return;
     pass_extra_numbers(loader.in);
     if (!is_possible(loader.in, n)) return;
-    Material m = material_of(n);
-    if (absorbs && m.fresnel) m.absorption = absorption_of(n.diffuse);
-    loader.set_material(m);
+    loader.set_material(to_material(n, absorbs));
 }
 
 }  // namespace
@@ -99,7 +101,7 @@ void read_f(Loader& loader) {
 }
 
 Material default_material() {
-    return material_of({Color(0.2F), 0.2, Color(1.0F), 0.8, 20, 0, 1});
+    return to_material({Color(0.2F), 0.2, Color(1.0F), 0.8, 20, 0, 1}, false);
 }
 
 }  // namespace etalon::p3f

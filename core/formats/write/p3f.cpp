@@ -1,0 +1,185 @@
+#include <algorithm>
+
+#include "core/formats/degenerate.h"
+#include "core/formats/write/ends.h"
+#include "core/formats/write/p3f_material.h"
+#include "core/formats/write/p3f_writer.h"
+#include "core/formats/write/write.h"
+
+namespace etalon {
+namespace {
+
+class P3fScene {
+  public:
+    P3fScene(const Scene& scene, const std::filesystem::path& directory)
+        : scene_(scene), directory_(directory) {}
+
+    WrittenScene write() {
+        write_settings();
+        for (const Light& light : scene_.lights) {
+            std::visit([&](const auto& l) { write_light(l); }, light);
+        }
+        for (std::size_t i = 0; i < scene_.primitives.size();) i = write_primitives(i);
+        out_.flush();
+        return {std::move(text_), lost_.take()};
+    }
+
+  private:
+    void write_settings() {
+        if (!scene_.backend.empty()) out_.backend(scene_.backend);
+        out_.samples(scene_.samples_per_pixel);
+        out_.background(scene_.environment.background);
+        if (scene_.environment.skybox) write_skybox(*scene_.environment.skybox);
+        out_.camera(scene_.camera);
+        note_rules();
+    }
+
+    /// P3F has no word for any of these.
+    void note_rules() {
+        const WhittedRules p3f, &ours = scene_.whitted;
+        const auto sends_rays = [](const Material& m) {
+            return m.reflection != Color(0.0F) || m.transmission != Color(0.0F);
+        };
+        if (ours.max_depth != p3f.max_depth && std::ranges::any_of(scene_.materials, sends_rays)) {
+            lost_.add(fmt::format("depth of {} rays, now {}", ours.max_depth, p3f.max_depth));
+        }
+        if (ours.schlick || ours.clamp_each_ray || ours.fixed_bias != 0) {
+            lost_.add("legacy shading");
+        }
+        if (!scene_.display_colors) lost_.add("sRGB curve of a PNG");
+    }
+
+    /// The directory, as seen from the file's own; a word with blanks would be two.
+    void write_skybox(const Skybox& skybox) {
+        namespace fs = std::filesystem;
+        std::error_code unknown;
+        const fs::path faces = fs::absolute(fs::path(skybox.faces[0]).parent_path(), unknown);
+        const std::string name = fs::proximate(faces, fs::absolute(directory_), unknown).string();
+        const bool is_word = name.find_first_of(" \t\n\v\f\r#") == std::string::npos;
+        if (is_word && !name.empty()) {
+            out_.skybox(name);
+        } else {
+            lost_.add("skybox");
+        }
+        if (skybox.nearest) lost_.add("legacy shading");
+    }
+
+    void write_light(const PointLight& l) { out_.light(l.position, l.color); }
+
+    void write_light(const QuadLight& l) {
+        const EdgeEnd end1 = end_of_edge(l.corner, l.edge1), end2 = end_of_edge(l.corner, l.edge2);
+        if (!end1.exact || !end2.exact) lost_.add("last bits of an area light's edges");
+        out_.quad_light(l.corner, l.color, end1.point, end2.point, l.samples);
+    }
+
+    /// Writes number `first`, and those after it that go into one statement with it. Returns the
+    /// number of the next.
+    std::size_t write_primitives(std::size_t first) {
+        const Primitive& p = scene_.primitives[first];
+        use_material(p.material);
+        if (is_flat_triangle(p)) return write_mesh(first);
+        if (p.sides == Sides::front) lost_.add("shape seen from its front only");
+        with_shape(p.kind, [&]<class Shape>() { write_shape(scene_.get<Shape>(p), p.sides); });
+        return first + 1;
+    }
+
+    void use_material(std::uint32_t material) {
+        if (material == material_) return;
+        material_ = material;
+        const P3fStatement s = to_p3f(scene_.materials[material], lost_);
+        out_.material(s.numbers, s.absorbs);
+    }
+
+    /// A negative radius shows the inside alone.
+    static double signed_radius(double radius, Sides sides) {
+        return sides == Sides::back ? -radius : radius;
+    }
+
+    void write_shape(const Sphere& s, Sides sides) {
+        out_.sphere(s.centre, signed_radius(s.radius, sides));
+    }
+
+    void write_shape(const Cone& c, Sides sides) {
+        out_.cone(c.base, signed_radius(c.base_radius, sides), c.top,
+                  signed_radius(c.top_radius, sides));
+    }
+
+    void write_shape(const Box& b, Sides) { out_.box(b.min, b.max); }
+
+    void write_shape(const Plane& p, Sides) {
+        const auto [points, exact] = points_on(p);
+        if (!exact) lost_.add("last bits of a plane");
+        out_.plane(points[0], points[1], points[2]);
+    }
+
+    void write_shape(const Triangle& t, Sides) {
+        std::array<Vec3, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k) corners[k] = scene_.vertices[t.vertices[k]];
+        write_polygon(corners, t.normals);
+    }
+
+    void write_shape(const Polygon& p, Sides) {
+        write_polygon(std::span(scene_.vertices).subspan(p.first, p.count), p.normals);
+    }
+
+    void write_polygon(std::span<const Vec3> corners, std::uint32_t first_normal) {
+        if (first_normal == no_index) return out_.polygon(corners);
+        const auto normals = std::span(scene_.normals).subspan(first_normal, corners.size());
+        if (std::ranges::find(normals, Vec3(0)) != normals.end()) {
+            lost_.add("smooth polygon with a zero normal, now flat");
+            return out_.polygon(corners);
+        }
+        if (!std::ranges::all_of(normals, is_of_unit_length)) lost_.add("length of corner normals");
+        out_.patch(corners, normals);
+    }
+
+    bool is_flat_triangle(const Primitive& p) const {
+        return p.kind == kind_of<Triangle>() && scene_.get<Triangle>(p).normals == no_index;
+    }
+
+    /// All triangles from `first` on that share its material, as one mesh.
+    std::size_t write_mesh(std::size_t first) {
+        std::size_t end = first;
+        std::vector<std::uint32_t> used;
+        for (; end < scene_.primitives.size(); ++end) {
+            const Primitive& p = scene_.primitives[end];
+            if (!is_flat_triangle(p) || p.material != scene_.primitives[first].material) break;
+            if (p.sides == Sides::front) lost_.add("shape seen from its front only");
+            const auto& v = scene_.get<Triangle>(p).vertices;
+            used.insert(used.end(), v.begin(), v.end());
+        }
+        std::ranges::sort(used);
+        used.erase(std::unique(used.begin(), used.end()), used.end());
+        write_mesh(std::span(scene_.primitives).subspan(first, end - first), used);
+        return end;
+    }
+
+    void write_mesh(std::span<const Primitive> triangles, std::span<const std::uint32_t> used) {
+        std::vector<Vec3> vertices;
+        for (const std::uint32_t v : used) vertices.push_back(scene_.vertices[v]);
+        std::vector<std::array<std::uint32_t, 3>> faces;
+        for (const Primitive& p : triangles) {
+            std::array<std::uint32_t, 3> face = scene_.get<Triangle>(p).vertices;
+            for (std::uint32_t& v : face) {
+                v = static_cast<std::uint32_t>(std::ranges::lower_bound(used, v) - used.begin());
+            }
+            faces.push_back(face);
+        }
+        out_.mesh(vertices, faces);
+    }
+
+    const Scene& scene_;
+    const std::filesystem::path& directory_;
+    std::string text_;
+    P3fWriter out_{[this](std::string_view piece) { text_ += piece; }};
+    Losses lost_;
+    std::uint32_t material_ = no_index;
+};
+
+}  // namespace
+
+WrittenScene write_p3f(const Scene& scene, const std::filesystem::path& directory) {
+    return P3fScene(scene, directory).write();
+}
+
+}  // namespace etalon
