@@ -61,10 +61,6 @@ Affine rotation(double degrees, const Vec3& axis) {
     return {image({1, 0, 0}), image({0, 1, 0}), image({0, 0, 1})};
 }
 
-bool is_finite(const Affine& m) {
-    return is_finite(m.x) && is_finite(m.y) && is_finite(m.z) && is_finite(m.origin);
-}
-
 bool is_singular(const Affine& map) {
     const Affine m = with_scaled_columns(map);
     double sum = 0, magnitude = 0;
@@ -79,14 +75,6 @@ bool is_singular(const Affine& map) {
 
 bool mirrors(const Affine& map) {
     return with_scaled_columns(map).determinant() < 0;
-}
-
-Affine normals_under(const Affine& map) {
-    const double side = mirrors(map) ? -1 : 1;
-    const double largest = std::max({max_abs(map.x), max_abs(map.y), max_abs(map.z)});
-    const double scale = power_of_two_reciprocal(largest);
-    const Vec3 x = map.x * scale, y = map.y * scale, z = map.z * scale;
-    return {side * y.cross(z), side * z.cross(x), side * x.cross(y)};
 }
 
 }  // namespace etalon

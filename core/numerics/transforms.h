@@ -1,4 +1,4 @@
-// Affine maps as scene files ask for them, and what they do to a surface.
+// Affine maps as scene files ask for them.
 #pragma once
 
 #include "core/numerics/affine.h"
@@ -12,8 +12,6 @@ Affine scaling(const Vec3& factors);
 /// Quarter turns about an axis of the space are exact.
 Affine rotation(double degrees, const Vec3& axis);
 
-bool is_finite(const Affine& map);
-
 /// Whether the map leaves no volume, as far as can be told: its determinant, a sum of six products,
 /// is no more than the roundings of the map's twelve numbers may have made of zero. No scale by
 /// which a map was composed, however uneven, makes it singular.
@@ -21,9 +19,5 @@ bool is_singular(const Affine& map);
 
 /// Whether the map turns right hands into left ones. It must not be singular.
 bool mirrors(const Affine& map);
-
-/// The linear map that takes normals along with their surface, up to a positive factor: the
-/// transposed inverse.
-Affine normals_under(const Affine& map);
 
 }  // namespace etalon

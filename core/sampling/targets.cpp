@@ -73,6 +73,31 @@ std::vector<Target> targets(const Plane& plane, double finest) {
     };
 }
 
+/// Those of a shape whose image under the map is aimed at.
+std::vector<Target> moved(const std::vector<Target>& targets, const Affine& map,
+                          const LinearInverse& inverse) {
+    std::vector<Target> list;
+    for (const Target& target : targets) {
+        list.emplace_back([=](const Vec3& from, Random& random) {
+            return map.point(target(inverse.vector(from - map.origin), random));
+        });
+    }
+    return list;
+}
+
+std::vector<Target> targets(const Ellipsoid& e, double finest) {
+    return moved(targets(Sphere{{0, 0, 0}, 1}, finest), e.to_world, e.to_local);
+}
+
+std::vector<Target> targets(const ClosedCylinder& c, double finest) {
+    std::vector<Target> list = targets(Cone{{0, 0, 0}, {0, 0, 1}, 1, 1}, finest);
+    list.emplace_back([](const Vec3&, Random& random) {
+        const double cap = random.index(2) == 0 ? 0 : 1, radius = std::sqrt(random.uniform());
+        return across({0, 0, 1}, random.uniform(0, turn)) * radius + Vec3(0, 0, cap);
+    });
+    return moved(list, c.to_world, c.to_local);
+}
+
 std::vector<Target> targets(const Outline& face) {
     std::vector<Target> list;
     for (const Feature feature : features) {

@@ -13,6 +13,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/numerics/inverse.h"
 #include "core/numerics/vec.h"
 
 namespace etalon {
@@ -71,9 +72,33 @@ struct Cone {
     double base_radius, top_radius;
 };
 
+/// The image of the unit sphere about the origin under `to_world`.
+struct Ellipsoid {
+    static constexpr std::string_view name = "ellipsoid";
+    static constexpr Form form = Form::convex;
+
+    explicit Ellipsoid(const Affine& map) : to_world(map), to_local(map) {}
+
+    Affine to_world;
+    LinearInverse to_local;
+};
+
+/// The image of the solid cylinder x^2 + y^2 <= 1, 0 <= z <= 1 under `to_world`: its side and both
+/// caps.
+struct ClosedCylinder {
+    static constexpr std::string_view name = "cylinder";
+    static constexpr Form form = Form::convex;
+
+    explicit ClosedCylinder(const Affine& map) : to_world(map), to_local(map) {}
+
+    Affine to_world;
+    LinearInverse to_local;
+};
+
 /// One array per kind of shape. A kind's number is its place in this list.
 using ShapeArrays = std::tuple<std::vector<Sphere>, std::vector<Triangle>, std::vector<Polygon>,
-                               std::vector<Box>, std::vector<Plane>, std::vector<Cone>>;
+                               std::vector<Box>, std::vector<Plane>, std::vector<Cone>,
+                               std::vector<Ellipsoid>, std::vector<ClosedCylinder>>;
 
 inline constexpr std::size_t shape_kinds = std::tuple_size_v<ShapeArrays>;
 

@@ -41,6 +41,15 @@ auto fields(const Scene&, const Plane& p) {
 auto fields(const Scene&, const Cone& c) {
     return std::tuple(c.base, c.top, c.base_radius, c.top_radius);
 }
+auto fields(const Affine& m) {
+    return std::tuple(m.x, m.y, m.z, m.origin);
+}
+auto fields(const Scene&, const Ellipsoid& e) {
+    return fields(e.to_world);
+}
+auto fields(const Scene&, const ClosedCylinder& c) {
+    return fields(c.to_world);
+}
 auto fields(const Scene& scene, std::span<const std::uint32_t> vertices, std::uint32_t normals) {
     std::vector<Vec3> values;
     for (const std::uint32_t v : vertices) values.push_back(scene.vertices[v]);

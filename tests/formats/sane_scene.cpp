@@ -46,6 +46,13 @@ bool fine(const Scene&, const Cone& c) {
            c.base_radius + c.top_radius > 0;
 }
 
+bool fine(const Scene&, const Ellipsoid& e) {
+    return e.to_local.exists;
+}
+bool fine(const Scene&, const ClosedCylinder& c) {
+    return c.to_local.exists;
+}
+
 template <class List>
 bool all_fine(const List& list) {
     for (const auto& item : list) {

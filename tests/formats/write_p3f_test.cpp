@@ -7,6 +7,7 @@
 #include "core/formats/write/ends.h"
 #include "core/formats/write/p3f_material.h"
 #include "core/formats/write/write.h"
+#include "core/numerics/transforms.h"
 #include "tests/catch.h"
 #include "tests/formats/p3f_text.h"
 #include "tests/formats/same_scene.h"
@@ -180,6 +181,32 @@ TEST_CASE("what P3F cannot say is listed, each kind once") {
                                               "ambient colour of a material 2",
                                               "highlight of another weight than the mirrored ray 1",
                                               "shape seen from its front only 1"});
+}
+
+TEST_CASE("ellipsoids and closed cylinders become polygons on their surface, facing out") {
+    const Affine map = translation({1, 2, 3}) * rotation(30, {1, 2, 3}) * scaling({1, -2, 3});
+    LoadResult r = load_objects("s 0 0 0 1\n");
+    Scene scene = *r.scene;
+    scene.primitives.clear();
+    scene.add(Ellipsoid(map), 0);
+    scene.add(ClosedCylinder(map), 0);
+    CHECK(lost(scene) ==
+          std::vector<std::string>{"ellipsoid, now polygons 1", "closed cylinder, now polygons 1"});
+    const LoadResult read = load_p3f_text(write_p3f(scene, "").text);
+    CHECK(messages(read).empty());
+    REQUIRE(read.scene->primitives.size() == 24 * 48 + 48 + 2);
+    const LinearInverse& inverse = scene.all<Ellipsoid>()[0].to_local;
+    const auto local = [&](const Vec3& p) { return inverse.vector(p - map.origin); };
+    constexpr std::size_t on_sphere = 22 * 48;  // and 2 * 48 triangles at the poles
+    const std::vector<Polygon>& polygons = read.scene->all<Polygon>();
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+        const std::span corners(&read.scene->vertices[polygons[i].first], polygons[i].count);
+        const Vec3 a = local(corners[0]), b = local(corners[1]), c = local(corners[2]);
+        const double level = i < on_sphere ? a.z : 0;
+        CHECK(a.x * a.x + a.y * a.y + level * level == Approx(1).epsilon(1e-12));
+        const Vec3 centre(0, 0, i < on_sphere ? 0 : 0.5);
+        CHECK((b - a).cross(c - a).dot((a + c) / 2 - centre) < 0);  // the map mirrors
+    }
 }
 
 TEST_CASE("glass of constant weights becomes Fresnel's, and a Phong highlight Blinn's") {

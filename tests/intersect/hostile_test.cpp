@@ -46,6 +46,7 @@ TEST_CASE("Kernels: given a shape with a number that is none, then nothing hits 
             const double original = *number;
             for (const double hostile : hostile_numbers) {
                 *number = hostile;
+                settle(scene);
                 CAPTURE(shape.name, hostile);
                 REQUIRE(primitive_bounds(scene, 0).isEmpty());
                 Random random(7);

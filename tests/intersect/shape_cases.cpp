@@ -168,6 +168,67 @@ ShapeCase plane(const std::string& name, const Plane& p) {
     return c;
 }
 
+/// The targets of `unit` moved by the map, seen from where the inverse takes the ray's origin.
+template <class Shape>
+ShapeCase affine(const std::string& name, const Affine& map, const ShapeCase& unit) {
+    const Shape shape(map);
+    const double size = map.x.length() + map.y.length() + map.z.length();
+    ShapeCase c{name, {}, map.point(unit.centre), size, true, {}, {}};
+    c.scene.add(shape, 0);
+    for (const Target& target : unit.targets) {
+        c.targets.push_back({target.name, [=](Random& random, const Vec3& from) {
+                                 const Vec3 seen = shape.to_local.vector(from - map.origin);
+                                 return map.point(target.point(random, seen));
+                             }});
+    }
+    return c;
+}
+
+ShapeCase ellipsoid(const std::string& name, const Affine& map) {
+    return affine<Ellipsoid>("ellipsoid, " + name, map, sphere(name, {{0, 0, 0}, 1}));
+}
+
+ShapeCase closed_cylinder(const std::string& name, const Affine& map) {
+    ShapeCase unit = cone(name, {{0, 0, 0}, {0, 0, 1}, 1, 1});
+    unit.targets.push_back({"cap", [](Random& random, const Vec3&) {
+                                const double angle = random.uniform(0, 2 * pi);
+                                const double r = std::sqrt(random.uniform());
+                                const auto z = static_cast<double>(random.index(2));
+                                return Vec3(r * std::cos(angle), r * std::sin(angle), z);
+                            }});
+    return affine<ClosedCylinder>("closed cylinder, " + name, map, unit);
+}
+
+Affine scaling(double x, double y, double z) {
+    return {{x, 0, 0}, {0, y, 0}, {0, 0, z}};
+}
+
+/// What follows it then lies askew.
+Affine rotation() {
+    return {tilted(1, 0, 0), tilted(0, 1, 0), tilted(0, 0, 1), {0.3, -0.7, 0.45}};
+}
+
+/// An affine map of every kind: stretched, sheared, mirrored, ill-conditioned, far away.
+struct NamedMap {
+    std::string name;
+    Affine map;
+};
+std::vector<NamedMap> affine_maps(const Vec3& far_away) {
+    const Affine askew = rotation(), shear{{1, 0, 0}, {0.5, 1, 0}, {-2, 3, 1}};
+    Affine distant = askew * scaling(1, 2, 0.5);
+    distant.origin = far_away;
+    return {
+        {"unit", {}},
+        {"odd", askew * scaling(1, 0.5, 2)},
+        {"sheared", shear},
+        {"mirrored", askew * scaling(-1, 1, 2)},
+        {"mirrored and sheared", shear * scaling(1, 1, -0.5)},
+        {"needle", askew * scaling(1, 1, 1e4)},
+        {"disk", askew * scaling(1, 1, 1e-4)},
+        {"far from the origin", distant},
+    };
+}
+
 std::vector<Vec3> star(int points, double inner) {
     std::vector<Vec3> p;
     for (int i = 0; i < 2 * points; ++i) {
@@ -189,7 +250,7 @@ std::vector<ShapeCase> shape_cases() {
     const std::vector<Vec3> bent = {
         {0, 0, 1e-6}, {2, 0, -1e-6}, {2, 1, 1e-6}, {0.5, 1.5, 0}, {0, 1, -1e-6}};
     const std::vector<Vec3> notched = {{0, 0, 3}, {4, 0, 3}, {4, 4, 3}, {2, 2, 3}, {0, 4, 3}};
-    return {
+    std::vector<ShapeCase> cases = {
         sphere("sphere", {{0.3, -0.7, 0.45}, 1}),
         sphere("sphere, planet", {{0, 0, -6.4e6}, 6.4e6}),
         sphere("sphere, far from the origin", {far_away, 2}),
@@ -221,6 +282,11 @@ std::vector<ShapeCase> shape_cases() {
         plane("plane across an axis", {{0, 0, 1}, {0, 0, 1}}),
         plane("plane, far from the origin", {far_away, tilted(0.4, 0.1, 1)}),
     };
+    for (const auto& [map_name, map] : affine_maps(far_away)) {
+        cases.push_back(ellipsoid(map_name, map));
+        cases.push_back(closed_cylinder(map_name, map));
+    }
+    return cases;
 }
 
 std::vector<DegenerateCase> degenerate_cases() {
@@ -237,6 +303,15 @@ std::vector<DegenerateCase> degenerate_cases() {
     add("box inside out", Box{{1, -1, -1}, {-1, 1, 1}});
     add("box inside out in all axes", Box{{1, 1, 1}, {-1, -1, -1}});
     add("plane without a normal", Plane{{0, 0, 0}, {0, 0, 0}});
+    const std::pair<const char*, Affine> singular[] = {
+        {"of no height", scaling(1, 1, 0)},
+        {"of no width", scaling(0, 1, 1)},
+        {"sheared flat", {{1, 2, 3}, {3, 1, 7}, {4, 3, 10}}},
+    };
+    for (const auto& [how, map] : singular) {
+        add(std::string("ellipsoid ") + how, Ellipsoid(map));
+        add(std::string("closed cylinder ") + how, ClosedCylinder(map));
+    }
 
     const auto add_flat = [&](const std::string& name, const std::vector<Vec3>& p, bool empty) {
         cases.push_back({name, flat(name, p).scene, empty});
@@ -254,6 +329,10 @@ std::vector<DegenerateCase> degenerate_cases() {
 namespace {
 
 template <class Shape>
+constexpr bool is_affine =
+    std::is_same_v<Shape, Ellipsoid> || std::is_same_v<Shape, ClosedCylinder>;
+
+template <class Shape>
 void list_numbers(Shape& s, Scene& scene, std::vector<double*>& list) {
     const auto add = [&](Vec3& v) { list.insert(list.end(), {&v.x, &v.y, &v.z}); };
     if constexpr (std::is_same_v<Shape, Sphere>) {
@@ -265,6 +344,8 @@ void list_numbers(Shape& s, Scene& scene, std::vector<double*>& list) {
     } else if constexpr (std::is_same_v<Shape, Plane>) {
         add(s.point);
         add(s.normal);
+    } else if constexpr (is_affine<Shape>) {
+        for (Vec3* v : {&s.to_world.x, &s.to_world.y, &s.to_world.z, &s.to_world.origin}) add(*v);
     } else if constexpr (std::is_same_v<Shape, Cone>) {
         add(s.base);
         add(s.top);
@@ -283,8 +364,16 @@ std::vector<double*> numbers_of(Scene& scene) {
     return list;
 }
 
+void settle(Scene& scene) {
+    with_shape(scene.primitives[0].kind, [&]<class Shape>() {
+        Shape& shape = scene.all<Shape>()[0];
+        if constexpr (is_affine<Shape>) shape = Shape(shape.to_world);
+    });
+}
+
 Scene scaled(Scene scene, int k) {
     for (double* number : numbers_of(scene)) *number = std::ldexp(*number, k);
+    settle(scene);
     return scene;
 }
 

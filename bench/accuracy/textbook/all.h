@@ -5,6 +5,7 @@
 // with the plain kernel in float first, which the cost of all others is relative to.
 #pragma once
 
+#include "bench/accuracy/textbook/affine.h"
 #include "bench/accuracy/textbook/box.h"
 #include "bench/accuracy/textbook/cone.h"
 #include "bench/accuracy/textbook/plane.h"

@@ -1,9 +1,12 @@
 // triangle, object_flat and object_phong.
+#include <cmath>
 #include <filesystem>
 
 #include "core/formats/degenerate.h"
 #include "core/formats/file_text.h"
 #include "core/formats/sce/loader.h"
+#include "core/numerics/inverse.h"
+#include "core/numerics/rounding.h"
 #include "core/numerics/transforms.h"
 
 namespace etalon::sce {
@@ -45,21 +48,36 @@ bool fits(const Scene& scene, const ObjMesh& mesh) {
            scene.normals.size() + 3 * mesh.triangles.size() < no_index;
 }
 
+/// Appends the corners' normals. Their lengths matter only by their ratios; such as would overflow
+/// when squared are brought nearer to 1. None where they have overflowed themselves.
+std::uint32_t add_normals(Scene& scene, const ObjMesh& mesh, const LinearInverse& inverse,
+                          const std::array<ObjMesh::Corner, 3>& corners) {
+    const auto first = static_cast<std::uint32_t>(scene.normals.size());
+    double total = 0;
+    for (const ObjMesh::Corner& corner : corners) {
+        scene.normals.push_back(inverse.normal(mesh.normals[corner.normal]));
+        total += sum_abs(scene.normals.back());
+    }
+    if (!std::isfinite(total)) {
+        scene.normals.resize(first);
+        return no_index;
+    }
+    const bool extreme = total < 0x1p-400 || total > 0x1p400;
+    const double scale = extreme ? power_of_two_reciprocal(total) : 1;
+    for (std::size_t k = first; k < scene.normals.size(); ++k) scene.normals[k] *= scale;
+    return first;
+}
+
 /// A map that mirrors turns the order of the corners round; the front stays the front.
 void add_faces(Loader& loader, const ObjMesh& mesh, std::uint32_t first, bool smooth) {
     Scene& scene = loader.scene;
     const bool mirrored = mirrors(loader.state.matrix);
-    const Affine normals = normals_under(loader.state.matrix);
+    const LinearInverse inverse(loader.state.matrix);
     for (const auto& [a, b, c] : mesh.triangles) {
         const std::array order = {a, mirrored ? c : b, mirrored ? b : c};
         Triangle triangle{};
         for (std::size_t k = 0; k < 3; ++k) triangle.vertices[k] = first + order[k].vertex;
-        if (smooth) {
-            triangle.normals = static_cast<std::uint32_t>(scene.normals.size());
-            for (const ObjMesh::Corner& corner : order) {
-                scene.normals.push_back(normals.vector(mesh.normals[corner.normal]));
-            }
-        }
+        if (smooth) triangle.normals = add_normals(scene, mesh, inverse, order);
         loader.add(triangle);
     }
 }

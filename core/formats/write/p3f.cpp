@@ -2,6 +2,7 @@
 
 #include "core/formats/degenerate.h"
 #include "core/formats/write/ends.h"
+#include "core/formats/write/facets.h"
 #include "core/formats/write/p3f_material.h"
 #include "core/formats/write/p3f_writer.h"
 #include "core/formats/write/write.h"
@@ -122,9 +123,30 @@ class P3fScene {
         write_polygon(std::span(scene_.vertices).subspan(p.first, p.count), p.normals);
     }
 
+    void write_shape(const Ellipsoid& e, Sides) {
+        lost_.add("ellipsoid, now polygons");
+        write_facets(e);
+    }
+
+    void write_shape(const ClosedCylinder& c, Sides) {
+        lost_.add("closed cylinder, now polygons");
+        write_facets(c);
+    }
+
+    void write_facets(const auto& shape) {
+        to_facets(shape, [&](std::span<const Vec3> corners, std::span<const Vec3> normals) {
+            write_polygon(corners, normals);
+        });
+    }
+
     void write_polygon(std::span<const Vec3> corners, std::uint32_t first_normal) {
-        if (first_normal == no_index) return out_.polygon(corners);
-        const auto normals = std::span(scene_.normals).subspan(first_normal, corners.size());
+        const bool flat = first_normal == no_index;
+        const std::span<const Vec3> all = scene_.normals;
+        write_polygon(corners, flat ? all.first(0) : all.subspan(first_normal, corners.size()));
+    }
+
+    void write_polygon(std::span<const Vec3> corners, std::span<const Vec3> normals) {
+        if (normals.empty()) return out_.polygon(corners);
         if (std::ranges::find(normals, Vec3(0)) != normals.end()) {
             lost_.add("smooth polygon with a zero normal, now flat");
             return out_.polygon(corners);

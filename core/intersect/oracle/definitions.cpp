@@ -136,14 +136,102 @@ std::optional<Stretch> within_box(const Vec3& min, const Vec3& max, const Ray& r
                    out[first_out].distance / out[first_out].speed, exists};
 }
 
-Crossings define(const Scene&, const Box& b, const Ray& ray) {
+/// Its ends, as crossings of the solid's surface.
+Crossings ends(const std::optional<Stretch>& stretch) {
     Crossings found;
-    if (!is_finite(b.min) || !is_finite(b.max)) return found;
-    if (const auto stretch = within_box(b.min, b.max, ray)) {
-        found.add({stretch->entry, stretch->exists, Truth::yes});
-        found.add({stretch->exit, stretch->exists, Truth::no});
+    if (!stretch || stretch->exists == Truth::no) return found;
+    found.add({stretch->entry, stretch->exists, Truth::yes});
+    found.add({stretch->exit, stretch->exists, Truth::no});
+    return found;
+}
+
+Crossings define(const Scene&, const Box& b, const Ray& ray) {
+    if (!is_finite(b.min) || !is_finite(b.max)) return {};
+    return ends(within_box(b.min, b.max, ray));
+}
+
+/// A ray in the coordinates that an affine map gives to its unit vectors, by Cramer's rule: origin
+/// and direction are what they say times `unit`, the determinant.
+struct MappedRay {
+    MappedRay(const Affine& map, const Ray& ray) {
+        const TrackedVec x = map.x, y = map.y, z = map.z;
+        const TrackedVec from = TrackedVec(ray.origin) - map.origin, towards = ray.direction;
+        const TrackedVec yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
+        origin = {dot(yz, from), dot(zx, from), dot(xy, from)};
+        direction = {dot(yz, towards), dot(zx, towards), dot(xy, towards)};
+        unit = dot(x, yz);
+    }
+
+    TrackedVec origin, direction;
+    Tracked unit;
+};
+
+/// |o + t d| = 1 in the map's coordinates.
+Crossings define(const Scene&, const Ellipsoid& e, const Ray& ray) {
+    Crossings found;
+    if (!is_finite(e.to_world)) return found;
+    const MappedRay r(e.to_world, ray);
+    const Truth exists = !is_zero(r.unit);
+    if (exists == Truth::no) return found;
+    const TrackedVec &o = r.origin, &d = r.direction;
+    const Roots roots = solve(dot(d, d), dot(o, d), dot(o, o) - r.unit * r.unit);
+    for (std::size_t i = 0; i < roots.count; ++i) {
+        const Root& root = roots.list[i];
+        found.add({root.t, exists & root.exists, root.falling});
     }
     return found;
+}
+
+/// Further than any point that two doubles can name.
+const Tracked beyond(Quad(0x1p1023) * Quad(0x1p1023), 0);
+
+/// The stretch of a line where a t^2 + 2 b t + c <= 0, for a >= 0.
+Stretch where_not_positive(const Tracked& a, const Tracked& b, const Tracked& c) {
+    Stretch stretch{-beyond, beyond, Truth::yes};
+    if ((is_zero(a) & is_zero(b)) == Truth::yes) {
+        stretch.exists = !is_positive(c);
+        return stretch;
+    }
+    const Roots roots = solve(a, b, c);
+    if (roots.count == 0) stretch.exists = Truth::no;
+    for (std::size_t i = 0; i < roots.count; ++i) {
+        const Root& root = roots.list[i];
+        stretch.exists = stretch.exists & root.exists;
+        if (root.falling != Truth::no) stretch.entry = root.t;
+        if (root.falling != Truth::yes) stretch.exit = root.t;
+    }
+    return stretch;
+}
+
+/// The stretch of a line where 0 <= start + t rise <= top, for top > 0.
+Stretch where_between(const Tracked& start, const Tracked& rise, const Tracked& top) {
+    if (is_zero(rise) == Truth::yes) {
+        return {-beyond, beyond, (!is_negative(start)) & (start <= top)};
+    }
+    const Tracked low = -start / rise, high = (top - start) / rise;
+    if (rise.value > 0) return {low, high, Truth::yes};
+    return {high, low, Truth::yes};
+}
+
+Stretch both(const Stretch& a, const Stretch& b) {
+    const Tracked& entry = (a.entry < b.entry) == Truth::yes ? b.entry : a.entry;
+    const Tracked& exit = (b.exit < a.exit) == Truth::yes ? b.exit : a.exit;
+    return {entry, exit, a.exists & b.exists & !(a.exit < b.entry) & !(b.exit < a.entry)};
+}
+
+/// x^2 + y^2 <= 1 and 0 <= z <= 1 in the map's coordinates.
+Crossings define(const Scene&, const ClosedCylinder& c, const Ray& ray) {
+    if (!is_finite(c.to_world)) return {};
+    const MappedRay r(c.to_world, ray);
+    const Truth exists = !is_zero(r.unit);
+    if (exists == Truth::no) return {};
+    const TrackedVec &o = r.origin, &d = r.direction;
+    const Tracked square = r.unit * r.unit;
+    const Stretch side = where_not_positive(d.x * d.x + d.y * d.y, o.x * d.x + o.y * d.y,
+                                            o.x * o.x + o.y * o.y - square);
+    Stretch solid = both(side, where_between(o.z * r.unit, d.z * r.unit, square));
+    solid.exists = solid.exists & exists;
+    return ends(solid);
 }
 
 /// A corner as seen from the ray's origin.

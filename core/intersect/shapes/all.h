@@ -12,7 +12,9 @@
 #pragma once
 
 #include "core/intersect/shapes/box.h"
+#include "core/intersect/shapes/closed_cylinder.h"
 #include "core/intersect/shapes/cone.h"
+#include "core/intersect/shapes/ellipsoid.h"
 #include "core/intersect/shapes/plane.h"
 #include "core/intersect/shapes/polygon.h"
 #include "core/intersect/shapes/sphere.h"

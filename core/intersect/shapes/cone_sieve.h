@@ -3,13 +3,11 @@
 #pragma once
 
 #include "core/intersect/ray.h"
+#include "core/intersect/shapes/roots.h"
 #include "core/numerics/rounding.h"
 #include "core/scene/scene.h"
 
 namespace etalon {
-
-/// In place of a t.
-inline constexpr double in_doubt = -infinity;
 
 /// The form |F + t G|^2 - hh (radius + t growth)^2 = A t^2 + 2 B t + C, of the origin w seen from
 /// the base, F = w x h and G = d x h. The base's radius is r, the top's r + s. By Lagrange's

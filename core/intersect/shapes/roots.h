@@ -10,6 +10,14 @@ inline bool is_ahead(double t, double tmin) {
     return t > tmin && t < infinity;
 }
 
+/// In place of a t.
+inline constexpr double in_doubt = -infinity;
+
+/// Where a line goes into a solid, and where it comes out; NaN where it does not.
+struct Passage {
+    double entry = no_hit, exit = no_hit;
+};
+
 /// Of the two points where a ray crosses a closed shape, the first visible one beyond tmin: its
 /// front at `entry`, its back at `exit`.
 inline double first_visible(double entry, double exit, Sides sides, double tmin) {

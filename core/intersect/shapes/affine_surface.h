@@ -1,0 +1,32 @@
+// What the images of a sphere and of a cylinder share: their extents, and unit vectors on them.
+#pragma once
+
+#include "core/numerics/rounding.h"
+
+namespace etalon {
+
+/// Per axis, the length of (a, b, c), rounded up: how far the image of the unit sphere under the
+/// map with these columns reaches from its centre.
+inline Vec3 reach(const Vec3& a, const Vec3& b, const Vec3& c = Vec3(0)) {
+    constexpr double above = 1 + 8 * unit_roundoff;
+    return above *
+           Vec3(std::hypot(a.x, b.x, c.x), std::hypot(a.y, b.y, c.y), std::hypot(a.z, b.z, c.z));
+}
+
+/// The points no further than `reach` from one between `low` and `high`, rounded outward.
+inline Box3 box_around(const Vec3& low, const Vec3& high, const Vec3& reach) {
+    Box3 box(low - reach, high + reach);
+    for (int k = 0; k < 3; ++k) {
+        box.min[k] = std::nextafter(box.min[k], -infinity);
+        box.max[k] = std::nextafter(box.max[k], infinity);
+    }
+    return box;
+}
+
+/// v by its length, whose square may be out of range; v is not zero.
+inline Vec3 unit_vector(Vec3 v) {
+    v *= power_of_two_reciprocal(max_abs(v));
+    return v / std::sqrt(v.dot(v));
+}
+
+}  // namespace etalon

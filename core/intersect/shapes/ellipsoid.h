@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/intersect/shapes/affine_exact.h"
+#include "core/intersect/shapes/affine_surface.h"
+#include "core/intersect/shapes/local_line.h"
+#include "core/intersect/surface.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+/// Half of the extent: per axis, the length of the map's row.
+inline Vec3 reach(const Ellipsoid& e) {
+    return reach(e.to_world.x, e.to_world.y, e.to_world.z);
+}
+
+inline Box3 bounds(const Scene&, const Ellipsoid& e) {
+    if (!e.to_local.exists) return {};
+    return box_around(e.to_world.origin, e.to_world.origin, reach(e));
+}
+
+/// The first visible t beyond tmin, good to t_tolerance; no_hit; or in_doubt.
+inline double sieve(const Ellipsoid& e, Sides sides, const RayQuery& q) {
+    const LinearInverse& inverse = e.to_local;
+    const double rows = inverse.lengths.x + inverse.lengths.y + inverse.lengths.z;
+    const LocalLine line(e.to_world, inverse, q.ray);
+    if (!line.is_in_range(rows)) return in_doubt;
+    const UnitLine unit(line.w, line.error_of_w(rows), line.d, line.error_of_d(rows));
+    if (unit.leaves() || unit.misses()) return no_hit;
+    if (!unit.is_certain()) return in_doubt;
+    const UnitLine::Roots roots = unit.roots();
+    const double entry = sides == Sides::back ? no_hit : ahead(roots.entry, q.ray.tmin);
+    if (entry <= infinity || sides == Sides::front) return entry;
+    return ahead(roots.exit, q.ray.tmin);
+}
+
+/// Hit or miss is right for every ray, and t good to t_tolerance. The ray's direction is not made
+/// a unit vector in local coordinates, so t is the world's.
+inline double first_hit(const Scene&, const Ellipsoid& e, Sides sides, const RayQuery& q) {
+    const double t = sieve(e, sides, q);
+    if (t != in_doubt) return t;
+    const Passage x = exact_passage(e, q.ray);
+    return first_visible(x.entry, x.exit, sides, q.ray.tmin);
+}
+
+inline SurfacePoint surface(const Scene&, const Ellipsoid& e, const RayQuery& q, double t) {
+    const Vec3 seen = q.ray.origin - e.to_world.origin + t * q.ray.direction;
+    const Vec3 local = unit_vector(e.to_local.vector(seen));
+    const Vec3 normal = unit_vector(e.to_local.normal(local));
+    const Vec3 magnitude = abs(e.to_world.origin) + reach(e);
+    return {e.to_world.point(local), position_error(magnitude, 0), normal, normal};
+}
+
+}  // namespace etalon

@@ -1,0 +1,34 @@
+#include "core/intersect/shapes/exact_quadratic.h"
+
+namespace etalon {
+
+ExactQuadratic::ExactQuadratic(const Dyadic& a, const Dyadic& b, const Dyadic& c)
+    : a_(a), b_(b), c_(c), discriminant_(square(b) - a * c) {}
+
+/// By the sum of like signs.
+double ExactQuadratic::root(int way) const {
+    const WideDouble a = a_.magnitude(), b = b_.magnitude(), c = c_.magnitude();
+    const auto quotient = [](int sign, const WideDouble& x, const WideDouble& y) {
+        return sign * static_cast<double>(x / y);
+    };
+    const WideDouble sum = b + square_root(discriminant_.magnitude());
+    if (way * b_.sign() > 0) return quotient(-way * c_.sign(), c, sum);
+    return quotient(way * a_.sign(), sum, a);
+}
+
+/// Where the line passes the plane, at T = -start / rise, let the form be p and half its rise s,
+/// both times the square of `rise`. What is left from there to the root is -way p / (|s| + root)
+/// where way s is positive, and way (|s| + root) / A elsewhere.
+int ExactQuadratic::sign_at_root(int way, const Dyadic& start, const Dyadic& rise) const {
+    if (rise.sign() == 0) return start.sign();
+    const Dyadic slope = b_ * rise - a_ * start;  // half of the form's, times `rise`
+    const int s = way * slope.sign() * rise.sign();
+    if (s > 0) {
+        const Dyadic p = a_ * square(start) + rise * (c_ * rise - (b_ + b_) * start);
+        return -way * p.sign() * rise.sign();
+    }
+    const bool tangent = s == 0 && discriminant_.sign() == 0;
+    return tangent ? 0 : way * a_.sign() * rise.sign();
+}
+
+}  // namespace etalon
