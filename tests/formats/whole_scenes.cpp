@@ -61,14 +61,15 @@ WholeScene sce() {
     std::mt19937 random(12);
     for (int i = 0; i < 40; ++i) {
         text += "push_matrix\n\tscale " + number(random) + "1e-1 -2\n\tcr 1 0 0\n\tcp .5 .5 .5\n";
-        text += "\tshininess 30\n\ttriangle 0 0 0 1 0 " + number(random) + " 0 1 0\npop_matrix\n";
+        text += "\tshininess 30\n\tball .5 1 2 3\n\tcylinder\n\ttriangle 0 0 0 1 0 " +
+                number(random) + " 0 1 0\npop_matrix\n";
     }
     return {"sce",
             text + "end\nof it\n",
             1,  // its mesh does not exist
-            40,
+            120,
             camera,
-            "triangle x\n",
+            "ball x\n",
             "eyedir 0 0 0\n",
             {"{\n",
              "}\n",
@@ -76,6 +77,8 @@ WholeScene sce() {
              "pop_matrix\n",
              "rotate",
              "translate",
+             "ball",
+             "cylinder\n",
              "scale",
              "triangle",
              "object_flat",

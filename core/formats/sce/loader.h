@@ -85,6 +85,8 @@ void read_diffuse(Loader&, Reader&);
 void read_specular(Loader&, Reader&);
 void read_shininess(Loader&, Reader&);
 
+void read_ball(Loader&, Reader&);
+void read_cylinder(Loader&, Reader&);
 void read_triangle(Loader&, Reader&);
 void read_flat_object(Loader&, Reader&);
 void read_smooth_object(Loader&, Reader&);

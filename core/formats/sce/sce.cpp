@@ -34,6 +34,8 @@ constexpr std::array commands = {
     Command{"cr", 3, sce::read_diffuse},
     Command{"cp", 3, sce::read_specular},
     Command{"shininess", 1, sce::read_shininess},
+    Command{"ball", 4, sce::read_ball},
+    Command{"cylinder", 0, sce::read_cylinder},
     Command{"triangle", 9, sce::read_triangle},
     Command{"object_flat", 1, sce::read_flat_object},
     Command{"object_phong", 1, sce::read_smooth_object},
