@@ -27,7 +27,7 @@ struct Arguments {
     int samples = -1, max_depth = 0, threads = 0;
     std::uint32_t seed = 0;
     double exposure = 0;
-    bool quiet = false;
+    bool spd = false, quiet = false;
 };
 
 void declare_options(CLI::App& app, Arguments& a) {
@@ -55,6 +55,11 @@ void declare_options(CLI::App& app, Arguments& a) {
         ->group(how);
     app.add_option("--spp", a.samples, "Samples per pixel; 0: one ray through each pixel's centre")
         ->check(CLI::Range(0, 1 << 24))
+        ->group(how);
+    app.add_flag("--spd", a.spd,
+                 "Count rays by the rules of the Standard Procedural Databases: one through each "
+                 "pixel corner, a mirrored one from all glass")
+        ->excludes("--spp")
         ->group(how);
     app.add_option("--max-depth", a.max_depth, "Rays in a row, the eye's ray included")
         ->check(CLI::Range(1, 1000))
@@ -102,9 +107,16 @@ bool apply_crop(const std::string& text, const Camera& camera, Imath::Box2i& win
     return true;
 }
 
+void apply_spd_rules(Scene& scene) {
+    scene.samples_per_pixel = 0;
+    scene.camera.pixel_rays = PixelRays::shared_corners;
+    scene.whitted.mirror_all_glass = true;
+}
+
 /// The command line's wishes put into the scene; false if they cannot be had.
 bool apply(const Arguments& a, Scene& scene, Imath::Box2i& window) {
     if (a.samples >= 0) scene.samples_per_pixel = a.samples;
+    if (a.spd) apply_spd_rules(scene);
     if (a.max_depth > 0) scene.whitted.max_depth = a.max_depth;
     if (!a.backend.empty()) scene.backend = a.backend;
     if (scene.backend.empty()) scene.backend = "bvh";

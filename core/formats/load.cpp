@@ -11,6 +11,7 @@
 #include "core/formats/diagnostic_log.h"
 #include "core/formats/file_text.h"
 #include "core/formats/nearest_name.h"
+#include "core/formats/nff/nff.h"
 #include "core/formats/p3f/p3f.h"
 #include "core/formats/recognise.h"
 #include "core/formats/sce/sce.h"
@@ -40,7 +41,7 @@ constexpr std::array formats = {
     Format{"pbrt", "a PBRT scene", is_pbrt, nullptr},
     Format{"p3f", "a P3F scene", is_p3f, load_p3f},
     Format{"prt", "a PRT scene", is_prt, nullptr},
-    Format{"nff", "an NFF scene", is_nff, nullptr},
+    Format{"nff", "an NFF scene", is_nff, load_nff},
     Format{"obj", "a Wavefront OBJ mesh", is_obj, nullptr},
     Format{"binary", "a binary file", is_binary, nullptr},
 };

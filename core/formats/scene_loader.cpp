@@ -1,5 +1,7 @@
 #include "core/formats/scene_loader.h"
 
+#include <cmath>
+
 namespace etalon {
 namespace {
 
@@ -14,9 +16,25 @@ void settle_cameras(const SceneLoader& loader, DiagnosticLog& log) {
     }
 }
 
+/// Whether there is such a surface; if not, says why.
+bool is_possible(Reader& in, const Material& m) {
+    if (m.transmission != Color(0.0F) && !(m.ior > 0)) {
+        in.warn("material", "the index of refraction of glass is {}; expected more than 0", m.ior);
+    } else if (m.shininess < 0) {
+        in.warn("material", "the Shine is {}; expected 0 or more", m.shininess);
+    } else if (!is_finite(m.diffuse) || !is_finite(m.specular) || !is_finite(m.reflection) ||
+               !is_finite(m.transmission)) {
+        in.warn("material", "a colour times its weight is beyond every colour");
+    } else {
+        return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 void SceneLoader::set_material(const Material& m) {
+    if (!is_possible(in, m)) return;
     material = static_cast<std::uint32_t>(scene.materials.size());
     scene.materials.push_back(m);
 }
@@ -34,8 +52,17 @@ Sides SceneLoader::sides() {
     return options.one_sided && opaque ? Sides::front : Sides::both;
 }
 
+void SceneLoader::add_light(const Vec3& position) {
+    uncolored_lights.push_back(scene.lights.size());
+    scene.lights.emplace_back(PointLight{position, Color(1.0F)});
+}
+
 LoadResult SceneLoader::finish(DiagnosticLog& log) {
     settle_cameras(*this, log);
+    const double intensity = 1 / std::sqrt(static_cast<double>(scene.lights.size()));
+    for (const std::size_t i : uncolored_lights) {
+        std::get<PointLight>(scene.lights[i]).color = Color(static_cast<float>(intensity));
+    }
     LoadResult result;
     if (!log.has_errors()) result.scene = std::move(scene);
     result.diagnostics = log.take();

@@ -26,7 +26,14 @@ struct SceneLoader {
     std::optional<UnusableCamera> unusable_camera{};  ///< the first; an error if no other is good
     std::optional<std::uint32_t> material{};          ///< of the objects to come
 
+    std::vector<std::size_t> uncolored_lights{};  ///< those the file gives no colour
+
+    /// Of the objects to come, if there can be such a surface; if not, says why.
     void set_material(const Material& material);
+
+    /// A white point light that the file says no more about. So that a picture does not grow
+    /// brighter with every one, n lights have an intensity of 1 / sqrt(n) (as PRT's program did).
+    void add_light(const Vec3& position);
 
     /// The number of the current material. The first object may find none.
     std::uint32_t current_material();

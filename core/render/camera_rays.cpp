@@ -32,13 +32,14 @@ CameraRays::CameraRays(const Camera& c)
     if (length > 0) u_ = right / length;
     v_ = n_.cross(u_);
     const double half_angle = c.fov_degrees / 2 * (std::numbers::pi / 180);
-    pixel_size_ = 2 * distance_ * std::tan(half_angle) / height_;
-    lens_radius_ = c.aperture * pixel_size_ / 2;
+    const double plane_height = 2 * distance_ * std::tan(half_angle);
+    pixel_size_ = Vec2(plane_height / (c.stretched ? width_ : height_), plane_height / height_);
+    lens_radius_ = c.aperture * pixel_size_.y / 2;
 }
 
 Ray CameraRays::ray(const Vec2& pixel, const Vec2& lens) const {
-    const double x = (pixel.x - width_ / 2) * pixel_size_;
-    const double y = (height_ / 2 - pixel.y) * pixel_size_;
+    const double x = (pixel.x - width_ / 2) * pixel_size_.x;
+    const double y = (height_ / 2 - pixel.y) * pixel_size_.y;
     Vec3 direction = x * u_ + y * v_ - distance_ * n_;
     Vec3 origin = eye_;
     if (has_lens()) {
@@ -58,7 +59,8 @@ Imath::M44d CameraRays::world_to_camera() const {
 }
 
 Imath::M44d CameraRays::world_to_ndc() const {
-    const double half_width = width_ / 2 * pixel_size_, half_height = height_ / 2 * pixel_size_;
+    const double half_width = width_ / 2 * pixel_size_.x;
+    const double half_height = height_ / 2 * pixel_size_.y;
     const Imath::M44d project(distance_ / half_width, 0, 0, 0,   //
                               0, distance_ / half_height, 0, 0,  //
                               0, 0, -1, -1,                      //

@@ -25,7 +25,7 @@ class CameraRays {
   private:
     Vec3 eye_, u_, v_, n_;  ///< u right, v up, n backwards: unit vectors
     double distance_;       ///< of the view plane
-    double pixel_size_;     ///< on the view plane
+    Vec2 pixel_size_;       ///< on the view plane
     double width_, height_;
     double lens_radius_, focal_;
 };

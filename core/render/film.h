@@ -21,11 +21,21 @@ class Film {
     /// The mean of each pixel's samples, rows from the top; black where there is none yet.
     std::vector<Color> pixels() const;
 
+    /// For a film of a grid's corners: that of the cells between them, each with the samples of its
+    /// four corners. It is smaller by one both ways.
+    Film cells() const;
+
   private:
     struct Pixel {
         Vec3 sum{0};
         std::uint32_t count = 0;
     };
+
+    Pixel& at(int x, int y) { return pixels_[index(x, y)]; }
+    const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y - window_.min.y) * width_ + (x - window_.min.x);
+    }
 
     Imath::Box2i window_;
     int width_;

@@ -27,19 +27,29 @@ std::vector<Imath::Box2i> tiles_of(const Imath::Box2i& window) {
     return tiles;
 }
 
+/// What has rays: pixels, or the corners about them.
+Imath::Box2i sampled(Imath::Box2i pixels, bool corners) {
+    if (corners) pixels.max += Imath::V2i(1);
+    return pixels;
+}
+
 class Renderer {
   public:
     Renderer(const Scene& scene, const Intersector& intersector, const EnvironmentMap& environment,
              const RenderOptions& options)
         : options_(options),
+          in_pixel_(scene.camera.pixel_rays == PixelRays::centre ? 0.5 : 0.0),
+          shares_corners_(options.samples_per_pixel == 0 &&
+                          scene.camera.pixel_rays == PixelRays::shared_corners),
+          window_(sampled(options.window, shares_corners_)),
           rays_(scene.camera),
           integrator_(scene, intersector, environment, options.samples_per_pixel,
                       options.max_depth),
-          tiles_(tiles_of(options.window)),
+          tiles_(tiles_of(window_)),
           counts_(tiles_.size()) {}
 
     Rendering run() {
-        Rendering result{Film(options_.window), {}};
+        Rendering result{Film(window_), {}};
         const int total = std::max(1, options_.samples_per_pixel);
         for (int first = 0, last = 1; first < total;
              first = last, last = std::min(2 * last, total)) {
@@ -48,6 +58,7 @@ class Renderer {
             result.samples = last;
         }
         result.complete = result.samples == total;
+        if (shares_corners_) result.film = result.film.cells();
         for (const RayCounts& c : counts_) result.counts += c;
         return result;
     }
@@ -80,8 +91,7 @@ class Renderer {
         const SampleSource source(x, y, options_.seed, static_cast<std::uint32_t>(index));
         const Vec2 corner(x, y);
         if (options_.samples_per_pixel == 0) {
-            const Vec2 centre(0.5);
-            return integrator_.radiance(rays_.ray(corner + centre, centre), source, counts);
+            return integrator_.radiance(rays_.ray(corner + in_pixel_, Vec2(0.5)), source, counts);
         }
         const Vec2 lens = rays_.has_lens() ? source.point(lens_dimension) : Vec2(0.5);
         const Vec2 pixel = corner + source.point(pixel_dimension);
@@ -93,6 +103,9 @@ class Renderer {
     }
 
     const RenderOptions& options_;
+    Vec2 in_pixel_;  ///< where the one ray of a picture without samples goes
+    bool shares_corners_;
+    Imath::Box2i window_;
     CameraRays rays_;
     Whitted integrator_;
     std::vector<Imath::Box2i> tiles_;

@@ -13,7 +13,7 @@
 namespace etalon {
 
 struct RenderOptions {
-    int samples_per_pixel = 0;  ///< 0: one ray through each pixel's centre
+    int samples_per_pixel = 0;  ///< 0: the camera's PixelRays
     int max_depth = 5;          ///< rays in a row, the eye's included
     std::uint32_t seed = 0;
     Imath::Box2i window;                      ///< pixels to render, inclusive on both ends

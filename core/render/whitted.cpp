@@ -21,6 +21,11 @@ Color clamped(const Color& c) {
     return {std::clamp(c.x, 0.0F, 1.0F), std::clamp(c.y, 0.0F, 1.0F), std::clamp(c.z, 0.0F, 1.0F)};
 }
 
+/// With its largest part brought to 1 where it is above.
+Color fitted(const Color& c) {
+    return c / std::max({1.0F, c.x, c.y, c.z});
+}
+
 /// Beer-Lambert over a distance.
 Color transmittance(const Color& absorption, double distance) {
     const auto along = [&](float a) { return static_cast<float>(std::exp(-a * distance)); };
@@ -53,7 +58,8 @@ Color Whitted::radiance(const Ray& ray, const SampleSource& sample, RayCounts& c
     ++counts.camera;
     const std::optional<Hit> hit = intersector_.closest(ray);
     if (hit) ++counts.camera_hits;
-    return trace({ray, 1, 1, Color(0.0F)}, hit, context);
+    const Color color = trace({ray, 1, 1, Color(0.0F)}, hit, context);
+    return scene_.whitted.fit_eye_rays ? fitted(color) : color;
 }
 
 Color Whitted::trace(const Path& path, std::optional<Hit> hit, Context& context) const {
@@ -142,7 +148,8 @@ Color Whitted::secondary(const Path& path, const Encounter& at, Context& context
         refracted = normalized(refract(direction, normal, eta, cosine, border.cos_refracted));
     }
     Color sum(0.0F);
-    if (!is_black(reflection)) {
+    const bool counted = scene_.whitted.mirror_all_glass && !is_black(m.transmission);
+    if (!is_black(reflection) || counted) {
         ++context.counts.reflected;
         const Vec3 mirrored = normalized(reflect(direction, normal));
         sum += reflection * follow(path, at, mirrored, !at.entering, context);

@@ -31,6 +31,10 @@ struct WhittedRules {
     int max_depth = 5;            ///< rays in a row, the eye's ray included
     bool schlick = false;         ///< Schlick's approximation instead of the Fresnel equations
     bool clamp_each_ray = false;  ///< clamp to [0,1] what each ray returns
+    bool fit_eye_rays = false;    ///< divide what an eye's ray returns by its largest part above 1
+    /// To count rays by the rules of the Standard Procedural Databases: a mirrored ray wherever
+    /// light passes through a surface, even one of no weight.
+    bool mirror_all_glass = false;
     /// Only to reproduce old programs: how far, in units of the scene, new rays start from the
     /// surface along its normal. 0: as far as the surface's own error bound asks.
     double fixed_bias = 0;

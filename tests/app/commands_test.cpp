@@ -38,6 +38,16 @@ TEST_CASE("render gives identical pixels with every exact backend and thread cou
     REQUIRE(f.etalon("render ball.p3f --spp 3 -o b.exr -b embree-builtin").status == 0);
 }
 
+TEST_CASE("render --spd shoots a ray through each pixel corner", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto r = f.etalon("render ball.p3f --spd -q -o a.exr --stats s.json");
+    CHECK(r.status == 0);
+    CHECK(pixels(f.path("a.exr")).size() == 32 * 24 * 3);
+    CHECK(json::parse(f.read("s.json"))["rays"]["camera"] == 33 * 25);
+    CHECK(f.etalon("render ball.p3f --spd --spp 2").status == 2);
+}
+
 TEST_CASE("render takes size, crop, depth, seed and several outputs", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);

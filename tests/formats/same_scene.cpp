@@ -10,7 +10,8 @@ namespace etalon {
 namespace {
 
 auto fields(const Camera& c) {
-    return std::tuple(c.eye, c.at, c.up, c.fov_degrees, c.width, c.height, c.aperture, c.focal);
+    return std::tuple(c.eye, c.at, c.up, c.fov_degrees, c.width, c.height, c.aperture, c.focal,
+                      c.stretched, c.pixel_rays);
 }
 auto fields(const PointLight& l) {
     return std::tuple(l.position, l.color);
@@ -23,7 +24,8 @@ auto fields(const Material& m) {
                       m.transmission, m.fresnel, m.ior, m.absorption);
 }
 auto fields(const WhittedRules& r) {
-    return std::tuple(r.max_depth, r.schlick, r.clamp_each_ray, r.fixed_bias);
+    return std::tuple(r.max_depth, r.schlick, r.clamp_each_ray, r.fit_eye_rays, r.mirror_all_glass,
+                      r.fixed_bias);
 }
 auto fields(const Environment& e) {
     return std::tuple(e.background, e.skybox.has_value());

@@ -1,5 +1,4 @@
 // Real scenes, where this machine has them.
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -10,6 +9,7 @@
 #include "tests/formats/p3f_text.h"
 #include "tests/formats/same_scene.h"
 #include "tests/formats/sane_scene.h"
+#include "tests/formats/shared_scenes.h"
 
 using namespace etalon;
 
@@ -17,17 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path scenes() {
-    const char* const named = std::getenv("ETALON_SHARED_SCENES");
-    return named ? fs::path(named) : fs::path(ETALON_SOURCE_DIR) / "../shared/scenes";
-}
-
-/// All files of an extension in a folder of the scenes; none where the folder is not there.
-std::vector<std::string> files(const std::string& folder, const std::string& extension) {
+/// Of every format that is read.
+std::vector<std::string> small_files() {
     std::vector<std::string> list;
-    std::error_code missing;
-    for (const fs::directory_entry& entry : fs::directory_iterator(scenes() / folder, missing)) {
-        if (entry.path().extension() == extension) list.push_back(entry.path().string());
+    for (const std::string_view name : format_names()) {
+        for (const std::string& path : shared_scenes(std::string(name), "." + std::string(name))) {
+            if (fs::file_size(path) <= 20000) list.push_back(path);
+        }
     }
     return list;
 }
@@ -40,7 +36,7 @@ std::string content(const std::string& path) {
 }  // namespace
 
 TEST_CASE("every real P3F scene is read without a warning, but for the one with stray numbers") {
-    for (const std::string& path : files("p3f", ".p3f")) {
+    for (const std::string& path : shared_scenes("p3f", ".p3f")) {
         const LoadResult r = load_scene(path);
         CAPTURE(path);
         REQUIRE(r.scene);
@@ -58,7 +54,7 @@ TEST_CASE("every real P3F scene is read without a warning, but for the one with 
 }
 
 TEST_CASE("every real P3F scene is the same when it is written and read again") {
-    for (const std::string& path : files("p3f", ".p3f")) {
+    for (const std::string& path : shared_scenes("p3f", ".p3f")) {
         CAPTURE(path);
         const LoadResult r = load_scene(path);
         const WrittenScene written = write_p3f(*r.scene, fs::path(path).parent_path());
@@ -70,31 +66,56 @@ TEST_CASE("every real P3F scene is the same when it is written and read again") 
     }
 }
 
-TEST_CASE("real scenes of other formats are recognised") {
-    const std::pair<const char*, const char*> kinds[] = {{"nff", "an NFF scene"},
-                                                         {"prt", "a PRT scene"}};
-    for (const auto& [name, described] : kinds) {
-        for (const std::string& path : files(name, std::string(".") + name)) {
-            const LoadResult r = load_scene_text(content(path), "f");
-            CAPTURE(path);
-            REQUIRE(r.diagnostics.size() == 1);
-            CHECK(r.diagnostics[0].message.find(described) != std::string::npos);
+TEST_CASE("every real SCE scene is read without a warning") {
+    for (const std::string& path : shared_scenes("sce", ".sce")) {
+        const LoadResult r = load_scene(path);
+        CAPTURE(path, messages(r));
+        REQUIRE(r.scene);
+        CHECK(r.diagnostics.empty());
+        CHECK(r.scene->format == "sce");
+        CHECK(insanity(*r.scene) == "");
+        CHECK(r.scene->primitives.size() >= 5);
+        CHECK_FALSE(r.scene->lights.empty());
+    }
+}
+
+TEST_CASE("every real NFF scene is read without a warning") {
+    const auto count = [](const LoadResult& r) { return r.scene->primitives.size(); };
+    const std::pair<const char*, std::size_t> primitives[] = {
+        {"balls", 7382}, {"gears", 9345}, {"mount", 8196}, {"teapot_s12", 9264}, {"tetra", 4096}};
+    for (const std::string& path : shared_scenes("nff", ".nff")) {
+        const LoadResult r = load_scene(path);
+        CAPTURE(path);
+        REQUIRE(r.scene);
+        CHECK(r.diagnostics.empty());
+        CHECK(r.scene->format == "nff");
+        CHECK(insanity(*r.scene) == "");
+        for (const auto& [name, expected] : primitives) {
+            if (fs::path(path).stem() == name) CHECK(count(r) == expected);
         }
+    }
+}
+
+TEST_CASE("real scenes of other formats are recognised") {
+    for (const std::string& path : shared_scenes("prt", ".prt")) {
+        const LoadResult r = load_scene_text(content(path), "f");
+        CAPTURE(path);
+        REQUIRE(r.diagnostics.size() == 1);
+        CHECK(r.diagnostics[0].message.find("a PRT scene") != std::string::npos);
     }
 }
 
 TEST_CASE("damaged real scenes give a scene or an error") {
     std::mt19937 random(7);
-    for (const std::string& path : files("p3f", ".p3f")) {
+    for (const std::string& path : small_files()) {
         const std::string text = content(path);
-        if (text.size() > 20000) continue;
         CAPTURE(path);
         for (int i = 0; i < 100; ++i) {
             std::string damaged =
                 text.substr(0, i % 10 == 0 ? random() % text.size() : text.size());
             if (!damaged.empty())
                 damaged[random() % damaged.size()] ^= static_cast<char>(1U << (random() % 8));
-            const LoadResult r = load_p3f_text(damaged);
+            const LoadResult r = load_scene_text(damaged, path);
             CHECK((r.scene ? insanity(*r.scene).empty() : !r.diagnostics.empty()));
         }
     }

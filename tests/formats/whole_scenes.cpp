@@ -50,6 +50,25 @@ WholeScene p3f() {
          "punctual", "angle", "resolution", "up",  "2",   "sm",    "\n",    "#\n",    "camera"}};
 }
 
+WholeScene nff() {
+    const std::string camera =
+        "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 0\nresolution 40 30\n";
+    std::string text = "# generated\r\nb 0.078 0.361 0.753\n" + camera +
+                       "l 4 3 2\nl 1 -4 4 1 .5 0\nf 1 0.75 0.33 0.8 0 100000 0 0\n"
+                       "p 5\n0 0 0\n1 0 0\n1 1 0\n.5 .25 0\n0 1 0\n"
+                       "pp 3\n0 0 0 0 0 1\n1 0 0 0 0.1 1\n0 1 0 0.1 0 1\n"
+                       "f 1 0.6 0.4 0.2 0.5 3.0827 0.8 1.1\nc 1 2 3 .5 1 2 4 .25\n"
+                       "s 0 0 0 -9\n";
+    std::mt19937 random(3);
+    for (int i = 0; i < 100; ++i) text += "s " + number(random) + "-1.5e-2 +7. .25\n";
+    return {
+        "nff", text, 0, 104, camera, "s x\n", "v ", {"s",          "p",   "pp", "f",      "c",
+                                                     "l",          "v",   "b",  "from",   "at",
+                                                     "hither",     "0",   "1",  "1e-308", "angle",
+                                                     "resolution", "up",  "2",  "\n",     "1e308",
+                                                     "-1e308",     "#\n", "3",  "4",      "-1"}};
+}
+
 WholeScene sce() {
     const std::string camera =
         "eyepos 0 0 5\neyedir 0 0 -1\neyeup 0 1 0\nwdist 1\nfovy_deg 45\nnx 40\nny 30\n";
@@ -114,7 +133,7 @@ WholeScene sce() {
 }  // namespace
 
 const std::vector<WholeScene>& whole_scenes() {
-    static const std::vector<WholeScene> scenes = {p3f(), sce()};
+    static const std::vector<WholeScene> scenes = {p3f(), nff(), sce()};
     return scenes;
 }
 

@@ -24,6 +24,19 @@ TEST_CASE("The vertical field of view spans the full height of the picture", "[r
     CHECK(camera.ray(Vec2(100, 50), Vec2(0.5)).direction == Vec3(0, 0, -1));
 }
 
+TEST_CASE("A stretched picture has its field of view both ways", "[render]") {
+    Camera c = looking_down_z();
+    c.stretched = true;
+    const CameraRays camera(c);
+    const Ray corner = camera.ray(Vec2(200, 0), Vec2(0.5));
+    CHECK(corner.direction.x / -corner.direction.z == Approx(1));
+    CHECK(corner.direction.y / -corner.direction.z == Approx(1));
+    Vec3 ndc;
+    camera.world_to_ndc().multVecMatrix(corner.origin + 3.0 * corner.direction, ndc);
+    CHECK(ndc.x == Approx(1));
+    CHECK(ndc.y == Approx(1));
+}
+
 TEST_CASE("A lens moves the origin and keeps the focus plane sharp", "[render]") {
     Camera c = looking_down_z();
     c.aperture = 8;  // pixels; one is 2 * 5 * tan(45 deg) / 100 = 0.1 on the view plane

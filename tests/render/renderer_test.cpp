@@ -1,46 +1,14 @@
-#include "core/render/renderer.h"
-
 #include <cmath>
 #include <numbers>
 
-#include "app/backends.h"
 #include "core/parallel/parallel.h"
 #include "core/shading/fresnel.h"
 #include "tests/catch.h"
+#include "tests/render/pictures.h"
 #include "tests/render/test_scenes.h"
 
 using namespace etalon;
 using namespace etalon::test;
-
-namespace {
-
-Rendering render_with(const Scene& scene, const Backend& backend, RenderOptions options) {
-    std::vector<std::string> problems;
-    const EnvironmentMap environment(scene.environment, problems);
-    const auto intersector = backend.build(scene);
-    return render(scene, *intersector, environment, options);
-}
-
-RenderOptions whole(const Scene& scene) {
-    RenderOptions options;
-    options.samples_per_pixel = scene.samples_per_pixel;
-    options.window = {{0, 0}, {scene.camera.width - 1, scene.camera.height - 1}};
-    return options;
-}
-
-std::vector<Color> picture(const Scene& scene, const std::string& backend = "bvh") {
-    return render_with(scene, *find_backend(backend), whole(scene)).film.pixels();
-}
-
-/// What the middle of a one-pixel picture sees.
-Color centre(Scene scene, int max_depth = 5) {
-    scene.camera.width = scene.camera.height = 1;
-    RenderOptions options = whole(scene);
-    options.max_depth = max_depth;
-    return render_with(scene, *find_backend("none"), options).film.pixels()[0];
-}
-
-}  // namespace
 
 TEST_CASE("Every exact backend and any thread count give the same bits", "[render]") {
     const Scene scene = mixed_scene();

@@ -1,6 +1,5 @@
 // mat and the old dialect's f: Cd(rgb) Kd Cs(rgb) Ks Shine T ior.
 #include <algorithm>
-#include <cmath>
 
 #include "core/formats/p3f/loader.h"
 #include "core/formats/p3f/material.h"
@@ -51,21 +50,6 @@ P3fMaterial read_numbers(Reader& in) {
     return n;
 }
 
-/// Whether there is such a surface; if not, says why.
-bool is_possible(Reader& in, const P3fMaterial& n) {
-    if (n.transmission > 0 && !(n.ior > 0)) {
-        in.warn("material", "the index of refraction of glass is {}; expected more than 0", n.ior);
-    } else if (n.shine < 0) {
-        in.warn("material", "the Shine is {}; expected 0 or more", n.shine);
-    } else if (const Material m = to_material(n, false);
-               !is_finite(m.diffuse) || !is_finite(m.specular)) {
-        in.warn("material", "Cd Kd or Cs Ks is beyond every colour");
-    } else {
-        return true;
-    }
-    return false;
-}
-
 /// Some programs take numbers after the eleven: a roughness, or an emission.
 void pass_extra_numbers(Reader& in) {
     const std::size_t offset = in.tokens().offset();
@@ -86,7 +70,6 @@ void read_material(Loader& loader, bool absorbs) {
     const P3fMaterial n = read_numbers(loader.in);
     if (!loader.in.ok()) return;
     pass_extra_numbers(loader.in);
-    if (!is_possible(loader.in, n)) return;
     loader.set_material(to_material(n, absorbs));
 }
 

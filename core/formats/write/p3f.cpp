@@ -3,6 +3,7 @@
 #include "core/formats/degenerate.h"
 #include "core/formats/write/ends.h"
 #include "core/formats/write/facets.h"
+#include "core/formats/write/mesh_run.h"
 #include "core/formats/write/p3f_material.h"
 #include "core/formats/write/p3f_writer.h"
 #include "core/formats/write/write.h"
@@ -44,25 +45,30 @@ class P3fScene {
         if (ours.max_depth != p3f.max_depth && std::ranges::any_of(scene_.materials, sends_rays)) {
             lost_.add(fmt::format("depth of {} rays, now {}", ours.max_depth, p3f.max_depth));
         }
-        if (ours.schlick || ours.clamp_each_ray || ours.fixed_bias != 0) {
-            lost_.add("legacy shading");
+        if (ours.schlick || ours.clamp_each_ray || ours.fit_eye_rays || ours.fixed_bias != 0) {
+            lost_.add("shading as an old program did it");
+        }
+        if (scene_.camera.stretched) lost_.add("pixels that are not square");
+        if (scene_.samples_per_pixel == 0 && scene_.camera.pixel_rays != PixelRays::centre) {
+            lost_.add("rays elsewhere than through the pixels' centres");
         }
         if (!scene_.display_colors) lost_.add("sRGB curve of a PNG");
     }
 
     /// The directory, as seen from the file's own; a word with blanks would be two.
     void write_skybox(const Skybox& skybox) {
-        namespace fs = std::filesystem;
+        const auto folder = [](const std::filesystem::path& p) { return p.empty() ? "." : p; };
+        const std::filesystem::path faces =
+            folder(std::filesystem::path(skybox.faces[0]).parent_path());
         std::error_code unknown;
-        const fs::path faces = fs::absolute(fs::path(skybox.faces[0]).parent_path(), unknown);
-        const std::string name = fs::proximate(faces, fs::absolute(directory_), unknown).string();
+        const std::string name = proximate(faces, folder(directory_), unknown).string();
         const bool is_word = name.find_first_of(" \t\n\v\f\r#") == std::string::npos;
         if (is_word && !name.empty()) {
             out_.skybox(name);
         } else {
             lost_.add("skybox");
         }
-        if (skybox.nearest) lost_.add("legacy shading");
+        if (skybox.nearest) lost_.add("skybox's nearest texels, now blended");
     }
 
     void write_light(const PointLight& l) { out_.light(l.position, l.color); }
@@ -78,8 +84,12 @@ class P3fScene {
     std::size_t write_primitives(std::size_t first) {
         const Primitive& p = scene_.primitives[first];
         use_material(p.material);
-        if (is_flat_triangle(p)) return write_mesh(first);
         if (p.sides == Sides::front) lost_.add("shape seen from its front only");
+        if (is_flat_triangle(p)) {
+            const MeshRun mesh = mesh_from(scene_, first);
+            out_.mesh(mesh.vertices, mesh.faces);
+            return first + mesh.faces.size();
+        }
         with_shape(p.kind, [&]<class Shape>() { write_shape(scene_.get<Shape>(p), p.sides); });
         return first + 1;
     }
@@ -94,6 +104,11 @@ class P3fScene {
     /// A negative radius shows the inside alone.
     static double signed_radius(double radius, Sides sides) {
         return sides == Sides::back ? -radius : radius;
+    }
+
+    template <class Shape>
+    void write_shape(const Shape&, Sides) {
+        lost_.add(fmt::format("{}, left out", Shape::name));
     }
 
     void write_shape(const Sphere& s, Sides sides) {
@@ -157,37 +172,6 @@ class P3fScene {
 
     bool is_flat_triangle(const Primitive& p) const {
         return p.kind == kind_of<Triangle>() && scene_.get<Triangle>(p).normals == no_index;
-    }
-
-    /// All triangles from `first` on that share its material, as one mesh.
-    std::size_t write_mesh(std::size_t first) {
-        std::size_t end = first;
-        std::vector<std::uint32_t> used;
-        for (; end < scene_.primitives.size(); ++end) {
-            const Primitive& p = scene_.primitives[end];
-            if (!is_flat_triangle(p) || p.material != scene_.primitives[first].material) break;
-            if (p.sides == Sides::front) lost_.add("shape seen from its front only");
-            const auto& v = scene_.get<Triangle>(p).vertices;
-            used.insert(used.end(), v.begin(), v.end());
-        }
-        std::ranges::sort(used);
-        used.erase(std::unique(used.begin(), used.end()), used.end());
-        write_mesh(std::span(scene_.primitives).subspan(first, end - first), used);
-        return end;
-    }
-
-    void write_mesh(std::span<const Primitive> triangles, std::span<const std::uint32_t> used) {
-        std::vector<Vec3> vertices;
-        for (const std::uint32_t v : used) vertices.push_back(scene_.vertices[v]);
-        std::vector<std::array<std::uint32_t, 3>> faces;
-        for (const Primitive& p : triangles) {
-            std::array<std::uint32_t, 3> face = scene_.get<Triangle>(p).vertices;
-            for (std::uint32_t& v : face) {
-                v = static_cast<std::uint32_t>(std::ranges::lower_bound(used, v) - used.begin());
-            }
-            faces.push_back(face);
-        }
-        out_.mesh(vertices, faces);
     }
 
     const Scene& scene_;

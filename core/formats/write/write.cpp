@@ -6,6 +6,7 @@
 namespace etalon {
 namespace {
 
+// To add a format to write: its writer, declared in write.h, and a line here.
 struct Entry {
     std::string_view extension;
     SceneWriter write;

@@ -1,0 +1,139 @@
+// Pictures without samples: where their rays go, and the counts of the SPD benchmark.
+#include "core/formats/load.h"
+#include "core/render/camera_rays.h"
+#include "core/render/whitted.h"
+#include "tests/catch.h"
+#include "tests/formats/shared_scenes.h"
+#include "tests/render/pictures.h"
+#include "tests/render/test_scenes.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+Scene scene_with(PixelRays rays) {
+    Scene scene = mixed_scene(12, 9);
+    scene.samples_per_pixel = 0;
+    scene.camera.pixel_rays = rays;
+    return scene;
+}
+
+/// What a ray through the point `pixel` of the picture sees.
+Color seen_through(const Scene& scene, const Vec2& pixel) {
+    std::vector<std::string> problems;
+    const EnvironmentMap environment(scene.environment, problems);
+    const auto intersector = find_backend("none")->build(scene);
+    RayCounts counts;
+    return Whitted(scene, *intersector, environment, 0, 5)
+        .radiance(CameraRays(scene.camera).ray(pixel, Vec2(0.5)), SampleSource(0, 0, 0, 0), counts);
+}
+
+RayCounts counts_of(const Scene& scene) {
+    return render_with(scene, *find_backend("bvh"), whole(scene)).counts;
+}
+
+/// A ball that lets half of the light through and mirrors nothing.
+Scene clear_ball() {
+    Scene scene = empty_scene();
+    Material clear;
+    clear.transmission = Color(0.5F);
+    clear.ior = 1.25;
+    scene.materials = {clear};
+    scene.add(Sphere{Vec3(0), 1}, 0);
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("the one ray of a pixel goes through its centre or its upper left corner", "[render]") {
+    const Scene centres = scene_with(PixelRays::centre),
+                corners = scene_with(PixelRays::upper_left);
+    const std::vector<Color> a = picture(centres), b = picture(corners);
+    for (const auto& [x, y] : {std::pair(0, 0), {5, 4}, {11, 8}, {3, 7}}) {
+        CHECK(a[y * 12 + x] == seen_through(centres, {x + 0.5, y + 0.5}));
+        CHECK(b[y * 12 + x] == seen_through(corners, Vec2(x, y)));
+    }
+}
+
+TEST_CASE("a pixel of shared corners is the mean of its four", "[render]") {
+    const Scene scene = scene_with(PixelRays::shared_corners);
+    const std::vector<Color> pixels = picture(scene);
+    REQUIRE(pixels.size() == 12 * 9);
+    for (const auto& [x, y] : {std::pair(0, 0), {5, 4}, {11, 8}, {3, 7}}) {
+        Vec3 sum(0);
+        for (const auto& [dx, dy] : {std::pair(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
+            sum += Vec3(seen_through(scene, Vec2(x + dx, y + dy)));
+        }
+        CHECK(pixels[y * 12 + x] == Color(sum / 4.0));
+    }
+}
+
+TEST_CASE("a shared corner is traced once", "[render]") {
+    CHECK(counts_of(scene_with(PixelRays::shared_corners)).camera == 13 * 10);
+    CHECK(counts_of(scene_with(PixelRays::centre)).camera == 12 * 9);
+}
+
+TEST_CASE("a crop of shared corners holds the same pixels as the whole", "[render]") {
+    const Scene scene = scene_with(PixelRays::shared_corners);
+    const std::vector<Color> all = picture(scene);
+    RenderOptions options = whole(scene);
+    options.window = {{7, 2}, {11, 6}};
+    const std::vector<Color> part = render_with(scene, *find_backend("bvh"), options).film.pixels();
+    REQUIRE(part.size() == 5 * 5);
+    for (int i = 0; i < 25; ++i) CHECK(part[i] == all[(2 + i / 5) * 12 + 7 + i % 5]);
+}
+
+TEST_CASE("where all glass mirrors, a mirrored ray of no weight is counted", "[render]") {
+    Scene scene = clear_ball();
+    const RayCounts without = counts_of(scene);
+    const std::vector<Color> pixels = picture(scene);
+    CHECK(without.reflected == 0);
+    CHECK(without.refracted > 0);
+    scene.whitted.mirror_all_glass = true;
+    const RayCounts with = counts_of(scene);
+    CHECK(with.reflected >= with.refracted);
+    CHECK(with.refracted > without.refracted);  // those mirrored inside come out, too
+    CHECK(picture(scene) == pixels);
+}
+
+TEST_CASE("eyes' rays made to fit keep their hue", "[render]") {
+    Scene scene = empty_scene();
+    scene.environment.background = Color(0.5F, 1.0F, 4.0F);
+    CHECK(centre(scene) == Color(0.5F, 1.0F, 4.0F));
+    scene.whitted.fit_eye_rays = true;
+    CHECK(centre(scene) == Color(0.125F, 0.25F, 1.0F));
+    scene.environment.background = Color(0.5F, 0.25F, 0.75F);
+    CHECK(centre(scene) == Color(0.5F, 0.25F, 0.75F));
+}
+
+TEST_CASE("the real SPD scenes take the published numbers of rays", "[render]") {
+    struct Published {
+        std::string name;
+        std::uint64_t hits, shadow, reflected, refracted;  ///< of the README or of GOLEM
+    };
+    const Published table[] = {{"balls", 263169, 954368, 175095, 0},
+                               {"gears", 245332, 2246955, 304643, 207564 - 7594},
+                               {"mount", 173685, 412922, 354769, 354769},
+                               {"teapot_s12", 161546, 407656, 225248, 0},
+                               {"tetra", 49950, 46262, 0, 0}};
+    const auto near = [](std::uint64_t count, std::uint64_t published) {
+        return Approx(static_cast<double>(published)).epsilon(0.01) == static_cast<double>(count);
+    };
+    for (const std::string& path : shared_scenes("nff", ".nff")) {
+        for (const Published& p : table) {
+            if (std::filesystem::path(path).stem() != p.name) continue;
+            Scene scene = *load_scene(path).scene;
+            scene.camera.pixel_rays = PixelRays::shared_corners;
+            scene.whitted.mirror_all_glass = true;
+            const RayCounts counts = counts_of(scene);
+            CAPTURE(path, counts.shadow, counts.reflected, counts.refracted);
+            CHECK(counts.camera == 513 * 513);
+            CHECK(counts.camera_hits <= p.hits + 1);
+            CHECK(counts.camera_hits >= p.hits);
+            CHECK(near(counts.shadow, p.shadow));
+            CHECK(near(counts.reflected, p.reflected));
+            CHECK(near(counts.refracted, p.refracted));
+        }
+    }
+}
