@@ -13,6 +13,7 @@ struct Entry {
 };
 
 constexpr std::array writers = {
+    Entry{".pbrt", write_pbrt},
     Entry{".p3f", write_p3f},
 };
 

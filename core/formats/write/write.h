@@ -21,6 +21,9 @@ struct WrittenScene {
 /// is where the file will be: skyboxes are named from there.
 WrittenScene write_p3f(const Scene& scene, const std::filesystem::path& directory);
 
+/// PBRT v3. Its lights are other lights: they fall off, and a background lights the scene.
+WrittenScene write_pbrt(const Scene& scene, const std::filesystem::path& directory);
+
 using SceneWriter = WrittenScene (*)(const Scene&, const std::filesystem::path& directory);
 
 /// What writes files of this extension (".p3f"); null if nothing does.
