@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/formats/reader.h"
+#include "core/formats/triangulation.h"
 #include "core/numerics/rounding.h"
 
 namespace etalon {
@@ -70,8 +71,10 @@ class FaceReader {
             return in.warn("face", "face left out: {} corners, expected at least 3",
                            corners_.size());
         }
-        for (std::size_t i = 2; i < corners_.size(); ++i) {
-            add(corners_[0], corners_[i - 1], corners_[i]);
+        std::vector<Vec3> points;
+        for (const Corner& c : corners_) points.push_back(mesh_.vertices[c.vertex]);
+        for (const auto& [a, b, c] : triangulate(points)) {
+            add(corners_[a], corners_[b], corners_[c]);
         }
     }
 

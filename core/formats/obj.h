@@ -24,8 +24,7 @@ struct ObjMesh {
 
 /// Reads `v`, `vn` and `f` and passes over everything else. A corner of a face is `v`, `v/t`,
 /// `v//n` or `v/t/n`, numbers from 1 or, from the last one so far, -1, -2, ... A face of more than
-/// three corners becomes a fan of triangles about the first. A face that cannot be made is a
-/// warning.
+/// three corners, concave or not, is cut into triangles. One that cannot be made is a warning.
 ObjMesh read_obj(std::string_view text, DiagnosticLog& log);
 
 /// Gives every corner a normal. Where no face of the file names any, the i-th is that of the i-th

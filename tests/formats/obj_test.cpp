@@ -75,10 +75,12 @@ TEST_CASE("a face may name vertices that follow it") {
     CHECK(vertices_of(read("f 1 2 3\n" + square).mesh) == Indices{0, 1, 2});
 }
 
-TEST_CASE("a polygon becomes a fan, less what is only a line") {
+TEST_CASE("a polygon is cut into triangles, less what is only a line") {
     CHECK(vertices_of(read(square + "f 1 2 3 4").mesh) == Indices{0, 1, 2, 0, 2, 3});
     CHECK(vertices_of(read(square + "f 1 2 3 3").mesh) == Indices{0, 1, 2});
     CHECK(vertices_of(read(square + "v 2 2 0\nf 1 2 3 4 5").mesh).size() == 9);
+    const std::string dent = "v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\n";
+    CHECK(vertices_of(read(dent + "f 2 3 4 1").mesh) == Indices{0, 1, 2, 0, 2, 3});
 }
 
 TEST_CASE("a face that cannot be made is left out, with its own line and column") {

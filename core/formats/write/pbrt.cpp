@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/formats/triangulation.h"
 #include "core/formats/write/mesh_run.h"
 #include "core/formats/write/pbrt_material.h"
 #include "core/formats/write/text.h"
-#include "core/formats/write/triangulation.h"
 #include "core/formats/write/write.h"
 #include "core/numerics/affine.h"
 

@@ -1,4 +1,4 @@
-#include "core/formats/write/triangulation.h"
+#include "core/formats/triangulation.h"
 
 #include <algorithm>
 
@@ -9,15 +9,30 @@ namespace {
 
 using Corners = std::vector<std::uint32_t>;
 
-/// Cuts ears off a polygon (Meisters 1975, "Polygons Have Ears").
-class EarCutter {
+/// Cuts a polygon into a fan about its first corner if that covers it, else cuts ears off it
+/// (Meisters 1975, "Polygons Have Ears").
+class Triangulator {
   public:
-    explicit EarCutter(std::span<const Vec3> corners)
+    explicit Triangulator(std::span<const Vec3> corners)
         : points_(corners), normal_(area_normal(corners)), left_(corners.size()) {
         for (std::uint32_t i = 0; i < left_.size(); ++i) left_[i] = i;
     }
 
-    std::vector<std::array<std::uint32_t, 3>> cut() {
+    /// Where all of it turns one way, seen from the first corner.
+    bool is_fan() const {
+        for (std::uint32_t i = 2; i < points_.size(); ++i) {
+            if (!(area(0, i - 1, i) >= 0)) return false;
+        }
+        return true;
+    }
+
+    std::vector<std::array<std::uint32_t, 3>> fan() const {
+        std::vector<std::array<std::uint32_t, 3>> triangles;
+        for (std::uint32_t i = 2; i < points_.size(); ++i) triangles.push_back({0, i - 1, i});
+        return triangles;
+    }
+
+    std::vector<std::array<std::uint32_t, 3>> cut_ears() {
         std::vector<std::array<std::uint32_t, 3>> triangles;
         while (left_.size() >= 3) {
             const std::size_t tip = find_ear();
@@ -65,10 +80,8 @@ class EarCutter {
 
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec3> corners) {
     constexpr std::size_t bearable = 4096;  // the time grows with the square at best
-    if (corners.size() <= bearable) return EarCutter(corners).cut();
-    std::vector<std::array<std::uint32_t, 3>> fan;
-    for (std::uint32_t i = 2; i < corners.size(); ++i) fan.push_back({0, i - 1, i});
-    return fan;
+    Triangulator polygon(corners);
+    return polygon.is_fan() || corners.size() > bearable ? polygon.fan() : polygon.cut_ears();
 }
 
 }  // namespace etalon

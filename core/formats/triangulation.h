@@ -10,8 +10,8 @@
 namespace etalon {
 
 /// The numbers of the corners of count - 2 triangles that make up a polygon in a plane, concave or
-/// not, in its turning sense. A polygon that crosses itself, or has more
-/// than 4096 corners, is only covered as well as can be.
+/// not, in its turning sense: a fan about the first corner where that will do. One that crosses
+/// itself, or is no fan and has more than 4096 corners, is only covered as well as can be.
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec3> corners);
 
 }  // namespace etalon
