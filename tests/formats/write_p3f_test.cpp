@@ -75,6 +75,7 @@ TEST_CASE("every statement of P3F is written as it was read") {
         "pp 3\n0 0 0 0 0 1\n1 0 0 1 0 0\n0 1 0 0 0 1\n"
         "pp 4\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 0 1\n"
         "f 0.5 0.25 0.1 1 1 1 1 0.5 30 1 1.5\nmesh 4 2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 3\n1 3 4\n"
+        "mat 0 0 0 1 1 1 1 0 30 0 1\nmesh 3 1\n0 0 2\n1 0 2\n0 1 2\n1 2 3\n"
         "mat 0.5 0.25 0.125 0 1 1 1 0.5 30 1 1.5\npl 0 0 1 1 0 1 0 1 1\n";
     const LoadResult r = load_p3f_text(text);
     CHECK(messages(r).empty());
