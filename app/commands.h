@@ -9,5 +9,6 @@ Run declare_render(CLI::App& app);
 Run declare_info(CLI::App& app);
 Run declare_trace(CLI::App& app);
 Run declare_crosscheck(CLI::App& app);
+Run declare_convert(CLI::App& app);
 
 }  // namespace etalon

@@ -8,6 +8,10 @@ Vec3 to_unit_magnitude(const Vec3& v) {
     return v * power_of_two_reciprocal(max_abs(v));
 }
 
+bool is_of_unit_length(const Vec3& v) {
+    return std::abs(v.dot(v) - 1) <= 8 * unit_roundoff;
+}
+
 Vec3 area_normal(std::span<const Vec3> corners) {
     double extent = 0;
     for (const Vec3& p : corners) extent = std::max(extent, max_abs(p - corners[0]));

@@ -12,6 +12,10 @@ namespace etalon {
 /// neither overflow nor vanish.
 Vec3 to_unit_magnitude(const Vec3& v);
 
+/// Whether a vector has been normalised, as far as roundings let one see: a step of 2^-53 in each
+/// of its numbers, and those of the product.
+bool is_of_unit_length(const Vec3& v);
+
 /// Along the normal of a polygon, on the side from which the corners run counter-clockwise
 /// (Newell's sum of the fan of triangles about the first corner). Zero if they span no area.
 Vec3 area_normal(std::span<const Vec3> corners);

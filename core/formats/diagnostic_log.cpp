@@ -21,6 +21,12 @@ Diagnostic* DiagnosticLog::admit(Severity severity, std::size_t offset, std::str
     return &diagnostics_.back();
 }
 
+void DiagnosticLog::append(DiagnosticLog& other) {
+    has_errors_ |= other.has_errors_;
+    std::ranges::move(other.diagnostics_, std::back_inserter(diagnostics_));
+    other.diagnostics_.clear();
+}
+
 std::string in_quotes(std::string_view word) {
     constexpr std::size_t longest = 40;
     std::string text = "'";

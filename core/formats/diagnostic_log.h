@@ -33,6 +33,9 @@ class DiagnosticLog {
         add(Severity::error, offset, kind, text, std::forward<T>(arguments)...);
     }
 
+    /// Takes over what was found in another file, one that this one mentions.
+    void append(DiagnosticLog& other);
+
     /// Stands for an offset where the message is about the file as a whole.
     static constexpr std::size_t whole_file = std::string_view::npos;
 

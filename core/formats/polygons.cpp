@@ -7,7 +7,9 @@
 namespace etalon {
 namespace {
 
+/// One that is normalised stays as it is, so that a scene can be written and read again.
 Vec3 normalized(const Vec3& v) {
+    if (is_of_unit_length(v)) return v;
     const Vec3 n = to_unit_magnitude(v);
     return n / std::sqrt(n.dot(n));
 }

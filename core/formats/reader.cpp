@@ -80,7 +80,7 @@ void Reader::reject(std::string_view expected, std::string_view what, NumberStat
     if (status == NumberStatus::out_of_range) kind = "range", because = ", which is too large";
     if (is_infinity_or_nan(found)) kind = "range", because = ", which is not finite";
     fail_at(tokens_.offset(), kind, "expected {} for the {} of '{}', found {}{}", expected, what,
-            keyword_, found.empty() ? "the end of the file" : in_quotes(found), because);
+            keyword_, found.empty() ? std::string(end_) : in_quotes(found), because);
 }
 
 }  // namespace etalon

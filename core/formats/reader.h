@@ -19,6 +19,10 @@ class Reader {
     Reader(std::string_view text, DiagnosticLog& log, std::span<const std::string_view> keywords)
         : tokens_(text), log_(log), keywords_(keywords) {}
 
+    /// For a format in which the line ends a statement.
+    Reader(const Tokenizer& line, DiagnosticLog& log)
+        : tokens_(line), log_(log), end_("the end of the line") {}
+
     /// Takes the next word as the keyword of a new statement.
     std::string_view begin();
     std::string_view keyword() const { return keyword_; }
@@ -92,7 +96,8 @@ class Reader {
 
     Tokenizer tokens_;
     DiagnosticLog& log_;
-    std::span<const std::string_view> keywords_;
+    std::span<const std::string_view> keywords_{};
+    std::string_view end_ = "the end of the file";  // in messages
     std::string_view keyword_;
     std::size_t start_ = 0;
     bool ok_ = true;

@@ -27,6 +27,13 @@ std::string_view Tokenizer::next() {
     return word;
 }
 
+Tokenizer Tokenizer::take_line() {
+    Tokenizer line = *this;
+    line.last_ = std::find(cursor_, last_, '\n');
+    move_to(line.last_);
+    return line;
+}
+
 void Tokenizer::skip_comments() {
     while (cursor_ != last_ && *cursor_ == '#') {
         cursor_ = std::find(cursor_, last_, '\n');

@@ -1,5 +1,5 @@
-// The words of a scene file, for every format that is a stream of words: anything between blanks,
-// tabs and line ends (LF or CRLF), with comments from '#' to the end of the line, anywhere.
+// The words of a scene file: anything between blanks, tabs and line ends (LF or CRLF), with
+// comments from '#' to the end of the line, anywhere.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +23,10 @@ class Tokenizer {
     /// The next word; empty at the end.
     std::string_view peek() const;
     std::string_view next();
+
+    /// What is left of the line with the next word, which this one then has passed: for formats
+    /// where the line ends a statement.
+    Tokenizer take_line();
 
     /// Reads the next word as a number, and moves on only if it is one as a whole.
     template <class T>

@@ -10,9 +10,11 @@
 #include <span>
 #include <string_view>
 
-#include "scenes/generate/writer.h"
+#include "core/formats/write/p3f_writer.h"
 
 namespace etalon::generate {
+
+using Writer = P3fWriter;
 
 /// Each writes a whole scene; what `size` means is in the table.
 void sphereflake(Writer& out, std::int64_t size);

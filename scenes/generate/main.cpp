@@ -30,7 +30,7 @@ std::string list_of_families() {
 int write_scene(const Family& family, std::int64_t size, const std::string& path) {
     try {
         Output output(path);
-        Writer writer(output.file());
+        Writer writer([&](std::string_view text) { output.write(text); });
         writer.comment(fmt::format("etalon-scenes {} --size {}", family.name, size));
         family.generate(writer, size);
         writer.flush();

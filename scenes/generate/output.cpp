@@ -33,8 +33,12 @@ Output::~Output() {
     if (written_ != path_) std::remove(written_.c_str());
 }
 
-void Output::commit() {
+void Output::write(std::string_view text) {
+    require(std::fwrite(text.data(), 1, text.size(), file_) == text.size());
     require(std::fflush(file_) == 0);
+}
+
+void Output::commit() {
     if (written_ != path_) require(std::rename(written_.c_str(), path_.c_str()) == 0);
     written_ = path_;
 }

@@ -2,12 +2,14 @@
 
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 namespace etalon::generate {
 
 /// A file that appears whole or not at all: written beside its place, renamed by commit(). An empty
 /// path is standard output; what exists and is no regular file (a pipe, /dev/null) is written in
-/// place. Throws std::system_error where the file cannot be opened or finished.
+/// place. Throws std::system_error where the file cannot be opened, written or finished: a full
+/// disk ends the work at once.
 class Output {
   public:
     explicit Output(const std::string& path);
@@ -15,7 +17,7 @@ class Output {
     Output(const Output&) = delete;
     Output& operator=(const Output&) = delete;
 
-    std::FILE* file() const { return file_; }
+    void write(std::string_view text);
     void commit();
 
   private:

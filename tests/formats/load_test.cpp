@@ -125,8 +125,6 @@ TEST_CASE("scenes of every format that is read are recognised by their content")
 }
 
 TEST_CASE("scenes of other formats are recognised and named") {
-    CHECK(foreign("sce1.0\neyepos 0 0 1\n") == looks_like("an SCE scene"));
-    CHECK(foreign("eyepos 0 0 1\neyedir 0 0 -1\n") == looks_like("an SCE scene"));
     CHECK(
         foreign(
             "LookAt 0 0 1 0 0 0 0 1 0\nCamera \"perspective\" \"float fov\" [45]\nWorldBegin\n") ==

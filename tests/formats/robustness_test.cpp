@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 
+#include "core/formats/write/write.h"
 #include "tests/catch.h"
 #include "tests/formats/messages.h"
 #include "tests/formats/sane_scene.h"
@@ -59,6 +60,23 @@ TEST_CASE("a scene with any byte flipped gives a scene or an error") {
             std::string damaged = scene.text;
             damaged[random() % damaged.size()] ^= static_cast<char>(1U << (random() % 8));
             check_survives(scene, damaged);
+        }
+    }
+}
+
+TEST_CASE("what is left of a damaged scene can be written, and is then sane") {
+    std::mt19937 random(6);
+    for (const WholeScene& scene : whole_scenes()) {
+        for (int i = 0; i < 50; ++i) {
+            std::string damaged = scene.text.substr(0, scene.text.size() * (i % 2 + 1) / 4);
+            damaged[random() % damaged.size()] ^= static_cast<char>(1U << (random() % 8));
+            CAPTURE(scene.format, damaged);
+            const LoadResult r = load_text(scene.format, damaged);
+            if (!r.scene) continue;
+            CHECK(write_pbrt(*r.scene, "").text.ends_with("WorldEnd\n"));
+            const LoadResult again = load_text("p3f", write_p3f(*r.scene, "").text);
+            REQUIRE(again.scene);
+            CHECK(insanity(*again.scene) == "");
         }
     }
 }

@@ -31,6 +31,21 @@ TEST_CASE("a comment runs from # to the end of the line, wherever it starts") {
     CHECK(words("#one\ns 1 # two\r\n##three\n#\n2#four\n3 #") == Words{"s", "1", "2", "3"});
 }
 
+TEST_CASE("a line can be taken by itself") {
+    Tokenizer t("\n# none\n a 1 # 2\r\n\nb\nc 4 5");
+    Tokenizer line = t.take_line();
+    CHECK(line.offset() == 9);
+    CHECK(line.next() == "a");
+    CHECK(line.next() == "1");
+    CHECK(line.at_end());
+    CHECK(t.take_line().peek() == "b");
+    line = t.take_line();
+    CHECK(line.next() == "c");
+    CHECK(line.offset() == 23);
+    CHECK(t.at_end());
+    CHECK(t.take_line().at_end());
+}
+
 TEST_CASE("a byte order mark at the start is no word") {
     CHECK(words("\xEF\xBB\xBFs 1") == Words{"s", "1"});
 }

@@ -97,10 +97,71 @@ WholeScene prt() {
             400};  // instances
 }
 
+WholeScene sce() {
+    const std::string camera =
+        "eyepos 0 0 5\neyedir 0 0 -1\neyeup 0 1 0\nwdist 1\nfovy_deg 45\nnx 40\nny 30\n";
+    std::string text = "sce1.0\r\n# generated\n" + camera +
+                       "max_recursion 4\naasample 2\nbackground 0 .1 .2\nca .1 .2 .3\n{\n"
+                       "rotate 60 1 1 0\ntranslate 1 2 3 # there\nscale 1 1 -1.6\n"
+                       "pointlight 3 0 4 .8 .8 .6\narealight 0.3 0.8 0.8 0.6\n"
+                       "object_flat nothing.obj\n}\n";
+    std::mt19937 random(12);
+    for (int i = 0; i < 40; ++i) {
+        text += "push_matrix\n\tscale " + number(random) + "1e-1 -2\n\tcr 1 0 0\n\tcp .5 .5 .5\n";
+        text += "\tshininess 30\n\tball .5 1 2 3\n\tcylinder\n\ttriangle 0 0 0 1 0 " +
+                number(random) + " 0 1 0\npop_matrix\n";
+    }
+    return {"sce",
+            text + "end\nof it\n",
+            1,  // its mesh does not exist
+            120,
+            camera,
+            "ball x\n",
+            "eyedir 0 0 0\n",
+            {"{\n",
+             "}\n",
+             "push_matrix\n",
+             "pop_matrix\n",
+             "rotate",
+             "translate",
+             "ball",
+             "cylinder\n",
+             "scale",
+             "triangle",
+             "object_flat",
+             "object_phong",
+             ".",
+             "pointlight",
+             "arealight",
+             "background",
+             "eyepos",
+             "eyedir",
+             "eyeup",
+             "fovy_deg",
+             "nx",
+             "aasample",
+             "ca",
+             "cr",
+             "cp",
+             "shininess",
+             "0",
+             "1",
+             "-1 0 1",
+             "2 0 0",
+             "1e308",
+             "-1e308",
+             "1e-308",
+             "1 2 3",
+             "\n",
+             "\n",
+             "#\n",
+             "max_recursion"}};
+}
+
 }  // namespace
 
 const std::vector<WholeScene>& whole_scenes() {
-    static const std::vector<WholeScene> scenes = {p3f(), nff(), prt()};
+    static const std::vector<WholeScene> scenes = {p3f(), nff(), prt(), sce()};
     return scenes;
 }
 

@@ -2,30 +2,21 @@
 #include <algorithm>
 
 #include "core/formats/p3f/loader.h"
+#include "core/formats/p3f/material.h"
 
-namespace etalon::p3f {
+namespace etalon {
+
 namespace {
 
-struct Numbers {
-    Color diffuse;
-    double kd;
-    Color specular;
-    double ks, shine, transmission, ior;
-};
-
-Numbers read_numbers(Reader& in) {
-    Numbers n{};
-    n.diffuse = in.color("diffuse colour");
-    n.kd = in.number("Kd");
-    n.specular = in.color("specular colour");
-    n.ks = in.number("Ks");
-    n.shine = in.number("Shine");
-    n.transmission = in.number("T");
-    n.ior = in.number("index of refraction");
-    return n;
+/// Light loses exp(-(1 - Cd) d) over a distance d in glass, and nothing to Cd >= 1.
+Color absorption_of(const Color& diffuse) {
+    const auto of = [](float c) { return std::max(0.0F, 1 - c); };
+    return {of(diffuse.x), of(diffuse.y), of(diffuse.z)};
 }
 
-Material material_of(const Numbers& n) {
+}  // namespace
+
+Material to_material(const P3fMaterial& n, bool absorbs) {
     Material m;
     m.diffuse = n.diffuse * static_cast<float>(n.kd);
     m.specular = n.specular * static_cast<float>(n.ks);
@@ -35,16 +26,28 @@ Material material_of(const Numbers& n) {
         m.transmission = Color(1.0F);
         m.fresnel = true;
         m.ior = n.ior;
+        if (absorbs) m.absorption = absorption_of(n.diffuse);
     } else if (n.ks > 0) {
         m.reflection = m.specular;
     }
     return m;
 }
 
-/// Light loses exp(-(1 - Cd) d) over a distance d in glass, and nothing to Cd >= 1.
-Color absorption_of(const Color& diffuse) {
-    const auto of = [](float c) { return std::max(0.0F, 1 - c); };
-    return {of(diffuse.x), of(diffuse.y), of(diffuse.z)};
+}  // namespace etalon
+
+namespace etalon::p3f {
+namespace {
+
+P3fMaterial read_numbers(Reader& in) {
+    P3fMaterial n;
+    n.diffuse = in.color("diffuse colour");
+    n.kd = in.number("Kd");
+    n.specular = in.color("specular colour");
+    n.ks = in.number("Ks");
+    n.shine = in.number("Shine");
+    n.transmission = in.number("T");
+    n.ior = in.number("index of refraction");
+    return n;
 }
 
 /// Some programs take numbers after the eleven: a roughness, or an emission.
@@ -64,12 +67,10 @@ void pass_extra_numbers(Reader& in) {
 }
 
 void read_material(Loader& loader, bool absorbs) {
-    const Numbers n = read_numbers(loader.in);
+    const P3fMaterial n = read_numbers(loader.in);
     if (!loader.in.ok()) return;
     pass_extra_numbers(loader.in);
-    Material m = material_of(n);
-    if (absorbs && m.fresnel) m.absorption = absorption_of(n.diffuse);
-    loader.set_material(m);
+    loader.set_material(to_material(n, absorbs));
 }
 
 }  // namespace
@@ -83,7 +84,7 @@ void read_f(Loader& loader) {
 }
 
 Material default_material() {
-    return material_of({Color(0.2F), 0.2, Color(1.0F), 0.8, 20, 0, 1});
+    return to_material({Color(0.2F), 0.2, Color(1.0F), 0.8, 20, 0, 1}, false);
 }
 
 }  // namespace etalon::p3f

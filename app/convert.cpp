@@ -1,0 +1,50 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+
+#include "app/commands.h"
+#include "app/exit_status.h"
+#include "app/output.h"
+#include "app/scene_arguments.h"
+#include "core/formats/write/write.h"
+
+namespace etalon {
+namespace {
+
+struct Arguments {
+    SceneArguments scene;
+    std::string output;
+};
+
+int run(const Arguments& a) {
+    const std::filesystem::path path = a.output;
+    const SceneWriter write = find_scene_writer(path.extension().string());
+    if (!write) {
+        fmt::print(stderr, "etalon: error: {}: expected a file ending in {}\n", a.output,
+                   writable_extensions());
+        return exit_usage;
+    }
+    if (const std::string obstacle = obstacle_to_writing(a.output); !obstacle.empty()) {
+        fmt::print(stderr, "etalon: error: {}\n", obstacle);
+        return exit_not_written;
+    }
+    const LoadedScene loaded = load(a.scene);
+    if (!loaded.scene) return loaded.status;
+    const WrittenScene written = write(*loaded.scene, path.parent_path());
+    for (const Loss& loss : written.lost) {
+        fmt::print(stderr, "{}: lost: {} ({})\n", a.output, loss.what, loss.count);
+    }
+    return write_text(a.output, written.text) ? exit_done : exit_not_written;
+}
+
+}  // namespace
+
+Run declare_convert(CLI::App& app) {
+    auto a = std::make_shared<Arguments>();
+    declare_scene(app, a->scene);
+    app.add_option("-o,--output", a->output, "The new file; its extension names the format")
+        ->required();
+    return [a] { return run(*a); };
+}
+
+}  // namespace etalon

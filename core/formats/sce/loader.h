@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/formats/load.h"
+#include "core/formats/obj.h"
+#include "core/formats/reader.h"
+#include "core/numerics/affine.h"
+
+namespace etalon::sce {
+
+/// What the material commands set, at the course's own defaults.
+struct Surface {
+    Color ambient{0.1F}, diffuse{1.0F}, specular{0.0F};  ///< ca, cr, cp
+    double shininess = 1;
+};
+
+/// What a block restores: pop_matrix the matrix alone, '}' all of it.
+struct State {
+    Affine matrix;
+    Surface surface;
+    std::optional<std::uint32_t> material;  ///< the number of the surface, once a shape has it
+};
+
+struct Block {
+    bool braces;         ///< opened by '{', not by push_matrix
+    std::size_t offset;  ///< of its opening
+    State outside;
+};
+
+/// Line of sight and upward direction, wherever they were last given.
+struct View {
+    Vec3 direction{0, 0, -1};
+    std::size_t offset = 0;
+};
+
+struct MeshFile {
+    ObjMesh mesh;
+    std::string why;  ///< there is no mesh; empty if there is one
+};
+
+/// An SCE file being read.
+struct Loader {
+    const LoadOptions& options;
+    DiagnosticLog& log;
+    std::filesystem::path directory;  ///< of the scene file
+    Scene scene{};
+    State state{};
+    std::vector<Block> blocks{};
+    View view{};
+    std::map<std::string, MeshFile> meshes{};  ///< by path
+
+    Sides sides() const { return options.one_sided ? Sides::front : Sides::both; }
+
+    /// The number of the current surface in the scene's materials.
+    std::uint32_t current_material();
+
+    /// Whether a shape can be had under the current matrix; if not, says why.
+    bool has_usable_matrix(Reader& in) const;
+
+    template <class Shape>
+    void add(const Shape& shape) {
+        scene.add(shape, current_material(), sides());
+    }
+};
+
+using Handler = void (*)(Loader&, Reader&);
+
+// One per command: reads the arguments, whose number is right already, and does what they say.
+void open_braces(Loader&, Reader&);
+void close_braces(Loader&, Reader&);
+void push_matrix(Loader&, Reader&);
+void pop_matrix(Loader&, Reader&);
+void rotate(Loader&, Reader&);
+void translate(Loader&, Reader&);
+void scale(Loader&, Reader&);
+
+void read_ambient(Loader&, Reader&);
+void read_diffuse(Loader&, Reader&);
+void read_specular(Loader&, Reader&);
+void read_shininess(Loader&, Reader&);
+
+void read_ball(Loader&, Reader&);
+void read_cylinder(Loader&, Reader&);
+void read_triangle(Loader&, Reader&);
+void read_flat_object(Loader&, Reader&);
+void read_smooth_object(Loader&, Reader&);
+
+void read_point_light(Loader&, Reader&);
+void read_area_light(Loader&, Reader&);
+
+void read_eye(Loader&, Reader&);
+void read_direction(Loader&, Reader&);
+void read_up(Loader&, Reader&);
+void read_view_distance(Loader&, Reader&);
+void read_field_of_view(Loader&, Reader&);
+void read_width(Loader&, Reader&);
+void read_height(Loader&, Reader&);
+void read_recursion(Loader&, Reader&);
+void read_samples(Loader&, Reader&);
+void read_background(Loader&, Reader&);
+
+/// Makes the scene's camera of what was read, or says why nothing can be seen.
+void settle_camera(Loader&);
+
+}  // namespace etalon::sce

@@ -1,0 +1,126 @@
+// triangle, object_flat and object_phong.
+#include <cmath>
+#include <filesystem>
+
+#include "core/formats/degenerate.h"
+#include "core/formats/file_text.h"
+#include "core/formats/sce/loader.h"
+#include "core/numerics/rounding.h"
+#include "core/numerics/transforms.h"
+
+namespace etalon::sce {
+namespace {
+
+/// Reads the mesh of a file.
+MeshFile read_mesh(Loader& loader, const std::string& path) {
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(path, unknown)) return {{}, "there is no such file"};
+    const FileText file = read_file(path);
+    if (!file.error.empty()) return {{}, "it " + file.error};
+    DiagnosticLog log(path, file.text(), loader.options.strict);
+    MeshFile result{read_obj(file.text(), log), {}};
+    loader.log.append(log);
+    if (result.mesh.triangles.empty()) return {{}, "it holds no faces"};
+    complete_normals(result.mesh);
+    return result;
+}
+
+/// The mesh of the file that the statement names, beside the scene; null, and a warning, if there
+/// is none.
+const ObjMesh* find_mesh(Loader& loader, Reader& in) {
+    const std::size_t offset = in.tokens().offset();
+    const std::string_view name = in.word("file");
+    const std::string path = (loader.directory / name).string();
+    auto place = loader.meshes.find(path);
+    if (place == loader.meshes.end()) {
+        place = loader.meshes.emplace(path, read_mesh(loader, path)).first;
+    }
+    const auto& [mesh, why] = place->second;
+    if (why.empty()) return &mesh;
+    in.warn_at(offset, "mesh", "'{}' of {} left out: {}", in.keyword(), in_quotes(name), why);
+    return nullptr;
+}
+
+/// Whether the scene's numbers of 32 bits can still count what the mesh brings.
+bool fits(const Scene& scene, const ObjMesh& mesh) {
+    return scene.vertices.size() + mesh.vertices.size() < no_index &&
+           scene.normals.size() + 3 * mesh.triangles.size() < no_index;
+}
+
+/// Appends the corners' normals. Their lengths matter only by their ratios; such as would overflow
+/// when squared are brought nearer to 1. None where they have overflowed themselves.
+std::uint32_t add_normals(Scene& scene, const ObjMesh& mesh, const NormalMap& to_world,
+                          const std::array<ObjMesh::Corner, 3>& corners) {
+    const auto first = static_cast<std::uint32_t>(scene.normals.size());
+    double total = 0;
+    for (const ObjMesh::Corner& corner : corners) {
+        scene.normals.push_back(to_world(mesh.normals[corner.normal]));
+        total += sum_abs(scene.normals.back());
+    }
+    if (!std::isfinite(total)) {
+        scene.normals.resize(first);
+        return no_index;
+    }
+    const bool extreme = total < 0x1p-400 || total > 0x1p400;
+    const double scale = extreme ? power_of_two_reciprocal(total) : 1;
+    for (std::size_t k = first; k < scene.normals.size(); ++k) scene.normals[k] *= scale;
+    return first;
+}
+
+/// A map that mirrors turns the order of the corners round; the front stays the front.
+void add_faces(Loader& loader, const ObjMesh& mesh, std::uint32_t first, bool smooth) {
+    Scene& scene = loader.scene;
+    const bool mirrored = mirrors(loader.state.matrix);
+    const NormalMap normal_map(loader.state.matrix);
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const std::array order = {a, mirrored ? c : b, mirrored ? b : c};
+        Triangle triangle{};
+        for (std::size_t k = 0; k < 3; ++k) triangle.vertices[k] = first + order[k].vertex;
+        if (smooth) triangle.normals = add_normals(scene, mesh, normal_map, order);
+        loader.add(triangle);
+    }
+}
+
+void read_object(Loader& loader, Reader& in, bool smooth) {
+    const ObjMesh* const mesh = find_mesh(loader, in);
+    if (!mesh || !loader.has_usable_matrix(in)) return;
+    Scene& scene = loader.scene;
+    if (!fits(scene, *mesh)) {
+        return in.warn("mesh", "'{}' left out: too many vertices in all", in.keyword());
+    }
+    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+    for (const Vec3& v : mesh->vertices) {
+        scene.vertices.push_back(loader.state.matrix.point(is_finite(v) ? v : Vec3(0)));
+        if (is_finite(scene.vertices.back())) continue;
+        scene.vertices.resize(first);
+        return in.warn("matrix", "'{}' left out: it lies beyond all numbers", in.keyword());
+    }
+    add_faces(loader, *mesh, first, smooth);
+}
+
+}  // namespace
+
+void read_triangle(Loader& loader, Reader& in) {
+    std::array<Vec3, 3> corners;
+    for (Vec3& corner : corners) corner = loader.state.matrix.point(in.vector("corner"));
+    if (!in.ok() || !loader.has_usable_matrix(in)) return;
+    const Vec3 normal = area_normal(corners);
+    if (!is_finite(normal) || normal == Vec3(0)) {
+        return in.warn("degenerate", "'triangle' left out: it has no area");
+    }
+    if (mirrors(loader.state.matrix)) std::swap(corners[1], corners[2]);
+    std::vector<Vec3>& vertices = loader.scene.vertices;
+    const auto v = static_cast<std::uint32_t>(vertices.size());
+    vertices.insert(vertices.end(), corners.begin(), corners.end());
+    loader.add(Triangle{{v, v + 1, v + 2}});
+}
+
+void read_flat_object(Loader& loader, Reader& in) {
+    read_object(loader, in, false);
+}
+
+void read_smooth_object(Loader& loader, Reader& in) {
+    read_object(loader, in, true);
+}
+
+}  // namespace etalon::sce

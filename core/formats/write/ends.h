@@ -1,0 +1,28 @@
+// P3F says edges and planes by points. What reads such a file takes differences of them; these find
+// the points whose differences are, to the last bit, what a scene holds.
+#pragma once
+
+#include <array>
+
+#include "core/scene/shapes.h"
+
+namespace etalon {
+
+/// A point, and whether it gives exactly what was asked for or only the nearest there is.
+struct EdgeEnd {
+    Vec3 point;
+    bool exact;
+};
+
+/// The point for which point - start is `edge`, as a reader computes it.
+EdgeEnd end_of_edge(const Vec3& start, const Vec3& edge);
+
+struct PlanePoints {
+    std::array<Vec3, 3> points;
+    bool exact;
+};
+
+/// Three points from which the reader makes this plane, its normal up to a power of two.
+PlanePoints points_on(const Plane& plane);
+
+}  // namespace etalon

@@ -1,0 +1,103 @@
+#include "core/formats/write/facets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/numerics/rounding.h"
+#include "core/numerics/transforms.h"
+
+namespace etalon {
+namespace {
+
+constexpr int around = 48, rings = 24;
+
+/// A point of a unit shape, with its normal there.
+struct LocalPoint {
+    Vec3 position, normal;
+};
+
+Vec3 normalized(const Vec3& v) {
+    const Vec3 n = v * power_of_two_reciprocal(max_abs(v));
+    return n / std::sqrt(n.dot(n));
+}
+
+/// Carries facets of a unit shape into the world.
+template <class Shape>
+class Facets {
+  public:
+    Facets(const Shape& shape, const FacetSink& take)
+        : shape_(shape),
+          take_(take),
+          to_world_(shape.to_world),
+          mirrored_(mirrors(shape.to_world)) {}
+
+    void smooth(std::vector<LocalPoint> points) const {
+        if (mirrored_) std::reverse(points.begin(), points.end());
+        std::vector<Vec3> corners, normals;
+        for (const LocalPoint& p : points) {
+            corners.push_back(shape_.to_world.point(p.position));
+            normals.push_back(normalized(to_world_(p.normal)));
+        }
+        take_(corners, normals);
+    }
+
+    void flat(std::vector<Vec3> corners) const {
+        if (mirrored_) std::reverse(corners.begin(), corners.end());
+        for (Vec3& p : corners) p = shape_.to_world.point(p);
+        take_(corners, {});
+    }
+
+  private:
+    const Shape& shape_;
+    const FacetSink& take_;
+    NormalMap to_world_;
+    bool mirrored_;
+};
+
+/// On the unit circle; the last step is the first point again, to the bit.
+Vec3 on_circle(int step) {
+    const double angle = 2 * std::numbers::pi / around * (step % around);
+    return {std::cos(angle), std::sin(angle), 0};
+}
+
+/// On the unit sphere, from pole to pole.
+LocalPoint on_sphere(int ring, int step) {
+    const double angle = std::numbers::pi / rings * ring;
+    const bool pole = ring == 0 || ring == rings;
+    const Vec3 p = (pole ? 0 : std::sin(angle)) * on_circle(step) - Vec3(0, 0, std::cos(angle));
+    return {p, p};
+}
+
+}  // namespace
+
+void to_facets(const Ellipsoid& shape, const FacetSink& take) {
+    const Facets<Ellipsoid> out(shape, take);
+    for (int ring = 0; ring < rings; ++ring) {
+        for (int step = 0; step < around; ++step) {
+            std::vector<LocalPoint> corners = {on_sphere(ring, step)};
+            if (ring > 0) corners.push_back(on_sphere(ring, step + 1));
+            corners.push_back(on_sphere(ring + 1, step + 1));
+            if (ring + 1 < rings) corners.push_back(on_sphere(ring + 1, step));
+            out.smooth(corners);
+        }
+    }
+}
+
+void to_facets(const ClosedCylinder& shape, const FacetSink& take) {
+    const Facets<ClosedCylinder> out(shape, take);
+    const Vec3 up(0, 0, 1);
+    std::vector<Vec3> bottom, top;
+    for (int step = 0; step < around; ++step) {
+        const Vec3 a = on_circle(step), b = on_circle(step + 1);
+        out.smooth({{a, a}, {b, b}, {b + up, b}, {a + up, a}});
+        bottom.insert(bottom.begin(), a);
+        top.push_back(a + up);
+    }
+    out.flat(bottom);
+    out.flat(top);
+}
+
+}  // namespace etalon

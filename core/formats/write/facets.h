@@ -1,0 +1,21 @@
+// Curved shapes as polygons, for formats that do not have the shape.
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "core/scene/shapes.h"
+
+namespace etalon {
+
+/// Takes a convex polygon: corners, counter-clockwise from outside, and a unit normal for each, or
+/// none where the polygon is flat.
+using FacetSink = std::function<void(std::span<const Vec3> corners, std::span<const Vec3> normals)>;
+
+/// 24 rings of 48 facets between the poles.
+void to_facets(const Ellipsoid& shape, const FacetSink& take);
+
+/// 48 facets around, and two caps of 48 corners.
+void to_facets(const ClosedCylinder& shape, const FacetSink& take);
+
+}  // namespace etalon

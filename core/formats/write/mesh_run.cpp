@@ -1,0 +1,64 @@
+#include "core/formats/write/mesh_run.h"
+
+#include <algorithm>
+
+namespace etalon {
+namespace {
+
+bool is_smooth(const Triangle& t) {
+    return t.normals != no_index;
+}
+
+std::vector<Triangle> run_from(const Scene& scene, std::size_t first) {
+    const Primitive& start = scene.primitives[first];
+    const bool smooth = is_smooth(scene.get<Triangle>(start));
+    std::vector<Triangle> run;
+    for (std::size_t i = first; i < scene.primitives.size(); ++i) {
+        const Primitive& p = scene.primitives[i];
+        const bool alike = p.kind == start.kind && p.material == start.material &&
+                           p.sides == start.sides && is_smooth(scene.get<Triangle>(p)) == smooth;
+        if (!alike) break;
+        run.push_back(scene.get<Triangle>(p));
+    }
+    return run;
+}
+
+/// Only the vertices that are used, in the scene's order.
+MeshRun flat_mesh(const Scene& scene, const std::vector<Triangle>& run) {
+    std::vector<std::uint32_t> used;
+    for (const Triangle& t : run) used.insert(used.end(), t.vertices.begin(), t.vertices.end());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    MeshRun mesh;
+    for (const std::uint32_t v : used) mesh.vertices.push_back(scene.vertices[v]);
+    for (const Triangle& t : run) {
+        auto& face = mesh.faces.emplace_back(t.vertices);
+        for (std::uint32_t& v : face) {
+            v = static_cast<std::uint32_t>(std::ranges::lower_bound(used, v) - used.begin());
+        }
+    }
+    return mesh;
+}
+
+/// Corners have normals of their own, and so vertices of their own.
+MeshRun smooth_mesh(const Scene& scene, const std::vector<Triangle>& run) {
+    MeshRun mesh;
+    for (const Triangle& t : run) {
+        const auto v = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.faces.push_back({v, v + 1, v + 2});
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            mesh.vertices.push_back(scene.vertices[t.vertices[k]]);
+            mesh.normals.push_back(scene.normals[t.normals + k]);
+        }
+    }
+    return mesh;
+}
+
+}  // namespace
+
+MeshRun mesh_from(const Scene& scene, std::size_t first) {
+    const std::vector<Triangle> run = run_from(scene, first);
+    return is_smooth(run.front()) ? smooth_mesh(scene, run) : flat_mesh(scene, run);
+}
+
+}  // namespace etalon

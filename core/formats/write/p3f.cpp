@@ -1,0 +1,191 @@
+#include <algorithm>
+
+#include "core/formats/degenerate.h"
+#include "core/formats/write/ends.h"
+#include "core/formats/write/facets.h"
+#include "core/formats/write/mesh_run.h"
+#include "core/formats/write/p3f_material.h"
+#include "core/formats/write/p3f_writer.h"
+#include "core/formats/write/write.h"
+
+namespace etalon {
+namespace {
+
+class P3fScene {
+  public:
+    P3fScene(const Scene& scene, const std::filesystem::path& directory)
+        : scene_(scene), directory_(directory) {}
+
+    WrittenScene write() {
+        write_settings();
+        for (const Light& light : scene_.lights) {
+            std::visit([&](const auto& l) { write_light(l); }, light);
+        }
+        for (std::size_t i = 0; i < scene_.primitives.size();) i = write_primitives(i);
+        out_.flush();
+        return {std::move(text_), lost_.take()};
+    }
+
+  private:
+    void write_settings() {
+        if (!scene_.backend.empty()) out_.backend(scene_.backend);
+        out_.samples(scene_.samples_per_pixel);
+        out_.background(scene_.environment.background);
+        if (scene_.environment.skybox) write_skybox(*scene_.environment.skybox);
+        out_.camera(scene_.camera);
+        note_rules();
+    }
+
+    /// P3F has no word for any of these.
+    void note_rules() {
+        const WhittedRules p3f, &ours = scene_.whitted;
+        const auto sends_rays = [](const Material& m) {
+            return m.reflection != Color(0.0F) || m.transmission != Color(0.0F);
+        };
+        if (ours.max_depth != p3f.max_depth && std::ranges::any_of(scene_.materials, sends_rays)) {
+            lost_.add(fmt::format("depth of {} rays, now {}", ours.max_depth, p3f.max_depth));
+        }
+        if (ours.schlick || ours.clamp_each_ray || ours.fit_eye_rays || ours.fixed_bias != 0) {
+            lost_.add("shading as an old program did it");
+        }
+        if (scene_.camera.stretched) lost_.add("pixels that are not square");
+        if (scene_.samples_per_pixel == 0 && scene_.camera.pixel_rays != PixelRays::centre) {
+            lost_.add("rays elsewhere than through the pixels' centres");
+        }
+        if (!scene_.display_colors) lost_.add("sRGB curve of a PNG");
+    }
+
+    /// The directory, as seen from the file's own; a word with blanks would be two.
+    void write_skybox(const Skybox& skybox) {
+        const auto folder = [](const std::filesystem::path& p) { return p.empty() ? "." : p; };
+        const std::filesystem::path faces =
+            folder(std::filesystem::path(skybox.faces[0]).parent_path());
+        std::error_code unknown;
+        const std::string name = proximate(faces, folder(directory_), unknown).string();
+        const bool is_word = name.find_first_of(" \t\n\v\f\r#") == std::string::npos;
+        if (is_word && !name.empty()) {
+            out_.skybox(name);
+        } else {
+            lost_.add("skybox");
+        }
+        if (skybox.nearest) lost_.add("skybox's nearest texels, now blended");
+    }
+
+    void write_light(const PointLight& l) { out_.light(l.position, l.color); }
+
+    void write_light(const QuadLight& l) {
+        const EdgeEnd end1 = end_of_edge(l.corner, l.edge1), end2 = end_of_edge(l.corner, l.edge2);
+        if (!end1.exact || !end2.exact) lost_.add("last bits of an area light's edges");
+        out_.quad_light(l.corner, l.color, end1.point, end2.point, l.samples);
+    }
+
+    /// Writes number `first`, and those after it that go into one statement with it. Returns the
+    /// number of the next.
+    std::size_t write_primitives(std::size_t first) {
+        const Primitive& p = scene_.primitives[first];
+        use_material(p.material);
+        if (p.sides == Sides::front) lost_.add("shape seen from its front only");
+        if (is_flat_triangle(p)) {
+            const MeshRun mesh = mesh_from(scene_, first);
+            out_.mesh(mesh.vertices, mesh.faces);
+            return first + mesh.faces.size();
+        }
+        with_shape(p.kind, [&]<class Shape>() { write_shape(scene_.get<Shape>(p), p.sides); });
+        return first + 1;
+    }
+
+    void use_material(std::uint32_t material) {
+        if (material == material_) return;
+        material_ = material;
+        const P3fStatement s = to_p3f(scene_.materials[material], lost_);
+        out_.material(s.numbers, s.absorbs);
+    }
+
+    /// A negative radius shows the inside alone.
+    static double signed_radius(double radius, Sides sides) {
+        return sides == Sides::back ? -radius : radius;
+    }
+
+    template <class Shape>
+    void write_shape(const Shape&, Sides) {
+        lost_.add(fmt::format("{}, left out", Shape::name));
+    }
+
+    void write_shape(const Sphere& s, Sides sides) {
+        out_.sphere(s.centre, signed_radius(s.radius, sides));
+    }
+
+    void write_shape(const Cone& c, Sides sides) {
+        out_.cone(c.base, signed_radius(c.base_radius, sides), c.top,
+                  signed_radius(c.top_radius, sides));
+    }
+
+    void write_shape(const Box& b, Sides) { out_.box(b.min, b.max); }
+
+    void write_shape(const Plane& p, Sides) {
+        const auto [points, exact] = points_on(p);
+        if (!exact) lost_.add("last bits of a plane");
+        out_.plane(points[0], points[1], points[2]);
+    }
+
+    void write_shape(const Triangle& t, Sides) {
+        std::array<Vec3, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k) corners[k] = scene_.vertices[t.vertices[k]];
+        write_polygon(corners, t.normals);
+    }
+
+    void write_shape(const Polygon& p, Sides) {
+        write_polygon(std::span(scene_.vertices).subspan(p.first, p.count), p.normals);
+    }
+
+    void write_shape(const Ellipsoid& e, Sides) {
+        lost_.add("ellipsoid, now polygons");
+        write_facets(e);
+    }
+
+    void write_shape(const ClosedCylinder& c, Sides) {
+        lost_.add("closed cylinder, now polygons");
+        write_facets(c);
+    }
+
+    void write_facets(const auto& shape) {
+        to_facets(shape, [&](std::span<const Vec3> corners, std::span<const Vec3> normals) {
+            write_polygon(corners, normals);
+        });
+    }
+
+    void write_polygon(std::span<const Vec3> corners, std::uint32_t first_normal) {
+        const bool flat = first_normal == no_index;
+        const std::span<const Vec3> all = scene_.normals;
+        write_polygon(corners, flat ? all.first(0) : all.subspan(first_normal, corners.size()));
+    }
+
+    void write_polygon(std::span<const Vec3> corners, std::span<const Vec3> normals) {
+        if (normals.empty()) return out_.polygon(corners);
+        if (std::ranges::find(normals, Vec3(0)) != normals.end()) {
+            lost_.add("smooth polygon with a zero normal, now flat");
+            return out_.polygon(corners);
+        }
+        if (!std::ranges::all_of(normals, is_of_unit_length)) lost_.add("length of corner normals");
+        out_.patch(corners, normals);
+    }
+
+    bool is_flat_triangle(const Primitive& p) const {
+        return p.kind == kind_of<Triangle>() && scene_.get<Triangle>(p).normals == no_index;
+    }
+
+    const Scene& scene_;
+    const std::filesystem::path& directory_;
+    std::string text_;
+    P3fWriter out_{[this](std::string_view piece) { text_ += piece; }};
+    Losses lost_;
+    std::uint32_t material_ = no_index;
+};
+
+}  // namespace
+
+WrittenScene write_p3f(const Scene& scene, const std::filesystem::path& directory) {
+    return P3fScene(scene, directory).write();
+}
+
+}  // namespace etalon

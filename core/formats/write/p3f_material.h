@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/formats/p3f/material.h"
+#include "core/formats/write/loss.h"
+
+namespace etalon {
+
+/// `absorbs`: a `mat`, not an `f`.
+struct P3fStatement {
+    P3fMaterial numbers;
+    bool absorbs;
+};
+
+/// The statement that a P3F reader makes this material of, to the last bit if it ever came from
+/// one; else of one as like it as can be, and what of it is lost.
+P3fStatement to_p3f(const Material& material, Losses& lost);
+
+}  // namespace etalon

@@ -1,0 +1,58 @@
+// Scenes as text. Numbers are the shortest that read back to the same value; the sign of zero,
+// which means nothing to a scene, is dropped.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "core/numerics/vec.h"
+
+// Adding zero turns -0 into 0.
+template <>
+struct fmt::formatter<etalon::Vec3> : fmt::formatter<double> {
+    auto format(const etalon::Vec3& v, fmt::format_context& context) const {
+        return fmt::format_to(context.out(), "{} {} {}", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+    }
+};
+
+template <>
+struct fmt::formatter<etalon::Color> : fmt::formatter<float> {
+    auto format(const etalon::Color& c, fmt::format_context& context) const {
+        return fmt::format_to(context.out(), "{} {} {}", c.x + 0.0F, c.y + 0.0F, c.z + 0.0F);
+    }
+};
+
+namespace etalon {
+
+/// Lines of text, handed on in pieces, so that a scene may be larger than memory.
+class LineWriter {
+  public:
+    using Sink = std::function<void(std::string_view)>;
+
+    explicit LineWriter(Sink sink) : sink_(std::move(sink)) {}
+
+    template <class... T>
+    void line(fmt::format_string<T...> text, T&&... values) {
+        fmt::format_to(std::back_inserter(buffer_), text, std::forward<T>(values)...);
+        buffer_.push_back('\n');
+        if (buffer_.size() >= piece) flush();
+    }
+
+    /// Hands on what is left. This and line() let through what the sink throws.
+    void flush() {
+        sink_({buffer_.data(), buffer_.size()});
+        buffer_.clear();
+    }
+
+  private:
+    static constexpr std::size_t piece = std::size_t{1} << 16;
+
+    Sink sink_;
+    fmt::memory_buffer buffer_;
+};
+
+}  // namespace etalon

@@ -1,0 +1,85 @@
+// etalon convert from outside: files that say the same, and what is said of those that cannot.
+#include <filesystem>
+
+#include "core/image/io.h"
+#include "tests/app/program.h"
+#include "tests/catch.h"
+#include "tests/formats/shared_scenes.h"
+
+using namespace etalon::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<float> picture(const Folder& f, const std::string& scene) {
+    const auto r = f.etalon("render '" + scene + "' --resolution 60x40 -q -o now.exr --spp 2");
+    INFO(r.err);
+    REQUIRE(r.status == 0);
+    const auto image = etalon::read_image(f.path("now.exr"));
+    REQUIRE(image.error == "");
+    return std::get<std::vector<float>>(image.value.pixels);
+}
+
+void check_same_picture(const Folder& f, const std::string& scene) {
+    INFO(scene);
+    const auto r = f.etalon("convert '" + scene + "' -o again.p3f");
+    CHECK(r.status == 0);
+    CHECK(r.out + r.err == "");
+    CHECK((picture(f, scene) == picture(f, "again.p3f")));
+}
+
+}  // namespace
+
+TEST_CASE("a P3F scene of every feature gives the same picture when it is written again", "[app]") {
+    const Folder f;
+    for (const auto& entry : fs::directory_iterator(ETALON_SOURCE_DIR "/scenes/features")) {
+        if (entry.path().extension() == ".p3f") check_same_picture(f, entry.path().string());
+    }
+}
+
+TEST_CASE("every real P3F scene gives the same picture when it is written again", "[long]") {
+    const Folder f;
+    for (const std::string& path : etalon::shared_scenes("p3f", ".p3f")) {
+        if (path.find("stray") == std::string::npos) check_same_picture(f, path);
+    }
+}
+
+TEST_CASE("convert says what is lost, each kind once with a count", "[app]") {
+    const Folder f;
+    f.write("a.sce", "ball 1 0 0 -9\nscale 1 1 2\nball 1 0 0 -9\nball 1 1 0 -9\n");
+    const auto p3f = f.etalon("convert a.sce -o a.p3f");
+    CHECK(p3f.status == 0);
+    CHECK(p3f.out == "");
+    CHECK(p3f.err ==
+          "a.p3f: lost: ambient colour of a material (1)\n"
+          "a.p3f: lost: ellipsoid, now polygons (2)\n");
+    CHECK(f.etalon("render a.p3f --strict -q -o a.exr").status == 0);
+    const auto pbrt = f.etalon("convert a.sce -o a.pbrt");
+    CHECK(pbrt.status == 0);
+    CHECK_THAT(pbrt.err, ContainsSubstring("a.pbrt: lost: ambient colour of a material (1)\n"));
+    CHECK_THAT(f.read("a.pbrt"), ContainsSubstring("WorldEnd"));
+}
+
+TEST_CASE("a skybox is found from where the new file is", "[app]") {
+    const Folder f;
+    f.shell("mkdir new");
+    CHECK(f.etalon("convert " ETALON_SOURCE_DIR "/scenes/features/skybox.p3f -o new/sky.p3f")
+              .status == 0);
+    CHECK(f.etalon("render new/sky.p3f --strict --resolution 8x6 --spp 1 -q -o a.exr").err == "");
+}
+
+TEST_CASE("convert ends as the contract says", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    f.write("bad.p3f", small_scene + "ball 1 2\n");
+    CHECK(f.etalon("convert ball.p3f").status == 2);
+    const auto unknown = f.etalon("convert ball.p3f -o ball.obj");
+    CHECK(unknown.status == 2);
+    CHECK_THAT(unknown.err, ContainsSubstring(".pbrt or .p3f"));
+    CHECK(f.etalon("convert missing.p3f -o a.p3f").status == 3);
+    CHECK(f.etalon("convert bad.p3f --strict -o a.p3f").status == 3);
+    CHECK_FALSE(f.has("a.p3f"));
+    CHECK(f.etalon("convert ball.p3f -o no/such/a.p3f").status == 4);
+    CHECK(f.etalon("convert - --format p3f -o a.p3f", small_scene).status == 0);
+    CHECK(f.shell("ls").out == "a.p3f\nbad.p3f\nball.p3f\n");
+}

@@ -1,0 +1,114 @@
+#include "tests/formats/same_scene.h"
+
+#include <span>
+#include <tuple>
+#include <variant>
+
+#include "core/formats/degenerate.h"
+
+namespace etalon {
+namespace {
+
+auto fields(const Camera& c) {
+    return std::tuple(c.eye, c.at, c.up, c.fov_degrees, c.width, c.height, c.aperture, c.focal,
+                      c.stretched, c.pixel_rays);
+}
+auto fields(const PointLight& l) {
+    return std::tuple(l.position, l.color);
+}
+auto fields(const QuadLight& l) {
+    return std::tuple(l.corner, l.edge1, l.edge2, l.color, l.samples);
+}
+auto fields(const Material& m) {
+    return std::tuple(m.ambient, m.diffuse, m.specular, m.shininess, m.highlight, m.reflection,
+                      m.transmission, m.fresnel, m.ior, m.absorption);
+}
+auto fields(const WhittedRules& r) {
+    return std::tuple(r.max_depth, r.schlick, r.clamp_each_ray, r.fit_eye_rays, r.mirror_all_glass,
+                      r.fixed_bias);
+}
+auto fields(const Environment& e) {
+    return std::tuple(e.background, e.skybox.has_value());
+}
+
+auto fields(const Scene&, const Sphere& s) {
+    return std::tuple(s.centre, s.radius);
+}
+auto fields(const Scene&, const Box& b) {
+    return std::tuple(b.min, b.max);
+}
+auto fields(const Scene&, const Plane& p) {
+    return std::tuple(p.point, to_unit_magnitude(p.normal));
+}
+auto fields(const Scene&, const Cone& c) {
+    return std::tuple(c.base, c.top, c.base_radius, c.top_radius);
+}
+auto fields(const Affine& m) {
+    return std::tuple(m.x, m.y, m.z, m.origin);
+}
+auto fields(const Scene&, const Ellipsoid& e) {
+    return fields(e.to_world);
+}
+auto fields(const Scene&, const ClosedCylinder& c) {
+    return fields(c.to_world);
+}
+auto fields(const Scene& scene, std::span<const std::uint32_t> vertices, std::uint32_t normals) {
+    std::vector<Vec3> values;
+    for (const std::uint32_t v : vertices) values.push_back(scene.vertices[v]);
+    for (std::size_t k = 0; normals != no_index && k < vertices.size(); ++k) {
+        values.push_back(scene.normals[normals + k]);
+    }
+    return values;
+}
+auto fields(const Scene& scene, const Triangle& t) {
+    return fields(scene, t.vertices, t.normals);
+}
+auto fields(const Scene& scene, const Polygon& p) {
+    std::vector<std::uint32_t> vertices;
+    for (std::uint32_t k = 0; k < p.count; ++k) vertices.push_back(p.first + k);
+    return fields(scene, vertices, p.normals);
+}
+
+bool same(const Light& a, const Light& b) {
+    if (a.index() != b.index()) return false;
+    const auto equal = [&](const auto& x) {
+        return fields(x) == fields(std::get<std::decay_t<decltype(x)>>(b));
+    };
+    return std::visit(equal, a);
+}
+
+std::string difference(const Scene& a, const Primitive& p, const Scene& b, const Primitive& q) {
+    if (p.kind != q.kind) return "kind";
+    if (p.sides != q.sides) return "sides";
+    if (fields(a.materials[p.material]) != fields(b.materials[q.material])) return "material";
+    return with_shape(p.kind, [&]<class Shape>() -> std::string {
+        if constexpr (requires(const Shape& shape) { fields(a, shape); }) {
+            const bool same = fields(a, a.get<Shape>(p)) == fields(b, b.get<Shape>(q));
+            return same ? "" : "shape";
+        } else {
+            return "shape of a kind that this test does not know";
+        }
+    });
+}
+
+}  // namespace
+
+std::string difference(const Scene& a, const Scene& b) {
+    if (fields(a.camera) != fields(b.camera)) return "camera";
+    if (fields(a.environment) != fields(b.environment)) return "environment";
+    if (fields(a.whitted) != fields(b.whitted)) return "rules";
+    if (a.samples_per_pixel != b.samples_per_pixel) return "samples";
+    if (a.backend != b.backend) return "backend";
+    if (a.display_colors != b.display_colors) return "display";
+    if (!std::equal(a.lights.begin(), a.lights.end(), b.lights.begin(), b.lights.end(), same)) {
+        return "lights";
+    }
+    if (a.primitives.size() != b.primitives.size()) return "number of primitives";
+    for (std::size_t i = 0; i < a.primitives.size(); ++i) {
+        const std::string what = difference(a, a.primitives[i], b, b.primitives[i]);
+        if (!what.empty()) return what + " of primitive " + std::to_string(i);
+    }
+    return {};
+}
+
+}  // namespace etalon

@@ -1,0 +1,224 @@
+// Scenes written as PBRT v3, held to the rules of its parser.
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "core/formats/write/write.h"
+#include "tests/catch.h"
+#include "tests/formats/p3f_text.h"
+#include "tests/formats/sce_text.h"
+
+using namespace etalon;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A directive with the numbers and names that follow it.
+struct Directive {
+    std::string name, type;
+    std::vector<double> numbers;                             ///< those before any parameter
+    bool bracketed = false;                                  ///< whether brackets were about them
+    std::map<std::string, std::vector<std::string>> values;  ///< "float fov" -> 45
+};
+
+/// Words, and strings with their quotes.
+std::vector<std::string> tokens_of(const std::string& text) {
+    std::vector<std::string> tokens;
+    std::istringstream in(text);
+    for (std::string word; in >> word;) {
+        while (word.front() == '"' && (word.size() == 1 || word.back() != '"')) {
+            std::string more;
+            REQUIRE(in >> more);
+            word += " " + more;
+        }
+        tokens.push_back(word);
+    }
+    return tokens;
+}
+
+std::string unquoted(const std::string& token) {
+    return token.substr(1, token.size() - 2);
+}
+
+std::vector<Directive> directives_of(const std::string& text) {
+    const std::vector<std::string> tokens = tokens_of(text);
+    std::vector<Directive> list;
+    for (std::size_t i = 0; i < tokens.size();) {
+        Directive d{tokens[i++], {}, {}, false, {}};
+        REQUIRE(std::isalpha(static_cast<unsigned char>(d.name[0])));
+        if (i < tokens.size() && tokens[i][0] == '"') d.type = unquoted(tokens[i++]);
+        std::vector<std::string>* values = nullptr;
+        for (; i < tokens.size() && !std::isalpha(static_cast<unsigned char>(tokens[i][0])); ++i) {
+            const std::string& token = tokens[i];
+            if (token == "[" || token == "]") {
+                if (!values) d.bracketed = true;
+            } else if (token[0] == '"' && token.find(' ') != token.npos) {
+                values = &d.values[unquoted(token)];
+            } else if (values) {
+                values->push_back(token);
+            } else {
+                d.numbers.push_back(std::stod(token));
+            }
+        }
+        list.push_back(std::move(d));
+    }
+    return list;
+}
+
+void check_parameters(const Directive& d) {
+    const std::map<std::string, std::size_t> sizes = {{"point", 3}, {"normal", 3}, {"rgb", 3}};
+    for (const auto& [name, values] : d.values) {
+        CAPTURE(d.name, d.type, name);
+        const std::string type = name.substr(0, name.find(' '));
+        CHECK_FALSE(values.empty());
+        const bool text = type == "string" || type == "bool";
+        if (sizes.contains(type)) CHECK(values.size() % sizes.at(type) == 0);
+        if (type == "float" || type == "string" || type == "bool") CHECK(values.size() == 1);
+        for (const std::string& v : values) CHECK((v[0] == '"') == text);
+    }
+    if (d.type != "trianglemesh") return;
+    const std::size_t vertices = d.values.at("point P").size() / 3;
+    for (const std::string& index : d.values.at("integer indices")) {
+        CHECK(std::stoul(index) < vertices);
+    }
+    if (d.values.contains("normal N")) CHECK(d.values.at("normal N").size() == 3 * vertices);
+}
+
+/// What PBRT's parser asks for: fixed counts, brackets for a matrix and for no other, names before
+/// they are used, blocks that close, options before the world.
+std::vector<Directive> parsed(const std::string& text) {
+    const std::map<std::string, std::size_t> counts = {
+        {"LookAt", 9}, {"Scale", 3}, {"Transform", 16}};
+    const std::set<std::string> options = {"LookAt", "Scale",       "Camera",    "Sampler",
+                                           "Film",   "PixelFilter", "Integrator"};
+    std::vector<Directive> list = directives_of(text);
+    std::set<std::string> materials;
+    std::vector<std::string> open;
+    for (const Directive& d : list) {
+        CAPTURE(d.name, d.type);
+        CHECK(d.numbers.size() == (counts.contains(d.name) ? counts.at(d.name) : 0));
+        CHECK(d.bracketed == (d.name == "Transform"));
+        CHECK(options.contains(d.name) == (open.empty() && !d.name.ends_with("Begin")));
+        check_parameters(d);
+        if (d.name == "MakeNamedMaterial") materials.insert(d.type);
+        if (d.name == "NamedMaterial") CHECK(materials.contains(d.type));
+        if (d.name.ends_with("Begin")) open.push_back(d.name.substr(0, d.name.size() - 5));
+        if (!d.name.ends_with("End")) continue;
+        REQUIRE_FALSE(open.empty());
+        CHECK(open.back() + "End" == d.name);
+        open.pop_back();
+    }
+    CHECK(open.empty());
+    CHECK(list.back().name == "WorldEnd");
+    return list;
+}
+
+std::vector<Directive> converted(const LoadResult& r) {
+    REQUIRE(r.scene);
+    return parsed(write_pbrt(*r.scene, "").text);
+}
+
+const Directive& find(const std::vector<Directive>& list, const std::string& name) {
+    const auto found = std::ranges::find(list, name, &Directive::name);
+    REQUIRE(found != list.end());
+    return *found;
+}
+
+std::vector<std::string> shape_types(const std::vector<Directive>& list) {
+    std::vector<std::string> types;
+    for (const Directive& d : list) {
+        if (d.name == "Shape") types.push_back(d.type);
+    }
+    return types;
+}
+
+double number(const Directive& d, const std::string& name) {
+    REQUIRE(d.values.contains(name));
+    return std::stod(d.values.at(name).at(0));
+}
+
+using Strings = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("a scene of every feature becomes one that PBRT's parser takes") {
+    for (const auto& entry : fs::directory_iterator(ETALON_SOURCE_DIR "/scenes/features")) {
+        if (entry.path().extension() != ".p3f") continue;
+        CAPTURE(entry.path());
+        converted(load_scene(entry.path().string()));
+    }
+}
+
+TEST_CASE("the camera is turned right-handed, its angle is that of the shorter side") {
+    const auto wide = converted(load_statements(""));
+    CHECK(find(wide, "Scale").numbers == std::vector<double>{-1, 1, 1});
+    CHECK(find(wide, "LookAt").numbers == std::vector<double>{0, 0, 5, 0, 0, 0, 0, 1, 0});
+    CHECK(number(find(wide, "Camera"), "float fov") == 45);
+    CHECK(number(find(wide, "Film"), "integer xresolution") == 40);
+    CHECK(number(find(wide, "Integrator"), "integer maxdepth") == 5);
+    CHECK(find(wide, "Sampler").values.at("bool samplepixelcenter")[0] == "\"true\"");
+    std::string tall = good_camera;
+    tall.replace(tall.find("40 30"), 5, "30 60");
+    const double fov = number(find(converted(load_p3f_text(tall)), "Camera"), "float fov");
+    CHECK(std::tan(fov * M_PI / 360) == Approx(std::tan(22.5 * M_PI / 180) / 2));
+}
+
+TEST_CASE("a lens has its radius and its plane of focus") {
+    std::string text = good_camera + "spp 4\n";
+    text.replace(text.find("aperture 0\nfocal 1"), 18, "aperture 3\nfocal 2");
+    const auto list = converted(load_p3f_text(text));
+    const double pixel = 2 * 5 * std::tan(22.5 * M_PI / 180) / 30;
+    CHECK(number(find(list, "Camera"), "float lensradius") == Approx(1.5 * pixel));
+    CHECK(number(find(list, "Camera"), "float focaldistance") == Approx(10));
+    CHECK(number(find(list, "Sampler"), "integer pixelsamples") == 4);
+}
+
+TEST_CASE("shapes become what PBRT has for them") {
+    const auto list = converted(load_objects(
+        "s 1 2 3 0.5\nc 0 0 0 1 0 0 2 1\nc 0 0 0 1 0 0 2 0\nc 0 0 0 0 0 0 2 1\nc 0 0 0 1 0 0 2 .5\n"
+        "box 0 0 0 1 1 1\np 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\nmesh 3 1\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n"
+        "pp 3\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\npl 0 0 0 1 0 0 0 1 0\n"));
+    CHECK(shape_types(list) == Strings{"sphere", "cylinder", "cone", "cone", "hyperboloid",
+                                       "trianglemesh", "trianglemesh", "trianglemesh",
+                                       "trianglemesh", "trianglemesh"});
+    CHECK(find(list, "Transform").numbers ==
+          std::vector<double>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 2, 3, 1});
+    const auto solids = converted(load_sce_text("scale 1 1 2\nball 1 0 0 0\ncylinder\n"));
+    CHECK(shape_types(solids) == Strings{"sphere", "cylinder", "disk", "disk"});
+}
+
+TEST_CASE("materials become the nearest of PBRT's") {
+    const auto types = [](const std::string& statement) {
+        Strings list;
+        for (const Directive& d : converted(load_statements(statement + "\ns 0 0 0 1\n"))) {
+            if (d.name == "MakeNamedMaterial") list.push_back(d.values.at("string type")[0]);
+        }
+        return list;
+    };
+    CHECK(types("mat 1 1 1 0.5 1 1 1 0 10 0 1") == Strings{"\"matte\""});
+    CHECK(types("mat 0 0 0 0 1 1 1 0 10 1 1.5") == Strings{"\"glass\""});
+    CHECK(types("mat 1 1 1 0.5 1 1 1 0.5 10 0 1") ==
+          Strings{"\"plastic\"", "\"mirror\"", "\"mix\""});
+    CHECK(types("mat 1 1 1 0.5 1 1 1 -0.5 10 0 1") == Strings{"\"plastic\""});
+}
+
+TEST_CASE("a light is as bright at the point looked at as it was") {
+    const auto list = converted(load_statements("l 0 0 2 0.5 0.25 1\nl 3 0 0 1 1 1"));
+    const Directive& light = find(list, "LightSource");
+    CHECK(light.type == "point");
+    CHECK(number(light, "rgb I") == Approx(0.5 * M_PI * 4));
+    const auto area = converted(load_statements("light quad 0 0 2 1 1 1 2 0 2 0 2 2 9"));
+    CHECK(number(find(area, "AreaLightSource"), "rgb L") == Approx(M_PI * 6 / 4));
+}
+
+TEST_CASE("what PBRT cannot say is listed") {
+    const LoadResult r =
+        load_objects("bclr 1 1 1\nl 0 0 2 1 1 1\ns 0 0 0 -1\npl 0 0 0 1 0 0 0 1 0\n");
+    Strings lost;
+    for (const Loss& loss : write_pbrt(*r.scene, "").lost) lost.push_back(loss.what);
+    CHECK(lost == Strings{"background that lights nothing, now one that does",
+                          "light that does not fall off, now one that does",
+                          "shape of which one side is seen", "infinite plane, now a large square"});
+}
