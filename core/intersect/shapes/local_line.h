@@ -45,18 +45,19 @@ struct LocalLine {
     /// So that nothing underflows that counts, and nothing overflows.
     bool is_in_range(double rows) const {
         const double growth = rows * speed;
-        return rows > 0x1p-900 && rows < 0x1p900 && growth > 0x1p-200 && growth < 0x1p200 &&
+        return rows > 0x1p-400 && rows < 0x1p400 && growth > 0x1p-200 && growth < 0x1p200 &&
                rows * distance < 0x1p200;
     }
 
     Vec3 w, d;
-    double distance, speed;  ///< no less than the lengths, in the world
+    double distance;  ///< in the world; so small that it is lost, it is nothing in range either
+    double speed;     ///< no less than the direction's length, in the world
 
   private:
     LocalLine(const LocalFrame& frame, const Vec3& from, const Vec3& towards)
         : w(frame.vector(from)),
           d(frame.vector(towards)),
-          distance(sum_abs(from)),
+          distance(std::sqrt(from.dot(from))),
           speed(sum_abs(towards)) {}
 };
 
