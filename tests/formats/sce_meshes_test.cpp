@@ -113,6 +113,15 @@ TEST_CASE("the normals of a file go with their corners, mirrored ones too") {
     CHECK(is_along(r.scene->normals[t.normals + 2], {0, 1, 0}));
 }
 
+TEST_CASE("normals of one length are of unit length under a matrix that scales") {
+    const Meshes folder;
+    folder.write("half.obj", tilted);
+    const LoadResult r = folder.load("rotate 20 1 2 3\nscale 7 7 7\nobject_phong half.obj\n");
+    for (const Vec3& n : r.scene->normals) CHECK(n.dot(n) == Approx(1).epsilon(1e-15));
+    const LoadResult tiny = folder.load("scale 1e-300 1e-300 1e-300\nobject_phong half.obj\n");
+    CHECK(tiny.scene->normals == folder.load("object_phong half.obj\n").scene->normals);
+}
+
 TEST_CASE("a mesh that cannot be had is reported each time, and left out") {
     const Meshes folder;
     folder.write("empty.obj", "v 0 0 0\n");

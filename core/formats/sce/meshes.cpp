@@ -5,7 +5,6 @@
 #include "core/formats/degenerate.h"
 #include "core/formats/file_text.h"
 #include "core/formats/sce/loader.h"
-#include "core/numerics/rounding.h"
 #include "core/numerics/transforms.h"
 
 namespace etalon::sce {
@@ -47,24 +46,19 @@ bool fits(const Scene& scene, const ObjMesh& mesh) {
            scene.normals.size() + 3 * mesh.triangles.size() < no_index;
 }
 
-/// Appends the corners' normals. Their lengths matter only by their ratios; such as would overflow
-/// when squared are brought nearer to 1. None where they have overflowed themselves.
+/// Appends the corners' normals, the longest of them at unit length: only the ratios of lengths
+/// matter, and those that a mesh has of one length stay so. None where one has overflowed.
 std::uint32_t add_normals(Scene& scene, const ObjMesh& mesh, const NormalMap& to_world,
                           const std::array<ObjMesh::Corner, 3>& corners) {
-    const auto first = static_cast<std::uint32_t>(scene.normals.size());
-    double total = 0;
-    for (const ObjMesh::Corner& corner : corners) {
-        scene.normals.push_back(to_world(mesh.normals[corner.normal]));
-        total += sum_abs(scene.normals.back());
+    std::array<Vec3, 3> normals;
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& n = normals[k] = to_world(mesh.normals[corners[k].normal]);
+        longest = std::max(longest, is_finite(n) ? std::hypot(n.x, n.y, n.z) : infinity);
     }
-    if (!std::isfinite(total)) {
-        scene.normals.resize(first);
-        return no_index;
-    }
-    const bool extreme = total < 0x1p-400 || total > 0x1p400;
-    const double scale = extreme ? power_of_two_reciprocal(total) : 1;
-    for (std::size_t k = first; k < scene.normals.size(); ++k) scene.normals[k] *= scale;
-    return first;
+    if (longest == 0 || longest == infinity) return no_index;
+    for (const Vec3& n : normals) scene.normals.push_back(n / longest);
+    return static_cast<std::uint32_t>(scene.normals.size() - 3);
 }
 
 /// A map that mirrors turns the order of the corners round; the front stays the front.
