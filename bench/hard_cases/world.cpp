@@ -102,30 +102,4 @@ Scene world(const WorldPlan& plan) {
     return scene;
 }
 
-Scene moved(Scene scene, double factor, const Vec3& offset) {
-    const auto move = [&](Vec3& p) { p = factor * p + offset; };
-    for (Vec3& v : scene.vertices) move(v);
-    for (Sphere& s : scene.all<Sphere>()) move(s.centre), s.radius *= factor;
-    for (Box& b : scene.all<Box>()) move(b.min), move(b.max);
-    for (Plane& p : scene.all<Plane>()) move(p.point);
-    for (Cone& c : scene.all<Cone>()) {
-        move(c.base), move(c.top);
-        c.base_radius *= factor, c.top_radius *= factor;
-    }
-    for (Ring& r : scene.all<Ring>()) {
-        move(r.centre);
-        r.inner *= factor, r.outer *= factor;
-    }
-    for (Quadric& s : scene.all<Quadric>()) {
-        move(s.centre), move(s.clip.min), move(s.clip.max);
-        s.coefficients = scaled(s.coefficients, factor);
-    }
-    const auto placed = [&](const Affine& map) {
-        return Affine{factor * map.x, factor * map.y, factor * map.z, factor * map.origin + offset};
-    };
-    for (Ellipsoid& e : scene.all<Ellipsoid>()) e = Ellipsoid(placed(e.to_world));
-    for (ClosedCylinder& c : scene.all<ClosedCylinder>()) c = ClosedCylinder(placed(c.to_world));
-    return scene;
-}
-
 }  // namespace etalon::hard

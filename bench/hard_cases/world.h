@@ -18,9 +18,6 @@ struct WorldPlan {
 /// Shapes whose middles are in the cube [-1, 1]^3.
 Scene world(const WorldPlan& plan);
 
-/// Every length times `factor`, then every point moved by `offset`.
-Scene moved(Scene scene, double factor, const Vec3& offset);
-
 /// From everywhere to what there is to aim at on the scene's primitives, see targets_of(); a third
 /// of the rays starts or ends somewhere along the way. As fine as 1e-6, what is missed or hit at
 /// 1e7 sizes is beyond doubt in double.

@@ -2,6 +2,7 @@
 #include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/families.h"
 #include "bench/hard_cases/world.h"
+#include "core/scene/transformed.h"
 
 namespace etalon::hard {
 namespace {
@@ -84,7 +85,8 @@ std::vector<HardCase> world_cases() {
     });
     rows.add("A4", "slivers: aimed", [] { return aimed_at_world(slivers()); });
     const auto add_moved = [&](const char* name, double factor, const Vec3& offset) {
-        rows.add("A4", name, [=] { return aimed_at_world(moved(world({}), factor, offset)); });
+        rows.add("A4", name,
+                 [=] { return aimed_at_world(transformed(world({}), factor, offset)); });
     };
     add_moved("mixed at 1e6: aimed", 1, {1e6, -1e6, 1e6});
     add_moved("minute, 1e-30: aimed", 1e-30, Vec3(0));

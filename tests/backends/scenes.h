@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "core/scene/transformed.h"
 
 namespace etalon::test {
 
@@ -18,8 +18,5 @@ const std::vector<SceneFamily>& scene_families();
 
 /// The family's scene; fails the test if there is no such family.
 Scene make_scene(const std::string& family, std::size_t count);
-
-/// Every length times `factor`, then every point moved by `offset`.
-Scene transformed(Scene scene, double factor, const Vec3& offset = Vec3(0));
 
 }  // namespace etalon::test

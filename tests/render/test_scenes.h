@@ -1,7 +1,7 @@
 // Small scenes made in memory, for tests of the renderer.
 #pragma once
 
-#include "core/scene/scene.h"
+#include "core/scene/transformed.h"
 
 namespace etalon::test {
 
@@ -51,34 +51,6 @@ inline Scene mixed_scene(int width = 48, int height = 36) {
     s.add(ClosedCylinder({across, forth, {0.1, 0.5, 0.2}, {-1.6, -0.9, 0.5}}), 2);
     s.camera.aperture = 3;
     s.samples_per_pixel = 5;
-    return s;
-}
-
-/// Every length multiplied by `factor`, then every point moved by `offset`.
-inline Scene transformed(Scene s, double factor, const Vec3& offset = Vec3(0)) {
-    const auto moved = [&](const Vec3& p) { return factor * p + offset; };
-    s.camera.eye = moved(s.camera.eye);
-    s.camera.at = moved(s.camera.at);
-    for (Light& light : s.lights) {
-        if (auto* p = std::get_if<PointLight>(&light)) p->position = moved(p->position);
-        if (auto* q = std::get_if<QuadLight>(&light)) {
-            q->corner = moved(q->corner);
-            q->edge1 *= factor;
-            q->edge2 *= factor;
-        }
-    }
-    for (Vec3& v : s.vertices) v = moved(v);
-    for (Sphere& x : s.all<Sphere>()) x = {moved(x.centre), x.radius * factor};
-    for (Box& x : s.all<Box>()) x = {moved(x.min), moved(x.max)};
-    for (Plane& x : s.all<Plane>()) x.point = moved(x.point);
-    for (Cone& x : s.all<Cone>()) {
-        x = {moved(x.base), moved(x.top), x.base_radius * factor, x.top_radius * factor};
-    }
-    const auto placed = [&](const Affine& map) {
-        return Affine{factor * map.x, factor * map.y, factor * map.z, moved(map.origin)};
-    };
-    for (Ellipsoid& x : s.all<Ellipsoid>()) x = Ellipsoid(placed(x.to_world));
-    for (ClosedCylinder& x : s.all<ClosedCylinder>()) x = ClosedCylinder(placed(x.to_world));
     return s;
 }
 

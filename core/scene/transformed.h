@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+/// The scene with every length times `factor` > 0, and then every point moved by `offset`: shapes,
+/// lights and the camera, but not how matter absorbs light.
+Scene transformed(Scene scene, double factor, const Vec3& offset = Vec3(0));
+
+}  // namespace etalon
