@@ -61,6 +61,14 @@ Affine rotation(double degrees, const Vec3& axis) {
     return {image({1, 0, 0}), image({0, 1, 0}), image({0, 0, 1})};
 }
 
+Affine about_axis(const Vec3& origin, const Vec3& axis) {
+    Affine m = translation(origin);
+    const Vec3 along = scaled(axis);
+    m.z = along / std::sqrt(along.dot(along));
+    orthonormal_basis(m.z, m.x, m.y);
+    return m;
+}
+
 bool is_singular(const Affine& map) {
     const Affine m = with_scaled_columns(map);
     double sum = 0, magnitude = 0;

@@ -12,6 +12,10 @@ Affine scaling(const Vec3& factors);
 /// Quarter turns about an axis of the space are exact.
 Affine rotation(double degrees, const Vec3& axis);
 
+/// A turn that takes z to where `axis` points, then a move to `origin`. The axis may be of any
+/// length but zero.
+Affine about_axis(const Vec3& origin, const Vec3& axis);
+
 /// Whether the map leaves no volume, as far as can be told: its determinant, a sum of six products,
 /// is no more than the roundings of the map's twelve numbers may have made of zero. No scale by
 /// which a map was composed, however uneven, makes it singular.

@@ -210,6 +210,26 @@ TEST_CASE("ellipsoids and closed cylinders become polygons on their surface, fac
     }
 }
 
+TEST_CASE("a ring becomes flat polygons that face where its normal points") {
+    LoadResult r = load_objects("s 0 0 0 1\n");
+    Scene scene = *r.scene;
+    scene.primitives.clear();
+    const Ring ring{{1, 2, 3}, {0, -2, 0}, 1, 2};
+    scene.add(ring, 0);
+    CHECK(lost(scene) == std::vector<std::string>{"ring, now polygons 1"});
+    const LoadResult read = load_p3f_text(write_p3f(scene, "").text);
+    CHECK(messages(read).empty());
+    REQUIRE(read.scene->primitives.size() == 48);
+    double area = 0;
+    for (const Polygon& p : read.scene->all<Polygon>()) {
+        const Vec3* corner = &read.scene->vertices[p.first];
+        const Vec3 cross = (corner[2] - corner[0]).cross(corner[3] - corner[1]);
+        CHECK(cross.dot(ring.normal) > 0);
+        area += cross.length() / 2;
+    }
+    CHECK(area == Approx(3 * 24 * std::sin(M_PI / 24)));
+}
+
 TEST_CASE("glass of constant weights becomes Fresnel's, and a Phong highlight Blinn's") {
     LoadResult r = load_objects("s 0 0 0 1\n");
     Material& m = r.scene->materials[0];

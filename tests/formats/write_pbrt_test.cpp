@@ -187,6 +187,16 @@ TEST_CASE("shapes become what PBRT has for them") {
           std::vector<double>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 2, 3, 1});
     const auto solids = converted(load_sce_text("scale 1 1 2\nball 1 0 0 0\ncylinder\n"));
     CHECK(shape_types(solids) == Strings{"sphere", "cylinder", "disk", "disk"});
+
+    LoadResult ring = load_objects("");
+    ring.scene->materials.emplace_back();
+    ring.scene->add(Ring{{1, 2, 3}, {0, 0, 4}, 0.5, 2}, 0);
+    const auto disk = converted(ring);
+    CHECK(number(find(disk, "Shape"), "float radius") == 2);
+    CHECK(number(find(disk, "Shape"), "float innerradius") == 0.5);
+    const std::vector<double> place = find(disk, "Transform").numbers;
+    CHECK(std::vector(place.begin() + 8, place.end()) ==
+          std::vector<double>{0, 0, 1, 0, 1, 2, 3, 1});
 }
 
 TEST_CASE("materials become the nearest of PBRT's") {

@@ -25,35 +25,31 @@ Vec3 normalized(const Vec3& v) {
 }
 
 /// Carries facets of a unit shape into the world.
-template <class Shape>
 class Facets {
   public:
-    Facets(const Shape& shape, const FacetSink& take)
-        : shape_(shape),
-          take_(take),
-          to_world_(shape.to_world),
-          mirrored_(mirrors(shape.to_world)) {}
+    Facets(const Affine& to_world, const FacetSink& take)
+        : to_world_(to_world), take_(take), normal_map_(to_world), mirrored_(mirrors(to_world)) {}
 
     void smooth(std::vector<LocalPoint> points) const {
         if (mirrored_) std::reverse(points.begin(), points.end());
         std::vector<Vec3> corners, normals;
         for (const LocalPoint& p : points) {
-            corners.push_back(shape_.to_world.point(p.position));
-            normals.push_back(normalized(to_world_(p.normal)));
+            corners.push_back(to_world_.point(p.position));
+            normals.push_back(normalized(normal_map_(p.normal)));
         }
         take_(corners, normals);
     }
 
     void flat(std::vector<Vec3> corners) const {
         if (mirrored_) std::reverse(corners.begin(), corners.end());
-        for (Vec3& p : corners) p = shape_.to_world.point(p);
+        for (Vec3& p : corners) p = to_world_.point(p);
         take_(corners, {});
     }
 
   private:
-    const Shape& shape_;
+    const Affine& to_world_;
     const FacetSink& take_;
-    NormalMap to_world_;
+    NormalMap normal_map_;
     bool mirrored_;
 };
 
@@ -74,7 +70,7 @@ LocalPoint on_sphere(int ring, int step) {
 }  // namespace
 
 void to_facets(const Ellipsoid& shape, const FacetSink& take) {
-    const Facets<Ellipsoid> out(shape, take);
+    const Facets out(shape.to_world, take);
     for (int ring = 0; ring < rings; ++ring) {
         for (int step = 0; step < around; ++step) {
             std::vector<LocalPoint> corners = {on_sphere(ring, step)};
@@ -87,7 +83,7 @@ void to_facets(const Ellipsoid& shape, const FacetSink& take) {
 }
 
 void to_facets(const ClosedCylinder& shape, const FacetSink& take) {
-    const Facets<ClosedCylinder> out(shape, take);
+    const Facets out(shape.to_world, take);
     const Vec3 up(0, 0, 1);
     std::vector<Vec3> bottom, top;
     for (int step = 0; step < around; ++step) {
@@ -98,6 +94,17 @@ void to_facets(const ClosedCylinder& shape, const FacetSink& take) {
     }
     out.flat(bottom);
     out.flat(top);
+}
+
+void to_facets(const Ring& ring, const FacetSink& take) {
+    const Affine place = about_axis(ring.centre, ring.normal);
+    const Facets out(place, take);
+    for (int step = 0; step < around; ++step) {
+        const Vec3 a = on_circle(step), b = on_circle(step + 1);
+        std::vector<Vec3> corners = {ring.inner * a, ring.outer * a, ring.outer * b};
+        if (ring.inner > 0) corners.push_back(ring.inner * b);
+        if (ring.inner < ring.outer) out.flat(corners);
+    }
 }
 
 }  // namespace etalon

@@ -18,4 +18,7 @@ void to_facets(const Ellipsoid& shape, const FacetSink& take);
 /// 48 facets around, and two caps of 48 corners.
 void to_facets(const ClosedCylinder& shape, const FacetSink& take);
 
+/// 48 facets, facing where the normal points; none where the ring has no width.
+void to_facets(const Ring& ring, const FacetSink& take);
+
 }  // namespace etalon

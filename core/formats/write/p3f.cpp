@@ -106,11 +106,6 @@ class P3fScene {
         return sides == Sides::back ? -radius : radius;
     }
 
-    template <class Shape>
-    void write_shape(const Shape&, Sides) {
-        lost_.add(fmt::format("{}, left out", Shape::name));
-    }
-
     void write_shape(const Sphere& s, Sides sides) {
         out_.sphere(s.centre, signed_radius(s.radius, sides));
     }
@@ -147,6 +142,13 @@ class P3fScene {
         lost_.add("closed cylinder, now polygons");
         write_facets(c);
     }
+
+    void write_shape(const Ring& r, Sides) {
+        lost_.add("ring, now polygons");
+        write_facets(r);
+    }
+
+    void write_shape(const Quadric&, Sides) { lost_.add("quadric, left out"); }
 
     void write_facets(const auto& shape) {
         to_facets(shape, [&](std::span<const Vec3> corners, std::span<const Vec3> normals) {

@@ -9,22 +9,12 @@
 #include "core/formats/write/pbrt_material.h"
 #include "core/formats/write/text.h"
 #include "core/formats/write/write.h"
-#include "core/numerics/affine.h"
+#include "core/numerics/transforms.h"
 
 namespace etalon {
 namespace {
 
 constexpr double radian = std::numbers::pi / 180;
-
-/// The map that carries the z axis to the line from `base` to `top`.
-Affine along_axis(const Vec3& base, const Vec3& top) {
-    Affine map;
-    const Vec3 axis = top - base;
-    map.z = axis / std::sqrt(axis.dot(axis));
-    orthonormal_basis(map.z, map.x, map.y);
-    map.origin = base;
-    return map;
-}
 
 class PbrtScene {
   public:
@@ -161,10 +151,7 @@ class PbrtScene {
         out_.line("TransformEnd");
     }
 
-    template <class Shape>
-    void write_shape(const Shape&) {
-        lost_.add(fmt::format("{}, left out", Shape::name));
-    }
+    void write_shape(const Triangle&) {}  // with those that follow it, as a mesh
 
     void write_shape(const Sphere& s) {
         Affine place;
@@ -183,22 +170,30 @@ class PbrtScene {
                     "Shape \"disk\" \"float height\" [ 1 ] \"float radius\" [ 1 ]");
     }
 
+    void write_shape(const Ring& r) {
+        write_image(about_axis(r.centre, r.normal),
+                    "Shape \"disk\" \"float radius\" [ {} ] \"float innerradius\" [ {} ]", r.outer,
+                    r.inner);
+    }
+
+    void write_shape(const Quadric&) { lost_.add("quadric, left out"); }
+
     void write_shape(const Cone& c) {
         const Vec3 axis = c.top - c.base;
         const double height = std::sqrt(axis.dot(axis));
         if (c.base_radius == c.top_radius) {
-            write_image(along_axis(c.base, c.top),
+            write_image(about_axis(c.base, axis),
                         "Shape \"cylinder\" \"float radius\" [ {} ] \"float zmin\" [ 0 ] \"float "
                         "zmax\" [ {} ]",
                         c.base_radius, height);
         } else if (c.top_radius == 0) {
-            write_image(along_axis(c.base, c.top),
+            write_image(about_axis(c.base, axis),
                         "Shape \"cone\" \"float radius\" [ {} ] \"float height\" [ {} ]",
                         c.base_radius, height);
         } else if (c.base_radius == 0) {
             write_shape(Cone{c.top, c.base, c.top_radius, 0});
         } else {
-            write_image(along_axis(c.base, c.top),
+            write_image(about_axis(c.base, axis),
                         "Shape \"hyperboloid\" \"point p1\" [ {} 0 0 ] \"point p2\" [ {} 0 {} ]",
                         c.base_radius, c.top_radius, height);
         }
