@@ -38,7 +38,7 @@ struct Format {
 // The first line that recognises a text has it: those that show clear signs stand above those that
 // others could be mistaken for.
 constexpr std::array formats = {
-    Format{"sce", "an SCE scene", is_sce, load_sce},
+    Format{"sce", "an SCE scene", is_sce, load_sce, true},
     Format{"pbrt-v4", "a PBRT scene of version 4", is_pbrt_v4, nullptr},
     Format{"pbrt", "a PBRT scene", is_pbrt, nullptr},
     Format{"p3f", "a P3F scene", is_p3f, load_p3f, true},

@@ -55,6 +55,8 @@ TEST_CASE("only a format that has one is rendered as its old program did", "[app
     CHECK(f.etalon("info a.nff").status == 0);
     CHECK(f.etalon("info a.nff --legacy nff").status == 2);
     CHECK(f.etalon("info a.prt --legacy prt").status == 0);
+    f.write("a.sce", "sce1.0\neyepos 0 0 5\nball 1 0 0 0\n");
+    CHECK(f.etalon("info a.sce --legacy sce").status == 0);
     CHECK(f.etalon("info a.nff --legacy prt").status == 2);
 }
 
