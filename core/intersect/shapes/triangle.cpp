@@ -2,7 +2,7 @@
 
 namespace etalon {
 
-void settle_weights(TriangleCrossing& c, const std::array<Vec3, 3>& p, const RayQuery& q) {
+void settle_weights(TriangleCrossing& c, const TriangleCorners& p, const RayQuery& q) {
     const bool thin = is_thin(c);
     for (int k = 0; k < 3; ++k) {
         if (!thin && std::abs(c.weight[k]) > c.doubt) continue;
@@ -18,7 +18,7 @@ void settle_weights(TriangleCrossing& c, const std::array<Vec3, 3>& p, const Ray
 /// a . (b x c). The terms on the left are the weights but for dz, of one sign where the ray passes
 /// between the corners. For a ray that has just left the triangle they are known well enough: it is
 /// the volume that is next to nothing.
-double exact_distance(const TriangleCrossing& c, const std::array<Vec3, 3>& p, const RayQuery& q) {
+double exact_distance(const TriangleCrossing& c, const TriangleCorners& p, const RayQuery& q) {
     const Vec3 &o = q.ray.origin, &d = q.ray.direction;
     const double volume = exact_volume(o, p[0], p[1], p[2]);
     if (4 * c.doubt <= t_tolerance * std::abs(c.sum)) return volume / (c.sum / q.dz);

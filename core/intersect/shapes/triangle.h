@@ -8,12 +8,25 @@
 
 namespace etalon {
 
+/// Where they are in the scene: a copy would cost a kernel as much as an edge function.
+class TriangleCorners {
+  public:
+    TriangleCorners(const Scene& scene, const Triangle& t) {
+        for (std::size_t k = 0; k < 3; ++k) corners_[k] = &scene.vertices[t.vertices[k]];
+    }
+
+    const Vec3& operator[](std::size_t k) const { return *corners_[k]; }
+
+  private:
+    std::array<const Vec3*, 3> corners_;
+};
+
 inline std::array<Vec3, 3> corners(const Scene& scene, const Triangle& t) {
-    return {scene.vertices[t.vertices[0]], scene.vertices[t.vertices[1]],
-            scene.vertices[t.vertices[2]]};
+    const TriangleCorners p(scene, t);
+    return {p[0], p[1], p[2]};
 }
 
-inline Vec3 front_normal(const std::array<Vec3, 3>& p) {
+inline Vec3 front_normal(const TriangleCorners& p) {
     return (p[1] - p[0]).cross(p[2] - p[0]);
 }
 
@@ -40,8 +53,7 @@ struct TriangleCrossing {
 
 /// Takes the weights exactly that their roundings could spoil; all of them where the triangle is so
 /// thin or edge-on that they would mean little.
-[[gnu::cold]] void settle_weights(TriangleCrossing& c, const std::array<Vec3, 3>& p,
-                                  const RayQuery& q);
+[[gnu::cold]] void settle_weights(TriangleCrossing& c, const TriangleCorners& p, const RayQuery& q);
 
 inline double max_abs(double x, double y, double z) {
     return std::max(std::abs(x), std::max(std::abs(y), std::abs(z)));
@@ -53,7 +65,7 @@ inline bool is_thin(const TriangleCrossing& c) {
 }
 
 /// Edge functions decided in double where their error bound allows it, exactly where not.
-[[gnu::always_inline]] inline TriangleCrossing cross_triangle(const std::array<Vec3, 3>& p,
+[[gnu::always_inline]] inline TriangleCrossing cross_triangle(const TriangleCorners& p,
                                                               const RayQuery& q) {
     const ShearedCorner a = shear(p[0], q), b = shear(p[1], q), c = shear(p[2], q);
     const double u = edge_function(b, c), v = edge_function(c, a), w = edge_function(a, b);
@@ -69,13 +81,13 @@ inline bool is_thin(const TriangleCrossing& c) {
 
 /// Where the ray passes the plane of three corners, to t_tolerance; slow. The ray must pass
 /// between them, and not along the plane.
-double exact_distance(const TriangleCrossing& c, const std::array<Vec3, 3>& p, const RayQuery& q);
+double exact_distance(const TriangleCrossing& c, const TriangleCorners& p, const RayQuery& q);
 
 /// Whether n . (p - o) and n . d, for the normal n = (b - a) x (c - a), are of opposite signs
 /// beyond all doubt: the plane is behind the ray's start, as that of a triangle which it has just
 /// left. A component of n is off by 4 u of its two products, and the sums over f = p - o by 4 u
 /// more, to first order.
-inline bool is_plane_behind(const std::array<Vec3, 3>& p, const RayQuery& q) {
+inline bool is_plane_behind(const TriangleCorners& p, const RayQuery& q) {
     const Vec3 e = p[1] - p[0], g = p[2] - p[0], f = p[0] - q.ray.origin;
     const Vec3& d = q.ray.direction;
     Vec3 n, terms;
@@ -94,8 +106,7 @@ inline bool is_plane_behind(const std::array<Vec3, 3>& p, const RayQuery& q) {
 
 /// The mean of the corners' depths. It is good to t_tolerance, or taken exactly, unless it is
 /// certainly behind the ray's start.
-inline double distance_of(const TriangleCrossing& c, const std::array<Vec3, 3>& p,
-                          const RayQuery& q) {
+inline double distance_of(const TriangleCrossing& c, const TriangleCorners& p, const RayQuery& q) {
     const auto [u, v, w] = c.weight;
     const auto [x, y, z] = c.depth;
     const double depth = (u * x + v * y + w * z) / c.sum, t = depth / q.dz;
@@ -110,7 +121,7 @@ inline double distance_of(const TriangleCrossing& c, const std::array<Vec3, 3>& 
 
 /// An edge belongs to the triangle; a ray in the triangle's plane misses.
 inline double first_hit(const Scene& scene, const Triangle& tri, Sides sides, const RayQuery& q) {
-    const std::array<Vec3, 3> p = corners(scene, tri);
+    const TriangleCorners p(scene, tri);
     const TriangleCrossing c = cross_triangle(p, q);
     if (!c.is_inside() || c.sum == 0 || !faces(c.sum / q.dz, sides)) return no_hit;
     const double t = distance_of(c, p, q);
@@ -119,7 +130,7 @@ inline double first_hit(const Scene& scene, const Triangle& tri, Sides sides, co
 
 /// The position is built from the corners and so as exact as they are, however far the ray came.
 inline SurfacePoint surface(const Scene& scene, const Triangle& tri, const RayQuery& q, double) {
-    const std::array<Vec3, 3> p = corners(scene, tri);
+    const TriangleCorners p(scene, tri);
     TriangleCrossing c = cross_triangle(p, q);
     double sum = 0;
     for (double& w : c.weight) sum += w = std::max(0.0, c.sum < 0 ? -w : w);
@@ -136,7 +147,7 @@ inline SurfacePoint surface(const Scene& scene, const Triangle& tri, const RayQu
         if (mean.dot(mean) > 0) shading = mean / std::sqrt(mean.dot(mean));
     }
     Box3 box;
-    for (const Vec3& corner : p) box.extendBy(corner);
+    for (std::size_t k = 0; k < 3; ++k) box.extendBy(p[k]);
     const Vec3 magnitude(std::max(abs(box.min).x, abs(box.max).x),
                          std::max(abs(box.min).y, abs(box.max).y),
                          std::max(abs(box.min).z, abs(box.max).z));
