@@ -113,10 +113,12 @@ bool is_explained(const ShapeCase& shape, const Ray& ray, double t, double true_
     const SurfacePoint point = surface_at(shape.scene, ray, {where, 0});
     const double cosine = std::abs(point.normal.dot(ray.direction));
     if (cosine <= turn) branches.join_sides();
+    const Primitive& primitive = shape.scene.primitives[0];
     // A quadric's place may be less certain than any length about it: its form's terms cancel.
-    branches.widen(std::max(reach, max_abs(point.error) / 4) / cosine +
-                   fair_ulps * 2 * unit_roundoff * where);
-    return contains(branches, shape.scene.primitives[0].sides, ray.tmin, t);
+    const bool cancels = primitive.kind == kind_of<Quadric>();
+    const double uncertain = cancels ? std::max(reach, max_abs(point.error) / 4) : reach;
+    branches.widen(uncertain / cosine + fair_ulps * 2 * unit_roundoff * where);
+    return contains(branches, primitive.sides, ray.tmin, t);
 }
 
 }  // namespace
