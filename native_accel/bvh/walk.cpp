@@ -34,39 +34,73 @@ HWY_INLINE float start(const RayQuery& query, const FrameRay& local) {
     return std::max(0.0F, local.tmin(query.ray.tmin));
 }
 
-/// Takes the tree's leaves one by one to at_leaf(cluster), for as long as that returns true.
-/// descend(stack, node, entry, lanes) picks which of the children that are entered is next.
-template <class Descend, class AtLeaf>
-HWY_INLINE void walk(const WideTree& tree, const Slabs& slabs, const float& tmax,
-                     const Descend& descend, const AtLeaf& at_leaf) {
-    StackSpace space;
-    TraversalStack stack(space);
-    ChildRef next = tree.root;
-    do {
-        while (!next.is_leaf()) {
-            const WideNode& node = tree.nodes[next.node()];
-            alignas(32) Lanes entry;
-            const std::uint32_t entered = slabs.entered(node, tmax, entry);
-            if (entered == 0) break;
-            next = descend(stack, node, entry, entered);
-        }
-        if (next.is_leaf() && !at_leaf(next.cluster())) return;
-    } while (stack.pop(tmax, next));
-}
+/// The nearest child that a ray enters, the others being kept.
+struct NearestFirst {
+    HWY_INLINE ChildRef operator()(TraversalStack& stack, const WideNode& node, const Lanes& entry,
+                                   std::uint32_t entered) const {
+        return stack.descend(node, entry, entered);
+    }
+};
+
+/// Any child that a ray enters.
+struct AsTheyCome {
+    HWY_INLINE ChildRef operator()(TraversalStack& stack, const WideNode& node, const Lanes&,
+                                   std::uint32_t entered) const {
+        return stack.descend(node, entered);
+    }
+};
+
+/// A ray on its way through the tree.
+template <class Order>
+class Walk {
+  public:
+    HWY_INLINE Walk(const WideTree& tree, const FrameRay& ray, float tmin, StackSpace& space)
+        : tree_(tree), slabs_(ray, tmin), stack_(space), next_(tree.root) {}
+
+    /// Whether the ray meets the tree before tmax at all: many do not, and need no more set up.
+    HWY_INLINE bool begin(float tmax) { return next_.is_leaf() || descend(tmax); }
+
+    /// After begin(), takes the leaves one by one to at_leaf(cluster), as long as that returns
+    /// true.
+    template <class AtLeaf>
+    HWY_INLINE void finish(const float& tmax, const AtLeaf& at_leaf) {
+        do {
+            while (!next_.is_leaf() && descend(tmax)) {
+            }
+            if (next_.is_leaf() && !at_leaf(next_.cluster())) return;
+        } while (stack_.pop(tmax, next_));
+    }
+
+  private:
+    /// From a node to a child; false where none is entered.
+    HWY_INLINE bool descend(float tmax) {
+        const WideNode& node = tree_.nodes[next_.node()];
+        alignas(32) Lanes entry;
+        const std::uint32_t entered = slabs_.entered(node, tmax, entry);
+        if (entered == 0) return false;
+        next_ = Order()(stack_, node, entry, entered);
+        return true;
+    }
+
+    const WideTree& tree_;
+    const Slabs slabs_;
+    TraversalStack stack_;
+    ChildRef next_;
+};
 
 void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
                   NearestHit& nearest) {
     const float tmin = start(query, local);
     float tmax = local.tmax(nearest.t);
+    StackSpace space;
+    Walk<NearestFirst> walk(bvh.tree, local, tmin, space);
+    if (!walk.begin(tmax)) return;
     const ClusterFilter filter(local, tmin);
     const auto offer = [&](double t, std::uint32_t id) HWY_ATTR {
         nearest.offer(t, id);
         return true;
     };
-    const auto nearest_first =
-        [](TraversalStack& stack, const WideNode& node, const Lanes& entry, std::uint32_t entered)
-            HWY_ATTR { return stack.descend(node, entry, entered); };
-    walk(bvh.tree, Slabs(local, tmin), tmax, nearest_first, [&](ClusterRef ref) HWY_ATTR {
+    walk.finish(tmax, [&](ClusterRef ref) HWY_ATTR {
         const double before = nearest.t;
         visit(bvh, ref, filter, tmax, query, offer);
         if (nearest.t < before) tmax = local.tmax(nearest.t);
@@ -76,16 +110,16 @@ void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& loc
 
 bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
     const float tmin = start(query, local), tmax = local.tmax(query.ray.tmax);
+    StackSpace space;
+    Walk<AsTheyCome> walk(bvh.tree, local, tmin, space);
+    if (!walk.begin(tmax)) return false;
     const ClusterFilter filter(local, tmin);
     bool found = false;
     const auto offer = [&](double t, std::uint32_t) HWY_ATTR {
         found = t <= query.ray.tmax;
         return !found;
     };
-    const auto as_they_come =
-        [](TraversalStack& stack, const WideNode& node, const Lanes&, std::uint32_t entered)
-            HWY_ATTR { return stack.descend(node, entered); };
-    walk(bvh.tree, Slabs(local, tmin), tmax, as_they_come, [&](ClusterRef ref) HWY_ATTR {
+    walk.finish(tmax, [&](ClusterRef ref) HWY_ATTR {
         visit(bvh, ref, filter, tmax, query, offer);
         return !found;
     });
