@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/intersect/oracle/definitions.h"
+
+namespace etalon::definition {
+
+/// A ray in the coordinates that an affine map gives to its unit vectors, by Cramer's rule: origin
+/// and direction are what they say times `unit`, the determinant.
+struct MappedRay {
+    MappedRay(const Affine& map, const Ray& ray) {
+        const TrackedVec x = map.x, y = map.y, z = map.z;
+        const TrackedVec from = TrackedVec(ray.origin) - map.origin, towards = ray.direction;
+        const TrackedVec yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
+        origin = {dot(yz, from), dot(zx, from), dot(xy, from)};
+        direction = {dot(yz, towards), dot(zx, towards), dot(xy, towards)};
+        unit = dot(x, yz);
+    }
+
+    TrackedVec origin, direction;
+    Tracked unit;
+};
+
+}  // namespace etalon::definition

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+
+#include "core/intersect/oracle/tracked.h"
+
+namespace etalon::definition {
+
+/// A root of A t^2 + 2 B t + C, and whether the form falls there: what is outside where the form is
+/// positive is then being entered.
+struct Root {
+    Tracked t;
+    Truth exists, falling;
+};
+struct Roots {
+    std::array<Root, 2> list;
+    std::size_t count = 0;
+};
+
+/// Its roots, with what is known of them.
+Roots solve(const Tracked& a, const Tracked& b, const Tracked& c);
+
+}  // namespace etalon::definition

@@ -1,0 +1,71 @@
+#include "core/intersect/oracle/define.h"
+
+#include <utility>
+
+#include "core/intersect/oracle/mapped_ray.h"
+#include "core/intersect/oracle/quadratic.h"
+#include "core/intersect/oracle/stretch.h"
+
+namespace etalon::definition {
+namespace {
+
+/// Further than any point that two doubles can name.
+const Tracked beyond(Quad(0x1p1023) * Quad(0x1p1023), 0);
+
+/// The stretch of a line where a t^2 + 2 b t + c <= 0, for a >= 0.
+Stretch where_not_positive(const Tracked& a, const Tracked& b, const Tracked& c) {
+    Stretch stretch{-beyond, beyond, Truth::yes};
+    if ((is_zero(a) & is_zero(b)) == Truth::yes) {
+        stretch.exists = !is_positive(c);
+        return stretch;
+    }
+    const Roots roots = solve(a, b, c);
+    if (roots.count == 0) stretch.exists = Truth::no;
+    for (std::size_t i = 0; i < roots.count; ++i) {
+        const Root& root = roots.list[i];
+        stretch.exists = stretch.exists & root.exists;
+        if (root.falling != Truth::no) stretch.entry = root.t;
+        if (root.falling != Truth::yes) stretch.exit = root.t;
+    }
+    return stretch;
+}
+
+/// The stretch of a line where 0 <= start + t rise <= top, for top > 0.
+Stretch where_between(const Tracked& start, const Tracked& rise, const Tracked& top) {
+    if (is_zero(rise) == Truth::yes) {
+        return {-beyond, beyond, (!is_negative(start)) & (start <= top)};
+    }
+    const Tracked low = -start / rise, high = (top - start) / rise;
+    if (rise.value > 0) return {low, high, Truth::yes};
+    return {high, low, Truth::yes};
+}
+
+Stretch both(const Stretch& a, const Stretch& b) {
+    const Tracked& entry = (a.entry < b.entry) == Truth::yes ? b.entry : a.entry;
+    const Tracked& exit = (b.exit < a.exit) == Truth::yes ? b.exit : a.exit;
+    return {entry, exit, a.exists & b.exists & !(a.exit < b.entry) & !(b.exit < a.entry)};
+}
+
+}  // namespace
+
+Crossings define(const Scene&, const Box& b, const Ray& ray) {
+    if (!is_finite(b.min) || !is_finite(b.max)) return {};
+    return ends(within_box(b.min, b.max, ray));
+}
+
+/// x^2 + y^2 <= 1 and 0 <= z <= 1 in the map's coordinates.
+Crossings define(const Scene&, const ClosedCylinder& c, const Ray& ray) {
+    if (!is_finite(c.to_world)) return {};
+    const MappedRay r(c.to_world, ray);
+    const Truth exists = !is_zero(r.unit);
+    if (exists == Truth::no) return {};
+    const TrackedVec &o = r.origin, &d = r.direction;
+    const Tracked square = r.unit * r.unit;
+    const Stretch side = where_not_positive(d.x * d.x + d.y * d.y, o.x * d.x + o.y * d.y,
+                                            o.x * o.x + o.y * o.y - square);
+    Stretch solid = both(side, where_between(o.z * r.unit, d.z * r.unit, square));
+    solid.exists = solid.exists & exists;
+    return ends(solid);
+}
+
+}  // namespace etalon::definition

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "core/intersect/oracle/definitions.h"
+
+namespace etalon::definition {
+
+/// The stretch of a line within a closed box, if there may be one.
+struct Stretch {
+    Tracked entry, exit;
+    Truth exists;
+};
+
+std::optional<Stretch> within_box(const Vec3& min, const Vec3& max, const Ray& ray);
+
+/// Its ends, as crossings of the solid's surface.
+Crossings ends(const std::optional<Stretch>& stretch);
+
+}  // namespace etalon::definition
