@@ -6,20 +6,8 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace etalon::test {
-namespace {
-
-std::string slurp(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
-}  // namespace
 
 const std::string small_scene = R"(accel bvh
 spp 0
@@ -40,18 +28,8 @@ mat 1 0.2 0.1 0.7 1 1 1 0.3 30 0 1
 s 0 0 0 1
 )";
 
-Folder::Folder() {
-    path_ = (std::filesystem::temp_directory_path() / "etalon-test-XXXXXX").string();
-    if (mkdtemp(path_.data()) == nullptr) path_.clear();
-}
-
-Folder::~Folder() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-}
-
 std::string Folder::write(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
+    put(path(name), text);
     return path(name);
 }
 
@@ -60,7 +38,7 @@ bool Folder::has(const std::string& name) const {
 }
 
 std::string Folder::read(const std::string& name) const {
-    return slurp(path(name));
+    return content_of(path(name));
 }
 
 Outcome Folder::etalon(const std::string& arguments, const std::string& input) const {
@@ -70,8 +48,8 @@ Outcome Folder::etalon(const std::string& arguments, const std::string& input) c
 Outcome Folder::shell(const std::string& command, const std::string& input) const {
     const Folder io;
     io.write("in", input);
-    const std::string line = fmt::format("cd '{}' && {{ {}; }} <'{}' >'{}' 2>'{}'", path_, command,
-                                         io.path("in"), io.path("out"), io.path("err"));
+    const std::string line = fmt::format("cd '{}' && {{ {}; }} <'{}' >'{}' 2>'{}'", path(""),
+                                         command, io.path("in"), io.path("out"), io.path("err"));
     const pid_t child = fork();
     if (child == 0) {
         execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "tests/temporary_folder.h"
+
 namespace etalon::test {
 
 struct Outcome {
@@ -15,12 +17,7 @@ struct Outcome {
 /// A new empty folder below the system's temporary one, removed at the end.
 class Folder {
   public:
-    Folder();
-    ~Folder();
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    std::string path(const std::string& name) const { return path_ + "/" + name; }
+    std::string path(const std::string& name) const { return folder_ / name; }
     std::string write(const std::string& name, const std::string& text) const;
     bool has(const std::string& name) const;
     std::string read(const std::string& name) const;
@@ -32,7 +29,7 @@ class Folder {
     Outcome shell(const std::string& command, const std::string& input = "") const;
 
   private:
-    std::string path_;
+    TemporaryFolder folder_;
 };
 
 /// A small complete P3F scene with a sphere, a plane, a light.

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "tests/catch.h"
-#include "tests/image/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 using namespace etalon;
 using namespace etalon::test;

@@ -5,7 +5,7 @@
 #include "core/image/io.h"
 #include "tests/catch.h"
 #include "tests/image/pictures.h"
-#include "tests/image/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 using namespace etalon;
 using namespace etalon::test;
