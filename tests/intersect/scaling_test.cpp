@@ -3,6 +3,7 @@
 #include "core/intersect/kernels.h"
 #include "tests/catch.h"
 #include "tests/intersect/aimed_rays.h"
+#include "tests/intersect/scene_numbers.h"
 
 using namespace etalon;
 

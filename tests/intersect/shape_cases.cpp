@@ -2,7 +2,6 @@
 
 #include "core/sampling/directions.h"
 #include "core/sampling/quadric_points.h"
-#include "core/scene/quadric_form.h"
 
 namespace etalon {
 namespace {
@@ -453,70 +452,6 @@ std::vector<DegenerateCase> degenerate_cases() {
     add_flat("polygon on a line", {a, b, c, b}, true);
     add_flat("polygon that cancels itself", {{-1, -1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, 1, 0}}, true);
     return cases;
-}
-
-namespace {
-
-template <class Shape>
-constexpr bool is_affine =
-    std::is_same_v<Shape, Ellipsoid> || std::is_same_v<Shape, ClosedCylinder>;
-
-template <class Shape>
-void list_numbers(Shape& s, Scene& scene, std::vector<double*>& list) {
-    const auto add = [&](Vec3& v) { list.insert(list.end(), {&v.x, &v.y, &v.z}); };
-    if constexpr (std::is_same_v<Shape, Sphere>) {
-        add(s.centre);
-        list.push_back(&s.radius);
-    } else if constexpr (std::is_same_v<Shape, Box>) {
-        add(s.min);
-        add(s.max);
-    } else if constexpr (std::is_same_v<Shape, Plane>) {
-        add(s.point);
-        add(s.normal);
-    } else if constexpr (is_affine<Shape>) {
-        for (Vec3* v : {&s.to_world.x, &s.to_world.y, &s.to_world.z, &s.to_world.origin}) add(*v);
-    } else if constexpr (std::is_same_v<Shape, Cone>) {
-        add(s.base);
-        add(s.top);
-        list.insert(list.end(), {&s.base_radius, &s.top_radius});
-    } else if constexpr (std::is_same_v<Shape, Ring>) {
-        add(s.centre);
-        add(s.normal);
-        list.insert(list.end(), {&s.inner, &s.outer});
-    } else if constexpr (std::is_same_v<Shape, Quadric>) {
-        add(s.centre);
-        add(s.clip.min);
-        add(s.clip.max);
-        for (double& number : s.coefficients) list.push_back(&number);
-    } else {
-        for (Vec3& v : scene.vertices) add(v);
-    }
-}
-
-}  // namespace
-
-std::vector<double*> numbers_of(Scene& scene) {
-    std::vector<double*> list;
-    with_shape(scene.primitives[0].kind,
-               [&]<class Shape>() { list_numbers(scene.all<Shape>()[0], scene, list); });
-    return list;
-}
-
-void settle(Scene& scene) {
-    with_shape(scene.primitives[0].kind, [&]<class Shape>() {
-        Shape& shape = scene.all<Shape>()[0];
-        if constexpr (is_affine<Shape>) shape = Shape(shape.to_world);
-    });
-}
-
-Scene scaled(Scene scene, int k) {
-    for (double* number : numbers_of(scene)) *number = std::ldexp(*number, k);
-    // A common factor changes nothing, and now they have one.
-    for (Quadric& s : scene.all<Quadric>()) {
-        s.coefficients = scaled(s.coefficients, std::ldexp(1.0, k));
-    }
-    settle(scene);
-    return scene;
 }
 
 }  // namespace etalon
