@@ -38,4 +38,20 @@ inline std::vector<Color> rings(int width, int height) {
     });
 }
 
+/// The stripes with every value times `gain` plus `offset`.
+inline std::vector<Color> changed(int width, int height, float gain, float offset) {
+    std::vector<Color> pixels = stripes(width, height);
+    for (Color& c : pixels) c = c * gain + Color(offset);
+    return pixels;
+}
+
+inline std::vector<Color> faded(int width, int height) {
+    return changed(width, height, 0.875F, 0.03125F);
+}
+
+/// Beyond black and white.
+inline std::vector<Color> bright(int width, int height) {
+    return changed(width, height, 3, -0.5F);
+}
+
 }  // namespace etalon::test

@@ -61,6 +61,11 @@ std::uint64_t different_pixels(Pixels a, Pixels b) {
     });
 }
 
+std::uint64_t unbounded_pixels(Pixels pixels) {
+    return sum<std::uint64_t>(
+        pixels.size(), [&](std::size_t i) -> std::uint64_t { return !is_finite(pixels[i]); });
+}
+
 Vec3 mean(Pixels pixels) {
     return sum<Vec3>(pixels.size(), [&](std::size_t i) { return Vec3(pixels[i]); }) /
            static_cast<double>(pixels.size());

@@ -42,6 +42,9 @@ double max_abs(Pixels a, Pixels b);
 /// How many pixels differ in any channel, by however little.
 std::uint64_t different_pixels(Pixels a, Pixels b);
 
+/// How many pixels have NaN or an infinity in a channel.
+std::uint64_t unbounded_pixels(Pixels pixels);
+
 /// Of each channel, with what NaN and infinities make of it.
 Vec3 mean(Pixels pixels);
 
