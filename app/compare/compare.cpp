@@ -41,7 +41,7 @@ Metrics measure(const Pictures& pictures, const Plane& flip_map) {
     return m;
 }
 
-/// What is not a number has no place in the figures, nor does a display show it.
+/// A display shows no such pixel, and figures of two pictures that both have one do not tell.
 void warn_of_unbounded(const std::string& path, Pixels pixels) {
     const std::uint64_t count = unbounded_pixels(pixels);
     if (count == 0) return;
@@ -59,12 +59,11 @@ std::string write_heatmap(const std::string& path, const Plane& map) {
     return file ? write_file_atomically(path, file.value) : path + ": " + file.error;
 }
 
-bool write(const Arguments& a, const Metrics& metrics, const Plane& map) {
+int write(const Arguments& a, const Metrics& metrics, const Plane& map) {
     if (a.json != "-") fmt::print("{}", as_text(metrics));
-    if (!a.json.empty() && !write_json(a.json, as_json(metrics))) return false;
-    if (a.heatmap.empty()) return true;
-    const std::string error = write_heatmap(a.heatmap, map);
-    return error.empty() || fail(0, error) != 0;
+    if (!a.json.empty() && !write_json(a.json, as_json(metrics))) return exit_not_written;
+    const std::string error = a.heatmap.empty() ? "" : write_heatmap(a.heatmap, map);
+    return error.empty() ? exit_done : fail(exit_not_written, error);
 }
 
 std::string obstacle(const Arguments& a) {
@@ -93,7 +92,8 @@ int run(const Arguments& a) {
     const Plane map =
         flip_map(pictures.value.pixels[0], pictures.value.pixels[1], pictures.value.width);
     const Metrics metrics = measure(pictures.value, map);
-    return write(a, metrics, map) ? judge(a, metrics) : exit_not_written;
+    const int status = write(a, metrics, map);
+    return status == exit_done ? judge(a, metrics) : status;
 }
 
 }  // namespace
@@ -115,8 +115,7 @@ Run declare_compare(CLI::App& app) {
                    "METRIC=VALUE: exit with 1 if it is worse, that is larger, but smaller for psnr "
                    "and ssim; may be repeated")
         ->check([](const std::string& text) { return compare::parse_limit(text).error; })
-        ->take_all()
-        ->expected(1);
+        ->allow_extra_args(false);
     return [a] { return compare::run(*a); };
 }
 

@@ -43,7 +43,8 @@ Vec3 hunt_lab_of_linear(const Vec3& rgb) {
 }
 
 double hyab(const Vec3& a, const Vec3& b) {
-    return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
+    const double red_green = a.y - b.y, blue_yellow = a.z - b.z;
+    return std::abs(a.x - b.x) + std::sqrt(red_green * red_green + blue_yellow * blue_yellow);
 }
 
 }  // namespace etalon

@@ -31,8 +31,9 @@ DetailFilters detail_filters() {
 
 /// The length of the vector of two filters' results at each pixel.
 Plane lengths(const Plane& x, const Plane& y) {
-    return plane_of(x.width, x.height,
-                    [&](std::size_t i) { return std::hypot(x.values[i], y.values[i]); });
+    return plane_of(x.width, x.height, [&](std::size_t i) {
+        return std::sqrt(x.values[i] * x.values[i] + y.values[i] * y.values[i]);
+    });
 }
 
 }  // namespace
