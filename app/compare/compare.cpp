@@ -9,7 +9,7 @@
 #include "core/image/atomic_file.h"
 #include "core/image/metrics/flip.h"
 #include "core/image/metrics/magma.h"
-#include "core/image/metrics/ssim.h"
+#include "core/image/metrics/measure.h"
 #include "core/image/oiio.h"
 
 namespace etalon::compare {
@@ -25,22 +25,6 @@ int fail(int status, const std::string& message) {
     return status;
 }
 
-Metrics measure(const Pictures& pictures, const Plane& flip_map) {
-    const Pixels a = pictures.pixels[0], b = pictures.pixels[1];
-    Metrics m;
-    m.mse = mse(a, b);
-    m.relmse = relmse(a, b);
-    m.mae = mae(a, b);
-    m.psnr = psnr(m.mse);
-    m.ssim = ssim(a, b, pictures.width);
-    m.flip = flip(flip_map);
-    m.max_abs = max_abs(a, b);
-    m.different_pixels = different_pixels(a, b);
-    m.mean_a = mean(a);
-    m.mean_b = mean(b);
-    return m;
-}
-
 /// A display shows no such pixel, and figures of two pictures that both have one do not tell.
 void warn_of_unbounded(const std::string& path, Pixels pixels) {
     const std::uint64_t count = unbounded_pixels(pixels);
@@ -49,7 +33,7 @@ void warn_of_unbounded(const std::string& path, Pixels pixels) {
 }
 
 /// Why the map could not be written, or nothing.
-std::string write_heatmap(const std::string& path, const Plane& map) {
+std::string write_heatmap(const std::string& path, const ImagePlane& map) {
     std::vector<std::uint8_t> bytes;
     bytes.reserve(3 * map.values.size());
     for (const double value : map.values) {
@@ -59,7 +43,7 @@ std::string write_heatmap(const std::string& path, const Plane& map) {
     return file ? write_file_atomically(path, file.value) : path + ": " + file.error;
 }
 
-int write(const Arguments& a, const Metrics& metrics, const Plane& map) {
+int write(const Arguments& a, const Metrics& metrics, const ImagePlane& map) {
     if (a.json != "-") fmt::print("{}", as_text(metrics));
     if (!a.json.empty() && !write_json(a.json, as_json(metrics))) return exit_not_written;
     const std::string error = a.heatmap.empty() ? "" : write_heatmap(a.heatmap, map);
@@ -89,9 +73,9 @@ int run(const Arguments& a) {
     if (!pictures) return fail(exit_unusable, pictures.error);
     warn_of_unbounded(a.a, pictures.value.pixels[0]);
     warn_of_unbounded(a.b, pictures.value.pixels[1]);
-    const Plane map =
+    const ImagePlane map =
         flip_map(pictures.value.pixels[0], pictures.value.pixels[1], pictures.value.width);
-    const Metrics metrics = measure(pictures.value, map);
+    const Metrics metrics = measure(pictures.value.pixels[0], pictures.value.pixels[1], map);
     const int status = write(a, metrics, map);
     return status == exit_done ? judge(a, metrics) : status;
 }

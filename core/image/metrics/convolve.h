@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/image/metrics/plane.h"
+#include "core/image/metrics/image_plane.h"
 
 namespace etalon {
 
@@ -20,9 +20,9 @@ Filter normalized(Filter filter);
 
 /// Weighs neighbours along the rows by `along_x` and the result along the columns by `along_y`.
 /// Outside, the picture goes on as its nearest pixel.
-Plane convolve(const Plane& plane, const Filter& along_x, const Filter& along_y);
+ImagePlane convolve(const ImagePlane& plane, const Filter& along_x, const Filter& along_y);
 
-Plane convolve_x(const Plane& plane, const Filter& filter);
-Plane convolve_y(const Plane& plane, const Filter& filter);
+ImagePlane convolve_x(const ImagePlane& plane, const Filter& filter);
+ImagePlane convolve_y(const ImagePlane& plane, const Filter& filter);
 
 }  // namespace etalon

@@ -30,7 +30,7 @@ DetailFilters detail_filters() {
 }
 
 /// The length of the vector of two filters' results at each pixel.
-Plane lengths(const Plane& x, const Plane& y) {
+ImagePlane lengths(const ImagePlane& x, const ImagePlane& y) {
     return plane_of(x.width, x.height, [&](std::size_t i) {
         return std::sqrt(x.values[i] * x.values[i] + y.values[i] * y.values[i]);
     });
@@ -38,11 +38,12 @@ Plane lengths(const Plane& x, const Plane& y) {
 
 }  // namespace
 
-Features find_features(const Plane& luminance) {
+Features find_features(const ImagePlane& luminance) {
     static const DetailFilters filters = detail_filters();
-    const Plane unit = plane_of(luminance.width, luminance.height,
-                                [&](std::size_t i) { return (luminance.values[i] + 16) / 116; });
-    const Plane smooth = convolve_x(unit, filters.smooth);
+    const ImagePlane unit = plane_of(luminance.width, luminance.height, [&](std::size_t i) {
+        return (luminance.values[i] + 16) / 116;
+    });
+    const ImagePlane smooth = convolve_x(unit, filters.smooth);
     return {
         lengths(convolve(unit, filters.edge, filters.smooth), convolve_y(smooth, filters.edge)),
         lengths(convolve(unit, filters.point, filters.smooth), convolve_y(smooth, filters.point))};
