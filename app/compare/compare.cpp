@@ -33,7 +33,7 @@ void warn_of_unbounded(const std::string& path, Pixels pixels) {
 }
 
 /// Why the map could not be written, or nothing.
-std::string write_heatmap(const std::string& path, const ImagePlane& map) {
+std::string write_heatmap(const std::string& path, const PixelPlane& map) {
     std::vector<std::uint8_t> bytes;
     bytes.reserve(3 * map.values.size());
     for (const double value : map.values) {
@@ -43,7 +43,7 @@ std::string write_heatmap(const std::string& path, const ImagePlane& map) {
     return file ? write_file_atomically(path, file.value) : path + ": " + file.error;
 }
 
-int write(const Arguments& a, const Metrics& metrics, const ImagePlane& map) {
+int write(const Arguments& a, const Metrics& metrics, const PixelPlane& map) {
     if (a.json != "-") fmt::print("{}", as_text(metrics));
     if (!a.json.empty() && !write_json(a.json, as_json(metrics))) return exit_not_written;
     const std::string error = a.heatmap.empty() ? "" : write_heatmap(a.heatmap, map);
@@ -73,7 +73,7 @@ int run(const Arguments& a) {
     if (!pictures) return fail(exit_unusable, pictures.error);
     warn_of_unbounded(a.a, pictures.value.pixels[0]);
     warn_of_unbounded(a.b, pictures.value.pixels[1]);
-    const ImagePlane map =
+    const PixelPlane map =
         flip_map(pictures.value.pixels[0], pictures.value.pixels[1], pictures.value.width);
     const Metrics metrics = measure(pictures.value.pixels[0], pictures.value.pixels[1], map);
     const int status = write(a, metrics, map);

@@ -6,6 +6,6 @@
 namespace etalon {
 
 /// All metrics of two pictures. `flip_map` is theirs.
-Metrics measure(Pixels a, Pixels reference, const ImagePlane& flip_map);
+Metrics measure(Pixels a, Pixels reference, const PixelPlane& flip_map);
 
 }  // namespace etalon
