@@ -14,6 +14,7 @@
 #include "core/parallel/parallel.h"
 #include "core/render/camera_rays.h"
 #include "core/render/renderer.h"
+#include "core/render/spd_rules.h"
 
 namespace etalon {
 namespace {
@@ -105,12 +106,6 @@ bool apply_crop(const std::string& text, const Camera& camera, Imath::Box2i& win
     }
     window = {{x0, y0}, {x1 - 1, y1 - 1}};
     return true;
-}
-
-void apply_spd_rules(Scene& scene) {
-    scene.samples_per_pixel = 0;
-    scene.camera.pixel_rays = PixelRays::shared_corners;
-    scene.whitted.mirror_all_glass = true;
 }
 
 /// The command line's wishes put into the scene; false if they cannot be had.
