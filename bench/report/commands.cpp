@@ -63,11 +63,15 @@ std::string accuracy_command(const Settings& settings, const std::vector<accurac
     return fmt::format("{} --case {}", accuracy_command(settings), fmt::join(ids, ","));
 }
 
-std::string spd_command(const std::string& family, std::int64_t size, const std::string& backend) {
+std::string spd_command(const Settings& settings) {
+    std::string scenes;
+    for (const SpdScene& s : settings.spd_scenes) {
+        scenes += fmt::format("\"{} {}\" ", s.family, s.size);
+    }
     return fmt::format(
-        "build/bin/etalon-scenes {0} --size {1} -o {0}.p3f && "
-        "build/bin/etalon render {0}.p3f --spd -b {2} --stats -",
-        family, size, backend);
+        "for scene in {}; do set -- $scene; build/bin/etalon-scenes $1 --size $2 -o $1.p3f; "
+        "build/bin/etalon render $1.p3f --spd --stats -; done",
+        scenes.substr(0, scenes.size() - 1));
 }
 
 std::string picture_command(const PictureRequest& request) {

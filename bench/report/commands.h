@@ -22,7 +22,8 @@ std::string accuracy_command(const Settings& settings);
 std::string accuracy_command(const Settings& settings, const std::vector<accuracy::Row>& rows,
                              const std::string& shape);
 
-std::string spd_command(const std::string& family, std::int64_t size, const std::string& backend);
+/// All classic scenes.
+std::string spd_command(const Settings& settings);
 
 std::string picture_command(const PictureRequest& request);
 

@@ -22,7 +22,6 @@ struct Column {
 struct Table {
     std::vector<Column> columns;
     std::vector<std::vector<Cell>> rows;
-    std::string folded{};  ///< not empty: shown only to who asks for it, under these words
 };
 
 /// A length with what there is to say about it in words.
@@ -30,16 +29,15 @@ struct Bar {
     std::string name;
     int colour;  ///< 1 to 7, of the style sheet of bench/plot
     double value, spread;
-    std::string text;  ///< the value, with its unit
+    std::string text;  ///< the value
     std::string comparison;
     Cell note;  ///< how much it is worth: the errors beside a speed
 };
 
-/// Bars of one scale, from 0.
+/// Bars of one scale, from 0, and what their numbers are.
 struct BarGroup {
-    std::string title;
+    std::string title, value, comparison, note;
     std::vector<Bar> bars;
-    double reference = 0;  ///< a line through all of them; none at 0
 };
 
 struct Bars {
@@ -70,10 +68,11 @@ struct Images {
 };
 
 struct Figure {
-    std::string caption;
+    std::string title, caption;
     std::string command;  ///< that measures the same
     std::string date;     ///< when it was measured
     std::variant<Table, Bars, Charts, Images> content;
+    bool folded = false;  ///< shown only to who asks for it
 };
 
 struct Section {

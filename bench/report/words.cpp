@@ -51,7 +51,7 @@ std::string bytes(double count) {
 }
 
 Cell wrong_of(std::uint64_t wrong, std::uint64_t all) {
-    return {fmt::format("{} of {} wrong", grouped(wrong), grouped(all)),
+    return {fmt::format("{} of {}", grouped(wrong), grouped(all)),
             wrong > 0 ? Mark::bad : Mark::good};
 }
 

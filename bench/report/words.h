@@ -28,7 +28,7 @@ std::string duration(double seconds);
 /// "64 B", "1.2 kB", "31 MB", "15 GB": powers of 1000.
 std::string bytes(double count);
 
-/// "3 of 2,174 wrong", marked.
+/// "3 of 2,174", marked.
 Cell wrong_of(std::uint64_t wrong, std::uint64_t all);
 
 /// Which colour of the style sheet a contender has, everywhere in the report.

@@ -69,8 +69,11 @@ void draw_key(Svg& svg, const Scatter& scatter) {
 
 void draw_ticks(Svg& svg, const Axes& axes) {
     const Frame& frame = axes.frame();
+    double below = frame.bottom + 12;
     for (const Tick& tick : axes.error_ticks()) {
         const double y = axes.place(1, tick.value).y;
+        if (below - y < 12) continue;  // two texts would be one
+        below = y;
         svg.line({frame.left, y}, {frame.right, y}, "grid");
         svg.text({frame.left - 8, y + 4}, Anchor::end, tick.text, "small");
     }
@@ -117,14 +120,24 @@ void draw_points(Svg& svg, const Scatter& scatter, const Axes& axes) {
     }
 }
 
+/// What a mark covers, as places so close that no label fits between.
+void add_mark(Place at, std::vector<Place>& places) {
+    for (const double x : {-5.0, 0.0, 5.0}) {
+        for (const double y : {-5.0, 0.0, 5.0}) places.push_back({at.x + x, at.y + y});
+    }
+}
+
 /// Of those that `is_named`.
 template <class F>
-void draw_labels(Svg& svg, const Scatter& scatter, const Axes& axes,
-                 const std::vector<Place>& avoid, const F& is_named) {
+void draw_labels(Svg& svg, const Scatter& scatter, const Axes& axes, std::vector<Place> avoid,
+                 const F& is_named) {
     std::vector<Label> labels;
     std::vector<std::string_view> classes;
     for (const Point& p : scatter.points) {
-        if (!is_named(p)) continue;
+        if (!is_named(p)) {
+            add_mark(axes.place(p.cost, p.error), avoid);
+            continue;
+        }
         labels.push_back({p.contender, p.efficient, axes.place(p.cost, p.error)});
         classes.push_back(colours[kind_of(p)]);
     }

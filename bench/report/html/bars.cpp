@@ -15,7 +15,7 @@ using plot::escaped;
 constexpr double length = 1000;  ///< of the longest bar, in the SVG's units
 
 double longest(const BarGroup& group) {
-    double most = group.reference;
+    double most = 0;
     for (const Bar& bar : group.bars) most = std::max(most, bar.value + bar.spread / 2);
     return most > 0 ? most : 1;
 }
@@ -28,32 +28,40 @@ std::string spread_of(const Bar& bar, double scale) {
         scale * (bar.value + bar.spread / 2 - from));
 }
 
-std::string reference_of(double at) {
-    if (at <= 0) return "";
-    return fmt::format(
-        "<line class=\"reference\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"0\" y2=\"12\"/>", at);
-}
-
-std::string rod(const Bar& bar, const BarGroup& group) {
-    const double scale = length / longest(group);
+std::string rod(const Bar& bar, double scale) {
     return fmt::format(
         "<svg class=\"rod\" viewBox=\"0 0 1000 12\" preserveAspectRatio=\"none\" "
-        "aria-hidden=\"true\"><rect class=\"b{}\" width=\"{:.1f}\" height=\"12\"/>{}{}</svg>",
-        bar.colour, scale * bar.value, spread_of(bar, scale),
-        reference_of(scale * group.reference));
+        "aria-hidden=\"true\"><rect class=\"b{}\" width=\"{:.1f}\" height=\"12\"/>{}</svg>",
+        bar.colour, scale * bar.value, spread_of(bar, scale));
 }
 
-std::string note_of(const Cell& note) {
-    const char* mark = note.mark == Mark::good ? " good" : note.mark == Mark::bad ? " bad" : "";
-    return fmt::format("<td class=\"note{}\">{}</td>", mark, escaped(note.text));
+/// The name stands in the column's head, and where there is no room for columns in the cell.
+std::string cell(const char* classes, const std::string& name, const std::string& text) {
+    return fmt::format("<td class=\"{}\" data-name=\"{}\">{}</td>", classes, escaped(name),
+                       escaped(text));
+}
+
+std::string note_of(const Cell& note, const std::string& name) {
+    const char* mark = note.mark == Mark::good  ? "note good"
+                       : note.mark == Mark::bad ? "note bad"
+                                                : "note";
+    return cell(mark, name, note.text);
+}
+
+std::string head(const BarGroup& group) {
+    return fmt::format(
+        "<thead><tr><th scope=\"col\" class=\"name\">{}</th><td class=\"length\"></td>"
+        "<th scope=\"col\" class=\"value\">{}</th><th scope=\"col\" class=\"ratio\">{}</th>"
+        "<th scope=\"col\" class=\"note\">{}</th></tr></thead>\n",
+        escaped(group.title), escaped(group.value), escaped(group.comparison), escaped(group.note));
 }
 
 std::string row(const Bar& bar, const BarGroup& group) {
     return fmt::format(
-        "<tr><th scope=\"row\">{}</th><td class=\"length\">{}</td><td class=\"value\">{}</td>"
-        "<td class=\"ratio\">{}</td>{}</tr>\n",
-        escaped(bar.name), rod(bar, group), escaped(bar.text), escaped(bar.comparison),
-        note_of(bar.note));
+        "<tr><th scope=\"row\" class=\"name\">{}</th><td class=\"length\">{}</td>"
+        "{}{}{}</tr>\n",
+        escaped(bar.name), rod(bar, length / longest(group)), cell("value", group.value, bar.text),
+        cell("ratio", group.comparison, bar.comparison), note_of(bar.note, group.note));
 }
 
 }  // namespace
@@ -61,10 +69,9 @@ std::string row(const Bar& bar, const BarGroup& group) {
 std::string html(const Bars& bars) {
     std::string text = "<div class=\"groups\">\n";
     for (const BarGroup& group : bars.groups) {
-        text += fmt::format("<div class=\"group\"><table class=\"bars\"><caption>{}</caption>\n",
-                            escaped(group.title));
+        text += "<div class=\"group\"><table class=\"bars\">\n" + head(group) + "<tbody>\n";
         for (const Bar& bar : group.bars) text += row(bar, group);
-        text += "</table></div>\n";
+        text += "</tbody></table></div>\n";
     }
     return text + "</div>\n";
 }

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bench/plot/style.h"
 #include "bench/plot/svg.h"
 #include "bench/report/html/html.h"
@@ -49,12 +51,26 @@ std::string header(const Page& page) {
     return text + summary(page) + contents(page) + "</header>\n";
 }
 
+/// A line breaks between its words only, as far as they are no longer than a line.
+std::string words_of(const std::string& command) {
+    std::string text;
+    for (std::size_t at = 0; at < command.size();) {
+        const std::size_t end = std::min(command.find(' ', at), command.size());
+        text += "<span>" + escaped(command.substr(at, end - at)) + "</span> ";
+        at = end + 1;
+    }
+    return text;
+}
+
 std::string figure(const Figure& f) {
     const std::string content = std::visit([](const auto& c) { return html(c); }, f.content);
-    return fmt::format(
-        "<figure>\n{}<figcaption><p>{}</p><p class=\"source\"><code>{}</code> "
-        "<time>{}</time></p></figcaption>\n</figure>\n",
-        content, escaped(f.caption), escaped(f.command), escaped(f.date));
+    const std::string caption = fmt::format(
+        "<figcaption><p>{}</p><p class=\"source\"><code>{}</code><time>{}</time></p></figcaption>",
+        escaped(f.caption), words_of(f.command), escaped(f.date));
+    constexpr const char* open = "<figure><h3>{}</h3>\n{}{}</figure>\n";
+    constexpr const char* folded =
+        "<figure class=\"folded\"><details><summary>{}</summary>\n{}{}</details></figure>\n";
+    return fmt::format(fmt::runtime(f.folded ? folded : open), escaped(f.title), content, caption);
 }
 
 std::string section(const Section& s) {

@@ -25,6 +25,7 @@ header,main,footer{max-width:76rem;margin:0 auto;padding:0 1.25rem}
 header{padding-top:2.5rem}
 h1{font-size:2.1rem;line-height:1.15;letter-spacing:-.015em;margin:0 0 .4rem}
 h2{font-size:1.4rem;line-height:1.25;letter-spacing:-.01em;margin:0 0 .6rem}
+h3{font-size:1.05rem;line-height:1.3;margin:0 0 .7rem;font-weight:600}
 h4{font-size:.92rem;margin:0 0 .3rem;font-weight:600}
 p{margin:0 0 .8rem;max-width:70ch}
 a{color:var(--link)}
@@ -32,18 +33,21 @@ small,.quiet,figcaption,time{color:var(--quiet)}
 section{margin-top:3rem;padding-top:1.6rem;border-top:1px solid var(--rule)}
 .missing{background:var(--warn);border-left:4px solid var(--colour-5);padding:.5rem .8rem;
 max-width:none}
-.facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,13rem),1fr));gap:.8rem;
+.facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,10rem),1fr));gap:.7rem;
 margin:1.4rem 0}
-.fact{background:var(--card);border:1px solid var(--rule);border-radius:.5rem;padding:.9rem 1rem}
+.fact{min-width:0;background:var(--card);border:1px solid var(--rule);border-radius:.5rem;padding:.9rem 1rem}
 .fact b{display:block;font-size:2rem;line-height:1.1;letter-spacing:-.02em}
 .fact span{display:block;font-weight:600;margin:.25rem 0 .1rem;line-height:1.3}
 .fact small{display:block;line-height:1.35;font-size:.82rem}
 nav ul{display:flex;flex-wrap:wrap;gap:.2rem 1.2rem;list-style:none;margin:0;padding:0}
 nav a{display:inline-block;padding:.25rem 0}
-figure{margin:1.6rem 0 2.2rem}
+figure{margin:1.8rem 0 2.4rem}
+figure.folded{margin:0 0 .4rem}
+figure.folded details[open]{margin-bottom:1.6rem}
 figcaption{font-size:.88rem;margin-top:.6rem}
-figcaption p{margin:0 0 .2rem}
-.source{max-width:none;font-size:.78rem}
+figcaption p{margin:0 0 .2rem;max-width:none}
+.source{font-size:.78rem}
+.source span{display:inline-block;max-width:100%}
 code{font:.95em/1.4 ui-monospace,SFMono-Regular,Consolas,"DejaVu Sans Mono",monospace;
 overflow-wrap:anywhere}
 time{white-space:nowrap;margin-left:.6em}
@@ -64,29 +68,30 @@ summary{cursor:pointer;padding:.35rem 0;font-weight:600}
 .groups{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,32rem),1fr));
 gap:1.4rem 2.4rem}
 .group{container-type:inline-size;min-width:0}
-.bars{width:100%}
-.bars caption{text-align:left;font-size:.92rem;font-weight:600;padding-bottom:.25rem}
-.bars th,.bars td{padding:.18rem .5rem .18rem 0;vertical-align:middle;white-space:nowrap}
-.bars .length{width:100%;min-width:6rem}
-.bars .value,.bars .ratio{text-align:right}
-.bars .value{font-weight:600}
-.bars .ratio,.bars .note{font-size:.78rem}
-.bars .ratio{color:var(--quiet)}
-.bars .note{padding-right:0;text-align:right}
-.bars .note:not(.good):not(.bad){color:var(--quiet)}
+.bars{width:100%;table-layout:fixed}
+.bars th,.bars td{padding:.18rem 0;vertical-align:middle;white-space:nowrap}
+.bars .name{width:9.8rem}
+.bars .value{width:3.7rem;text-align:right}
+.bars .ratio{width:6.6rem;text-align:right}
+.bars .note{width:7.4rem;text-align:right}
+.bars tbody .value{font-weight:600}
+.bars tbody .ratio,.bars tbody .note,.bars thead th+td~th{font-size:.78rem}
+.bars tbody .ratio,.bars .note:not(.good):not(.bad){color:var(--quiet)}
+.bars thead th{border:none;vertical-align:bottom}
+.bars thead .name{color:var(--ink);font-size:.92rem}
 .rod{display:block;width:100%;height:.85rem}
 .swatch{width:.75rem;height:.75rem;margin-right:.4rem;vertical-align:-.05rem}
 .b1{fill:var(--colour-1)}.b2{fill:var(--colour-2)}.b3{fill:var(--colour-3)}
 .b4{fill:var(--colour-4)}.b5{fill:var(--colour-5)}.b6{fill:var(--colour-6)}
 .b7{fill:var(--colour-7)}
 .spread{fill:var(--ink)}
-.reference{stroke:var(--ink);stroke-width:1px;stroke-dasharray:2 2;vector-effect:non-scaling-stroke}
 @container (max-width:29rem){
-.bars tr{display:grid;grid-template-columns:1fr auto;padding:.25rem 0}
-.bars th,.bars td{padding:0}
+.bars tr{display:grid;grid-template-columns:1fr auto;padding:.2rem 0}
+.bars th,.bars td,.bars .name,.bars .value,.bars .ratio,.bars .note{padding:0;width:auto}
 .bars .length{grid-column:1/3;grid-row:2;padding:.1rem 0 .15rem}
 .bars .ratio{text-align:left}
-.bars caption{padding-bottom:0}}
+.bars thead .length,.bars thead .ratio,.bars thead .note{display:none}
+.bars tbody .note:not(:empty)::after{content:" " attr(data-name);font-weight:400}}
 .key{display:flex;flex-wrap:wrap;gap:.2rem 1.4rem;list-style:none;margin:0 0 .8rem;padding:0;
 font-size:.86rem}
 .charts{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,20.5rem),1fr));
@@ -107,7 +112,7 @@ body{font-size:9.5pt}
 header,main,footer{max-width:none;padding-left:0;padding-right:0}
 nav{display:none}
 .group,.plot,.image,.fact,tr,figcaption{break-inside:avoid}
-h2,h4,caption{break-after:avoid}
+h2,h3,h4,summary{break-after:avoid}
 .scroll{overflow:visible;border:none}
 .scroll table{font-size:7pt}
 .scroll th,.scroll td{padding:.1rem .3rem}

@@ -41,10 +41,7 @@ std::string row(const Table& table, const std::vector<Cell>& cells) {
 std::string html(const Table& table) {
     std::string text = "<div class=\"scroll\" tabindex=\"0\"><table>\n" + head(table) + "<tbody>\n";
     for (const std::vector<Cell>& cells : table.rows) text += row(table, cells);
-    text += "</tbody></table></div>\n";
-    if (table.folded.empty()) return text;
-    return fmt::format("<details><summary>{}</summary>\n{}</details>\n", escaped(table.folded),
-                       text);
+    return text + "</tbody></table></div>\n";
 }
 
 }  // namespace etalon::bench_report

@@ -51,10 +51,10 @@ Table backends(const Results& results) {
 Section machine_section(const Results& results) {
     Section section{"machine", "The machine and the versions", {}, {}};
     const std::string command = command_of(results.settings);
-    section.figures.push_back(
-        {"Where and with what all this was measured.", command, results.begun, facts(results)});
-    section.figures.push_back({"Who takes part. Exact backends promise the same bits.", command,
-                               results.begun, backends(results)});
+    section.figures.push_back({"Machine", "Where and with what all this was measured.", command,
+                               results.begun, facts(results)});
+    section.figures.push_back({"Backends", "Who takes part. Exact backends promise the same bits.",
+                               command, results.begun, backends(results)});
     return section;
 }
 

@@ -22,8 +22,7 @@ Table points_of(const std::vector<Row>& rows) {
                  {"error"},
                  {"worst case", false},
                  {"Pareto set", false}},
-                {},
-                "All points of these plots"};
+                {}};
     for (const std::string& shape : accuracy::shapes_of(rows)) {
         for (const accuracy::Point& p : accuracy::scatter_of(rows, shape).points) {
             table.rows.push_back({{shape},
@@ -58,14 +57,14 @@ Section pareto_section(const Results& results) {
     }
     if (charts.charts.empty()) return section;
     const std::string command = accuracy_command(results.settings);
-    section.figures.push_back(
-        {"Error of the worst case against the median cost of a ray, both by "
-         "logarithms.",
-         command, results.rows.date, std::move(charts)});
-    section.figures.push_back(
-        {"Cost relative to the first textbook kernel, where the scene is one "
-         "primitive, else to embree-builtin.",
-         command, results.rows.date, points_of(rows)});
+    section.figures.push_back({"Shape by shape",
+                               "Error of the worst case against the median cost of a ray, both by "
+                               "logarithms.",
+                               command, results.rows.date, std::move(charts)});
+    section.figures.push_back({"All points of these plots",
+                               "Cost relative to the first textbook kernel, where the scene is one "
+                               "primitive, else to embree-builtin.",
+                               command, results.rows.date, points_of(rows), true});
     return section;
 }
 

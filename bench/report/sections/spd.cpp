@@ -8,11 +8,6 @@
 namespace etalon::bench_report {
 namespace {
 
-std::string command(const Results& results) {
-    const SpdFigures& last = results.spd.list.back();
-    return spd_command(last.family, last.size, last.runs.front().backend);
-}
-
 Table counts(const std::vector<SpdFigures>& all) {
     Table table{{{"scene", false},
                  {"size"},
@@ -54,13 +49,13 @@ bool same(const RayCounts& a, const RayCounts& b) {
 Bars speeds(const std::vector<SpdFigures>& all) {
     Bars bars;
     for (const SpdFigures& s : all) {
-        BarGroup group{s.family + ": million rays per CPU second", {}};
+        BarGroup group{s.family, "Mrays/s", "", "counts", {}};
         for (const SpdRun& run : s.runs) {
             const double rate = 1e-6 * static_cast<double>(run.counts.total()) / run.render.cpu;
             const bool agrees = same(run.counts, s.runs.front().counts);
-            group.bars.push_back(
-                {run.backend, colour_of(run.backend), rate, 0, three_digits(rate), "",
-                 agrees ? Cell{"same counts", Mark::good} : Cell{"other counts", Mark::bad}});
+            group.bars.push_back({run.backend, colour_of(run.backend), rate, 0, three_digits(rate),
+                                  "",
+                                  agrees ? Cell{"same", Mark::good} : Cell{"other", Mark::bad}});
         }
         bars.groups.push_back(std::move(group));
     }
@@ -77,8 +72,7 @@ Table times(const std::vector<SpdFigures>& all) {
                  {"rays"},
                  {"bytes"},
                  {"counts", false}},
-                {},
-                "Times and sizes"};
+                {}};
     for (const SpdFigures& s : all) {
         for (const SpdRun& run : s.runs) {
             const bool agrees = same(run.counts, s.runs.front().counts);
@@ -108,12 +102,13 @@ Section spd_section(const Results& results) {
         "Rays are counted and shaded here, so that these speeds are those of a whole renderer."};
     const std::vector<SpdFigures>& all = results.spd.list;
     if (all.empty()) return section;
-    section.figures.push_back({"How many rays of each kind a picture takes.", command(results),
-                               results.spd.date, counts(all)});
-    section.figures.push_back({"How fast each backend makes it, on all threads.", command(results),
-                               results.spd.date, speeds(all)});
-    section.figures.push_back({"Input and build are what does not depend on the resolution.",
-                               command(results), results.spd.date, times(all)});
+    const std::string command = spd_command(results.settings), date = results.spd.date;
+    section.figures = {
+        {"Counts", "How many rays of each kind a picture takes.", command, date, counts(all)},
+        {"Speed", "Million rays per CPU second, all of a picture on all threads.", command, date,
+         speeds(all)},
+        {"Times and sizes", "Input and build do not depend on the resolution.", command, date,
+         times(all), true}};
     return section;
 }
 

@@ -46,14 +46,15 @@ Bar bar_of(const KindFigures& kind, const RayFigures& r) {
 Figure figure_of(const Results& results, const SceneFigures& scene) {
     Bars bars;
     for (const KindFigures& kind : scene.kinds) {
-        BarGroup group{kind.kind + ", Mrays/s", {}};
+        BarGroup group{kind.kind + " rays", "Mrays/s", "× builtin", "wrong", {}};
         for (const RayFigures& r : kind.contenders) group.bars.push_back(bar_of(kind, r));
         bars.groups.push_back(std::move(group));
     }
-    return {fmt::format("{}: {}. Million rays per CPU second on one thread, and as a multiple of "
-                        "embree-builtin.",
-                        scene.scene, count_of(scene.primitives, "primitive")),
-            speed_command(results.settings, scene.scene), results.scenes.date, std::move(bars)};
+    return {
+        fmt::format("{}, {}", scene.scene, count_of(scene.primitives, "primitive")),
+        "Million rays per CPU second on one thread; that as a multiple of embree-builtin; wrong "
+        "answers of those judged.",
+        speed_command(results.settings, scene.scene), results.scenes.date, std::move(bars)};
 }
 
 /// One contender over all scenes and kinds of rays.
@@ -74,14 +75,16 @@ Figure overview(const Results& results) {
             }
         }
     }
-    BarGroup group{"times as fast as embree-builtin", {}};
+    BarGroup group{"backend", "× builtin", "", "wrong", {}};
     for (const std::string& name : names) {
         const Sum& sum = sums[name];
         const double mean = geometric_mean(sum.ratios);
-        group.bars.push_back({name, colour_of(name), mean, 0, "×" + three_digits(mean), "",
+        group.bars.push_back({name, colour_of(name), mean, 0, three_digits(mean), "",
                               wrong_of(sum.wrong.wrong, sum.wrong.judged)});
     }
-    return {fmt::format("All together: geometric means over {} and all kinds of rays.",
+    return {"All together",
+            fmt::format("Times as fast as embree-builtin: geometric means over {} and all kinds of "
+                        "rays.",
                         count_of(results.scenes.list.size(), "scene")),
             speed_command(results.settings), results.scenes.date, Bars{{std::move(group)}}};
 }
@@ -118,7 +121,7 @@ std::vector<Cell> row_of(const SceneFigures& scene, const KindFigures& kind, con
 }
 
 Figure all_numbers(const Results& results) {
-    Table table{columns, {}, "All numbers of this section"};
+    Table table{columns, {}};
     for (const SceneFigures& scene : results.scenes.list) {
         for (const KindFigures& kind : scene.kinds) {
             for (const RayFigures& r : kind.contenders) {
@@ -128,10 +131,13 @@ Figure all_numbers(const Results& results) {
             }
         }
     }
-    return {
-        "“Other than exact” counts answers of other bits than an exact backend’s; rays are "
-        "disputed where not all backends answer alike.",
-        speed_command(results.settings), results.scenes.date, std::move(table)};
+    return {"All numbers of this section",
+            "“Other than exact” counts answers of other bits than an exact backend’s; rays are "
+            "disputed where not all backends answer alike.",
+            speed_command(results.settings),
+            results.scenes.date,
+            std::move(table),
+            true};
 }
 
 }  // namespace

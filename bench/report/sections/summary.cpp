@@ -24,9 +24,9 @@ void add_speed(const std::vector<SceneFigures>& scenes, std::vector<Fact>& facts
     }
     if (fast.empty()) return;
     facts.push_back(
-        {"×" + three_digits(geometric_mean(fast)), "the speed of embree-builtin",
-         fmt::format("bvh, mean of {}; ×{} of its robust form", count_of(scenes.size(), "scene"),
-                     three_digits(geometric_mean(robust)))});
+        {"×" + three_digits(geometric_mean(fast)), "ray speed",
+         fmt::format("bvh to embree-builtin, mean of {}; ×{} to its robust form",
+                     count_of(scenes.size(), "scene"), three_digits(geometric_mean(robust)))});
 }
 
 void add_builds(const std::vector<SceneFigures>& scenes, std::vector<Fact>& facts) {
@@ -39,9 +39,8 @@ void add_builds(const std::vector<SceneFigures>& scenes, std::vector<Fact>& fact
         }
     }
     if (ratios.empty()) return;
-    facts.push_back({"×" + three_digits(geometric_mean(ratios)),
-                     "the build speed of embree-builtin",
-                     fmt::format("bvh; {} bytes a primitive in the mean",
+    facts.push_back({"×" + three_digits(geometric_mean(ratios)), "build speed",
+                     fmt::format("bvh to embree-builtin; {} bytes a primitive",
                                  three_digits(geometric_mean(sizes)))});
 }
 
@@ -54,13 +53,13 @@ void add_errors(const std::vector<accuracy::Row>& rows, std::vector<Fact>& facts
         yardstick_errors += row.tally.errors();
     }
     if (exact_rays == 0) return;
-    facts.push_back({grouped(exact_errors), "wrong answers of exact backends",
-                     fmt::format("to {} hard rays", grouped(exact_rays))});
+    facts.push_back({grouped(exact_errors), "wrong answers",
+                     fmt::format("exact backends, {} hard rays", grouped(exact_rays))});
     if (yardstick_rays == 0) return;
     const double share =
         100 * static_cast<double>(yardstick_errors) / static_cast<double>(yardstick_rays);
-    facts.push_back({fmt::format("{} %", three_digits(share)), "wrong answers of embree-builtin",
-                     fmt::format("to {} of the same rays", grouped(yardstick_rays))});
+    facts.push_back({fmt::format("{} %", three_digits(share)), "wrong answers",
+                     fmt::format("embree-builtin, {} of the same rays", grouped(yardstick_rays))});
 }
 
 }  // namespace
