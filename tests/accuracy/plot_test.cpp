@@ -3,35 +3,16 @@
 #include "bench/plot/labels.h"
 #include "tests/accuracy/report_rows.h"
 #include "tests/catch.h"
+#include "tests/markup.h"
 
 using namespace etalon::accuracy;
 using etalon::plot::Frame;
 using etalon::plot::Label;
 using etalon::plot::Place;
 using etalon::plot::Rectangle;
+using etalon::test::is_well_formed;
 
 namespace {
-
-/// Whether every tag that is opened is closed, in order, and every "&" begins an entity.
-bool is_well_formed(const std::string& xml) {
-    std::vector<std::string> open;
-    for (std::size_t at = 0; (at = xml.find_first_of("<&", at)) != std::string::npos; ++at) {
-        const std::size_t end = xml.find_first_of(xml[at] == '&' ? ";" : ">", at);
-        if (end == std::string::npos) return false;
-        const std::string inside = xml.substr(at + 1, end - at - 1);
-        if (inside.find('<') != std::string::npos) return false;
-        if (xml[at] == '&') {
-            if (inside != "amp" && inside != "lt" && inside != "gt" && inside != "quot")
-                return false;
-        } else if (inside.starts_with("/")) {
-            if (open.empty() || open.back() != inside.substr(1)) return false;
-            open.pop_back();
-        } else if (!inside.ends_with("/")) {
-            open.push_back(inside.substr(0, inside.find(' ')));
-        }
-    }
-    return open.empty();
-}
 
 Point point(double cost, double error) {
     Point p;

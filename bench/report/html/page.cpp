@@ -65,8 +65,8 @@ std::string words_of(const std::string& command) {
 std::string figure(const Figure& f) {
     const std::string content = std::visit([](const auto& c) { return html(c); }, f.content);
     const std::string caption = fmt::format(
-        "<figcaption><p>{}</p><p class=\"source\"><code>{}</code><time>{}</time></p></figcaption>",
-        escaped(f.caption), words_of(f.command), escaped(f.date));
+        "<figcaption><p>{}</p><p class=\"source\"><time>{}</time> <code>{}</code></p></figcaption>",
+        escaped(f.caption), escaped(f.date), words_of(f.command));
     constexpr const char* open = "<figure><h3>{}</h3>\n{}{}</figure>\n";
     constexpr const char* folded =
         "<figure class=\"folded\"><details><summary>{}</summary>\n{}{}</details></figure>\n";

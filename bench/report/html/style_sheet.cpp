@@ -50,7 +50,7 @@ figcaption p{margin:0 0 .2rem;max-width:none}
 .source span{display:inline-block;max-width:100%}
 code{font:.95em/1.4 ui-monospace,SFMono-Regular,Consolas,"DejaVu Sans Mono",monospace;
 overflow-wrap:anywhere}
-time{white-space:nowrap;margin-left:.6em}
+time{white-space:nowrap;margin-right:.6em}
 .scroll{overflow-x:auto;border:1px solid var(--rule);border-radius:.4rem}
 table{border-collapse:collapse;font-size:.86rem;line-height:1.4}
 .scroll table{width:100%}
