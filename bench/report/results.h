@@ -51,6 +51,23 @@ struct SpdFigures {
     std::vector<SpdRun> runs;
 };
 
+/// A picture's error while samples were added.
+struct ConvergenceCurve {
+    std::string name;
+    struct Point {
+        double samples;  ///< per pixel
+        double seconds;  ///< CPU
+        double error;    ///< relMSE to the reference
+    };
+    std::vector<Point> points;
+};
+
+struct ConvergenceFigures {
+    std::string scene, command;
+    std::string reference;  ///< what the errors are relative to, in words
+    std::vector<ConvergenceCurve> curves;
+};
+
 struct PictureFigures {
     std::string scene, command;
     int width = 0, height = 0;
@@ -72,6 +89,7 @@ struct Results {
     Measured<speed::SceneFigures> scenes;
     Measured<accuracy::Row> rows;
     Measured<SpdFigures> spd;
+    Measured<ConvergenceFigures> convergence;
 };
 
 }  // namespace etalon::bench_report

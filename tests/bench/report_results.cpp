@@ -59,6 +59,11 @@ Results sample_results() {
     results.scenes.add(scene());
     for (accuracy::Row& row : accuracy::sample_rows()) results.rows.add(std::move(row));
     results.spd.add(spd());
+    results.convergence.add({hostile,
+                             "build/bin/etalon-bench convergence",
+                             hostile,
+                             {{"sobol", {{1, 0.1, 0.5}, {4, 0.4, 0.04}, {16, 1.6, 0.003}}},
+                              {hostile, {{1, 0.1, 0.5}, {4, 0.5, 0.1}, {16, 2, 0.02}}}}});
     PictureFigures picture;
     picture.scene = hostile;
     picture.command = "build/bin/etalon render " + hostile;

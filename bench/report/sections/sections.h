@@ -11,6 +11,7 @@ Section speed_section(const Results& results);
 Section builds_section(const Results& results);
 Section pareto_section(const Results& results);
 Section hard_cases_section(const Results& results);
+Section convergence_section(const Results& results);
 Section pictures_section(const Results& results);
 Section spd_section(const Results& results);
 Section machine_section(const Results& results);
