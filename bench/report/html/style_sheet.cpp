@@ -59,7 +59,8 @@ thead th{font-weight:600;color:var(--quiet);vertical-align:bottom;border-bottom:
 tbody th{font-weight:500}
 .scroll tbody tr:nth-child(even)>*{background:var(--card)}
 .scroll tbody th{position:sticky;left:0;background:var(--paper)}
-.number{text-align:right;white-space:nowrap}
+.number{text-align:right}
+.number,.name{white-space:nowrap}
 .good{color:var(--good)}
 .bad{color:var(--bad);font-weight:600}
 .good::before{content:"✓ "}

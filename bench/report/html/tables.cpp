@@ -8,8 +8,14 @@ namespace {
 
 using plot::escaped;
 
+/// A name is kept on one line, a sentence is not.
+bool is_name(const std::string& text) {
+    constexpr std::size_t longest = 24;
+    return text.size() <= longest;
+}
+
 std::string classes_of(const Cell& cell, const Column& column) {
-    std::string classes = column.is_number ? "number" : "";
+    std::string classes = column.is_number ? "number" : is_name(cell.text) ? "name" : "";
     if (cell.mark == Mark::good) classes += " good";
     if (cell.mark == Mark::bad) classes += " bad";
     return classes.empty() ? "" : fmt::format(" class=\"{}\"", classes);

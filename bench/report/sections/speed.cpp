@@ -92,7 +92,7 @@ Figure overview(const Results& results) {
 const std::vector<Column> columns = {
     {"scene", false}, {"rays", false},       {"backend", false},   {"threads"},
     {"Mrays/CPU s"},  {"Mrays/s"},           {"× builtin"},        {"±"},
-    {"× robust"},     {"× one thread"},      {"other than exact"}, {"wrong of sample"},
+    {"× robust"},     {"× one thread"},      {"other hits"}, {"wrong of sample"},
     {"sample"},       {"wrong of disputed"}, {"disputed"},
 };
 
@@ -113,7 +113,7 @@ std::vector<Cell> row_of(const SceneFigures& scene, const KindFigures& kind, con
             {fmt::format("{:.3f}", runs.ratio.spread)},
             {three_digits(runs.ratio_robust.median)},
             {three_digits(runs.wall_scaling.median)},
-            errors(e.disagreement.total()),
+            errors(e.disagreement.hit_or_miss + e.disagreement.primitive),
             errors(e.sample.errors()),
             count(e.sample.rays),
             errors(e.disputed.errors()),
@@ -132,8 +132,8 @@ Figure all_numbers(const Results& results) {
         }
     }
     return {"All numbers of this section",
-            "“Other than exact” counts answers of other bits than an exact backend’s; rays are "
-            "disputed where not all backends answer alike.",
+            "“Other hits” counts rays on which an exact backend hits something else; rays are "
+            "disputed where not all backends answer alike, to the last bit where they are exact.",
             speed_command(results.settings),
             results.scenes.date,
             std::move(table),
