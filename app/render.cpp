@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "app/backends.h"
@@ -130,7 +131,7 @@ Picture make_picture(const Scene& scene, const Rendering& rendering, const Rende
     picture.metadata = {{"software", std::string("Etalon " ETALON_VERSION)},
                         {"backend", stats.backend},
                         {"integrator", std::string("whitted")},
-                        {"samplesPerPixel", rendering.samples},
+                        {"samplesPerPixel", static_cast<int>(std::lround(rendering.samples))},
                         {"seed", fmt::format("{}", stats.seed)},
                         {"renderTimeSeconds", static_cast<float>(stats.render.wall)},
                         {"worldToCamera", Imath::M44f(camera.world_to_camera())},

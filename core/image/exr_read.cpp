@@ -61,8 +61,10 @@ Image read_image_part(const std::string& path) {
     static_cast<void>(limited);
     Imf::InputFile file(path.c_str());
     const std::vector<std::string> names = picture_channels(file.header().channels());
-    const Imath::V2i size = file.header().dataWindow().size() + Imath::V2i(1);
-    return {size.x, size.y, static_cast<int>(names.size()), read_rows(file, names)};
+    const Imath::Box2i window = file.header().dataWindow();
+    const Imath::V2i size = window.size() + Imath::V2i(1);
+    const int channels = static_cast<int>(names.size());
+    return {size.x, size.y, channels, read_rows(file, names), false, window.min};
 }
 
 }  // namespace

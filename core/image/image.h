@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,6 +15,8 @@ namespace etalon {
 struct Image {
     int width = 0, height = 0, channels = 0;
     std::variant<std::vector<std::uint8_t>, std::vector<float>> pixels;
+    bool srgb = false;                 ///< values are encoded by its curve, else linear
+    std::optional<Imath::V2i> origin;  ///< of the upper left pixel in its frame, where files say it
 
     bool empty() const { return width == 0; }
 
@@ -21,6 +24,9 @@ struct Image {
     /// or one with alpha, is grey. 0 <= x < width, 0 <= y < height.
     Color color(int x, int y) const;
 };
+
+/// The colours of all pixels, by rows from the top, in linear RGB.
+std::vector<Color> linear_pixels(const Image& image);
 
 /// A result, or the reason why there is none.
 template <class T>

@@ -43,7 +43,7 @@ std::vector<T> room(const EtalonImageFormat& format) {
 
 int begin_image(void* context, const EtalonImageFormat* format) {
     return ImageCollector::of(context).attempt([&](Image& image) {
-        image = {format->width, format->height, format->channels, {}};
+        image = {format->width, format->height, format->channels, {}, format->is_srgb != 0, {}};
         if (format->is_float)
             image.pixels = room<float>(*format);
         else
