@@ -25,7 +25,7 @@ int fail(int status, const std::string& message) {
     return status;
 }
 
-Metrics measure(const Pictures& pictures, const Plane& flip_map) {
+Metrics measure(const Pictures& pictures, const PixelPlane& flip_map) {
     const Pixels a = pictures.pixels[0], b = pictures.pixels[1];
     Metrics m;
     m.mse = mse(a, b);
@@ -49,17 +49,12 @@ void warn_of_unbounded(const std::string& path, Pixels pixels) {
 }
 
 /// Why the map could not be written, or nothing.
-std::string write_heatmap(const std::string& path, const Plane& map) {
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(3 * map.values.size());
-    for (const double value : map.values) {
-        for (const std::uint8_t byte : magma(value)) bytes.push_back(byte);
-    }
-    const Outcome<std::string> file = encode_png(bytes, map.width, map.height);
+std::string write_heatmap(const std::string& path, const PixelPlane& map) {
+    const Outcome<std::string> file = encode_png(magma(map), map.width, map.height);
     return file ? write_file_atomically(path, file.value) : path + ": " + file.error;
 }
 
-int write(const Arguments& a, const Metrics& metrics, const Plane& map) {
+int write(const Arguments& a, const Metrics& metrics, const PixelPlane& map) {
     if (a.json != "-") fmt::print("{}", as_text(metrics));
     if (!a.json.empty() && !write_json(a.json, as_json(metrics))) return exit_not_written;
     const std::string error = a.heatmap.empty() ? "" : write_heatmap(a.heatmap, map);
@@ -89,7 +84,7 @@ int run(const Arguments& a) {
     if (!pictures) return fail(exit_unusable, pictures.error);
     warn_of_unbounded(a.a, pictures.value.pixels[0]);
     warn_of_unbounded(a.b, pictures.value.pixels[1]);
-    const Plane map =
+    const PixelPlane map =
         flip_map(pictures.value.pixels[0], pictures.value.pixels[1], pictures.value.width);
     const Metrics metrics = measure(pictures.value, map);
     const int status = write(a, metrics, map);

@@ -12,8 +12,8 @@ constexpr std::uint32_t fewest = 4;
 /// The expected error is no better known than that.
 constexpr double tolerance = 0.03;
 
-/// A round adds at most this part of the samples there are, and goes at most this part of the way to
-/// the error asked for: then it is time to look again.
+/// A round adds at most this part of the samples there are, and goes at most this part of the way
+/// to the error asked for: then it is time to look again.
 constexpr double most_samples = 0.5, most_of_the_way = 0.7;
 
 /// No pixel has less than this part of the samples of another: what a few samples missed, a small

@@ -5,8 +5,8 @@
 
 namespace etalon {
 
-/// Samples where they lower the error most, until the picture's expected relMSE is `error`. A pixel's
-/// samples are doubled each time, so that they stay well distributed.
+/// Samples where they lower the error most, until the picture's expected relMSE is `error`. A
+/// pixel's samples are doubled each time, so that they stay well distributed.
 class AdaptiveRounds : public Rounds {
   public:
     /// For films like this one; at most `samples` of a pixel.

@@ -21,10 +21,10 @@ double relative_square(const Vec3& difference, const Vec3& value) {
     return sum / 3;
 }
 
-/// The exponent of a power law for V where one change is `ratio` times the next. V is a sum of parts
-/// that fall as 1 / n, where the samples might as well be random, and of faster ones; what counts in
-/// the long run are the slow ones. As a / n + b / n^2 it is (5 - ratio) / 3 of the last change. No
-/// more is made of it than that it falls by two to four.
+/// The exponent of a power law for V where one change is `ratio` times the next. V is a sum of
+/// parts that fall as 1 / n, where the samples might as well be random, and of faster ones; what
+/// counts in the long run are the slow ones. As a / n + b / n^2 it is (5 - ratio) / 3 of the last
+/// change. No more is made of it than that it falls by two to four.
 double rate_of(double ratio) {
     const double left = std::clamp((5 - ratio) / 3, 1.0 / 3, 1.0);
     return std::log2(1 + 1 / left);

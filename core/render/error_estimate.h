@@ -11,8 +11,8 @@ namespace etalon {
 ///
 /// Let V(n) be the expected squared error of a pixel after n samples of an Owen-scrambled sequence,
 /// both halves of which are as well distributed as each other. A quarter of the squared difference
-/// of their means has the expectation V(n/2) - V(n), be they independent or not. How V goes on falls
-/// out of two such changes in a row, taken together over a block of pixels.
+/// of their means has the expectation V(n/2) - V(n), be they independent or not. How V goes on
+/// falls out of two such changes in a row, taken together over a block of pixels.
 class ErrorEstimate {
   public:
     ErrorEstimate(int width, int height);
@@ -28,9 +28,9 @@ class ErrorEstimate {
     /// added to the squared value.
     double total() const;
 
-    /// The same of one pixel, as its neighbours have it. What a single pixel changed says little; and
-    /// as long as its own samples do not decide how many more it gets, that biases neither its mean
-    /// nor its part of the total.
+    /// The same of one pixel, as its neighbours have it. What a single pixel changed says little;
+    /// and as long as its own samples do not decide how many more it gets, that biases neither its
+    /// mean nor its part of the total.
     double by_neighbours(int x, int y) const;
 
     /// p: by doubling a pixel's samples its error falls to 2^-p.

@@ -20,9 +20,9 @@ Filter normalized(Filter filter);
 
 /// Weighs neighbours along the rows by `along_x` and the result along the columns by `along_y`.
 /// Outside, the picture goes on as its nearest pixel.
-Plane convolve(const Plane& plane, const Filter& along_x, const Filter& along_y);
+PixelPlane convolve(const PixelPlane& plane, const Filter& along_x, const Filter& along_y);
 
-Plane convolve_x(const Plane& plane, const Filter& filter);
-Plane convolve_y(const Plane& plane, const Filter& filter);
+PixelPlane convolve_x(const PixelPlane& plane, const Filter& filter);
+PixelPlane convolve_y(const PixelPlane& plane, const Filter& filter);
 
 }  // namespace etalon

@@ -30,7 +30,7 @@ DetailFilters detail_filters() {
 }
 
 /// The length of the vector of two filters' results at each pixel.
-Plane lengths(const Plane& x, const Plane& y) {
+PixelPlane lengths(const PixelPlane& x, const PixelPlane& y) {
     return plane_of(x.width, x.height, [&](std::size_t i) {
         return std::sqrt(x.values[i] * x.values[i] + y.values[i] * y.values[i]);
     });
@@ -38,11 +38,12 @@ Plane lengths(const Plane& x, const Plane& y) {
 
 }  // namespace
 
-Features find_features(const Plane& luminance) {
+Features find_features(const PixelPlane& luminance) {
     static const DetailFilters filters = detail_filters();
-    const Plane unit = plane_of(luminance.width, luminance.height,
-                                [&](std::size_t i) { return (luminance.values[i] + 16) / 116; });
-    const Plane smooth = convolve_x(unit, filters.smooth);
+    const PixelPlane unit = plane_of(luminance.width, luminance.height, [&](std::size_t i) {
+        return (luminance.values[i] + 16) / 116;
+    });
+    const PixelPlane smooth = convolve_x(unit, filters.smooth);
     return {
         lengths(convolve(unit, filters.edge, filters.smooth), convolve_y(smooth, filters.edge)),
         lengths(convolve(unit, filters.point, filters.smooth), convolve_y(smooth, filters.point))};
