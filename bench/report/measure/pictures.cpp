@@ -49,7 +49,7 @@ void measure(const PictureRequest& request, Results& results, const Context& con
                           request.width,
                           request.height,
                           scene.primitives.size(),
-                          r.rendering.samples,
+                          request.samples,
                           r.render,
                           {{request.scene, png.value}}});
 }
