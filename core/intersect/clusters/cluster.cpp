@@ -9,48 +9,65 @@
 namespace etalon {
 namespace {
 
-constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+/// Of so large an extent.
+float steps_per_unit(double extent) {
+    constexpr double most = 65535, finest = 0x1p-40;
+    return static_cast<float>(power_of_two_reciprocal(std::max(extent / most, finest)) / 2);
+}
 
 }  // namespace
 
-TriangleCluster::TriangleCluster() {
-    for (auto& corner : corners) {
-        for (Lanes& axis : corner) axis.fill(nothing);
+void TriangleCluster::fill(const Scene& scene, const Frame& frame,
+                           std::span<const std::uint32_t> all) {
+    std::array<std::array<Vec3, 3>, cluster_lanes> places;
+    Box3 around;
+    double extent = 0;
+    for (std::size_t lane = 0; lane < all.size(); ++lane) {
+        const Primitive& primitive = scene.primitives[all[lane]];
+        const Triangle& triangle = scene.get<Triangle>(primitive);
+        ids[lane] = all[lane];
+        vertices[lane] = triangle.vertices;
+        sides[lane] = primitive.sides;
+        taken |= 1U << lane;
+        Box3 box;
+        for (int c = 0; c < 3; ++c) {
+            places[lane][c] = frame.point(scene.vertices[triangle.vertices[c]]);
+            box.extendBy(places[lane][c]);
+        }
+        around.extendBy(box);
+        extent = std::max(extent, max_abs(box.size()));
     }
-}
-
-void TriangleCluster::set(std::size_t lane, const Scene& scene, const Frame& frame,
-                          std::uint32_t id) {
-    const Primitive& primitive = scene.primitives[id];
-    const Triangle& triangle = scene.get<Triangle>(primitive);
-    const auto exact = etalon::corners(scene, triangle);
-    Box3 box;
-    for (int c = 0; c < 3; ++c) {
-        const Vec3 corner = frame.point(exact[c]);
-        box.extendBy(corner);
-        for (int k = 0; k < 3; ++k) corners[c][k][lane] = static_cast<float>(corner[k]);
+    base = float_down(around.min);
+    steps_per_unit = etalon::steps_per_unit(max_abs(around.max - Vec3(base)));
+    doubt = edge_doubt(extent, steps_per_unit);
+    for (std::size_t lane = 0; lane < all.size(); ++lane) {
+        for (int c = 0; c < 3; ++c) {
+            const Vec3 steps = (places[lane][c] - Vec3(base)) * steps_per_unit;
+            for (int k = 0; k < 3; ++k) {
+                corners[c][k][lane] = static_cast<std::uint16_t>(steps[k] + 0.5);
+            }
+        }
     }
-    doubt = std::max(doubt, edge_doubt(max_abs(box.size())));
-    sides[lane] = primitive.sides;
-    members[lane] = {id, triangle.vertices};
 }
 
 SphereCluster::SphereCluster() {
+    constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
     for (Lanes& axis : centre) axis.fill(nothing);
     radius.fill(nothing);
-    ids.fill(no_index);
 }
 
-void SphereCluster::set(std::size_t lane, const Scene& scene, const Frame& frame,
-                        std::uint32_t id) {
-    const Primitive& primitive = scene.primitives[id];
-    const Sphere& sphere = scene.get<Sphere>(primitive);
-    const Vec3 place = frame.point(sphere.centre);
-    for (int k = 0; k < 3; ++k) centre[k][lane] = static_cast<float>(place[k]);
-    radius[lane] = enlarged_radius(sphere.radius * frame.scale());
-    ids[lane] = id;
-    sides[lane] = primitive.sides;
-    exact[lane] = sphere;
+void SphereCluster::fill(const Scene& scene, const Frame& frame,
+                         std::span<const std::uint32_t> all) {
+    for (std::size_t lane = 0; lane < all.size(); ++lane) {
+        const Primitive& primitive = scene.primitives[all[lane]];
+        const Sphere& sphere = scene.get<Sphere>(primitive);
+        const Vec3 place = frame.point(sphere.centre);
+        for (int k = 0; k < 3; ++k) centre[k][lane] = static_cast<float>(place[k]);
+        radius[lane] = enlarged_radius(sphere.radius * frame.scale());
+        ids[lane] = all[lane];
+        sides[lane] = primitive.sides;
+        exact[lane] = sphere;
+    }
 }
 
 }  // namespace etalon
