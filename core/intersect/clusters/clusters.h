@@ -5,6 +5,7 @@
 
 #include "core/intersect/clusters/cluster.h"
 #include "core/intersect/kernels.h"
+#include "core/parallel/large_pages.h"
 
 namespace etalon {
 
@@ -65,8 +66,8 @@ class Clusters {
     void fill(const Scene& scene, const Frame& frame, ClusterRef ref,
               std::span<const std::uint32_t> ids);
 
-    std::vector<TriangleCluster> triangles_;
-    std::vector<SphereCluster> spheres_;
+    std::vector<TriangleCluster, LargePages<TriangleCluster>> triangles_;
+    std::vector<SphereCluster, LargePages<SphereCluster>> spheres_;
     std::vector<List> lists_;
 };
 
