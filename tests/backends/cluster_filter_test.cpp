@@ -29,7 +29,7 @@ HWY_AFTER_NAMESPACE();
 #include "tests/backends/contenders.h"
 #include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
-#include "tests/catch.h"
+#include "tests/backends/targets.h"
 
 namespace etalon {
 HWY_EXPORT(candidates);
@@ -39,19 +39,6 @@ using namespace etalon;
 using namespace etalon::test;
 
 namespace {
-
-/// Calls body() once for each instruction set, with that one in use.
-template <class Body>
-void for_each_target(const Body& body) {
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        INFO(hwy::TargetName(target));
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-        body();
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
 
 /// A scene's triangles and spheres in clusters, and how the filters did with them.
 class Trial {
