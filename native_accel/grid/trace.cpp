@@ -1,7 +1,6 @@
 #include "native_accel/grid/trace.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "core/intersect/clusters/targets.h"
 
