@@ -54,6 +54,22 @@ void Clusters::fill(const Scene& scene, const Frame& frame, ClusterRef ref,
     }
 }
 
+std::size_t Clusters::size(ClusterRef ref) const {
+    const auto id_at = [&](std::size_t lane) {
+        switch (ref.kind()) {
+            case ClusterRef::triangles:
+                return triangles(ref).members[lane].id;
+            case ClusterRef::spheres:
+                return spheres(ref).ids[lane];
+            default:
+                return lists_[ref.index()][lane];
+        }
+    };
+    std::size_t count = 0;
+    while (count < cluster_lanes && id_at(count) != no_index) ++count;
+    return count;
+}
+
 std::size_t Clusters::memory_bytes() const {
     return triangles_.capacity() * sizeof(TriangleCluster) +
            spheres_.capacity() * sizeof(SphereCluster) + lists_.capacity() * sizeof(List);
