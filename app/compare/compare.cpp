@@ -33,17 +33,12 @@ void warn_of_unbounded(const std::string& path, Pixels pixels) {
 }
 
 /// Why the map could not be written, or nothing.
-std::string write_heatmap(const std::string& path, const ImagePlane& map) {
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(3 * map.values.size());
-    for (const double value : map.values) {
-        for (const std::uint8_t byte : magma(value)) bytes.push_back(byte);
-    }
-    const Outcome<std::string> file = encode_png(bytes, map.width, map.height);
+std::string write_heatmap(const std::string& path, const PixelPlane& map) {
+    const Outcome<std::string> file = encode_png(magma(map), map.width, map.height);
     return file ? write_file_atomically(path, file.value) : path + ": " + file.error;
 }
 
-int write(const Arguments& a, const Metrics& metrics, const ImagePlane& map) {
+int write(const Arguments& a, const Metrics& metrics, const PixelPlane& map) {
     if (a.json != "-") fmt::print("{}", as_text(metrics));
     if (!a.json.empty() && !write_json(a.json, as_json(metrics))) return exit_not_written;
     const std::string error = a.heatmap.empty() ? "" : write_heatmap(a.heatmap, map);
@@ -71,11 +66,11 @@ int run(const Arguments& a) {
     if (const std::string error = obstacle(a); !error.empty()) return fail(exit_not_written, error);
     const Outcome<Pictures> pictures = read_pictures(a.a, a.b);
     if (!pictures) return fail(exit_unusable, pictures.error);
-    warn_of_unbounded(a.a, pictures.value.pixels[0]);
-    warn_of_unbounded(a.b, pictures.value.pixels[1]);
-    const ImagePlane map =
-        flip_map(pictures.value.pixels[0], pictures.value.pixels[1], pictures.value.width);
-    const Metrics metrics = measure(pictures.value.pixels[0], pictures.value.pixels[1], map);
+    const auto& [first, second] = pictures.value.pixels;
+    warn_of_unbounded(a.a, first);
+    warn_of_unbounded(a.b, second);
+    const PixelPlane map = flip_map(first, second, pictures.value.width);
+    const Metrics metrics = measure(first, second, map);
     const int status = write(a, metrics, map);
     return status == exit_done ? judge(a, metrics) : status;
 }

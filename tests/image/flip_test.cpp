@@ -15,7 +15,7 @@ double flip_of(Pixels a, Pixels b, int width) {
 }  // namespace
 
 TEST_CASE("FLIP is what NVIDIA's program finds") {
-    // Its header FLIP.h, version 1.7, LDR with PPD = 67, the mean summed in double. It works in
+    // Its header FLIP.h, version 1.6, LDR with PPD = 67, the mean summed in double. It works in
     // float: the last digits are its rounding.
     const std::vector<Color> reference = stripes(96, 64);
     CHECK(flip_of(rings(96, 64), reference, 96) == Approx(0.8435574092).epsilon(1e-6));
@@ -32,7 +32,7 @@ TEST_CASE("a pixel that differs is seen where the filters reach, and nowhere els
     const std::vector<Color> a = stripes(61, 61);
     std::vector<Color> b = a;
     b[30 * 61 + 30] = Color(1, 1, 1);
-    const ImagePlane map = flip_map(a, b, 61);
+    const PixelPlane map = flip_map(a, b, 61);
     for (int y = 0; y < 61; ++y) {
         for (int x = 0; x < 61; ++x) {
             INFO(x << " " << y);
@@ -61,7 +61,7 @@ TEST_CASE("FLIP sees what a display shows: NaN as black, infinities as black and
 
 TEST_CASE("the map of FLIP has the same bits on one thread and on several") {
     const std::vector<Color> a = stripes(311, 173), b = rings(311, 173);
-    const ImagePlane several = flip_map(a, b, 311);
+    const PixelPlane several = flip_map(a, b, 311);
     const ThreadLimit one(1);
     CHECK(flip_map(a, b, 311).values == several.values);
 }

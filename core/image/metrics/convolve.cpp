@@ -35,8 +35,8 @@ Filter normalized(Filter filter) {
     return filter;
 }
 
-ImagePlane convolve_x(const ImagePlane& plane, const Filter& filter) {
-    ImagePlane result(plane.width, plane.height);
+PixelPlane convolve_x(const PixelPlane& plane, const Filter& filter) {
+    PixelPlane result(plane.width, plane.height);
     for_each_row(plane.height, [&](int y) {
         const double *first = plane.row(y), *last = first + plane.width - 1;
         std::vector<double> wide(radius(filter), *first);
@@ -49,8 +49,8 @@ ImagePlane convolve_x(const ImagePlane& plane, const Filter& filter) {
     return result;
 }
 
-ImagePlane convolve_y(const ImagePlane& plane, const Filter& filter) {
-    ImagePlane result(plane.width, plane.height);
+PixelPlane convolve_y(const PixelPlane& plane, const Filter& filter) {
+    PixelPlane result(plane.width, plane.height);
     for_each_row(plane.height, [&](int y) {
         std::vector<const double*> rows;
         for (int k = y - radius(filter); k <= y + radius(filter); ++k) {
@@ -61,7 +61,7 @@ ImagePlane convolve_y(const ImagePlane& plane, const Filter& filter) {
     return result;
 }
 
-ImagePlane convolve(const ImagePlane& plane, const Filter& along_x, const Filter& along_y) {
+PixelPlane convolve(const PixelPlane& plane, const Filter& along_x, const Filter& along_y) {
     return convolve_y(convolve_x(plane, along_x), along_y);
 }
 

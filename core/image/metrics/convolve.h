@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/image/metrics/image_plane.h"
+#include "core/image/metrics/pixel_plane.h"
 
 namespace etalon {
 
@@ -20,9 +20,9 @@ Filter normalized(Filter filter);
 
 /// Weighs neighbours along the rows by `along_x` and the result along the columns by `along_y`.
 /// Outside, the picture goes on as its nearest pixel.
-ImagePlane convolve(const ImagePlane& plane, const Filter& along_x, const Filter& along_y);
+PixelPlane convolve(const PixelPlane& plane, const Filter& along_x, const Filter& along_y);
 
-ImagePlane convolve_x(const ImagePlane& plane, const Filter& filter);
-ImagePlane convolve_y(const ImagePlane& plane, const Filter& filter);
+PixelPlane convolve_x(const PixelPlane& plane, const Filter& filter);
+PixelPlane convolve_y(const PixelPlane& plane, const Filter& filter);
 
 }  // namespace etalon

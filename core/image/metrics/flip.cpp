@@ -10,8 +10,8 @@ namespace {
 
 YCxCz ycxcz_planes(Pixels picture, int width) {
     const int height = static_cast<int>(picture.size()) / width;
-    YCxCz planes = {ImagePlane(width, height), ImagePlane(width, height),
-                    ImagePlane(width, height)};
+    YCxCz planes = {PixelPlane(width, height), PixelPlane(width, height),
+                    PixelPlane(width, height)};
     for_each_row(height, [&](int y) {
         for (int x = 0; x < width; ++x) {
             const Color& c = picture[static_cast<std::size_t>(y) * width + x];
@@ -34,7 +34,7 @@ Seen look_at(Pixels picture, int width) {
 
 }  // namespace
 
-ImagePlane flip_map(Pixels a, Pixels b, int width) {
+PixelPlane flip_map(Pixels a, Pixels b, int width) {
     const Seen first = look_at(a, width), second = look_at(b, width);
     return plane_of(width, static_cast<int>(a.size()) / width, [&](std::size_t i) {
         // Section 4.3: where features differ, a difference of colours is seen the more.
@@ -43,7 +43,7 @@ ImagePlane flip_map(Pixels a, Pixels b, int width) {
     });
 }
 
-double flip(const ImagePlane& map) {
+double flip(const PixelPlane& map) {
     return sum<double>(map.values.size(), [&](std::size_t i) { return map.values[i]; }) /
            static_cast<double>(map.values.size());
 }

@@ -31,7 +31,7 @@ Filter axis_of(const Gaussian& g) {
     });
 }
 
-ImagePlane filtered(const ImagePlane& plane, const Gaussian& g) {
+PixelPlane filtered(const PixelPlane& plane, const Gaussian& g) {
     const Filter axis = normalized(axis_of(g));
     return convolve(plane, axis, axis);
 }
@@ -49,8 +49,8 @@ double share_of_first(const Gaussian (&terms)[2]) {
 }  // namespace
 
 std::vector<Vec3> seen_colors(const YCxCz& picture) {
-    const ImagePlane y = filtered(picture[0], achromatic), cx = filtered(picture[1], red_green);
-    const ImagePlane cz[] = {filtered(picture[2], blue_yellow[0]),
+    const PixelPlane y = filtered(picture[0], achromatic), cx = filtered(picture[1], red_green);
+    const PixelPlane cz[] = {filtered(picture[2], blue_yellow[0]),
                              filtered(picture[2], blue_yellow[1])};
     const double share = share_of_first(blue_yellow);
     std::vector<Vec3> seen(y.values.size());

@@ -30,7 +30,7 @@ DetailFilters detail_filters() {
 }
 
 /// The length of the vector of two filters' results at each pixel.
-ImagePlane lengths(const ImagePlane& x, const ImagePlane& y) {
+PixelPlane lengths(const PixelPlane& x, const PixelPlane& y) {
     return plane_of(x.width, x.height, [&](std::size_t i) {
         return std::sqrt(x.values[i] * x.values[i] + y.values[i] * y.values[i]);
     });
@@ -38,12 +38,12 @@ ImagePlane lengths(const ImagePlane& x, const ImagePlane& y) {
 
 }  // namespace
 
-Features find_features(const ImagePlane& luminance) {
+Features find_features(const PixelPlane& luminance) {
     static const DetailFilters filters = detail_filters();
-    const ImagePlane unit = plane_of(luminance.width, luminance.height, [&](std::size_t i) {
+    const PixelPlane unit = plane_of(luminance.width, luminance.height, [&](std::size_t i) {
         return (luminance.values[i] + 16) / 116;
     });
-    const ImagePlane smooth = convolve_x(unit, filters.smooth);
+    const PixelPlane smooth = convolve_x(unit, filters.smooth);
     return {
         lengths(convolve(unit, filters.edge, filters.smooth), convolve_y(smooth, filters.edge)),
         lengths(convolve(unit, filters.point, filters.smooth), convolve_y(smooth, filters.point))};

@@ -3,14 +3,14 @@
 
 #include <array>
 
-#include "core/image/metrics/image_plane.h"
+#include "core/image/metrics/pixel_plane.h"
 #include "core/numerics/vec.h"
 
 namespace etalon {
 
 inline constexpr double flip_pixels_per_degree = 67;
 
-using YCxCz = std::array<ImagePlane, 3>;
+using YCxCz = std::array<PixelPlane, 3>;
 
 /// What an eye at that distance can tell apart of a picture: each channel through its contrast
 /// sensitivity, then back among the colours there are. Hunt-adjusted L*a*b*, by rows.
@@ -21,11 +21,11 @@ double color_difference(const Vec3& a, const Vec3& b);
 
 /// How strong an edge and how strong a point each pixel of a picture is, in [0, 1].
 struct Features {
-    ImagePlane edges, points;
+    PixelPlane edges, points;
 };
 
 /// From the luminance Y alone.
-Features find_features(const ImagePlane& luminance);
+Features find_features(const PixelPlane& luminance);
 
 /// The difference of features, in [0, 1], which raises that of colours.
 double feature_difference(const Features& a, const Features& b, std::size_t pixel);

@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-Metrics measure(Pixels a, Pixels reference, const ImagePlane& flip_map) {
+Metrics measure(Pixels a, Pixels reference, const PixelPlane& flip_map) {
     Metrics m;
     m.mse = mse(a, reference);
     m.relmse = relmse(a, reference);

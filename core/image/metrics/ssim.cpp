@@ -16,7 +16,7 @@ Filter window() {
         filter_of(window_radius, [](int x) { return std::exp(-x * x / (2 * 1.5 * 1.5)); }));
 }
 
-ImagePlane encoded_channel(Pixels pixels, int width, int channel) {
+PixelPlane encoded_channel(Pixels pixels, int width, int channel) {
     return plane_of(width, static_cast<int>(pixels.size()) / width,
                     [&](std::size_t i) { return srgb_encoded(displayed(pixels[i][channel])); });
 }
@@ -24,10 +24,10 @@ ImagePlane encoded_channel(Pixels pixels, int width, int channel) {
 /// What windows around each pixel see of two planes: weighted means of each, of the sum of their
 /// squares, and of their product.
 struct Moments {
-    ImagePlane a, b, squares, product;
+    PixelPlane a, b, squares, product;
 };
 
-Moments moments(const ImagePlane& a, const ImagePlane& b) {
+Moments moments(const PixelPlane& a, const PixelPlane& b) {
     const Filter w = window();
     const auto seen = [&](const auto& value) {
         return convolve(plane_of(a.width, a.height, value), w, w);

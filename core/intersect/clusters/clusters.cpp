@@ -1,6 +1,8 @@
 #include "core/intersect/clusters/clusters.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 #include "core/parallel/parallel.h"
 
@@ -40,34 +42,29 @@ Clusters::Clusters(const Scene& scene, const Frame& frame, std::span<const std::
 
 void Clusters::fill(const Scene& scene, const Frame& frame, ClusterRef ref,
                     std::span<const std::uint32_t> ids) {
-    if (ref.kind() == ClusterRef::list) {
-        lists_[ref.index()].fill(no_index);
-        std::copy(ids.begin(), ids.end(), lists_[ref.index()].begin());
-        return;
-    }
-    for (std::size_t lane = 0; lane < ids.size(); ++lane) {
-        if (ref.kind() == ClusterRef::triangles) {
-            triangles_[ref.index()].set(lane, scene, frame, ids[lane]);
-        } else {
-            spheres_[ref.index()].set(lane, scene, frame, ids[lane]);
-        }
+    switch (ref.kind()) {
+        case ClusterRef::triangles:
+            return triangles_[ref.index()].fill(scene, frame, ids);
+        case ClusterRef::spheres:
+            return spheres_[ref.index()].fill(scene, frame, ids);
+        default:
+            lists_[ref.index()].fill(no_index);
+            std::copy(ids.begin(), ids.end(), lists_[ref.index()].begin());
     }
 }
 
 std::size_t Clusters::size(ClusterRef ref) const {
-    const auto id_at = [&](std::size_t lane) {
-        switch (ref.kind()) {
-            case ClusterRef::triangles:
-                return triangles(ref).members[lane].id;
-            case ClusterRef::spheres:
-                return spheres(ref).ids[lane];
-            default:
-                return lists_[ref.index()][lane];
-        }
+    const auto lanes_where = [](const auto& lanes, const auto& holds) {
+        return static_cast<std::size_t>(std::count_if(lanes.begin(), lanes.end(), holds));
     };
-    std::size_t count = 0;
-    while (count < cluster_lanes && id_at(count) != no_index) ++count;
-    return count;
+    switch (ref.kind()) {
+        case ClusterRef::triangles:
+            return static_cast<std::size_t>(std::popcount(triangles(ref).taken));
+        case ClusterRef::spheres:
+            return lanes_where(spheres(ref).radius, [](float r) { return !std::isnan(r); });
+        default:
+            return lanes_where(lists_[ref.index()], [](auto id) { return id != no_index; });
+    }
 }
 
 std::size_t Clusters::memory_bytes() const {

@@ -8,11 +8,11 @@
 namespace etalon {
 
 /// One number a pixel, by rows from the top.
-struct ImagePlane {
+struct PixelPlane {
     int width = 0, height = 0;
     std::vector<double> values;
 
-    ImagePlane(int w, int h) : width(w), height(h), values(static_cast<std::size_t>(w) * h) {}
+    PixelPlane(int w, int h) : width(w), height(h), values(static_cast<std::size_t>(w) * h) {}
 
     double* row(int y) { return &values[static_cast<std::size_t>(y) * width]; }
     const double* row(int y) const { return &values[static_cast<std::size_t>(y) * width]; }
@@ -28,8 +28,8 @@ void for_each_row(int height, const Body& body) {
 
 /// The plane of value(i) for each pixel, numbered by rows.
 template <class Value>
-ImagePlane plane_of(int width, int height, const Value& value) {
-    ImagePlane plane(width, height);
+PixelPlane plane_of(int width, int height, const Value& value) {
+    PixelPlane plane(width, height);
     for_each_row(height, [&](int y) {
         const std::size_t first = static_cast<std::size_t>(y) * width;
         for (std::size_t i = first; i < first + width; ++i) plane.values[i] = value(i);
