@@ -43,10 +43,10 @@ class ClusterTest {
   public:
     static constexpr std::size_t ahead = 1;
 
-    /// For what is met from `entry` on.
+    /// For what is met from `entry` on by a ray that has left the primitive `left` (see Ray).
     HWY_INLINE ClusterTest(const Clusters& clusters, const FrameRay& ray, float entry,
-                           const Offer& offer)
-        : clusters_(clusters), slabs_(ray, entry), filter_(ray, entry), offer_(offer) {}
+                           std::uint32_t left, const Offer& offer)
+        : clusters_(clusters), slabs_(ray, entry), filter_(ray, entry, left), offer_(offer) {}
 
     HWY_INLINE float operator()(const BoxPack& pack, float from, float to, float tmax) const {
         alignas(32) Lanes entry;
