@@ -1,6 +1,8 @@
 #include "core/intersect/clusters/clusters.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 #include "core/parallel/parallel.h"
 
@@ -36,6 +38,20 @@ void Clusters::fill(const Scene& scene, const Frame& frame, ClusterRef ref,
         default:
             lists_[ref.index()].fill(no_index);
             std::copy(ids.begin(), ids.end(), lists_[ref.index()].begin());
+    }
+}
+
+std::size_t Clusters::size(ClusterRef ref) const {
+    const auto lanes_where = [](const auto& lanes, const auto& holds) {
+        return static_cast<std::size_t>(std::count_if(lanes.begin(), lanes.end(), holds));
+    };
+    switch (ref.kind()) {
+        case ClusterRef::triangles:
+            return static_cast<std::size_t>(std::popcount(triangles(ref).taken));
+        case ClusterRef::spheres:
+            return lanes_where(spheres(ref).radius, [](float r) { return !std::isnan(r); });
+        default:
+            return lanes_where(lists_[ref.index()], [](auto id) { return id != no_index; });
     }
 }
 

@@ -57,6 +57,9 @@ class Clusters {
     const TriangleCluster& triangles(ClusterRef ref) const { return triangles_[ref.index()]; }
     const SphereCluster& spheres(ClusterRef ref) const { return spheres_[ref.index()]; }
 
+    /// How many primitives it has.
+    std::size_t size(ClusterRef ref) const;
+
     std::size_t memory_bytes() const;
 
   private:
