@@ -72,7 +72,6 @@ struct PictureFigures {
     std::string scene, command;
     int width = 0, height = 0;
     std::size_t primitives = 0;
-    int samples = 0;  ///< per pixel
     Duration render;
     struct Layer {
         std::string title, png;

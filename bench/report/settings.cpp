@@ -29,10 +29,12 @@ Settings quick_settings() {
     s.spd_scenes = {{"sphereflake", 4}, {"gears", 4}, {"mountain", 6},
                     {"rings", 7},       {"tetra", 6}, {"tree", 11}};
     s.spd_backends = all_but_none();
-    s.pictures = {{"showcase.p3f", 480, 270, 4},
-                  {"features/glass.p3f", 480, 320, 4},
-                  {"features/soft_shadows.p3f", 480, 320, 4},
-                  {"features/meshes.p3f", 480, 320, 4}};
+    s.pictures = {{"showcase.p3f", 320, 180, 16, 4},
+                  {"features/glass.p3f", 320, 213, 16, 4},
+                  {"features/soft_shadows.p3f", 320, 213, 32, 4},
+                  {"features/depth_of_field.p3f", 320, 213, 32, 4}};
+    s.convergence = {{"features/soft_shadows.p3f", 120, 80, 64, 512},
+                     {"features/depth_of_field.p3f", 120, 80, 64, 512}};
     return s;
 }
 
@@ -47,7 +49,13 @@ Settings full_settings() {
     s.plan.max_rays = 1 << 18;
     s.case_rays = 100'000;
     s.case_seconds = 5;
-    for (PictureRequest& picture : s.pictures) picture.samples = 64;
+    s.pictures = {{"showcase.p3f", 640, 360, 128, 16},
+                  {"features/glass.p3f", 480, 320, 256, 16},
+                  {"features/soft_shadows.p3f", 480, 320, 256, 16},
+                  {"features/depth_of_field.p3f", 480, 320, 256, 16}};
+    s.convergence = {{"showcase.p3f", 240, 135, 128, 1024},
+                     {"features/soft_shadows.p3f", 240, 160, 256, 2048},
+                     {"features/depth_of_field.p3f", 240, 160, 256, 2048}};
     return s;
 }
 

@@ -17,7 +17,15 @@ struct SpdScene {
 struct PictureRequest {
     std::string scene;  ///< below the folder of scenes
     int width, height;
-    int samples;  ///< per pixel
+    int samples;        ///< per pixel, of what is shown
+    int fewer_samples;  ///< of what is compared with it
+};
+
+struct ConvergenceRequest {
+    std::string scene;  ///< below the folder of scenes
+    int width, height;
+    int samples;            ///< per pixel, at the end of the curves
+    int reference_samples;  ///< of what errors are relative to
 };
 
 struct Settings {
@@ -35,6 +43,7 @@ struct Settings {
     std::vector<std::string> spd_backends;
 
     std::vector<PictureRequest> pictures;
+    std::vector<ConvergenceRequest> convergence;
 };
 
 Settings quick_settings();

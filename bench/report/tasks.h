@@ -27,6 +27,7 @@ std::vector<Task> picture_tasks(const Settings& settings);
 std::vector<Task> speed_tasks(const Settings& settings);
 std::vector<Task> accuracy_tasks(const Settings& settings);
 std::vector<Task> spd_tasks(const Settings& settings);
+std::vector<Task> convergence_tasks(const Settings& settings);
 
 /// All of them, in the order in which they are to be run.
 std::vector<Task> all_tasks(const Settings& settings);

@@ -12,10 +12,8 @@ Figure figure_of(const PictureFigures& p, const std::string& date) {
         images.images.push_back({layer.title, layer.png, p.width, p.height});
     }
     return {p.scene,
-            fmt::format("{}, {} × {} pixels with {} each, {} CPU seconds.",
-                        count_of(p.primitives, "primitive"), p.width, p.height,
-                        count_of(static_cast<std::uint64_t>(p.samples), "sample"),
-                        three_digits(p.render.cpu)),
+            fmt::format("{}, {} × {} pixels, {} CPU seconds.", count_of(p.primitives, "primitive"),
+                        p.width, p.height, three_digits(p.render.cpu)),
             p.command, date, std::move(images)};
 }
 

@@ -90,9 +90,9 @@ Figure overview(const Results& results) {
 }
 
 const std::vector<Column> columns = {
-    {"scene", false}, {"rays", false},       {"backend", false},   {"threads"},
-    {"Mrays/CPU s"},  {"Mrays/s"},           {"× builtin"},        {"±"},
-    {"× robust"},     {"× one thread"},      {"other hits"}, {"wrong of sample"},
+    {"scene", false}, {"rays", false},       {"backend", false}, {"threads"},
+    {"Mrays/CPU s"},  {"Mrays/s"},           {"× builtin"},      {"±"},
+    {"× robust"},     {"× one thread"},      {"other hits"},     {"wrong of sample"},
     {"sample"},       {"wrong of disputed"}, {"disputed"},
 };
 
