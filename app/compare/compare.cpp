@@ -34,12 +34,7 @@ void warn_of_unbounded(const std::string& path, Pixels pixels) {
 
 /// Why the map could not be written, or nothing.
 std::string write_heatmap(const std::string& path, const PixelPlane& map) {
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(3 * map.values.size());
-    for (const double value : map.values) {
-        for (const std::uint8_t byte : magma(value)) bytes.push_back(byte);
-    }
-    const Outcome<std::string> file = encode_png(bytes, map.width, map.height);
+    const Outcome<std::string> file = encode_png(magma(map), map.width, map.height);
     return file ? write_file_atomically(path, file.value) : path + ": " + file.error;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/render/arguments.h"
+#include "core/render/spd_rules.h"
 
 namespace etalon {
 namespace {
@@ -39,12 +40,6 @@ std::string apply_crop(const std::string& text, const Camera& camera, Imath::Box
     }
     window = {{x0, y0}, {x1 - 1, y1 - 1}};
     return {};
-}
-
-void apply_spd_rules(Scene& scene) {
-    scene.samples_per_pixel = 0;
-    scene.camera.pixel_rays = PixelRays::shared_corners;
-    scene.whitted.mirror_all_glass = true;
 }
 
 /// What a deterministic picture cannot have, and a whole one need not.

@@ -48,4 +48,13 @@ std::array<std::uint8_t, 3> magma(double value) {
     return {byte(16), byte(8), byte(0)};
 }
 
+std::vector<std::uint8_t> magma(const PixelPlane& plane, double white) {
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(3 * plane.values.size());
+    for (const double value : plane.values) {
+        for (const std::uint8_t byte : magma(value / white)) bytes.push_back(byte);
+    }
+    return bytes;
+}
+
 }  // namespace etalon
