@@ -9,7 +9,7 @@
 #include "core/image/atomic_file.h"
 #include "core/image/metrics/flip.h"
 #include "core/image/metrics/magma.h"
-#include "core/image/metrics/ssim.h"
+#include "core/image/metrics/measure.h"
 #include "core/image/oiio.h"
 
 namespace etalon::compare {
@@ -23,22 +23,6 @@ struct Arguments {
 int fail(int status, const std::string& message) {
     fmt::print(stderr, "etalon: error: {}\n", message);
     return status;
-}
-
-Metrics measure(const Pictures& pictures, const PixelPlane& flip_map) {
-    const Pixels a = pictures.pixels[0], b = pictures.pixels[1];
-    Metrics m;
-    m.mse = mse(a, b);
-    m.relmse = relmse(a, b);
-    m.mae = mae(a, b);
-    m.psnr = psnr(m.mse);
-    m.ssim = ssim(a, b, pictures.width);
-    m.flip = flip(flip_map);
-    m.max_abs = max_abs(a, b);
-    m.different_pixels = different_pixels(a, b);
-    m.mean_a = mean(a);
-    m.mean_b = mean(b);
-    return m;
 }
 
 /// A display shows no such pixel, and figures of two pictures that both have one do not tell.
@@ -86,7 +70,7 @@ int run(const Arguments& a) {
     warn_of_unbounded(a.b, pictures.value.pixels[1]);
     const PixelPlane map =
         flip_map(pictures.value.pixels[0], pictures.value.pixels[1], pictures.value.width);
-    const Metrics metrics = measure(pictures.value, map);
+    const Metrics metrics = measure(pictures.value.pixels[0], pictures.value.pixels[1], map);
     const int status = write(a, metrics, map);
     return status == exit_done ? judge(a, metrics) : status;
 }

@@ -8,19 +8,6 @@
 namespace etalon::compare {
 namespace {
 
-/// A file as it was read, let go once its pixels are linear.
-struct Read {
-    Outcome<Image> file;
-    std::vector<Color> pixels;
-};
-
-Read read(const std::string& path) {
-    Read r{read_image(path), {}};
-    if (r.file) r.pixels = linear_pixels(r.file.value);
-    r.file.value.pixels = {};
-    return r;
-}
-
 std::string extent(const std::string& path, const Image& image) {
     const std::string size = fmt::format("{}: {} x {} pixels", path, image.width, image.height);
     return image.origin ? fmt::format("{} at {},{}", size, image.origin->x, image.origin->y) : size;
@@ -31,19 +18,28 @@ bool same_extent(const Image& a, const Image& b) {
     return a.width == b.width && a.height == b.height && same_place;
 }
 
+/// A PNG does not say that it has display values; it has if the other picture has them.
+void agree_on_encoding(Image& a, Image& b) {
+    if (a.encoding == Encoding::display && b.encoding == Encoding::srgb) b.encoding = a.encoding;
+    if (b.encoding == Encoding::display && a.encoding == Encoding::srgb) a.encoding = b.encoding;
+}
+
 }  // namespace
 
 Outcome<Pictures> read_pictures(const std::string& a, const std::string& b) {
-    Read first, second;
-    parallel_invoke([&] { first = read(a); }, [&] { second = read(b); });
-    for (const Read* r : {&first, &second}) {
-        if (!r->file) return {{}, r->file.error};
-    }
-    const Image &p = first.file.value, &q = second.file.value;
+    Outcome<Image> first, second;
+    parallel_invoke([&] { first = read_image(a); }, [&] { second = read_image(b); });
+    if (!first) return {{}, first.error};
+    if (!second) return {{}, second.error};
+    Image &p = first.value, &q = second.value;
     if (!same_extent(p, q)) {
         return {{}, fmt::format("{}; {}; expected the same", extent(a, p), extent(b, q))};
     }
-    return {{p.width, p.height, {std::move(first.pixels), std::move(second.pixels)}}, {}};
+    agree_on_encoding(p, q);
+    Pictures pictures{p.width, p.height, {}};
+    parallel_invoke([&] { pictures.pixels[0] = linear_pixels(p); },
+                    [&] { pictures.pixels[1] = linear_pixels(q); });
+    return {std::move(pictures), {}};
 }
 
 }  // namespace etalon::compare

@@ -2,6 +2,7 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfIntAttribute.h>
 
 #include <algorithm>
 #include <new>
@@ -55,6 +56,11 @@ std::vector<float> read_rows(Imf::InputFile& file, const std::vector<std::string
     return pixels;
 }
 
+bool has_display_colors(const Imf::Header& header) {
+    const auto* stored = header.findTypedAttribute<Imf::IntAttribute>(display_colors_attribute);
+    return stored && stored->value() == 1;
+}
+
 Image read_image_part(const std::string& path) {
     static const bool limited = (Imf::Header::setMaxImageSize(max_side, max_side),
                                  Imf::Header::setMaxTileSize(max_side, max_side), true);
@@ -64,7 +70,9 @@ Image read_image_part(const std::string& path) {
     const Imath::Box2i window = file.header().dataWindow();
     const Imath::V2i size = window.size() + Imath::V2i(1);
     const int channels = static_cast<int>(names.size());
-    return {size.x, size.y, channels, read_rows(file, names), false, window.min};
+    const Encoding encoding =
+        has_display_colors(file.header()) ? Encoding::display : Encoding::linear;
+    return {size.x, size.y, channels, read_rows(file, names), encoding, window.min};
 }
 
 }  // namespace

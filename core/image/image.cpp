@@ -46,12 +46,13 @@ Color Image::color(int x, int y) const {
 }
 
 std::vector<Color> linear_pixels(const Image& image) {
+    const bool encoded = image.encoding == Encoding::srgb;
     std::vector<Color> pixels;
     pixels.reserve(static_cast<std::size_t>(image.width) * image.height);
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             const auto linear = [](auto value) { return decoded(value); };
-            pixels.push_back(image.srgb ? color_at(image, x, y, linear) : image.color(x, y));
+            pixels.push_back(encoded ? color_at(image, x, y, linear) : image.color(x, y));
         }
     }
     return pixels;

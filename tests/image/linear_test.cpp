@@ -80,3 +80,12 @@ TEST_CASE("an EXR is linear and says where in its frame it is") {
     REQUIRE(pixels.size() == picture.pixels.size());
     CHECK(std::memcmp(pixels.data(), picture.pixels.data(), pixels.size() * sizeof(Color)) == 0);
 }
+
+TEST_CASE("an EXR says whether it has display values") {
+    const TemporaryFolder folder;
+    Picture picture = random_picture(4, 3);
+    picture.display_colors = GENERATE(false, true);
+    REQUIRE(write_picture(folder / "p.exr", picture) == "");
+    const Encoding expected = picture.display_colors ? Encoding::display : Encoding::linear;
+    CHECK((read_image(folder / "p.exr").value.encoding == expected));
+}
