@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/image/metrics/image_plane.h"
+#include "core/image/metrics/pixel_plane.h"
 
 namespace etalon {
 

@@ -2,8 +2,8 @@
 // 2020, "FLIP: A Difference Evaluator for Alternating Images".
 #pragma once
 
-#include "core/image/metrics/image_plane.h"
 #include "core/image/metrics/metrics.h"
+#include "core/image/metrics/pixel_plane.h"
 
 namespace etalon {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/image/metrics/image_plane.h"
+#include "core/image/metrics/pixel_plane.h"
 #include "core/numerics/vec.h"
 
 namespace etalon {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/image/metrics/plane.h"
+#include "core/image/metrics/pixel_plane.h"
 
 namespace etalon {
 

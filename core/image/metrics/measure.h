@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/image/metrics/image_plane.h"
 #include "core/image/metrics/metrics.h"
+#include "core/image/metrics/pixel_plane.h"
 
 namespace etalon {
 
