@@ -99,10 +99,10 @@ font-size:.86rem}
 gap:1.6rem 2rem}
 .plot{min-width:0}
 .chart{display:block;width:100%;height:auto;max-width:30rem}
-.images{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,20rem),1fr));gap:1rem}
-.image{min-width:0}
+.images{display:flex;flex-wrap:wrap;gap:1rem}
+.image{flex:1 1 17rem;max-width:24rem}
 .image p{margin:.2rem 0 0;font-size:.82rem;color:var(--quiet)}
-img{display:block;max-width:100%;height:auto;border-radius:.3rem}
+img{display:block;width:100%;height:auto;border-radius:.3rem}
 footer{margin-top:3rem;padding-top:1rem;padding-bottom:3rem;border-top:1px solid var(--rule);
 font-size:.85rem;color:var(--quiet)}
 @media (max-width:30rem){h1{font-size:1.7rem}header{padding-top:1.5rem}

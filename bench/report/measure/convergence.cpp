@@ -8,27 +8,12 @@
 namespace etalon::bench_report {
 namespace {
 
-/// A way to place samples.
-struct Way {
-    const char* name;
-    Sampler sampler;
-    double error;  ///< above 0: samples go where they help
-};
-
-/// The error asked for of adaptive samples is one that they do not reach.
-constexpr Way ways[] = {{"random", Sampler::random, 0},
-                        {"sobol", Sampler::sobol, 0},
-                        {"adaptive", Sampler::sobol, 1e-9}};
-
 /// The seconds without those in which the error is measured.
-ConvergenceCurve curve_of(const Scene& scene, const Way& way, const std::vector<Color>& reference,
-                          RenderOptions options) {
-    ConvergenceCurve curve{way.name, {}};
+ConvergenceCurve curve_of(const std::string& name, const Scene& scene,
+                          const std::vector<Color>& reference, RenderOptions options) {
+    ConvergenceCurve curve{name, {}};
     Stopwatch watch;
     double seconds = 0;
-    options.sampler = way.sampler;
-    options.error = way.error;
-    options.variance = way.error > 0;
     options.after_round = [&](const RenderedRound& round) {
         seconds += watch.lap().cpu;
         const double samples =
@@ -40,25 +25,39 @@ ConvergenceCurve curve_of(const Scene& scene, const Way& way, const std::vector<
     return curve;
 }
 
+/// Samples anywhere; evenly; and where they help, until the error is what it was before.
+std::vector<ConvergenceCurve> curves_of(const Scene& scene, const std::vector<Color>& reference,
+                                        RenderOptions options) {
+    std::vector<ConvergenceCurve> curves;
+    options.sampler = Sampler::random;
+    curves.push_back(curve_of("random", scene, reference, options));
+    options.sampler = Sampler::sobol;
+    curves.push_back(curve_of("sobol", scene, reference, options));
+    if (curves.back().points.empty()) return curves;
+    options.error = curves.back().points.back().error;
+    options.variance = true;
+    options.samples_per_pixel *= 16;
+    curves.push_back(curve_of("adaptive", scene, reference, options));
+    return curves;
+}
+
 void measure(const ConvergenceRequest& request, Results& results, const Context& context) {
     const std::optional<Scene> scene = shipped_scene(request.scene, request.width, request.height);
     if (!scene) return;
-    RenderOptions options = options_for(*scene, context);
+    RenderOptions options = options_for(*scene, context.part(0, 0.7));
     options.samples_per_pixel = request.reference_samples;
     options.seed = 1;
     const Rendered reference = rendered(*scene, "bvh", options);
     if (!reference.rendering.complete) return;
+    options.samples_per_pixel = request.samples;
+    options.seed = 0;
+    options.progress = nullptr;
     ConvergenceFigures figures{
         fmt::format("{}, {} × {} pixels", request.scene, request.width, request.height),
         convergence_command(results.settings),
         fmt::format("{} samples a pixel, of another seed", request.reference_samples),
-        {}};
-    options.samples_per_pixel = request.samples;
-    options.seed = 0;
-    options.progress = nullptr;
-    const std::vector<Color> pixels = reference.rendering.film.pixels();
-    for (const Way& way : ways) figures.curves.push_back(curve_of(*scene, way, pixels, options));
-    if (!context.stop) results.convergence.add(std::move(figures));
+        curves_of(*scene, reference.rendering.film.pixels(), options)};
+    if (!context.is_over()) results.convergence.add(std::move(figures));
 }
 
 }  // namespace
@@ -66,9 +65,10 @@ void measure(const ConvergenceRequest& request, Results& results, const Context&
 std::vector<Task> convergence_tasks(const Settings& settings) {
     std::vector<Task> tasks;
     for (const ConvergenceRequest& request : settings.convergence) {
-        const double samples = request.reference_samples + 3.0 * request.samples;
+        const double samples = 1.0 * request.width * request.height *
+                               (request.reference_samples + 3.0 * request.samples);
         tasks.push_back({"convergence of " + request.scene,
-                         0.1 + 0.6e-6 * request.width * request.height * samples,
+                         0.1 + 0.5e-6 * request.microseconds * samples,
                          [request](Results& results, const Context& context) {
                              measure(request, results, context);
                          }});

@@ -41,8 +41,8 @@ void add(const std::string& title, const Bytes& rgb, PictureFigures& figures) {
 void measure(const PictureRequest& request, Results& results, const Context& context) {
     const std::optional<Scene> scene = shipped_scene(request.scene, request.width, request.height);
     if (!scene) return;
-    const Rendered many = rendered(*scene, request.samples, 0, context);
-    const Rendered few = rendered(*scene, request.fewer_samples, 1, context);
+    const Rendered many = rendered(*scene, request.samples, 0, context.part(0, 0.9));
+    const Rendered few = rendered(*scene, request.fewer_samples, 1, context.part(0.9, 1));
     if (!many.rendering.complete || !few.rendering.complete) return;
     PictureFigures figures{request.scene,
                            picture_command(request),
@@ -65,8 +65,9 @@ void measure(const PictureRequest& request, Results& results, const Context& con
 std::vector<Task> picture_tasks(const Settings& settings) {
     std::vector<Task> tasks;
     for (const PictureRequest& request : settings.pictures) {
-        const int samples = request.samples + request.fewer_samples;
-        tasks.push_back({request.scene, 0.1 + 2e-6 * request.width * request.height * samples,
+        const double samples =
+            1.0 * request.width * request.height * (request.samples + request.fewer_samples);
+        tasks.push_back({request.scene, 0.1 + 0.5e-6 * request.microseconds * samples,
                          [request](Results& results, const Context& context) {
                              measure(request, results, context);
                          }});

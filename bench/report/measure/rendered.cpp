@@ -38,6 +38,7 @@ RenderOptions options_for(const Scene& scene, const Context& context) {
     options.max_depth = scene.whitted.max_depth;
     options.window = {{0, 0}, {scene.camera.width - 1, scene.camera.height - 1}};
     options.stop = &context.stop;
+    options.deadline = context.deadline;
     options.progress = context.progress;
     return options;
 }
