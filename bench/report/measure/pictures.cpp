@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "bench/report/commands.h"
+#include "bench/report/measure/cost_map.h"
 #include "bench/report/measure/rendered.h"
 #include "bench/report/words.h"
 #include "core/image/encode.h"
@@ -38,11 +41,21 @@ void add(const std::string& title, const Bytes& rgb, PictureFigures& figures) {
     fmt::print(stderr, "etalon-bench: warning: {}\n", png.error);
 }
 
+/// Pale is what only one pixel of a hundred exceeds: the few worst ones would make all others dark.
+void add_cost(const PixelPlane& cost, PictureFigures& figures) {
+    const double white = speed::quantile(cost.values, 0.99);
+    const double mean = std::reduce(cost.values.begin(), cost.values.end()) /
+                        static_cast<double>(cost.values.size());
+    add(fmt::format("Rays of a sample, mean {}, pale {}", three_digits(mean), three_digits(white)),
+        magma(cost, white), figures);
+}
+
 void measure(const PictureRequest& request, Results& results, const Context& context) {
     const std::optional<Scene> scene = shipped_scene(request.scene, request.width, request.height);
     if (!scene) return;
     const Rendered many = rendered(*scene, request.samples, 0, context.part(0, 0.9));
     const Rendered few = rendered(*scene, request.fewer_samples, 1, context.part(0.9, 1));
+    const PixelPlane cost = cost_map(*scene, request.fewer_samples, context);
     if (!many.rendering.complete || !few.rendering.complete) return;
     PictureFigures figures{request.scene,
                            picture_command(request),
@@ -57,6 +70,7 @@ void measure(const PictureRequest& request, Results& results, const Context& con
     add(fmt::format("FLIP of {}, mean {}", samples_of(request.fewer_samples),
                     three_digits(flip(error))),
         magma(error), figures);
+    add_cost(cost, figures);
     results.pictures.add(std::move(figures));
 }
 
@@ -66,7 +80,7 @@ std::vector<Task> picture_tasks(const Settings& settings) {
     std::vector<Task> tasks;
     for (const PictureRequest& request : settings.pictures) {
         const double samples =
-            1.0 * request.width * request.height * (request.samples + request.fewer_samples);
+            1.0 * request.width * request.height * (request.samples + 2 * request.fewer_samples);
         tasks.push_back({request.scene, 0.1 + 0.5e-6 * request.microseconds * samples,
                          [request](Results& results, const Context& context) {
                              measure(request, results, context);

@@ -22,8 +22,10 @@ Figure figure_of(const PictureFigures& p, const std::string& date) {
 Section pictures_section(const Results& results) {
     Section section{"pictures", "Pictures", {}, {}};
     section.prose = {
-        "What the rays are for. Small here; every pixel is the same by every exact "
-        "backend and any number of threads."};
+        "What the rays are for. Every pixel is the same by every exact backend and any number of "
+        "threads. Beside each picture: how different one of fewer samples looks (FLIP, Andersson "
+        "et "
+        "al. 2020; black is no difference), and how many rays a sample takes."};
     for (const PictureFigures& p : results.pictures.list) {
         section.figures.push_back(figure_of(p, results.pictures.date));
     }
