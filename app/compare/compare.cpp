@@ -66,11 +66,11 @@ int run(const Arguments& a) {
     if (const std::string error = obstacle(a); !error.empty()) return fail(exit_not_written, error);
     const Outcome<Pictures> pictures = read_pictures(a.a, a.b);
     if (!pictures) return fail(exit_unusable, pictures.error);
-    warn_of_unbounded(a.a, pictures.value.pixels[0]);
-    warn_of_unbounded(a.b, pictures.value.pixels[1]);
-    const PixelPlane map =
-        flip_map(pictures.value.pixels[0], pictures.value.pixels[1], pictures.value.width);
-    const Metrics metrics = measure(pictures.value.pixels[0], pictures.value.pixels[1], map);
+    const auto& [first, second] = pictures.value.pixels;
+    warn_of_unbounded(a.a, first);
+    warn_of_unbounded(a.b, second);
+    const PixelPlane map = flip_map(first, second, pictures.value.width);
+    const Metrics metrics = measure(first, second, map);
     const int status = write(a, metrics, map);
     return status == exit_done ? judge(a, metrics) : status;
 }

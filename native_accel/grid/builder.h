@@ -33,7 +33,7 @@ class GridBuilder {
         ItemNumbers all(items_.size());
         std::iota(all.begin(), all.end(), 0U);
         const double budget = config_.max_references * static_cast<double>(all.size());
-        tree.root = cell(tree, {box, std::move(all), budget, 0});
+        tree.root = cell(tree, {box, std::move(all), budget, 0, 1});
         return tree;
     }
 
@@ -44,7 +44,21 @@ class GridBuilder {
         ItemNumbers items;
         double budget;  ///< as many references may come of it
         int depth;
+        double reach;  ///< of the rays that cross the cell, as many cross the box
     };
+
+    /// What of a cell there is anything in. It reaches as far beyond that as the list of a cell.
+    Box3 content_of(const ItemNumbers& items, const Box3& cell) const {
+        Box3f all;
+        for (const std::uint32_t i : items) all.extendBy(items_[i].box);
+        const Vec3 padding(grid_padding);
+        Box3 content;
+        for (int k = 0; k < 3; ++k) {
+            content.min[k] = std::max<double>(all.min[k], cell.min[k]);
+            content.max[k] = std::min<double>(all.max[k], cell.max[k]);
+        }
+        return {content.min - padding, content.max + padding};
+    }
 
     GridCell cell(GridTree& tree, const Part& part) const {
         if (const auto layout = best_layout(part)) return grid(tree, part, *layout);
@@ -63,7 +77,10 @@ class GridBuilder {
             const ItemNumbers items(lists.items.begin() + lists.begin[c],
                                     lists.items.begin() + lists.begin[c + 1]);
             const double share = static_cast<double>(items.size()) / lists.begin.back();
-            return cell(into, {layout.box_of(c), items, share * part.budget, part.depth + 1});
+            const Box3 all = layout.box_of(c), content = content_of(items, all);
+            const double reach = half_area(content.size()) / half_area(all.size());
+            return cell(
+                into, {content, items, share * part.budget, part.depth + 1, std::min(reach, 1.0)});
         };
         if (part.items.size() < config_.serial_below) {
             for (std::uint32_t c = 0; c < layout.size(); ++c) {
@@ -153,7 +170,7 @@ class GridBuilder {
         const auto items = static_cast<double>(part.items.size());
         const bool no_progress = fullest == part.items.size() && references > 2 * items;
         if (no_progress || references > part.budget) return infinity;
-        return config_.cost.enter + share_of_rays * sum;
+        return part.reach * (config_.cost.enter + share_of_rays * sum);
     }
 
     /// A layout, if it costs less than `cost`.

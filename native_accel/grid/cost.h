@@ -8,17 +8,19 @@ namespace etalon {
 
 /// What walking and testing costs, in steps from one cell to the next.
 struct GridCost {
-    static constexpr std::uint32_t pack_size = 4;
+    std::uint32_t pack_size;  ///< as many items are tested at once
+    double pack;              ///< of testing them
+    double open;              ///< of a cell with anything in it
+    double enter;             ///< of beginning to walk through a grid
 
-    double pack = 1;   ///< of testing the items of a pack against a ray
-    double enter = 8;  ///< of beginning to walk through a grid
-
-    double list(std::uint32_t items) const { return pack * ((items + pack_size - 1) / pack_size); }
+    double list(std::uint32_t items) const {
+        return items == 0 ? 0 : open + pack * ((items + pack_size - 1) / pack_size);
+    }
 
     /// Of a cell that may become a grid. A ray through a good one meets about as many cells as lie
     /// along an edge, the cube root of their number.
     double cell(std::uint32_t items) const {
-        if (items <= pack_size) return items == 0 ? 0 : pack;
+        if (items <= pack_size) return list(items);
         return std::min(list(items), enter + 2 * std::cbrt(items));
     }
 

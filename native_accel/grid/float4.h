@@ -1,33 +1,30 @@
 #pragma once
 
+#include <hwy/base.h>
+
 #include <cstdint>
 
 namespace etalon {
 
-/// Four floats side by side. GCC's and Clang's vectors: every x86-64 and arm64 has instructions for
-/// them, so there is nothing to choose at run time.
+/// Four floats side by side: GCC's and Clang's vectors, for which every x86-64 and arm64 has
+/// instructions. What is done with them is always inlined, so that it is compiled for the
+/// instruction set of whoever does it.
 using Float4 = float __attribute__((vector_size(16)));
 
 /// What comparing two Float4 gives: all bits of a lane where it holds, else none.
 using Mask4 = std::int32_t __attribute__((vector_size(16)));
 
-inline Float4 broadcast(float x) {
+HWY_INLINE Float4 broadcast(float x) {
     return Float4{x, x, x, x};
 }
-inline Float4 max(Float4 a, Float4 b) {
+HWY_INLINE Float4 max(Float4 a, Float4 b) {
     return a > b ? a : b;
 }
-inline Float4 min(Float4 a, Float4 b) {
+HWY_INLINE Float4 min(Float4 a, Float4 b) {
     return a < b ? a : b;
 }
-inline Float4 abs(Float4 a) {
+HWY_INLINE Float4 abs(Float4 a) {
     return max(a, -a);
-}
-
-inline bool any(Mask4 mask) {
-    using Halves = std::int64_t __attribute__((vector_size(16)));
-    const auto halves = reinterpret_cast<Halves>(mask);
-    return (halves[0] | halves[1]) != 0;
 }
 
 }  // namespace etalon

@@ -1,18 +1,17 @@
 #pragma once
 
 #include "core/intersect/intersector.h"
-#include "native_accel/grid/box_pack.h"
-#include "native_accel/grid/packed_grid.h"
+#include "native_accel/grid/cluster_grid.h"
 #include "native_accel/grid/sphere_pack.h"
-#include "native_accel/grid/triangle_pack.h"
 
 namespace etalon {
 
-/// Grids in grids, one for each kind of shape that has a filter of its own and one for the rest.
+/// Grids in grids: one whose cells hold spheres, one over clusters of all else.
 class Grid final : public Intersector {
   public:
     explicit Grid(const Scene& scene);
     std::size_t memory_bytes() const override;
+    std::string isa() const override;
 
   protected:
     void closest_bounded(const RayQuery& query, const FrameRay& local,
@@ -21,8 +20,7 @@ class Grid final : public Intersector {
 
   private:
     PackedGrid<SpherePack> spheres_;
-    PackedGrid<TrianglePack> triangles_;
-    PackedGrid<BoxPack> others_;
+    ClusterGrid others_;
 };
 
 }  // namespace etalon

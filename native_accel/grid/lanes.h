@@ -10,24 +10,23 @@
 
 namespace etalon {
 
-inline Float4 select(Mask4 mask, Float4 yes, Float4 no) {
-    const auto a = reinterpret_cast<Mask4>(yes), b = reinterpret_cast<Mask4>(no);
-    return reinterpret_cast<Float4>((mask & a) | (~mask & b));
+HWY_INLINE Float4 select(Mask4 mask, Float4 yes, Float4 no) {
+    return mask ? yes : no;
 }
 
 /// The lanes where the mask holds, zero in the others.
-inline Float4 keep(Mask4 mask, Float4 value) {
+HWY_INLINE Float4 keep(Mask4 mask, Float4 value) {
     return reinterpret_cast<Float4>(mask & reinterpret_cast<Mask4>(value));
 }
 
 /// The smallest lane, in every lane.
-inline Float4 min_of_lanes(Float4 v) {
+HWY_INLINE Float4 min_of_lanes(Float4 v) {
     v = min(v, __builtin_shufflevector(v, v, 1, 0, 3, 2));
     return min(v, __builtin_shufflevector(v, v, 2, 3, 0, 1));
 }
 
 /// One bit a lane.
-inline unsigned bits(Mask4 mask) {
+HWY_INLINE unsigned bits(Mask4 mask) {
 #if defined(__SSE2__)
     return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
 #else
@@ -36,15 +35,15 @@ inline unsigned bits(Mask4 mask) {
 #endif
 }
 
-inline Mask4 truncated(Float4 v) {
+HWY_INLINE Mask4 truncated(Float4 v) {
     return __builtin_convertvector(v, Mask4);
 }
-inline Float4 to_float(Mask4 v) {
+HWY_INLINE Float4 to_float(Mask4 v) {
     return __builtin_convertvector(v, Float4);
 }
 
 /// Three components, and what the walk wants in the fourth lane.
-inline Float4 lanes(const Vec3f& v, float fourth) {
+HWY_INLINE Float4 lanes(const Vec3f& v, float fourth) {
     return Float4{v.x, v.y, v.z, fourth};
 }
 

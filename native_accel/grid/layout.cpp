@@ -15,10 +15,6 @@ double cube_edge(const Vec3& size, double count) {
     return edge;
 }
 
-double half_area(const Vec3& size) {
-    return size.x * size.y + size.y * size.z + size.z * size.x;
-}
-
 }  // namespace
 
 GridLayout::GridLayout(const Box3& box, double cell_count, Cut cut)
@@ -35,8 +31,8 @@ GridLayout::GridLayout(const Box3& box, double cell_count, Cut cut)
 
 GridNode GridLayout::node(std::uint32_t first_cell) const {
     const Float4 high = lanes(Vec3f(low() + cell_size() * count()), 0);
-    return {low_,      high, cell_size_, cells_per_length_, {count_[0], count_[1], count_[2]},
-            first_cell};
+    const Mask4 stride{1, count_[0], count_[0] * count_[1], 0};
+    return {low_, high, cell_size_, cells_per_length_, count_ - 1, stride, first_cell};
 }
 
 Box3 GridLayout::box_of(std::uint32_t flat_index) const {

@@ -4,10 +4,15 @@
 
 namespace etalon {
 
-/// By how much the list of a cell reaches beyond the cell, so that GridWalk loses nothing; 9 u of
-/// it for the roundings of GridLayout::cells_of. That boxes come to the grid padded is not counted
-/// on.
-inline constexpr float grid_padding = 48 * 0x1p-24F;
+/// By how much the list of a cell reaches beyond the cell, so that GridWalk loses nothing, not even
+/// a box that the ray enters at a time that is itself off by 20 u (see Slabs); 9 u of it for the
+/// roundings of GridLayout::cells_of. That boxes come to the grid padded is not counted on.
+inline constexpr float grid_padding = 64 * 0x1p-24F;
+
+/// Half the surface of a box of that size.
+inline double half_area(const Vec3& size) {
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+}
 
 /// A range of cells, both ends included.
 struct CellRange {

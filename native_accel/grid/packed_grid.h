@@ -5,12 +5,12 @@
 
 namespace etalon {
 
-/// A grid over shapes of one kind. Its cells hold them packed, to be filtered four at once; what
-/// lies in many cells is there as often, so that a cell is one read from memory.
+/// A grid whose cells hold items packed, to be tested together; what lies in many cells is there as
+/// often, so that a cell is one read from memory.
 template <class Pack>
 class PackedGrid {
     using Item = typename Pack::Item;
-    using Ids = std::array<std::uint32_t, GridCost::pack_size>;
+    static constexpr std::uint32_t lanes = Pack::cost.pack_size;
 
   public:
     PackedGrid() = default;
@@ -21,21 +21,18 @@ class PackedGrid {
         for (const Item& item : items) all.extendBy(Box3(Vec3(item.box.min), Vec3(item.box.max)));
         all = {all.min - Vec3(grid_padding), all.max + Vec3(grid_padding)};
         box_ = round_outward(all);
-        GridConfig config;
-        config.cost.pack = Pack::cost;
-        tree_ = GridBuilder<Item>(items, config).build(all);
+        tree_ = GridBuilder<Item>(items, {Pack::cost}).build(all);
         pack(items);
     }
 
     bool empty() const { return tree_.root.count == 0; }
     const Box3f& box() const { return box_; }
     const GridCell& root() const { return tree_.root; }
-    const GridNode& node(std::uint32_t i) const { return tree_.nodes[i]; }
+    const GridNode& node(const GridCell& c) const { return tree_.nodes[c.first]; }
     const GridCell& cell(std::uint32_t i) const { return tree_.cells[i]; }
-    const Pack& packed(std::uint32_t i) const { return packs_[i]; }
 
-    /// Number in Scene::primitives.
-    std::uint32_t id(std::uint32_t pack, int lane) const { return ids_[pack][lane]; }
+    /// What a cell that is no grid holds.
+    std::span<const Pack> packs(const GridCell& c) const { return {&packs_[c.first], c.count}; }
 
     /// Asks the memory for what a cell holds.
     void prefetch(const GridCell& c) const {
@@ -46,8 +43,7 @@ class PackedGrid {
 
     std::size_t memory_bytes() const {
         return tree_.nodes.capacity() * sizeof(GridNode) +
-               tree_.cells.capacity() * sizeof(GridCell) + packs_.capacity() * sizeof(Pack) +
-               ids_.capacity() * sizeof(Ids);
+               tree_.cells.capacity() * sizeof(GridCell) + packs_.capacity() * sizeof(Pack);
     }
 
   private:
@@ -61,13 +57,10 @@ class PackedGrid {
             count += packs_of(c);
         }
         packs_.resize(count);
-        ids_.resize(count);
         const auto fill = [&](GridCell& c, std::uint32_t first) {
             if (c.is_grid() || c.count == 0) return;
             for (std::uint32_t i = 0; i < c.count; ++i) {
-                const Item& item = items[listed[c.first + i]];
-                packs_[first + i / GridCost::pack_size].set(i % GridCost::pack_size, item);
-                ids_[first + i / GridCost::pack_size][i % GridCost::pack_size] = item.id;
+                packs_[first + i / lanes].set(i % lanes, items[listed[c.first + i]]);
             }
             c = {first, packs_of(c)};
         };
@@ -80,13 +73,12 @@ class PackedGrid {
     }
 
     static std::uint32_t packs_of(const GridCell& c) {
-        return c.is_grid() ? 0 : (c.count + GridCost::pack_size - 1) / GridCost::pack_size;
+        return c.is_grid() ? 0 : (c.count + lanes - 1) / lanes;
     }
 
     Box3f box_;
     GridTree tree_;
     std::vector<Pack> packs_;
-    std::vector<Ids> ids_;
 };
 
 }  // namespace etalon

@@ -8,7 +8,7 @@ namespace etalon {
 /// A ray as the walk through grids wants it: time per length and length per time along each axis,
 /// without signs, which are apart.
 struct GridRay {
-    explicit GridRay(const FrameRay& ray) : origin(lanes(ray.origin, 0)) {
+    HWY_INLINE explicit GridRay(const FrameRay& ray) : origin(lanes(ray.origin, 0)) {
         // No smaller than 2^-40 of the largest component: no infinity times zero, and over the
         // few units a ray can travel in the frame a drift far below the padding.
         const Float4 direction = lanes(ray.direction, 1);

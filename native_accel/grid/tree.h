@@ -25,8 +25,11 @@ struct GridCell {
 /// A box cut evenly along each axis, in the accelerator's frame. Between cells i - 1 and i of an
 /// axis is the plane low + i * cell_size.
 struct GridNode {
+    CellIndex resolution() const { return {last[0] + 1, last[1] + 1, last[2] + 1}; }
+
     Float4 low, high, cell_size, cells_per_length;
-    CellIndex resolution;
+    Mask4 last;                ///< cells of an axis, less one; 0 in the fourth lane
+    Mask4 stride;              ///< from a cell to the next along an axis; 0 in the fourth lane
     std::uint32_t first_cell;  ///< into GridTree::cells; x runs fastest, then y
 };
 

@@ -15,7 +15,7 @@ double flip_of(Pixels a, Pixels b, int width) {
 }  // namespace
 
 TEST_CASE("FLIP is what NVIDIA's program finds") {
-    // Its header FLIP.h, version 1.7, LDR with PPD = 67, the mean summed in double. It works in
+    // Its header FLIP.h, version 1.6, LDR with PPD = 67, the mean summed in double. It works in
     // float: the last digits are its rounding.
     const std::vector<Color> reference = stripes(96, 64);
     CHECK(flip_of(rings(96, 64), reference, 96) == Approx(0.8435574092).epsilon(1e-6));

@@ -9,48 +9,89 @@
 namespace etalon {
 namespace {
 
-constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+/// Of so large an extent.
+float steps_per_unit(double extent) {
+    constexpr double most = 65535, finest = 0x1p-40;
+    return static_cast<float>(power_of_two_reciprocal(std::max(extent / most, finest)) / 2);
+}
+
+/// Each lane's; those that are not taken repeat the last.
+Ids spread(std::span<const std::uint32_t> all) {
+    Ids ids;
+    for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
+        ids[lane] = all[std::min(lane, all.size() - 1)];
+    }
+    return ids;
+}
+
+/// Where they are in the scene, and brought into the caches all at once.
+std::array<const Primitive*, cluster_lanes> look_up(const Scene& scene, const Ids& ids) {
+    std::array<const Primitive*, cluster_lanes> primitives;
+    for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
+        primitives[lane] = &scene.primitives[ids[lane]];
+        __builtin_prefetch(primitives[lane]);
+    }
+    return primitives;
+}
 
 }  // namespace
 
-TriangleCluster::TriangleCluster() {
-    for (auto& corner : corners) {
-        for (Lanes& axis : corner) axis.fill(nothing);
+/// All lanes step by step, so that their cache misses on the way to the corners overlap: they are
+/// most of what building takes.
+void TriangleCluster::fill(const Scene& scene, const Frame& frame,
+                           std::span<const std::uint32_t> all) {
+    ids = spread(all);
+    taken = (1U << all.size()) - 1;
+    const auto primitives = look_up(scene, ids);
+    for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
+        vertices[lane] = scene.get<Triangle>(*primitives[lane]).vertices;
+        sides[lane] = primitives[lane]->sides;
+    }
+    std::array<std::array<Vec3, 3>, cluster_lanes> places;
+    for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
+        for (int c = 0; c < 3; ++c) places[lane][c] = scene.vertices[vertices[lane][c]];
+    }
+    for (auto& corners_of_one : places) {
+        for (Vec3& place : corners_of_one) place = frame.point(place);
+    }
+    set_corners(places);
+}
+
+void TriangleCluster::set_corners(const std::array<std::array<Vec3, 3>, cluster_lanes>& places) {
+    Box3 around;
+    double extent = 0;
+    for (const auto& of_one : places) {
+        Box3 box;
+        for (const Vec3& place : of_one) box.extendBy(place);
+        around.extendBy(box);
+        extent = std::max(extent, max_abs(box.size()));
+    }
+    base = float_down(around.min);
+    steps_per_unit = etalon::steps_per_unit(max_abs(around.max - Vec3(base)));
+    doubt = edge_doubt(extent, steps_per_unit);
+    for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
+        for (int c = 0; c < 3; ++c) {
+            const Vec3 steps = (places[lane][c] - Vec3(base)) * steps_per_unit;
+            for (int k = 0; k < 3; ++k) {
+                corners[c][k][lane] = static_cast<std::uint16_t>(steps[k] + 0.5);
+            }
+        }
     }
 }
 
-void TriangleCluster::set(std::size_t lane, const Scene& scene, const Frame& frame,
-                          std::uint32_t id) {
-    const Primitive& primitive = scene.primitives[id];
-    const Triangle& triangle = scene.get<Triangle>(primitive);
-    const auto exact = etalon::corners(scene, triangle);
-    Box3 box;
-    for (int c = 0; c < 3; ++c) {
-        const Vec3 corner = frame.point(exact[c]);
-        box.extendBy(corner);
-        for (int k = 0; k < 3; ++k) corners[c][k][lane] = static_cast<float>(corner[k]);
+void SphereCluster::fill(const Scene& scene, const Frame& frame,
+                         std::span<const std::uint32_t> all) {
+    constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+    ids = spread(all);
+    const auto primitives = look_up(scene, ids);
+    for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
+        const Sphere& sphere = scene.get<Sphere>(*primitives[lane]);
+        const Vec3 place = frame.point(sphere.centre);
+        for (int k = 0; k < 3; ++k) centre[k][lane] = static_cast<float>(place[k]);
+        radius[lane] = lane < all.size() ? enlarged_radius(sphere.radius * frame.scale()) : nothing;
+        sides[lane] = primitives[lane]->sides;
+        exact[lane] = sphere;
     }
-    doubt = std::max(doubt, edge_doubt(max_abs(box.size())));
-    sides[lane] = primitive.sides;
-    members[lane] = {id, triangle.vertices};
-}
-
-SphereCluster::SphereCluster() {
-    for (Lanes& axis : centre) axis.fill(nothing);
-    radius.fill(nothing);
-    ids.fill(no_index);
-}
-
-void SphereCluster::set(std::size_t lane, const Scene& scene, const Frame& frame,
-                        std::uint32_t id) {
-    const Primitive& primitive = scene.primitives[id];
-    const Sphere& sphere = scene.get<Sphere>(primitive);
-    const Vec3 place = frame.point(sphere.centre);
-    for (int k = 0; k < 3; ++k) centre[k][lane] = static_cast<float>(place[k]);
-    radius[lane] = enlarged_radius(sphere.radius * frame.scale());
-    ids[lane] = id;
-    sides[lane] = primitive.sides;
-    exact[lane] = sphere;
 }
 
 }  // namespace etalon

@@ -40,17 +40,14 @@ Clusters::Clusters(const Scene& scene, const Frame& frame, std::span<const std::
 
 void Clusters::fill(const Scene& scene, const Frame& frame, ClusterRef ref,
                     std::span<const std::uint32_t> ids) {
-    if (ref.kind() == ClusterRef::list) {
-        lists_[ref.index()].fill(no_index);
-        std::copy(ids.begin(), ids.end(), lists_[ref.index()].begin());
-        return;
-    }
-    for (std::size_t lane = 0; lane < ids.size(); ++lane) {
-        if (ref.kind() == ClusterRef::triangles) {
-            triangles_[ref.index()].set(lane, scene, frame, ids[lane]);
-        } else {
-            spheres_[ref.index()].set(lane, scene, frame, ids[lane]);
-        }
+    switch (ref.kind()) {
+        case ClusterRef::triangles:
+            return triangles_[ref.index()].fill(scene, frame, ids);
+        case ClusterRef::spheres:
+            return spheres_[ref.index()].fill(scene, frame, ids);
+        default:
+            lists_[ref.index()].fill(no_index);
+            std::copy(ids.begin(), ids.end(), lists_[ref.index()].begin());
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/intersect/clusters/cluster.h"
 #include "core/intersect/kernels.h"
+#include "core/parallel/large_pages.h"
 
 namespace etalon {
 
@@ -65,8 +66,8 @@ class Clusters {
     void fill(const Scene& scene, const Frame& frame, ClusterRef ref,
               std::span<const std::uint32_t> ids);
 
-    std::vector<TriangleCluster> triangles_;
-    std::vector<SphereCluster> spheres_;
+    std::vector<TriangleCluster, LargePages<TriangleCluster>> triangles_;
+    std::vector<SphereCluster, LargePages<SphereCluster>> spheres_;
     std::vector<List> lists_;
 };
 
@@ -75,15 +76,14 @@ inline Clusters::Candidate Clusters::ask(const Scene& scene, ClusterRef ref, std
     switch (ref.kind()) {
         case ClusterRef::triangles: {
             const TriangleCluster& cluster = triangles(ref);
-            const auto& [id, vertices] = cluster.members[lane];
-            if (id == query.ray.left) return {id, no_hit};
-            return {id, shape_first_hit(scene, Triangle{vertices}, cluster.sides[lane], query)};
+            const Triangle triangle{cluster.vertices[lane]};
+            return {cluster.ids[lane],
+                    shape_first_hit(scene, triangle, cluster.sides[lane], query)};
         }
         case ClusterRef::spheres: {
             const SphereCluster& cluster = spheres(ref);
-            const std::uint32_t id = cluster.ids[lane];
-            if (id == query.ray.left) return {id, no_hit};
-            return {id, shape_first_hit(scene, cluster.exact[lane], cluster.sides[lane], query)};
+            return {cluster.ids[lane],
+                    shape_first_hit(scene, cluster.exact[lane], cluster.sides[lane], query)};
         }
         default: {
             const std::uint32_t id = lists_[ref.index()][lane];

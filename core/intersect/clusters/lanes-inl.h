@@ -33,6 +33,16 @@ HWY_INLINE Floats broadcast(float x) {
 HWY_INLINE Floats load(const Lanes& lanes, std::size_t first) {
     return hn::Load(Tag(), &lanes[first]);
 }
+HWY_INLINE Floats load(const Steps& steps, std::size_t first) {
+    const hn::Rebind<std::int32_t, Tag> numbers;
+    const hn::Rebind<std::uint16_t, Tag> halves;
+    return hn::ConvertTo(Tag(), hn::PromoteTo(numbers, hn::Load(halves, &steps[first])));
+}
+/// The lanes that hold the primitive `id`.
+HWY_INLINE Mask holds(const Ids& ids, std::size_t first, std::uint32_t id) {
+    const hn::Rebind<std::uint32_t, Tag> numbers;
+    return hn::RebindMask(Tag(), hn::Eq(hn::Load(numbers, &ids[first]), hn::Set(numbers, id)));
+}
 
 /// The lanes, lowest first, where test(i) holds for the lane i and those after it.
 template <class Test>

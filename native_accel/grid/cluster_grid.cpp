@@ -1,0 +1,23 @@
+#include "native_accel/grid/cluster_grid.h"
+
+#include "native_accel/bvh/scene_tree.h"
+
+namespace etalon {
+
+ClusterGrid::ClusterGrid(const Scene& scene, const Frame& frame,
+                         std::vector<BoundedPrimitive> primitives) {
+    const BvhTree tree = build_scene_bvh(scene, frame, std::move(primitives));
+    std::vector<Range> ranges;
+    std::vector<BoxItem> items;
+    for (const BvhNode& node : tree.nodes) {
+        if (!node.is_leaf()) continue;
+        ranges.push_back({node.first, node.count});
+        items.push_back({node.box, 0});
+    }
+    std::vector<ClusterRef> refs;
+    clusters_ = Clusters(scene, frame, tree.ids, ranges, refs);
+    for (std::size_t i = 0; i < items.size(); ++i) items[i].id = refs[i].bits;
+    boxes_ = PackedGrid<BoxPack>(items);
+}
+
+}  // namespace etalon

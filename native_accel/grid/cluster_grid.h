@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/intersect/bounded.h"
+#include "native_accel/grid/box_pack.h"
+#include "native_accel/grid/packed_grid.h"
+
+namespace etalon {
+
+/// A grid over clusters. Each is there once, however many cells list its box; and a cell with as
+/// many triangles as a hundred is no dearer than one with few, so that cells can be large.
+class ClusterGrid {
+  public:
+    ClusterGrid() = default;
+
+    /// Clusters are the leaves of the hierarchy that `bvh` is built from: as compact as can be had,
+    /// and of pieces of triangles where that pays.
+    ClusterGrid(const Scene& scene, const Frame& frame, std::vector<BoundedPrimitive> primitives);
+
+    const PackedGrid<BoxPack>& boxes() const { return boxes_; }
+    const Clusters& clusters() const { return clusters_; }
+
+    std::size_t memory_bytes() const { return boxes_.memory_bytes() + clusters_.memory_bytes(); }
+
+  private:
+    PackedGrid<BoxPack> boxes_;
+    Clusters clusters_;
+};
+
+}  // namespace etalon

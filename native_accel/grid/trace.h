@@ -1,0 +1,25 @@
+// How a ray goes through the grids: compiled for several instruction sets, of which the best that
+// the machine has is taken.
+#pragma once
+
+#include "core/intersect/ray.h"
+#include "native_accel/grid/cluster_grid.h"
+#include "native_accel/grid/sphere_pack.h"
+
+namespace etalon {
+
+/// What a ray needs.
+struct GridView {
+    const Scene& scene;
+    const PackedGrid<SpherePack>& spheres;
+    const ClusterGrid& others;
+};
+
+/// Offers `nearest` every primitive that could be hit no later than nearest.t.
+void trace_closest(const GridView& grid, const RayQuery& query, const FrameRay& local,
+                   NearestHit& nearest);
+
+/// Whether any primitive is hit at t <= query.ray.tmax.
+bool trace_occluded(const GridView& grid, const RayQuery& query, const FrameRay& local);
+
+}  // namespace etalon

@@ -1,0 +1,115 @@
+// How a ray visits what lies in grids, from near to far. Compiled for each instruction set.
+#if defined(ETALON_GRID_VISIT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ETALON_GRID_VISIT_INL_H
+#undef ETALON_GRID_VISIT_INL_H
+#else
+#define ETALON_GRID_VISIT_INL_H
+#endif
+
+#include "native_accel/grid/packed_grid.h"
+#include "native_accel/grid/walk.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+/// A part of a ray, in the frame; empty where it ends before it begins.
+struct Passage {
+    Passage() = default;
+    HWY_INLINE Passage(float from, float to) : entry(from), exit(to) {}
+
+    /// Of the part from tmin to tmax, both finite, what is in a box. What is wanted of a grid lies
+    /// further inside its box than the errors of this slab test.
+    HWY_INLINE Passage(Float4 low, Float4 high, const GridRay& ray, float tmin, float tmax) {
+        const Float4 a = (low - ray.origin) * ray.reciprocal;
+        const Float4 b = (high - ray.origin) * ray.reciprocal;
+        const Float4 never{0, 0, 0, std::numeric_limits<float>::infinity()};
+        entry = std::max(tmin, -min_of_lanes(max(-a, -b) + never)[0]);
+        exit = std::min(tmax, min_of_lanes(max(a, b) + never)[0]);
+    }
+
+    HWY_INLINE Passage(const Box3f& box, const GridRay& ray, float tmin, float tmax)
+        : Passage(lanes(box.min, 0), lanes(box.max, 0), ray, tmin, tmax) {}
+
+    HWY_INLINE bool empty() const { return !(entry <= exit); }
+
+    float entry, exit;
+};
+
+/// Gives the packs of one cell after the other to test(pack, from, to, tmax), where the ray is in
+/// the cell from `from` to `to`, and nothing is wanted beyond tmax; it returns the tmax from then
+/// on. Goes up to Test::ahead cells ahead before it visits them, so that memory is asked for the
+/// contents of several at once: at first one, as a surface most often is hit in the first, then
+/// ever more.
+template <class Pack, class Test>
+class GridVisit {
+  public:
+    HWY_INLINE GridVisit(const PackedGrid<Pack>& grid, const GridRay& ray, const Test& test,
+                         float tmax)
+        : grid_(grid), ray_(ray), test_(test), tmax_(tmax) {}
+
+    /// All that is in the grid's box.
+    HWY_INLINE void visit(const Passage& passage) {
+        const GridCell& root = grid_.root();
+        if (root.is_grid()) {
+            walk(grid_.node(root), passage);
+        } else {
+            test(root, passage);
+        }
+    }
+
+  private:
+    /// A cell with something in it, on the way.
+    struct Stop {
+        GridCell cell;
+        Passage passage;
+    };
+
+    HWY_INLINE void visit(const GridCell& c, const Passage& passage) {
+        if (!c.is_grid()) return test(c, passage);
+        const GridNode& node = grid_.node(c);
+        const Passage inside(node.low, node.high, ray_, passage.entry, passage.exit);
+        if (!inside.empty()) walk(node, inside);
+    }
+
+    HWY_INLINE void test(const GridCell& c, const Passage& passage) {
+        for (const Pack& pack : grid_.packs(c)) {
+            tmax_ = test_(pack, passage.entry, passage.exit, tmax_);
+        }
+    }
+
+    void walk(const GridNode& node, const Passage& passage) {
+        auto [entry, end] = passage;
+        GridWalk walk(node, ray_, entry);
+        std::array<Stop, Test::ahead> stops;
+        for (std::size_t ahead = 1; entry <= end; ahead = std::min(2 * ahead, stops.size())) {
+            std::size_t count = 0;
+            do {
+                const GridCell c = grid_.cell(walk.cell());
+                const Float4 exit = walk.exit();
+                stops[count] = {c, {entry, exit[0]}};
+                count += c.count != 0 ? 1 : 0;
+                entry = exit[0];
+                walk.advance(exit);
+            } while (entry <= end && count < ahead);
+            if (Test::ahead > 1) {
+                for (std::size_t i = 0; i < count; ++i) grid_.prefetch(stops[i].cell);
+            }
+            for (std::size_t i = 0; i < count; ++i) {
+                const auto& [c, in_cell] = stops[i];
+                if (in_cell.entry > end) return;
+                visit(c, {in_cell.entry, std::min(in_cell.exit, end)});
+                end = std::min(end, tmax_);
+            }
+        }
+    }
+
+    const PackedGrid<Pack>& grid_;
+    const GridRay& ray_;
+    const Test& test_;
+    float tmax_;
+};
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
