@@ -84,8 +84,11 @@ std::string picture_command(const PictureRequest& request) {
         render, request.samples, name, request.fewer_samples);
 }
 
-std::string convergence_command(const Settings& settings) {
-    return command_of(settings);
+std::string convergence_command(const Settings& settings, const ConvergenceRequest& request) {
+    return fmt::format(
+        "build/bin/etalon-bench convergence scenes/{} --width {} --spp {} --seeds {} --backends {}",
+        request.scene, request.width, request.samples, settings.convergence_seeds,
+        fmt::join(settings.convergence_backends, ","));
 }
 
 }  // namespace etalon::bench_report

@@ -25,9 +25,8 @@ struct PictureRequest {
 struct ConvergenceRequest {
     std::string scene;  ///< below the folder of scenes
     int width, height;
-    double microseconds;    ///< that a sample takes a core, about
-    int samples;            ///< per pixel, at the end of the curves
-    int reference_samples;  ///< of what errors are relative to
+    double microseconds;  ///< that a sample takes a core, about
+    int samples;          ///< per pixel, at the end of the curves
 };
 
 struct Settings {
@@ -46,6 +45,8 @@ struct Settings {
 
     std::vector<PictureRequest> pictures;
     std::vector<ConvergenceRequest> convergence;
+    std::vector<std::string> convergence_backends;
+    int convergence_seeds;
 };
 
 Settings quick_settings();
