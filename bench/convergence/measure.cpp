@@ -14,7 +14,6 @@
 namespace etalon::convergence {
 namespace {
 
-constexpr int truth_times = 32;
 constexpr std::uint32_t truth_seed = 0x7ea1;
 
 /// An error that is never reached: an adaptive picture ends at its samples.

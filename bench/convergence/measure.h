@@ -32,6 +32,8 @@ struct Truth {
     std::string description;
 };
 
+inline constexpr int truth_times = 32;
+
 Truth render_truth(const Scene& scene, const Plan& plan, const Watcher& watcher);
 
 /// The curves of all samplers with the first backend, and of the last sampler with the others. What

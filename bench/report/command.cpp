@@ -29,18 +29,24 @@ double total(const std::vector<Task>& tasks) {
     return seconds;
 }
 
+Results nothing_yet(const Settings& settings) {
+    Results results;
+    results.settings = settings;
+    results.begun = date_now();
+    results.machine = this_machine();
+    return results;
+}
+
 /// One run of the command. The page is written again after every task, so that it shows what there
 /// is, whatever ends the run.
 class Report {
   public:
     explicit Report(const Arguments& a)
         : path_((std::filesystem::path(a.folder) / "index.html").string()),
-          tasks_(all_tasks(a.quick ? quick_settings() : full_settings())),
-          seconds_(total(tasks_)) {
-        results_.settings = a.quick ? quick_settings() : full_settings();
-        results_.begun = date_now();
-        results_.machine = this_machine();
-    }
+          results_(nothing_yet(a.quick ? quick_settings() : full_settings())),
+          deadline_(results_.settings.seconds_limit),
+          tasks_(all_tasks(results_.settings)),
+          seconds_(total(tasks_)) {}
 
     int run() {
         announce();
@@ -69,7 +75,7 @@ class Report {
             const auto tell = [&](double part) {
                 progress.update((before + part * task.seconds) / seconds_);
             };
-            task.run(results_, {signals_.raised(), tell});
+            task.run(results_, {signals_.raised(), deadline_, tell});
             before += task.seconds;
             if (!write(fmt::format("It is being measured: {} of {} parts are done.", done_ + 1,
                                    tasks_.size())))
@@ -78,9 +84,7 @@ class Report {
         return true;
     }
 
-    bool is_over() const {
-        return signals_.raised() || elapsed() > results_.settings.seconds_limit;
-    }
+    bool is_over() const { return signals_.raised() || deadline_.is_over(); }
 
     double elapsed() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -102,9 +106,10 @@ class Report {
     const SignalGuard signals_;
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     const std::string path_;
+    Results results_;
+    const Deadline deadline_;
     const std::vector<Task> tasks_;
     const double seconds_;  ///< that all tasks take, about
-    Results results_;
     std::size_t done_ = 0;
 };
 
@@ -124,7 +129,7 @@ Run declare_report(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
     app.add_option("-o,--output", a->folder, "Folder for index.html, made if it is not there")
         ->capture_default_str();
-    app.add_flag("--quick", a->quick, "Two minutes instead of the better part of an hour");
+    app.add_flag("--quick", a->quick, "Two minutes instead of twenty");
     return [a] { return run(*a); };
 }
 

@@ -75,9 +75,20 @@ std::string spd_command(const Settings& settings) {
 }
 
 std::string picture_command(const PictureRequest& request) {
-    return fmt::format("build/bin/etalon render scenes/{} --resolution {}x{} --spp {} -o {}.png",
-                       request.scene, request.width, request.height, request.samples,
-                       std::filesystem::path(request.scene).stem().string());
+    const std::string name = std::filesystem::path(request.scene).stem().string();
+    const std::string render = fmt::format("build/bin/etalon render scenes/{} --resolution {}x{}",
+                                           request.scene, request.width, request.height);
+    return fmt::format(
+        "{0} --spp {1} -o {2}.exr -o {2}.png && {0} --spp {3} --seed 1 -o fewer.exr && "
+        "build/bin/etalon compare fewer.exr {2}.exr --heatmap {2}-error.png",
+        render, request.samples, name, request.fewer_samples);
+}
+
+std::string convergence_command(const Settings& settings, const ConvergenceRequest& request) {
+    return fmt::format(
+        "build/bin/etalon-bench convergence scenes/{} --width {} --spp {} --seeds {} --backends {}",
+        request.scene, request.width, request.samples, settings.convergence_seeds,
+        fmt::join(settings.convergence_backends, ","));
 }
 
 }  // namespace etalon::bench_report

@@ -27,4 +27,6 @@ std::string spd_command(const Settings& settings);
 
 std::string picture_command(const PictureRequest& request);
 
+std::string convergence_command(const Settings& settings, const ConvergenceRequest& request);
+
 }  // namespace etalon::bench_report

@@ -7,6 +7,7 @@
 
 #include "app/stopwatch.h"
 #include "bench/accuracy/tally.h"
+#include "bench/convergence/curve.h"
 #include "bench/report/settings.h"
 #include "bench/speed/figures.h"
 #include "core/render/ray_counts.h"
@@ -51,28 +52,17 @@ struct SpdFigures {
     std::vector<SpdRun> runs;
 };
 
-/// A picture's error while samples were added.
-struct ConvergenceCurve {
-    std::string name;
-    struct Point {
-        double samples;  ///< per pixel
-        double seconds;  ///< CPU
-        double error;    ///< relMSE to the reference
-    };
-    std::vector<Point> points;
-};
-
+/// A picture's errors while samples were added.
 struct ConvergenceFigures {
-    std::string scene, command;
+    ConvergenceRequest request;
     std::string reference;  ///< what the errors are relative to, in words
-    std::vector<ConvergenceCurve> curves;
+    std::vector<convergence::Curve> curves;
 };
 
 struct PictureFigures {
     std::string scene, command;
     int width = 0, height = 0;
     std::size_t primitives = 0;
-    int samples = 0;  ///< per pixel
     Duration render;
     struct Layer {
         std::string title, png;

@@ -1,7 +1,5 @@
 #include "bench/report/settings.h"
 
-#include <limits>
-
 #include "bench/speed/contender.h"
 #include "bench/speed/pinned.h"
 
@@ -18,7 +16,7 @@ std::vector<std::string> all_but_none() {
 Settings quick_settings() {
     Settings s;
     s.name = "quick";
-    s.seconds_limit = 150;
+    s.seconds_limit = 160;
     s.speed_scenes = {"terrain:50000", "flake:50000",  "soup:100000",  "stadium:30000",
                       "slivers:10000", "spheres:1000", "spheres:20000"};
     s.plan = {speed::with_yardsticks(all_but_none()),   {1},    3, 0.2,
@@ -29,17 +27,21 @@ Settings quick_settings() {
     s.spd_scenes = {{"sphereflake", 4}, {"gears", 4}, {"mountain", 6},
                     {"rings", 7},       {"tetra", 6}, {"tree", 11}};
     s.spd_backends = all_but_none();
-    s.pictures = {{"showcase.p3f", 480, 270, 4},
-                  {"features/glass.p3f", 480, 320, 4},
-                  {"features/soft_shadows.p3f", 480, 320, 4},
-                  {"features/meshes.p3f", 480, 320, 4}};
+    s.pictures = {{"showcase.p3f", 320, 180, 7.7, 16, 1},
+                  {"features/glass.p3f", 320, 213, 2.7, 16, 1},
+                  {"features/soft_shadows.p3f", 320, 213, 0.7, 32, 1},
+                  {"features/depth_of_field.p3f", 320, 213, 0.8, 32, 1}};
+    s.convergence = {{"features/soft_shadows.p3f", 120, 80, 0.7, 16},
+                     {"features/depth_of_field.p3f", 120, 80, 0.8, 16}};
+    s.convergence_backends = {"bvh", "embree-builtin"};
+    s.convergence_seeds = 3;
     return s;
 }
 
 Settings full_settings() {
     Settings s = quick_settings();
     s.name = "full";
-    s.seconds_limit = std::numeric_limits<double>::infinity();
+    s.seconds_limit = 0;
     s.speed_scenes = {"terrain", "flake", "soup", "stadium", "slivers", "spheres:1000", "spheres"};
     if (speed::usable_cores() > 1) s.plan.threads.push_back(speed::usable_cores());
     s.plan.repeats = 5;
@@ -47,7 +49,14 @@ Settings full_settings() {
     s.plan.max_rays = 1 << 18;
     s.case_rays = 100'000;
     s.case_seconds = 5;
-    for (PictureRequest& picture : s.pictures) picture.samples = 64;
+    s.pictures = {{"showcase.p3f", 640, 360, 7.7, 128, 4},
+                  {"features/glass.p3f", 480, 320, 2.7, 256, 4},
+                  {"features/soft_shadows.p3f", 480, 320, 0.7, 256, 4},
+                  {"features/depth_of_field.p3f", 480, 320, 0.8, 256, 4}};
+    s.convergence = {{"showcase.p3f", 240, 135, 7.7, 16},
+                     {"features/soft_shadows.p3f", 240, 160, 0.7, 64},
+                     {"features/depth_of_field.p3f", 240, 160, 0.8, 64}};
+    s.convergence_seeds = 5;
     return s;
 }
 

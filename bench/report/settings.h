@@ -17,12 +17,21 @@ struct SpdScene {
 struct PictureRequest {
     std::string scene;  ///< below the folder of scenes
     int width, height;
-    int samples;  ///< per pixel
+    double microseconds;  ///< that a sample takes a core, about
+    int samples;          ///< per pixel, of what is shown
+    int fewer_samples;    ///< of what is compared with it
+};
+
+struct ConvergenceRequest {
+    std::string scene;  ///< below the folder of scenes
+    int width, height;
+    double microseconds;  ///< that a sample takes a core, about
+    int samples;          ///< per pixel, at the end of the curves
 };
 
 struct Settings {
-    std::string name;      ///< "quick" or "full"
-    double seconds_limit;  ///< on the wall; what is not begun by then is left out
+    std::string name;          ///< "quick" or "full"
+    double seconds_limit = 0;  ///< on the wall, after which the rest is left out; 0 is no limit
 
     std::vector<std::string> speed_scenes;
     speed::Plan plan;
@@ -35,6 +44,9 @@ struct Settings {
     std::vector<std::string> spd_backends;
 
     std::vector<PictureRequest> pictures;
+    std::vector<ConvergenceRequest> convergence;
+    std::vector<std::string> convergence_backends;
+    int convergence_seeds;
 };
 
 Settings quick_settings();

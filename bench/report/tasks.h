@@ -7,13 +7,22 @@
 #include <vector>
 
 #include "bench/report/results.h"
+#include "core/render/deadline.h"
 
 namespace etalon::bench_report {
 
 /// What a task has to do with whoever runs it.
 struct Context {
     const std::atomic<bool>& stop;         ///< set: give up soon and keep what there is
+    Deadline deadline;                     ///< over: the same
     std::function<void(double)> progress;  ///< with the part done, from any thread
+
+    bool is_over() const { return stop || deadline.is_over(); }
+    /// For a part of the task, which is done when `from` of it is, and then `to`.
+    Context part(double from, double to) const {
+        return {stop, deadline,
+                [tell = progress, from, to](double done) { tell(from + done * (to - from)); }};
+    }
 };
 
 struct Task {
@@ -27,6 +36,7 @@ std::vector<Task> picture_tasks(const Settings& settings);
 std::vector<Task> speed_tasks(const Settings& settings);
 std::vector<Task> accuracy_tasks(const Settings& settings);
 std::vector<Task> spd_tasks(const Settings& settings);
+std::vector<Task> convergence_tasks(const Settings& settings);
 
 /// All of them, in the order in which they are to be run.
 std::vector<Task> all_tasks(const Settings& settings);

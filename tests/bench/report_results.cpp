@@ -1,5 +1,7 @@
 #include "tests/bench/report_results.h"
 
+#include <cmath>
+
 #include "tests/accuracy/report_rows.h"
 
 namespace etalon::test {
@@ -45,6 +47,17 @@ SpdFigures spd() {
              {"embree-builtin", {0.1, 0.1}, {0.2, 0.3}, 4096, other}}};
 }
 
+convergence::Curve curve(const std::string& name, double slope) {
+    convergence::Curve c;
+    c.name = name;
+    for (double samples = 1; samples <= 16; samples *= 2) {
+        const double error = std::pow(samples, -slope);
+        c.points.push_back({samples, 0.1 * samples, error, error, 0.9 * error, 1.2 * error});
+    }
+    c.fit = convergence::fit(c.points);
+    return c;
+}
+
 /// The page does not look into it; a browser shows a broken picture of the right size.
 const std::string no_png = "\x89PNG";
 
@@ -59,11 +72,8 @@ Results sample_results() {
     results.scenes.add(scene());
     for (accuracy::Row& row : accuracy::sample_rows()) results.rows.add(std::move(row));
     results.spd.add(spd());
-    results.convergence.add({hostile,
-                             "build/bin/etalon-bench convergence",
-                             hostile,
-                             {{"sobol", {{1, 0.1, 0.5}, {4, 0.4, 0.04}, {16, 1.6, 0.003}}},
-                              {hostile, {{1, 0.1, 0.5}, {4, 0.5, 0.1}, {16, 2, 0.02}}}}});
+    results.convergence.add(
+        {{hostile, 120, 80, 1, 16}, hostile, {curve("sobol, bvh", 1.5), curve(hostile, 1)}});
     PictureFigures picture;
     picture.scene = hostile;
     picture.command = "build/bin/etalon render " + hostile;

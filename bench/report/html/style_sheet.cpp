@@ -61,6 +61,7 @@ tbody th{font-weight:500}
 .scroll tbody th{position:sticky;left:0;background:var(--paper)}
 .number{text-align:right}
 .number,.name{white-space:nowrap}
+td:not(.number):not(.name){min-width:8rem}
 .good{color:var(--good)}
 .bad{color:var(--bad);font-weight:600}
 .good::before{content:"✓ "}
@@ -70,7 +71,7 @@ summary{cursor:pointer;padding:.35rem 0;font-weight:600}
 gap:1.4rem 2.4rem}
 .group{container-type:inline-size;min-width:0}
 .bars{width:100%;table-layout:fixed}
-.bars th,.bars td{padding:.18rem 0;vertical-align:middle;white-space:nowrap}
+.bars th,.bars td{min-width:0;padding:.18rem 0;vertical-align:middle;white-space:nowrap}
 .bars .name{width:9.8rem}
 .bars .value{width:3.7rem;text-align:right}
 .bars .ratio{width:6.6rem;text-align:right}
@@ -99,13 +100,13 @@ font-size:.86rem}
 gap:1.6rem 2rem}
 .plot{min-width:0}
 .chart{display:block;width:100%;height:auto;max-width:30rem}
-.images{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,20rem),1fr));gap:1rem}
-.image{min-width:0}
+.images{display:flex;flex-wrap:wrap;gap:1rem}
+.image{flex:1 1 17rem;max-width:24rem}
 .image p{margin:.2rem 0 0;font-size:.82rem;color:var(--quiet)}
-img{display:block;max-width:100%;height:auto;border-radius:.3rem}
+img{display:block;width:100%;height:auto;border-radius:.3rem}
 footer{margin-top:3rem;padding-top:1rem;padding-bottom:3rem;border-top:1px solid var(--rule);
 font-size:.85rem;color:var(--quiet)}
-@media (max-width:30rem){h1{font-size:1.7rem}header{padding-top:1.5rem}
+@media (max-width:30rem){th,td{padding-left:.4rem;padding-right:.4rem}h1{font-size:1.7rem}header{padding-top:1.5rem}
 header,main,footer{padding-left:1rem;padding-right:1rem}section{margin-top:2rem}}
 @media print{
 @page{margin:14mm}

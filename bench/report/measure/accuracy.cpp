@@ -45,7 +45,7 @@ void measure(const Group& group, Results& results, const Context& context) {
     std::vector<std::vector<Row>> rows(group.cases.size());
     std::atomic<std::size_t> done{0};
     parallel_for(group.cases.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end && !context.stop; ++i) {
+        for (std::size_t i = begin; i < end && !context.is_over(); ++i) {
             rows[i] = accuracy::measure(group.cases[i], backends, effort);
             context.progress(static_cast<double>(++done) / static_cast<double>(rows.size()));
         }
@@ -56,7 +56,7 @@ void measure(const Group& group, Results& results, const Context& context) {
 }
 
 double seconds_for(const Group& group, const Settings& settings) {
-    const double one = 0.012 + 1.2e-5 * static_cast<double>(settings.case_rays);
+    const double one = 0.02 + 5e-6 * static_cast<double>(settings.case_rays);
     return static_cast<double>(group.cases.size()) * std::min(one, settings.case_seconds);
 }
 

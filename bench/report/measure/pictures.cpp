@@ -1,57 +1,77 @@
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <numeric>
 
 #include "bench/report/commands.h"
+#include "bench/report/measure/cost_map.h"
 #include "bench/report/measure/rendered.h"
-#include "core/formats/load.h"
+#include "bench/report/words.h"
 #include "core/image/encode.h"
+#include "core/image/metrics/flip.h"
+#include "core/image/metrics/magma.h"
 #include "core/image/oiio.h"
 
 namespace etalon::bench_report {
 namespace {
 
-namespace fs = std::filesystem;
+using Bytes = std::vector<std::uint8_t>;
 
-/// The project's folder of scenes: here, or where the program was built from.
-fs::path scenes_folder() {
-    std::error_code none;
-    const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();
-    for (const fs::path& root : {fs::path("."), program.parent_path().parent_path()}) {
-        if (fs::exists(root / "scenes" / "showcase.p3f", none)) return root / "scenes";
-    }
-    return "scenes";
+std::string samples_of(int count) {
+    return count_of(static_cast<std::uint64_t>(count), "sample") + " a pixel";
 }
 
-Outcome<std::string> png_of(const Scene& scene, const Film& film) {
-    const Picture picture{scene.camera.width, scene.camera.height,  film.window(),
-                          film.pixels(),      scene.display_colors, {}};
-    return encode_png(display_bytes(picture, 0), picture.width, picture.height);
+Rendered rendered(const Scene& scene, int samples, std::uint32_t seed, const Context& context) {
+    RenderOptions options = options_for(scene, context);
+    options.samples_per_pixel = samples;
+    options.seed = seed;
+    return bench_report::rendered(scene, "bvh", options);
 }
 
-void complain(const std::string& what) {
-    fmt::print(stderr, "etalon-bench: warning: {}\n", what);
+Bytes display(const Scene& scene, const std::vector<Color>& pixels) {
+    const Camera& camera = scene.camera;
+    const Imath::Box2i window{{0, 0}, {camera.width - 1, camera.height - 1}};
+    return display_bytes({camera.width, camera.height, window, pixels, scene.display_colors, {}},
+                         0);
+}
+
+/// Without the layer if there is no PNG.
+void add(const std::string& title, const Bytes& rgb, PictureFigures& figures) {
+    Outcome<std::string> png = encode_png(rgb, figures.width, figures.height);
+    if (png) return figures.layers.push_back({title, std::move(png.value)});
+    fmt::print(stderr, "etalon-bench: warning: {}\n", png.error);
+}
+
+/// Pale is what only one pixel of a hundred exceeds: the few worst ones would make all others dark.
+void add_cost(const PixelPlane& cost, PictureFigures& figures) {
+    const double white = speed::quantile(cost.values, 0.99);
+    const double mean = std::reduce(cost.values.begin(), cost.values.end()) /
+                        static_cast<double>(cost.values.size());
+    add(fmt::format("Rays of a sample, mean {}, pale {}", three_digits(mean), three_digits(white)),
+        magma(cost, white), figures);
 }
 
 void measure(const PictureRequest& request, Results& results, const Context& context) {
-    LoadResult loaded = load_scene((scenes_folder() / request.scene).string());
-    if (!loaded.scene) return fmt::print(stderr, "{}", report(loaded.diagnostics));
-    Scene& scene = *loaded.scene;
-    scene.camera.width = request.width;
-    scene.camera.height = request.height;
-    scene.samples_per_pixel = request.samples;
-    const Rendered r = rendered(scene, "bvh", context);
-    if (!r.rendering.complete) return;
-    const Outcome<std::string> png = png_of(scene, r.rendering.film);
-    if (!png) return complain(png.error);
-    results.pictures.add({request.scene,
-                          picture_command(request),
-                          request.width,
-                          request.height,
-                          scene.primitives.size(),
-                          request.samples,
-                          r.render,
-                          {{request.scene, png.value}}});
+    const std::optional<Scene> scene = shipped_scene(request.scene, request.width, request.height);
+    if (!scene) return;
+    const Rendered many = rendered(*scene, request.samples, 0, context.part(0, 0.9));
+    const Rendered few = rendered(*scene, request.fewer_samples, 1, context.part(0.9, 1));
+    const PixelPlane cost = cost_map(*scene, request.fewer_samples, context);
+    if (!many.rendering.complete || !few.rendering.complete) return;
+    PictureFigures figures{request.scene,
+                           picture_command(request),
+                           request.width,
+                           request.height,
+                           scene->primitives.size(),
+                           many.render,
+                           {}};
+    const std::vector<Color> picture = many.rendering.film.pixels();
+    const PixelPlane error = flip_map(few.rendering.film.pixels(), picture, request.width);
+    add(samples_of(request.samples), display(*scene, picture), figures);
+    add(fmt::format("FLIP of {}, mean {}", samples_of(request.fewer_samples),
+                    three_digits(flip(error))),
+        magma(error), figures);
+    add_cost(cost, figures);
+    results.pictures.add(std::move(figures));
 }
 
 }  // namespace
@@ -59,8 +79,9 @@ void measure(const PictureRequest& request, Results& results, const Context& con
 std::vector<Task> picture_tasks(const Settings& settings) {
     std::vector<Task> tasks;
     for (const PictureRequest& request : settings.pictures) {
-        const double samples = 1.0 * request.width * request.height * request.samples;
-        tasks.push_back({request.scene, 0.1 + samples * 3e-6,
+        const double samples =
+            1.0 * request.width * request.height * (request.samples + 2 * request.fewer_samples);
+        tasks.push_back({request.scene, 0.1 + 0.5e-6 * request.microseconds * samples,
                          [request](Results& results, const Context& context) {
                              measure(request, results, context);
                          }});

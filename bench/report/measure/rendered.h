@@ -1,5 +1,7 @@
-// A scene rendered, with the time that it took.
+// The project's scenes, and scenes rendered.
 #pragma once
+
+#include <string>
 
 #include "app/stopwatch.h"
 #include "bench/report/tasks.h"
@@ -7,13 +9,19 @@
 
 namespace etalon::bench_report {
 
+/// A scene below the project's folder of scenes, which is looked for here and where the program was
+/// built. Nothing, and the reason on standard error, if it cannot be read.
+std::optional<Scene> shipped_scene(const std::string& name, int width, int height);
+
+/// The whole frame, as the scene asks for it.
+RenderOptions options_for(const Scene& scene, const Context& context);
+
 struct Rendered {
     Rendering rendering;
     Duration build, render;
     std::size_t bytes = 0;  ///< of the accelerator
 };
 
-/// The whole frame, as the scene asks for it.
-Rendered rendered(const Scene& scene, const std::string& backend, const Context& context);
+Rendered rendered(const Scene& scene, const std::string& backend, const RenderOptions& options);
 
 }  // namespace etalon::bench_report

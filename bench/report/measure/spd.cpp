@@ -25,7 +25,7 @@ void measure(const SpdScene& wanted, Results& results, const Context& context) {
     apply_spd_rules(scene);
     SpdFigures figures{wanted.family, wanted.size, scene.primitives.size(), watch.lap().cpu, {}};
     for (const std::string& backend : results.settings.spd_backends) {
-        const Rendered r = rendered(scene, backend, context);
+        const Rendered r = rendered(scene, backend, options_for(scene, context));
         if (!r.rendering.complete) return;
         figures.runs.push_back({backend, r.build, r.render, r.bytes, r.rendering.counts});
         const auto done = static_cast<double>(figures.runs.size());

@@ -15,7 +15,7 @@ void measure(const std::string& name, Results& results, const Context& context) 
     const auto observer = [&](const speed::SceneFigures& figures) {
         const auto done = static_cast<double>(figures.kinds.size() + 1);
         context.progress(done / static_cast<double>(plan.kinds.size() + 1));
-        return !context.stop;
+        return !context.is_over();
     };
     results.scenes.add(speed::measure_scene(name, std::move(*named.scene), plan, observer));
 }

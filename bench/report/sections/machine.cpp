@@ -35,8 +35,7 @@ std::string isa_of(const Results& results, std::string_view backend) {
 }
 
 Table backends(const Results& results) {
-    Table table{{{"backend", false}, {"how", false}, {"exact", false}, {"instructions", false}},
-                {}};
+    Table table{{{"backend", false}, {"how", false}, {"exact", false}, {"SIMD", false}}, {}};
     for (const Backend& b : all_backends()) {
         table.rows.push_back({{std::string(b.name)},
                               {std::string(b.summary)},

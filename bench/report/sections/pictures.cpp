@@ -12,10 +12,8 @@ Figure figure_of(const PictureFigures& p, const std::string& date) {
         images.images.push_back({layer.title, layer.png, p.width, p.height});
     }
     return {p.scene,
-            fmt::format("{}, {} × {} pixels with {} each, {} CPU seconds.",
-                        count_of(p.primitives, "primitive"), p.width, p.height,
-                        count_of(static_cast<std::uint64_t>(p.samples), "sample"),
-                        three_digits(p.render.cpu)),
+            fmt::format("{}, {} × {} pixels, {} CPU seconds.", count_of(p.primitives, "primitive"),
+                        p.width, p.height, three_digits(p.render.cpu)),
             p.command, date, std::move(images)};
 }
 
@@ -24,8 +22,10 @@ Figure figure_of(const PictureFigures& p, const std::string& date) {
 Section pictures_section(const Results& results) {
     Section section{"pictures", "Pictures", {}, {}};
     section.prose = {
-        "What the rays are for. Small here; every pixel is the same by every exact "
-        "backend and any number of threads."};
+        "What the rays are for. Every pixel is the same by every exact backend and any number of "
+        "threads. Beside each picture: how different one of fewer samples looks (FLIP, Andersson "
+        "et "
+        "al. 2020; black is no difference), and how many rays a sample takes."};
     for (const PictureFigures& p : results.pictures.list) {
         section.figures.push_back(figure_of(p, results.pictures.date));
     }
