@@ -82,6 +82,7 @@ class GridVisit {
         for (std::size_t ahead = 1; entry <= end; ahead = std::min(2 * ahead, stops.size())) {
             std::size_t count = 0;
             do {
+                test_.tally.cell();
                 const GridCell c = grid_.cell(walk.cell());
                 const Float4 exit = walk.exit();
                 stops[count] = {c, {entry, exit[0]}};
