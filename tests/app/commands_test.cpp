@@ -96,7 +96,7 @@ TEST_CASE("Wrong usage ends with 2, an unusable scene with 3, an unwritable outp
          {"", "paint ball.p3f", "render", "render ball.p3f --spp many", "render ball.p3f -b magic",
           "render ball.p3f --crop 1,2,3", "render ball.p3f --crop 0,0,99,5",
           "render ball.p3f --resolution 0x5", "render ball.p3f -o a.gif",
-          "render ball.p3f --integrator path", "render ball.p3f --aov N", "trace ball.p3f"}) {
+          "render ball.p3f --integrator path", "render ball.p3f --aov M", "trace ball.p3f"}) {
         INFO(wrong);
         const auto r = f.etalon(wrong);
         CHECK(r.status == 2);
