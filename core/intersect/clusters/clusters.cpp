@@ -45,11 +45,12 @@ std::size_t Clusters::size(ClusterRef ref) const {
     const auto lanes_where = [](const auto& lanes, const auto& holds) {
         return static_cast<std::size_t>(std::count_if(lanes.begin(), lanes.end(), holds));
     };
+    const auto is_number = [](float x) { return !std::isnan(x); };
     switch (ref.kind()) {
         case ClusterRef::triangles:
-            return static_cast<std::size_t>(std::popcount(triangles(ref).taken));
+            return lanes_where(triangles(ref).corners[0][0], is_number);
         case ClusterRef::spheres:
-            return lanes_where(spheres(ref).radius, [](float r) { return !std::isnan(r); });
+            return lanes_where(spheres(ref).radius, is_number);
         default:
             return lanes_where(lists_[ref.index()], [](auto id) { return id != no_index; });
     }
