@@ -10,6 +10,7 @@ constexpr etalon::Command commands[] = {
     {"trace", "Rays in, hits out", etalon::declare_trace},
     {"crosscheck", "The same rays through several backends and the oracle",
      etalon::declare_crosscheck},
+    {"compare", "How far a picture is from another", etalon::declare_compare},
     {"convert", "Write a scene in another format", etalon::declare_convert},
 };
 

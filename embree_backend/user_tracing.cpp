@@ -52,10 +52,11 @@ struct UserQuery : EmbreeContext {
     template <ClusterRef::Kind kind>
     HWY_INLINE std::uint32_t candidates(std::uint32_t cluster, float tmax) {
         const ClusterRef ref(kind, cluster);
+        const std::uint32_t left = query.ray.left;
         if constexpr (kind == ClusterRef::triangles) {
-            return triangles.get(local).candidates(clusters.triangles(ref), tmax);
+            return triangles.get(local, left).candidates(clusters.triangles(ref), tmax);
         } else {
-            return spheres.get(local, std::max(0.0F, local.tmin(query.ray.tmin)))
+            return spheres.get(local, std::max(0.0F, local.tmin(query.ray.tmin)), left)
                 .candidates(clusters.spheres(ref), tmax);
         }
     }

@@ -10,10 +10,12 @@
 #include "app/output.h"
 #include "bench/commands.h"
 #include "bench/scenes/bench_scene.h"
+#include "bench/speed/contender.h"
 #include "bench/speed/pinned.h"
-#include "bench/speed/rays.h"
 #include "bench/speed/report/json.h"
 #include "bench/speed/report/table.h"
+#include "bench/speed/scene.h"
+#include "core/render/ray_sets.h"
 
 namespace etalon {
 namespace {
@@ -42,7 +44,12 @@ struct Arguments {
     Plan plan() const {
         std::set<int> counts(threads.begin(), threads.end());
         counts.insert(1);
-        return {with_yardsticks(backends), {counts.begin(), counts.end()}, repeats, oracle_seconds};
+        return {with_yardsticks(backends),
+                {counts.begin(), counts.end()},
+                repeats,
+                oracle_seconds,
+                only_build ? std::vector<std::string>() : kinds,
+                max_rays};
     }
 };
 
@@ -53,40 +60,20 @@ void show(const Arguments& a, const std::string& text) {
     std::fflush(to);
 }
 
-std::vector<Contender> enter(const Plan& plan) {
-    std::vector<Contender> contenders;
-    for (const std::string& name : plan.contenders) {
-        contenders.push_back({&find_contender(name), nullptr});
-    }
-    return contenders;
+/// What came last.
+std::string table_of(const SceneFigures& figures) {
+    return figures.kinds.empty() ? table(figures.builds) : table(figures.kinds.back());
 }
 
-void measure_rays(const Arguments& a, const RayMeasurement& measurement, const Scene& scene,
-                  SceneFigures& figures) {
-    show(a, heading_of_rays());
-    for (const char* kind : ray_kinds) {
-        if (std::find(a.kinds.begin(), a.kinds.end(), kind) == a.kinds.end()) continue;
-        const RaySet set = make_ray_set(kind, scene, measurement.exact(), a.max_rays);
-        if (set.rays.empty()) continue;
-        figures.kinds.push_back(measurement.measure(set));
-        show(a, table(figures.kinds.back()));
-    }
-    show(a, summary(figures));
-}
-
-SceneFigures measure_scene(const Arguments& a, const std::string& name, Scene scene) {
-    hard::Setting setting;
-    setting.scene = std::move(scene);
-    SceneFigures figures{name, setting.scene.primitives.size(), {}, {}};
-    show(a, fmt::format("{}: {} primitives\n", name, figures.primitives));
-    const Plan plan = a.plan();
-    std::vector<Contender> contenders = enter(plan);
-    figures.builds = measure_builds(contenders, setting.scene, plan.threads, plan.repeats);
-    show(a, table(figures.builds));
-    if (!a.only_build) {
-        measure_rays(a, RayMeasurement(setting, contenders, plan), setting.scene, figures);
-    }
-    show(a, "\n");
+SceneFigures measure(const Arguments& a, const std::string& name, Scene scene) {
+    show(a, fmt::format("{}: {} primitives\n", name, scene.primitives.size()));
+    const auto observer = [&](const SceneFigures& figures) {
+        if (figures.kinds.size() == 1) show(a, heading_of_rays());
+        show(a, table_of(figures));
+        return true;
+    };
+    const SceneFigures figures = measure_scene(name, std::move(scene), a.plan(), observer);
+    show(a, (a.only_build ? "" : summary(figures)) + "\n");
     return figures;
 }
 
@@ -119,7 +106,7 @@ int run(const Arguments& a) {
         bench::NamedScene named = bench::bench_scene(name);
         fmt::print(stderr, "{}", named.messages);
         if (!named.scene) return exit_unusable;
-        json["scenes"].push_back(json_of(measure_scene(a, name, std::move(*named.scene))));
+        json["scenes"].push_back(json_of(measure(a, name, std::move(*named.scene))));
         if (!save(a, json, &name == &a.scenes.back())) return exit_not_written;
     }
     return exit_done;

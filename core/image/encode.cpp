@@ -1,29 +1,15 @@
 #include "core/image/encode.h"
 
-#include <algorithm>
-#include <cmath>
+#include "core/image/srgb.h"
 
 namespace etalon {
-namespace {
-
-/// gain * value in [0, 1]. The comparison is false for NaN.
-double clamped(float value, double gain) {
-    const double scaled = gain * static_cast<double>(value);
-    return scaled > 0 ? std::min(scaled, 1.0) : 0.0;
-}
-
-double srgb_curve(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
-}  // namespace
 
 std::uint8_t srgb_byte(float value, double gain) {
-    return static_cast<std::uint8_t>(255 * srgb_curve(clamped(value, gain)) + 0.5);
+    return static_cast<std::uint8_t>(255 * srgb_encoded(displayed(gain * value)) + 0.5);
 }
 
 std::uint8_t display_byte(float value, double gain) {
-    return static_cast<std::uint8_t>(255.99 * clamped(value, gain));
+    return static_cast<std::uint8_t>(255.99 * displayed(gain * value));
 }
 
 std::vector<std::uint8_t> display_bytes(const Picture& picture, double exposure) {

@@ -7,6 +7,9 @@
 
 namespace etalon {
 
+/// An integer attribute, 1 where the picture has display values.
+inline constexpr const char* display_colors_attribute = "displayColors";
+
 /// An OpenEXR file in memory: scan lines of 32-bit float R, G, B with ZIP compression, Rec. 709
 /// chromaticities, the picture's window as data window inside its frame as display window, and its
 /// metadata as attributes of the same names and types. Where OpenEXR has a standard attribute of a

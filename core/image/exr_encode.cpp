@@ -39,6 +39,7 @@ Imf::Header make_header(const Picture& picture) {
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const char* name : channel_names) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
     Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec. 709
+    if (picture.display_colors) header.insert(display_colors_attribute, Imf::IntAttribute(1));
     for (const auto& [name, value] : picture.metadata) {
         std::visit(
             [&, key = name](const auto& v) {

@@ -2,6 +2,7 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfIntAttribute.h>
 
 #include <algorithm>
 #include <new>
@@ -55,14 +56,23 @@ std::vector<float> read_rows(Imf::InputFile& file, const std::vector<std::string
     return pixels;
 }
 
+bool has_display_colors(const Imf::Header& header) {
+    const auto* stored = header.findTypedAttribute<Imf::IntAttribute>(display_colors_attribute);
+    return stored && stored->value() == 1;
+}
+
 Image read_image_part(const std::string& path) {
     static const bool limited = (Imf::Header::setMaxImageSize(max_side, max_side),
                                  Imf::Header::setMaxTileSize(max_side, max_side), true);
     static_cast<void>(limited);
     Imf::InputFile file(path.c_str());
     const std::vector<std::string> names = picture_channels(file.header().channels());
-    const Imath::V2i size = file.header().dataWindow().size() + Imath::V2i(1);
-    return {size.x, size.y, static_cast<int>(names.size()), read_rows(file, names)};
+    const Imath::Box2i window = file.header().dataWindow();
+    const Imath::V2i size = window.size() + Imath::V2i(1);
+    const int channels = static_cast<int>(names.size());
+    const Encoding encoding =
+        has_display_colors(file.header()) ? Encoding::display : Encoding::linear;
+    return {size.x, size.y, channels, read_rows(file, names), encoding, window.min};
 }
 
 }  // namespace

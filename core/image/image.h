@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -9,11 +10,17 @@
 
 namespace etalon {
 
+/// What stored values are: light; or light encoded by sRGB's curve; or display values as programs
+/// make them that know no light, which files of either kind hold as they are.
+enum class Encoding { linear, srgb, display };
+
 /// Pixels by rows from the top, channels interleaved (R, G, B, ...). Eight-bit sources stay bytes:
 /// a skybox is six large pictures.
 struct Image {
     int width = 0, height = 0, channels = 0;
     std::variant<std::vector<std::uint8_t>, std::vector<float>> pixels;
+    Encoding encoding = Encoding::linear;
+    std::optional<Imath::V2i> origin;  ///< of the upper left pixel in its frame, where files say it
 
     bool empty() const { return width == 0; }
 
@@ -21,6 +28,9 @@ struct Image {
     /// or one with alpha, is grey. 0 <= x < width, 0 <= y < height.
     Color color(int x, int y) const;
 };
+
+/// The colours of all pixels, by rows from the top: linear RGB, or the display values.
+std::vector<Color> linear_pixels(const Image& image);
 
 /// A result, or the reason why there is none.
 template <class T>

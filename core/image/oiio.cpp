@@ -43,7 +43,8 @@ std::vector<T> room(const EtalonImageFormat& format) {
 
 int begin_image(void* context, const EtalonImageFormat* format) {
     return ImageCollector::of(context).attempt([&](Image& image) {
-        image = {format->width, format->height, format->channels, {}};
+        image = {format->width, format->height, format->channels, {}, {}, {}};
+        if (format->is_srgb != 0) image.encoding = Encoding::srgb;
         if (format->is_float)
             image.pixels = room<float>(*format);
         else

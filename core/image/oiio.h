@@ -10,7 +10,8 @@
 namespace etalon {
 
 /// The first image of any file OpenImageIO can read (jpg, png, hdr, pfm, tiff, ...), at most four
-/// channels: 8-bit values stay bytes, others become floats, and no colour is converted.
+/// channels: 8-bit values stay bytes, others become floats, and no colour is converted. Integers of
+/// any size count as sRGB, floats as linear.
 Outcome<Image> read_oiio(const std::string& path);
 
 /// A PNG file in memory, marked as sRGB, of width * height pixels R, G, B by rows from the top.

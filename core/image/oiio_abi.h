@@ -10,6 +10,7 @@ extern "C" {
 struct EtalonImageFormat {
     int width, height, channels;
     int is_float;  ///< else bytes
+    int is_srgb;   ///< encoded by its curve, else linear
 };
 
 /// Where results go. Both functions return 0 on failure, and whoever calls them then gives up.
@@ -36,4 +37,4 @@ using EtalonOiioEntry = const EtalonOiio* (*)();
 
 }  // extern "C"
 
-inline constexpr int etalon_oiio_version = 1;
+inline constexpr int etalon_oiio_version = 2;

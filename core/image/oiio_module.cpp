@@ -80,9 +80,9 @@ int read(const char* path, const EtalonSink* sink) {
     return guarded(*sink, [&] {
         const auto input = open(path);
         const OIIO::ImageSpec& spec = input->spec();
-        const EtalonImageFormat format{spec.width, spec.height,
-                                       std::min(spec.nchannels, max_channels),
-                                       spec.format != OIIO::TypeDesc::UINT8};
+        const EtalonImageFormat format{
+            spec.width, spec.height, std::min(spec.nchannels, max_channels),
+            spec.format != OIIO::TypeDesc::UINT8, !spec.format.is_floating_point()};
         if (sink->begin(sink->context, &format) == 0) throw Refused();
         read_rows(*input, format, *sink);
     });

@@ -1,34 +1,64 @@
 #include "core/render/film.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace etalon {
 
-Film::Film(const Imath::Box2i& window)
+Film::Film(const Imath::Box2i& window, bool with_squares)
     : window_(window),
       width_(window.max.x - window.min.x + 1),
-      pixels_(static_cast<std::size_t>(width_) * (window.max.y - window.min.y + 1)) {}
+      sums_(static_cast<std::size_t>(width_) * (window.max.y - window.min.y + 1), Vec3(0)),
+      squares_(with_squares ? sums_.size() : 0, Vec3(0)),
+      counts_(sums_.size(), 0) {}
 
 void Film::add(int x, int y, const Color& sample) {
-    Pixel& p = at(x, y);
-    p.sum += Vec3(sample);
-    ++p.count;
+    const std::size_t i = index(x, y);
+    const Vec3 value(sample);
+    sums_[i] += value;
+    if (!squares_.empty()) squares_[i] += value * value;
+    ++counts_[i];
+}
+
+std::uint64_t Film::total_count() const {
+    return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0});
+}
+
+Vec3 Film::mean(std::size_t pixel) const {
+    return counts_[pixel] == 0 ? Vec3(0) : sums_[pixel] / counts_[pixel];
 }
 
 std::vector<Color> Film::pixels() const {
     std::vector<Color> result;
-    result.reserve(pixels_.size());
-    for (const Pixel& p : pixels_) {
-        result.emplace_back(p.count == 0 ? Vec3(0) : p.sum / p.count);
+    result.reserve(size());
+    for (std::size_t i = 0; i < size(); ++i) result.emplace_back(mean(i));
+    return result;
+}
+
+std::vector<Color> Film::variances() const {
+    std::vector<Color> result(size(), Color(0.0F));
+    for (std::size_t i = 0; i < size(); ++i) {
+        if (counts_[i] < 2) continue;
+        const Vec3 about_mean = squares_[i] - mean(i) * sums_[i];
+        for (int k = 0; k < 3; ++k) {  // rounding may leave less than nothing
+            result[i][k] = static_cast<float>(std::max(0.0, about_mean[k]) / (counts_[i] - 1.0));
+        }
     }
     return result;
 }
 
+void Film::add_all(std::size_t pixel, const Film& from, std::size_t pixel_of_it) {
+    sums_[pixel] += from.sums_[pixel_of_it];
+    counts_[pixel] += from.counts_[pixel_of_it];
+    if (!squares_.empty()) squares_[pixel] += from.squares_[pixel_of_it];
+}
+
 Film Film::cells() const {
-    Film result({window_.min, window_.max - Imath::V2i(1)});
+    Film result({window_.min, window_.max - Imath::V2i(1)}, !squares_.empty());
     for (int y = window_.min.y; y < window_.max.y; ++y) {
         for (int x = window_.min.x; x < window_.max.x; ++x) {
             for (const auto& [dx, dy] : {Imath::V2i(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
-                result.at(x, y).sum += at(x + dx, y + dy).sum;
-                result.at(x, y).count += at(x + dx, y + dy).count;
+                result.add_all(result.index(x, y), *this, index(x + dx, y + dy));
             }
         }
     }

@@ -8,38 +8,46 @@
 namespace etalon {
 
 /// Sums of samples, pixel by pixel, over a window of the picture. Threads may add to different
-/// pixels at the same time.
+/// pixels at the same time. Pixels are numbered by rows from the top.
 class Film {
   public:
-    /// `window` inclusive on both ends.
-    explicit Film(const Imath::Box2i& window);
+    /// `window` inclusive on both ends. Sums of squares, for variances, only `with_squares`.
+    explicit Film(const Imath::Box2i& window, bool with_squares = false);
 
     void add(int x, int y, const Color& sample);
 
     const Imath::Box2i& window() const { return window_; }
+    int width() const { return width_; }
+    std::size_t size() const { return sums_.size(); }
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y - window_.min.y) * width_ + (x - window_.min.x);
+    }
 
-    /// The mean of each pixel's samples, rows from the top; black where there is none yet.
+    const Vec3& sum(std::size_t pixel) const { return sums_[pixel]; }
+    const std::vector<std::uint32_t>& counts() const { return counts_; }
+    std::uint64_t total_count() const;
+
+    /// Of the samples; black where there is none yet.
+    Vec3 mean(std::size_t pixel) const;
+
+    /// The means of all pixels.
     std::vector<Color> pixels() const;
+
+    /// The variance of each pixel's samples, without bias (Bessel); 0 below two samples. Not that
+    /// of their mean, which well distributed samples bring below a share of it. Needs squares.
+    std::vector<Color> variances() const;
 
     /// For a film of a grid's corners: that of the cells between them, each with the samples of its
     /// four corners. It is smaller by one both ways.
     Film cells() const;
 
   private:
-    struct Pixel {
-        Vec3 sum{0};
-        std::uint32_t count = 0;
-    };
-
-    Pixel& at(int x, int y) { return pixels_[index(x, y)]; }
-    const Pixel& at(int x, int y) const { return pixels_[index(x, y)]; }
-    std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y - window_.min.y) * width_ + (x - window_.min.x);
-    }
+    void add_all(std::size_t pixel, const Film& from, std::size_t pixel_of_it);
 
     Imath::Box2i window_;
     int width_;
-    std::vector<Pixel> pixels_;
+    std::vector<Vec3> sums_, squares_;  ///< squares: empty where nobody asked
+    std::vector<std::uint32_t> counts_;
 };
 
 }  // namespace etalon

@@ -6,7 +6,7 @@
 #include "core/intersect/kernels.h"
 #include "core/render/aimed_rays.h"
 #include "core/render/camera_rays.h"
-#include "core/sampling/sobol.h"
+#include "core/sampling/sample_source.h"
 #include "core/shading/light_samples.h"
 
 namespace etalon {

@@ -1,10 +1,13 @@
 #include "core/render/renderer.h"
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include "core/parallel/parallel.h"
+#include "core/render/adaptive_rounds.h"
 #include "core/render/camera_rays.h"
+#include "core/render/uniform_rounds.h"
 #include "core/render/whitted.h"
 
 namespace etalon {
@@ -41,54 +44,80 @@ class Renderer {
           in_pixel_(scene.camera.pixel_rays == PixelRays::centre ? 0.5 : 0.0),
           shares_corners_(options.samples_per_pixel == 0 &&
                           scene.camera.pixel_rays == PixelRays::shared_corners),
-          window_(sampled(options.window, shares_corners_)),
           rays_(scene.camera),
           integrator_(scene, intersector, environment, options.samples_per_pixel,
                       options.max_depth),
-          tiles_(tiles_of(window_)),
+          film_(sampled(options.window, shares_corners_), options.variance),
+          tiles_(tiles_of(film_.window())),
           counts_(tiles_.size()) {}
 
     Rendering run() {
-        Rendering result{Film(window_), {}};
-        const int total = std::max(1, options_.samples_per_pixel);
-        for (int first = 0, last = 1; first < total;
-             first = last, last = std::min(2 * last, total)) {
-            render_pass(first, last, total, result.film);
-            if (stopped()) break;
-            result.samples = last;
+        const std::unique_ptr<Rounds> rounds = make_rounds();
+        bool complete = false;
+        while (!stopped()) {
+            const std::optional<Goals> goals = rounds->next(film_);
+            if (samples_done_ > 0 && options_.after_round) {
+                options_.after_round({film_, rounds->expected_error()});
+            }
+            complete = !goals;
+            if (complete) break;
+            render_round(*goals, *rounds);
         }
-        result.complete = result.samples == total;
-        if (shares_corners_) result.film = result.film.cells();
+        return finished(*rounds, complete);
+    }
+
+  private:
+    bool stopped() const {
+        return (options_.stop != nullptr && options_.stop->load()) || options_.deadline.is_over();
+    }
+
+    std::unique_ptr<Rounds> make_rounds() const {
+        const auto samples = static_cast<std::uint32_t>(std::max(1, options_.samples_per_pixel));
+        if (options_.error > 0) {
+            return std::make_unique<AdaptiveRounds>(film_, options_.error, samples);
+        }
+        return std::make_unique<UniformRounds>(samples, film_.size(), options_.deadline);
+    }
+
+    Rendering finished(const Rounds& rounds, bool complete) {
+        Rendering result{shares_corners_ ? film_.cells() : std::move(film_), {}};
+        result.samples =
+            static_cast<double>(samples_done_) / static_cast<double>(result.film.size());
+        result.expected_error = rounds.expected_error();
+        result.complete = complete;
         for (const RayCounts& c : counts_) result.counts += c;
         return result;
     }
 
-  private:
-    bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
-
-    void render_pass(int first, int last, int total, Film& film) {
+    void render_round(const Goals& goals, const Rounds& rounds) {
         parallel_for(tiles_.size(), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                if (stopped()) return;
-                render_tile(i, first, last, film);
-                const auto done = samples_done_.fetch_add(last - first) + (last - first);
-                report(static_cast<double>(done) /
-                       (static_cast<double>(total) * static_cast<double>(tiles_.size())));
+            for (std::size_t i = begin; i < end && !stopped(); ++i) {
+                const std::uint64_t done = render_tile(i, goals);
+                const std::uint64_t total = samples_done_.fetch_add(done) + done;
+                if (options_.progress) options_.progress(rounds.part_done(total));
             }
         });
     }
 
-    void render_tile(std::size_t tile, int first, int last, Film& film) {
+    /// Returns the number of samples.
+    std::uint64_t render_tile(std::size_t tile, const Goals& goals) {
         const Imath::Box2i& box = tiles_[tile];
+        std::uint64_t done = 0;
         for (int y = box.min.y; y <= box.max.y && !stopped(); ++y) {
             for (int x = box.min.x; x <= box.max.x; ++x) {
-                for (int s = first; s < last; ++s) film.add(x, y, sample(x, y, s, counts_[tile]));
+                const std::size_t pixel = film_.index(x, y);
+                const std::uint32_t first = film_.counts()[pixel], last = goals.of(pixel);
+                for (std::uint32_t s = first; s < last; ++s) {
+                    film_.add(x, y, sample(x, y, s, counts_[tile]));
+                }
+                done += last - first;
             }
         }
+        return done;
     }
 
-    Color sample(int x, int y, int index, RayCounts& counts) const {
-        const SampleSource source(x, y, options_.seed, static_cast<std::uint32_t>(index));
+    Color sample(int x, int y, std::uint32_t index, RayCounts& counts) const {
+        const SampleSource source(x, y, options_.seed, index, options_.sampler);
         const Vec2 corner(x, y);
         if (options_.samples_per_pixel == 0) {
             return integrator_.radiance(rays_.ray(corner + in_pixel_, Vec2(0.5)), source, counts);
@@ -98,19 +127,15 @@ class Renderer {
         return integrator_.radiance(rays_.ray(pixel, lens), source, counts);
     }
 
-    void report(double done) const {
-        if (options_.progress) options_.progress(done);
-    }
-
     const RenderOptions& options_;
     Vec2 in_pixel_;  ///< where the one ray of a picture without samples goes
     bool shares_corners_;
-    Imath::Box2i window_;
     CameraRays rays_;
     Whitted integrator_;
+    Film film_;
     std::vector<Imath::Box2i> tiles_;
     std::vector<RayCounts> counts_;
-    std::atomic<std::int64_t> samples_done_ = 0;
+    std::atomic<std::uint64_t> samples_done_ = 0;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "core/intersect/intersector.h"
 #include "core/intersect/surface.h"
 #include "core/render/ray_counts.h"
-#include "core/sampling/sobol.h"
+#include "core/sampling/sample_source.h"
 #include "core/shading/environment_map.h"
 #include "core/shading/light_samples.h"
 

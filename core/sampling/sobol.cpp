@@ -60,4 +60,9 @@ Vec2 scrambled_sobol(std::uint32_t index, std::uint32_t seed) {
     return {unit_interval(x), unit_interval(y)};
 }
 
+Vec2 uniform_random(std::uint32_t index, std::uint32_t seed) {
+    const std::uint32_t name = hash(seed, index);
+    return {unit_interval(hash(name, 0)), unit_interval(hash(name, 1))};
+}
+
 }  // namespace etalon

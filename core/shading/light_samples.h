@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "core/sampling/sobol.h"
+#include "core/sampling/sample_source.h"
 #include "core/scene/light.h"
 
 namespace etalon {

@@ -95,7 +95,7 @@ void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& loc
     StackSpace space;
     Walk<NearestFirst> walk(bvh.tree, local, tmin, space);
     if (!walk.begin(tmax)) return;
-    const ClusterFilter filter(local, tmin);
+    const ClusterFilter filter(local, tmin, query.ray.left);
     const auto offer = [&](double t, std::uint32_t id) HWY_ATTR {
         nearest.offer(t, id);
         return true;
@@ -113,7 +113,7 @@ bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& lo
     StackSpace space;
     Walk<AsTheyCome> walk(bvh.tree, local, tmin, space);
     if (!walk.begin(tmax)) return false;
-    const ClusterFilter filter(local, tmin);
+    const ClusterFilter filter(local, tmin, query.ray.left);
     bool found = false;
     const auto offer = [&](double t, std::uint32_t) HWY_ATTR {
         found = t <= query.ray.tmax;

@@ -51,7 +51,7 @@ static_assert(sizeof(WideNode) == 256);
 struct WideTree {
     bool empty() const { return nodes.empty() && !root.is_leaf(); }
 
-    std::vector<WideNode> nodes;
+    std::vector<WideNode, LargePages<WideNode>> nodes;
     ChildRef root;
 };
 

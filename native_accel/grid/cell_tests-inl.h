@@ -45,10 +45,10 @@ class SphereTest {
 template <class Offer>
 class ClusterTest {
   public:
-    /// For what is met from `entry` on.
+    /// For what is met from `entry` on by a ray that has left the primitive `left` (see Ray).
     HWY_INLINE ClusterTest(const Clusters& clusters, const FrameRay& ray, float entry,
-                           const Offer& offer)
-        : clusters_(clusters), slabs_(ray, entry), filter_(ray, entry), offer_(offer) {}
+                           std::uint32_t left, const Offer& offer)
+        : clusters_(clusters), slabs_(ray, entry), filter_(ray, entry, left), offer_(offer) {}
 
     HWY_INLINE float operator()(std::span<const BoxPack> packs, float from, float to,
                                 float tmax) const {

@@ -1,32 +1,18 @@
 #include "bench/accuracy/report/plot.h"
 #include "bench/accuracy/report/axes.h"
-#include "bench/accuracy/report/labels.h"
+#include "bench/plot/labels.h"
 #include "tests/accuracy/report_rows.h"
 #include "tests/catch.h"
+#include "tests/markup.h"
 
 using namespace etalon::accuracy;
+using etalon::plot::Frame;
+using etalon::plot::Label;
+using etalon::plot::Place;
+using etalon::plot::Rectangle;
+using etalon::test::is_well_formed;
 
 namespace {
-
-/// Whether every tag that is opened is closed, in order, and every "&" begins an entity.
-bool is_well_formed(const std::string& xml) {
-    std::vector<std::string> open;
-    for (std::size_t at = 0; (at = xml.find_first_of("<&", at)) != std::string::npos; ++at) {
-        const std::size_t end = xml.find_first_of(xml[at] == '&' ? ";" : ">", at);
-        if (end == std::string::npos) return false;
-        const std::string inside = xml.substr(at + 1, end - at - 1);
-        if (inside.find('<') != std::string::npos) return false;
-        if (xml[at] == '&') {
-            if (inside != "amp" && inside != "lt" && inside != "gt") return false;
-        } else if (inside.starts_with("/")) {
-            if (open.empty() || open.back() != inside.substr(1)) return false;
-            open.pop_back();
-        } else if (!inside.ends_with("/")) {
-            open.push_back(inside.substr(0, inside.find(' ')));
-        }
-    }
-    return open.empty();
-}
 
 Point point(double cost, double error) {
     Point p;
@@ -97,14 +83,15 @@ TEST_CASE("A plot is well-formed XML that names every contender") {
 TEST_CASE("There are ticks on both axes, however narrow the range, and the points are between") {
     for (const double dearest : {1.0, 1.3, 3.0, 1000.0}) {
         Scatter scatter{"float textbook", 1, {point(1, 0), point(dearest, 5)}};
-        const Axes axes(scatter);
+        const Frame frame{360, 280, 34, 348, 30, 228};
+        const Axes axes(scatter, frame);
         CHECK(axes.cost_ticks().size() >= 2);
         CHECK(axes.cost_ticks().size() <= 12);
         CHECK(axes.error_ticks().size() >= 2);
         for (const Point& p : scatter.points) {
             const Place at = axes.place(p.cost, p.error);
-            CHECK((at.x > Axes::left && at.x < Axes::right));
-            CHECK((at.y >= Axes::top && at.y <= Axes::bottom));
+            CHECK((at.x > frame.left && at.x < frame.right));
+            CHECK((at.y >= frame.top && at.y <= frame.bottom));
         }
     }
 }

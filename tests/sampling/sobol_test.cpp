@@ -1,5 +1,6 @@
-#include "core/sampling/sobol.h"
+#include "core/sampling/sample_source.h"
 
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -55,6 +56,24 @@ TEST_CASE("Parts of a dimension over all samples make one well distributed set",
         }
     }
     CHECK(one_point_in_every_cell(points, 8, 8));
+}
+
+TEST_CASE("Random points are even, and each one is apart from all others", "[sampling]") {
+    constexpr std::uint32_t count = 1 << 14;
+    std::vector<int> cells(64, 0);
+    double products = 0;
+    Vec2 last(0);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Vec2 p = SampleSource(1, 2, 3, i, Sampler::random).point(7);
+        ++cells[static_cast<std::size_t>(p.x * 8) * 8 + static_cast<std::size_t>(p.y * 8)];
+        products += (p.x - 0.5) * (last.x - 0.5) + (p.x - 0.5) * (p.y - 0.5);
+        last = p;
+    }
+    double chi_squared = 0;
+    for (const int n : cells) chi_squared += (n - 256.0) * (n - 256.0) / 256.0;
+    CHECK(chi_squared > 30);  // 63 degrees of freedom: mean 63, standard deviation 11
+    CHECK(chi_squared < 120);
+    CHECK(std::abs(products / count) < 5 * std::sqrt(2.0 / count) / 12);
 }
 
 TEST_CASE("The mean over many seeds is unbiased", "[sampling]") {

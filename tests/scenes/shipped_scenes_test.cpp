@@ -59,7 +59,7 @@ TEST_CASE("Every shipped scene loads strictly, without a diagnostic", "[scenes]"
         CHECK(result.scene.has_value());
         ++count;
     }
-    CHECK(count >= 17);
+    CHECK(count >= 18);
 }
 
 TEST_CASE("The showcase uses every word of P3F", "[scenes]") {

@@ -7,43 +7,51 @@
 
 #include "bench/accuracy/report/axes.h"
 #include "bench/accuracy/report/cases.h"
-#include "bench/accuracy/report/labels.h"
 #include "bench/accuracy/report/numbers.h"
+#include "bench/plot/labels.h"
 
 namespace etalon::accuracy {
 namespace {
 
-constexpr double margin = 24;
-constexpr std::string_view small = "font-size=\"11\" fill=\"#777\"";
+using plot::Anchor;
+using plot::Frame;
+using plot::Label;
+using plot::Place;
+using plot::Svg;
+using plot::Tick;
 
-/// Keeps text legible on a line.
-constexpr std::string_view halo =
-    "paint-order=\"stroke\" stroke=\"#fff\" stroke-width=\"3\" stroke-linejoin=\"round\"";
+constexpr double margin = 24;
+constexpr Frame large{760, 500, 72, 728, 120, 426};
+constexpr Frame small{360, 280, 34, 348, 30, 228};
 
 /// Who is alike has a colour.
 enum Kind { exact, textbook, other };
-constexpr std::string_view colours[] = {"#1a5fa5", "#5c5c5c", "#b5482a"};
+constexpr std::string_view colours[] = {"c1", "c7", "c2"};
 constexpr std::string_view kinds[] = {"promises to be right", "textbook kernel", "float backend"};
+
+constexpr std::string_view error_axis =
+    "error of the worst case: t in ulp of float, plus wrong answers per 10⁶ rays";
 
 Kind kind_of(const Point& p) {
     if (p.exact) return exact;
     return is_textbook(p.contender) ? textbook : other;
 }
 
+std::string cost_axis(const Scatter& scatter) {
+    return "median cost of a ray, " +
+           (scatter.unit.empty() ? "in nanoseconds" : "relative to " + scatter.unit);
+}
+
 void draw_titles(Svg& svg, std::string shape, const Scatter& scatter) {
     shape[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(shape[0])));
-    svg.text({margin, 34}, Anchor::start, shape,
-             "font-size=\"18\" font-weight=\"bold\" fill=\"#222\"");
+    svg.text({margin, 34}, Anchor::start, shape, "heading");
     svg.text({margin, 55}, Anchor::start,
              fmt::format("Error against cost over {} hard case{}. Filled: the Pareto set, which "
                          "nothing beats in both.",
                          scatter.cases, scatter.cases == 1 ? "" : "s"),
-             "fill=\"#555\"");
-    svg.text({margin, Axes::top - 32}, Anchor::start,
-             "error of the worst case: t in ulp of float, plus wrong answers per 10⁶ rays", small);
-    const std::string unit =
-        scatter.unit.empty() ? "in nanoseconds" : "relative to " + scatter.unit;
-    svg.text({Axes::right, Axes::bottom + 54}, Anchor::end, "median cost of a ray, " + unit, small);
+             "");
+    svg.text({margin, large.top - 32}, Anchor::start, error_axis, "small");
+    svg.text({large.right, large.bottom + 54}, Anchor::end, cost_axis(scatter), "small");
 }
 
 /// The kinds that are there, in a row below the axis.
@@ -53,23 +61,27 @@ void draw_key(Svg& svg, const Scatter& scatter) {
         const bool is_there = std::any_of(scatter.points.begin(), scatter.points.end(),
                                           [&](const Point& p) { return kind_of(p) == kind; });
         if (!is_there) continue;
-        svg.text({x, Axes::bottom + 54}, Anchor::start, kinds[kind],
-                 fmt::format("font-size=\"11\" fill=\"{}\"", colours[kind]));
+        svg.text({x, large.bottom + 54}, Anchor::start, kinds[kind],
+                 fmt::format("small name {}", colours[kind]));
         x += 6.2 * static_cast<double>(kinds[kind].size()) + 16;
     }
 }
 
 void draw_ticks(Svg& svg, const Axes& axes) {
+    const Frame& frame = axes.frame();
+    double below = frame.bottom + 12;
     for (const Tick& tick : axes.error_ticks()) {
         const double y = axes.place(1, tick.value).y;
-        svg.line({Axes::left, y}, {Axes::right, y}, "stroke=\"#f0f0f0\"");
-        svg.text({Axes::left - 8, y + 4}, Anchor::end, tick.text, small);
+        if (below - y < 12) continue;  // two texts would be one
+        below = y;
+        svg.line({frame.left, y}, {frame.right, y}, "grid");
+        svg.text({frame.left - 8, y + 4}, Anchor::end, tick.text, "small");
     }
-    const double y = Axes::bottom + 12;
+    const double y = frame.bottom + 12;
     for (const Tick& tick : axes.cost_ticks()) {
         const double x = axes.place(tick.value, 0).x;
-        svg.line({x, y}, {x, y + 4}, "stroke=\"#999\"");
-        svg.text({x, y + 18}, Anchor::middle, tick.text, small);
+        svg.line({x, y}, {x, y + 4}, "tick");
+        svg.text({x, y + 18}, Anchor::middle, tick.text, "small");
     }
 }
 
@@ -101,29 +113,65 @@ std::vector<Place> along(const std::vector<Place>& corners) {
 
 void draw_points(Svg& svg, const Scatter& scatter, const Axes& axes) {
     for (const Point& p : scatter.points) {
-        const std::string_view c = colours[kind_of(p)];
         const std::string hint = fmt::format("{}: cost {}, error {} in {}", p.contender,
                                              brief(p.cost), brief(p.error), p.worst_case);
         svg.dot(axes.place(p.cost, p.error), 4.5, hint,
-                fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.5\"",
-                            p.efficient ? c : "#fff", c));
+                fmt::format("mark {}{}", colours[kind_of(p)], p.efficient ? "" : " hollow"));
     }
 }
 
-void draw_labels(Svg& svg, const Scatter& scatter, const Axes& axes,
-                 const std::vector<Place>& avoid) {
-    std::vector<Label> labels;
-    for (const Point& p : scatter.points) {
-        labels.push_back({p.contender, p.efficient, axes.place(p.cost, p.error)});
+/// What a mark covers, as places so close that no label fits between.
+void add_mark(Place at, std::vector<Place>& places) {
+    for (const double x : {-5.0, 0.0, 5.0}) {
+        for (const double y : {-5.0, 0.0, 5.0}) places.push_back({at.x + x, at.y + y});
     }
-    place(labels, {Axes::left, Axes::top - 26, Axes::width - 4, Axes::bottom + 10}, avoid);
+}
+
+/// Of those that `is_named`.
+template <class F>
+void draw_labels(Svg& svg, const Scatter& scatter, const Axes& axes, std::vector<Place> avoid,
+                 const F& is_named) {
+    std::vector<Label> labels;
+    std::vector<std::string_view> classes;
+    for (const Point& p : scatter.points) {
+        if (!is_named(p)) {
+            add_mark(axes.place(p.cost, p.error), avoid);
+            continue;
+        }
+        labels.push_back({p.contender, p.efficient, axes.place(p.cost, p.error)});
+        classes.push_back(colours[kind_of(p)]);
+    }
+    const Frame& frame = axes.frame();
+    place(labels, {frame.left, frame.top - 26, frame.width - 4, frame.bottom + 10}, avoid);
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Label& label = labels[i];
-        if (label.is_far) svg.line(label.mark, leader_end(label), "stroke=\"#bbb\"");
+        if (label.is_far) svg.line(label.mark, leader_end(label), "leader");
         svg.text(label.at, label.anchor, label.text,
-                 fmt::format("{} fill=\"{}\"{}", halo, colours[kind_of(scatter.points[i])],
-                             label.is_bold ? " font-weight=\"bold\"" : ""));
+                 fmt::format("halo name {}{}", classes[i], label.is_bold ? " strong" : ""));
     }
+}
+
+template <class F>
+void draw(Svg& svg, const Scatter& scatter, const Axes& axes, const F& is_named) {
+    const std::vector<Place> corners = frontier(scatter, axes);
+    draw_ticks(svg, axes);
+    svg.polyline(corners, "frontier");
+    draw_labels(svg, scatter, axes, along(corners), is_named);
+    draw_points(svg, scatter, axes);
+}
+
+std::string title_of(const std::string& shape) {
+    return shape + ": error against cost";
+}
+
+/// The same as the picture, in words.
+std::string description_of(const Scatter& scatter) {
+    std::string text = cost_axis(scatter) + "; " + std::string(error_axis) + ".";
+    for (const Point& p : scatter.points) {
+        text += fmt::format(" {}: {}, {}{}.", p.contender, brief(p.cost), brief(p.error),
+                            p.efficient ? " (in the Pareto set)" : "");
+    }
+    return text;
 }
 
 }  // namespace
@@ -131,16 +179,21 @@ void draw_labels(Svg& svg, const Scatter& scatter, const Axes& axes,
 std::string plot(const std::vector<Row>& rows, const std::string& shape) {
     const Scatter scatter = scatter_of(rows, shape);
     if (scatter.points.empty()) return {};
-    const Axes axes(scatter);
-    const std::vector<Place> corners = frontier(scatter, axes);
-    Svg svg(Axes::width, Axes::height);
+    Svg svg(large.width, large.height, title_of(shape), description_of(scatter));
     draw_titles(svg, shape, scatter);
     draw_key(svg, scatter);
-    draw_ticks(svg, axes);
-    svg.polyline(corners, "fill=\"none\" stroke=\"#b9c6d6\" stroke-width=\"1.5\"");
-    draw_labels(svg, scatter, axes, along(corners));
-    draw_points(svg, scatter, axes);
-    return svg.finished();
+    draw(svg, scatter, Axes(scatter, large), [](const Point&) { return true; });
+    return svg.standalone();
+}
+
+std::string small_plot(const std::vector<Row>& rows, const std::string& shape) {
+    const Scatter scatter = scatter_of(rows, shape);
+    if (scatter.points.empty()) return {};
+    Svg svg(small.width, small.height, title_of(shape), description_of(scatter));
+    svg.text({0, 12}, Anchor::start, "error", "small");
+    svg.text({small.right, small.bottom + 48}, Anchor::end, cost_axis(scatter), "small");
+    draw(svg, scatter, Axes(scatter, small), [](const Point& p) { return p.efficient; });
+    return svg.inlined();
 }
 
 }  // namespace etalon::accuracy

@@ -1,3 +1,4 @@
+// Error against cost of all that took part in a shape's cases, as SVG.
 #pragma once
 
 #include <string>
@@ -7,8 +8,12 @@
 
 namespace etalon::accuracy {
 
-/// Error against cost of all that took part in a shape's cases, as an SVG picture; empty if nobody
-/// has a cost.
+/// A picture by itself, with titles and a key, where everybody has a label. Empty if nobody has a
+/// cost.
 std::string plot(const std::vector<Row>& rows, const std::string& shape);
+
+/// A part of a page, which has the titles and the key: small enough for a phone, so that only who
+/// is in the Pareto set has a label. Empty if nobody has a cost.
+std::string small_plot(const std::vector<Row>& rows, const std::string& shape);
 
 }  // namespace etalon::accuracy

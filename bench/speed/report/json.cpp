@@ -88,7 +88,7 @@ Json json_of(const KindFigures& kind) {
 
 }  // namespace
 
-Json json_of_circumstances(const Plan& plan) {
+Json json_of_machine() {
     const accuracy::Circumstances here = accuracy::circumstances();
     const EmbreeLibrary embree = embree_library();
     return {{"version", here.version},
@@ -96,10 +96,15 @@ Json json_of_circumstances(const Plan& plan) {
              {{"cpu", here.machine}, {"cores", usable_cores()}, {"load_average", load_average()}}},
             {"compiler", here.compiler},
             {"flags", here.flags},
-            {"embree", {{"version", embree.version}, {"isa", embree.isa}}},
-            {"yardsticks", {yardstick, robust_yardstick}},
-            {"repeats", plan.repeats},
-            {"threads", plan.threads}};
+            {"embree", {{"version", embree.version}, {"isa", embree.isa}}}};
+}
+
+Json json_of_circumstances(const Plan& plan) {
+    Json json = json_of_machine();
+    json["yardsticks"] = {yardstick, robust_yardstick};
+    json["repeats"] = plan.repeats;
+    json["threads"] = plan.threads;
+    return json;
 }
 
 Json json_of(const SceneFigures& scene) {

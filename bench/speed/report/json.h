@@ -8,8 +8,10 @@
 
 namespace etalon::speed {
 
-/// What was measured with: machine, compiler, versions, and the plan. The scenes are for the caller
-/// to add.
+/// What was measured with: machine, compiler, versions.
+nlohmann::ordered_json json_of_machine();
+
+/// The same and the plan. The scenes are for the caller to add.
 nlohmann::ordered_json json_of_circumstances(const Plan& plan);
 
 nlohmann::ordered_json json_of(const SceneFigures& scene);

@@ -11,46 +11,67 @@ namespace {
 
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 
+/// Each lane's; those that are not taken repeat the last.
+Ids spread(std::span<const std::uint32_t> all) {
+    Ids ids;
+    for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
+        ids[lane] = all[std::min(lane, all.size() - 1)];
+    }
+    return ids;
+}
+
+/// Where they are in the scene, and brought into the caches all at once.
+std::array<const Primitive*, cluster_lanes> look_up(const Scene& scene, const Ids& ids) {
+    std::array<const Primitive*, cluster_lanes> primitives;
+    for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
+        primitives[lane] = &scene.primitives[ids[lane]];
+        __builtin_prefetch(primitives[lane]);
+    }
+    return primitives;
+}
+
 }  // namespace
 
-TriangleCluster::TriangleCluster() {
-    for (auto& corner : corners) {
-        for (Lanes& axis : corner) axis.fill(nothing);
+/// All lanes step by step, so that their cache misses on the way to the corners overlap: they are
+/// most of what building takes.
+void TriangleCluster::fill(const Scene& scene, const Frame& frame,
+                           std::span<const std::uint32_t> all) {
+    ids = spread(all);
+    const auto primitives = look_up(scene, ids);
+    for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
+        vertices[lane] = scene.get<Triangle>(*primitives[lane]).vertices;
+        sides[lane] = primitives[lane]->sides;
+    }
+    std::array<std::array<Vec3, 3>, cluster_lanes> exact;
+    for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
+        exact[lane] = etalon::corners(scene, Triangle{vertices[lane]});
+    }
+    doubt = 0;
+    for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
+        Box3 box;
+        for (int c = 0; c < 3; ++c) {
+            const Vec3 corner = frame.point(exact[lane][c]);
+            box.extendBy(corner);
+            for (int k = 0; k < 3; ++k) {
+                corners[c][k][lane] = lane < all.size() ? static_cast<float>(corner[k]) : nothing;
+            }
+        }
+        doubt = std::max(doubt, edge_doubt(max_abs(box.size())));
     }
 }
 
-void TriangleCluster::set(std::size_t lane, const Scene& scene, const Frame& frame,
-                          std::uint32_t id) {
-    const Primitive& primitive = scene.primitives[id];
-    const Triangle& triangle = scene.get<Triangle>(primitive);
-    const auto exact = etalon::corners(scene, triangle);
-    Box3 box;
-    for (int c = 0; c < 3; ++c) {
-        const Vec3 corner = frame.point(exact[c]);
-        box.extendBy(corner);
-        for (int k = 0; k < 3; ++k) corners[c][k][lane] = static_cast<float>(corner[k]);
+void SphereCluster::fill(const Scene& scene, const Frame& frame,
+                         std::span<const std::uint32_t> all) {
+    ids = spread(all);
+    const auto primitives = look_up(scene, ids);
+    for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
+        const Sphere& sphere = scene.get<Sphere>(*primitives[lane]);
+        const Vec3 place = frame.point(sphere.centre);
+        for (int k = 0; k < 3; ++k) centre[k][lane] = static_cast<float>(place[k]);
+        radius[lane] = lane < all.size() ? enlarged_radius(sphere.radius * frame.scale()) : nothing;
+        sides[lane] = primitives[lane]->sides;
+        exact[lane] = sphere;
     }
-    doubt = std::max(doubt, edge_doubt(max_abs(box.size())));
-    sides[lane] = primitive.sides;
-    members[lane] = {id, triangle.vertices};
-}
-
-SphereCluster::SphereCluster() {
-    for (Lanes& axis : centre) axis.fill(nothing);
-    radius.fill(nothing);
-    ids.fill(no_index);
-}
-
-void SphereCluster::set(std::size_t lane, const Scene& scene, const Frame& frame,
-                        std::uint32_t id) {
-    const Primitive& primitive = scene.primitives[id];
-    const Sphere& sphere = scene.get<Sphere>(primitive);
-    const Vec3 place = frame.point(sphere.centre);
-    for (int k = 0; k < 3; ++k) centre[k][lane] = static_cast<float>(place[k]);
-    radius[lane] = enlarged_radius(sphere.radius * frame.scale());
-    ids[lane] = id;
-    sides[lane] = primitive.sides;
-    exact[lane] = sphere;
 }
 
 }  // namespace etalon

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "core/intersect/frame.h"
 #include "core/scene/scene.h"
@@ -15,33 +16,35 @@ inline constexpr std::size_t cluster_lanes = 8;
 
 using Lanes = std::array<float, cluster_lanes>;
 
+/// Primitive numbers; lanes that are not taken repeat the last one's.
+using Ids = std::array<std::uint32_t, cluster_lanes>;
+
 /// Lanes that are not taken hold NaN, which no ray meets. What the filter reads comes first; of a
 /// lane that passes, all else that the kernel must know before it reads the corners is in one cache
 /// line.
 struct alignas(64) TriangleCluster {
-    struct Member {
-        std::uint32_t id = no_index;  ///< primitive number
-        std::array<std::uint32_t, 3> vertices{};
-    };
+    /// Sets nothing, so that many are first written by the threads that fill them.
+    TriangleCluster() {}
 
-    TriangleCluster();
-    void set(std::size_t lane, const Scene& scene, const Frame& frame, std::uint32_t id);
+    /// With at least one of them.
+    void fill(const Scene& scene, const Frame& frame, std::span<const std::uint32_t> all);
 
     std::array<std::array<Lanes, 3>, 3> corners;  ///< of each corner x, y and z
-    float doubt = 0;  ///< bound on the error of an edge function, see TriangleFilter
-    std::array<Sides, cluster_lanes> sides{};
-    std::array<Member, cluster_lanes> members;
+    float doubt;  ///< bound on the error of an edge function, see TriangleFilter
+    std::array<Sides, cluster_lanes> sides;
+    alignas(32) Ids ids;
+    std::array<std::array<std::uint32_t, 3>, cluster_lanes> vertices;
 };
 
-/// The same for spheres: what a kernel needs is in two cache lines that can be read together.
+/// What a kernel needs of a sphere is in two cache lines that can be read together.
 struct alignas(64) SphereCluster {
-    SphereCluster();
-    void set(std::size_t lane, const Scene& scene, const Frame& frame, std::uint32_t id);
+    SphereCluster() {}
+    void fill(const Scene& scene, const Frame& frame, std::span<const std::uint32_t> all);
 
     std::array<Lanes, 3> centre;
     Lanes radius;  ///< with room for every rounding, see SphereFilter
-    std::array<std::uint32_t, cluster_lanes> ids;
-    std::array<Sides, cluster_lanes> sides{};
+    Ids ids;
+    std::array<Sides, cluster_lanes> sides;
     alignas(32) std::array<Sphere, cluster_lanes> exact;
 };
 

@@ -5,18 +5,6 @@
 #include "core/parallel/parallel.h"
 
 namespace etalon {
-namespace {
-
-/// That of all, or a list.
-ClusterRef::Kind kind_for(const Scene& scene, std::span<const std::uint32_t> ids) {
-    const ClusterRef::Kind kind = cluster_kind(scene.primitives[ids[0]].kind);
-    const bool alike = std::all_of(ids.begin(), ids.end(), [&](std::uint32_t id) {
-        return cluster_kind(scene.primitives[id].kind) == kind;
-    });
-    return alike ? kind : ClusterRef::list;
-}
-
-}  // namespace
 
 Clusters::Clusters(const Scene& scene, const Frame& frame, std::span<const std::uint32_t> ids,
                    std::span<const Range> ranges, std::vector<ClusterRef>& refs) {
@@ -24,7 +12,7 @@ Clusters::Clusters(const Scene& scene, const Frame& frame, std::span<const std::
     refs.clear();
     refs.reserve(ranges.size());
     for (const Range& range : ranges) {
-        const ClusterRef::Kind kind = kind_for(scene, ids.subspan(range.first, range.count));
+        const ClusterRef::Kind kind = cluster_kind(scene.primitives[ids[range.first]].kind);
         refs.emplace_back(kind, counts[kind]++);
     }
     triangles_.resize(counts[ClusterRef::triangles]);
@@ -40,17 +28,14 @@ Clusters::Clusters(const Scene& scene, const Frame& frame, std::span<const std::
 
 void Clusters::fill(const Scene& scene, const Frame& frame, ClusterRef ref,
                     std::span<const std::uint32_t> ids) {
-    if (ref.kind() == ClusterRef::list) {
-        lists_[ref.index()].fill(no_index);
-        std::copy(ids.begin(), ids.end(), lists_[ref.index()].begin());
-        return;
-    }
-    for (std::size_t lane = 0; lane < ids.size(); ++lane) {
-        if (ref.kind() == ClusterRef::triangles) {
-            triangles_[ref.index()].set(lane, scene, frame, ids[lane]);
-        } else {
-            spheres_[ref.index()].set(lane, scene, frame, ids[lane]);
-        }
+    switch (ref.kind()) {
+        case ClusterRef::triangles:
+            return triangles_[ref.index()].fill(scene, frame, ids);
+        case ClusterRef::spheres:
+            return spheres_[ref.index()].fill(scene, frame, ids);
+        default:
+            lists_[ref.index()].fill(no_index);
+            std::copy(ids.begin(), ids.end(), lists_[ref.index()].begin());
     }
 }
 

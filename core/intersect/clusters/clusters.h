@@ -5,6 +5,7 @@
 
 #include "core/intersect/clusters/cluster.h"
 #include "core/intersect/kernels.h"
+#include "core/parallel/large_pages.h"
 
 namespace etalon {
 
@@ -38,8 +39,8 @@ class Clusters {
   public:
     Clusters() = default;
 
-    /// One for each of `ranges` of `ids`, of at most cluster_lanes primitives, and to refs[i]
-    /// where the i-th is. Those of different kinds make a list. As many threads as allowed.
+    /// One for each of `ranges` of `ids`, of at most cluster_lanes primitives of one kind of
+    /// cluster, and to refs[i] where the i-th is. As many threads as allowed.
     Clusters(const Scene& scene, const Frame& frame, std::span<const std::uint32_t> ids,
              std::span<const Range> ranges, std::vector<ClusterRef>& refs);
 
@@ -65,8 +66,8 @@ class Clusters {
     void fill(const Scene& scene, const Frame& frame, ClusterRef ref,
               std::span<const std::uint32_t> ids);
 
-    std::vector<TriangleCluster> triangles_;
-    std::vector<SphereCluster> spheres_;
+    std::vector<TriangleCluster, LargePages<TriangleCluster>> triangles_;
+    std::vector<SphereCluster, LargePages<SphereCluster>> spheres_;
     std::vector<List> lists_;
 };
 
@@ -75,15 +76,14 @@ inline Clusters::Candidate Clusters::ask(const Scene& scene, ClusterRef ref, std
     switch (ref.kind()) {
         case ClusterRef::triangles: {
             const TriangleCluster& cluster = triangles(ref);
-            const auto& [id, vertices] = cluster.members[lane];
-            if (id == query.ray.left) return {id, no_hit};
-            return {id, shape_first_hit(scene, Triangle{vertices}, cluster.sides[lane], query)};
+            const Triangle triangle{cluster.vertices[lane]};
+            return {cluster.ids[lane],
+                    shape_first_hit(scene, triangle, cluster.sides[lane], query)};
         }
         case ClusterRef::spheres: {
             const SphereCluster& cluster = spheres(ref);
-            const std::uint32_t id = cluster.ids[lane];
-            if (id == query.ray.left) return {id, no_hit};
-            return {id, shape_first_hit(scene, cluster.exact[lane], cluster.sides[lane], query)};
+            return {cluster.ids[lane],
+                    shape_first_hit(scene, cluster.exact[lane], cluster.sides[lane], query)};
         }
         default: {
             const std::uint32_t id = lists_[ref.index()][lane];

@@ -34,6 +34,12 @@ HWY_INLINE Floats load(const Lanes& lanes, std::size_t first) {
     return hn::Load(Tag(), &lanes[first]);
 }
 
+/// The lanes that hold the primitive `id`.
+HWY_INLINE Mask holds(const Ids& ids, std::size_t first, std::uint32_t id) {
+    const hn::Rebind<std::uint32_t, Tag> numbers;
+    return hn::RebindMask(Tag(), hn::Eq(hn::Load(numbers, &ids[first]), hn::Set(numbers, id)));
+}
+
 /// The lanes, lowest first, where test(i) holds for the lane i and those after it.
 template <class Test>
 HWY_INLINE std::uint32_t lanes_where(const Test& test) {

@@ -15,7 +15,9 @@ namespace etalon::HWY_NAMESPACE {
 /// By the distance between the ray's line and the centre.
 class SphereFilter {
   public:
-    HWY_INLINE SphereFilter(const FrameRay& ray, float tmin) : tmin_(tmin) {
+    /// Of a ray that has left the primitive `left` (see Ray).
+    HWY_INLINE SphereFilter(const FrameRay& ray, float tmin, std::uint32_t left)
+        : tmin_(tmin), left_(left) {
         for (int k = 0; k < 3; ++k) {
             origin_[k] = broadcast(ray.origin[k]);
             direction_[k] = broadcast(ray.direction[k]);
@@ -49,7 +51,8 @@ class SphereFilter {
         const Floats beyond = hn::Max(hn::Sub(hn::Sub(middle, doubt), broadcast(tmax)), zero),
                      behind = hn::Max(hn::Sub(hn::Sub(broadcast(tmin_), doubt), middle), zero);
         const Floats gap = hn::Max(beyond, behind);
-        return hn::And(hn::Ge(reach, zero), hn::Le(hn::Mul(gap, gap), reach));
+        const Mask met = hn::And(hn::Ge(reach, zero), hn::Le(hn::Mul(gap, gap), reach));
+        return hn::AndNot(holds(cluster.ids, i, left_), met);
     }
 
     static HWY_INLINE Floats dot(Floats ax, Floats ay, Floats az, Floats bx, Floats by, Floats bz) {
@@ -59,6 +62,7 @@ class SphereFilter {
     std::array<Floats, 3> origin_, direction_;
     Floats reciprocal_;
     float tmin_;
+    std::uint32_t left_;
 };
 
 }  // namespace etalon::HWY_NAMESPACE

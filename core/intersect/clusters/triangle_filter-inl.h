@@ -17,7 +17,8 @@ namespace etalon::HWY_NAMESPACE {
 /// By edge functions.
 class TriangleFilter {
   public:
-    HWY_INLINE explicit TriangleFilter(const FrameRay& ray) {
+    /// Of a ray that has left the primitive `left` (see Ray).
+    HWY_INLINE TriangleFilter(const FrameRay& ray, std::uint32_t left) : left_(left) {
         kz_ = dominant_axis(Vec3(ray.direction));
         kx_ = (kz_ + 1) % 3;
         ky_ = (kz_ + 2) % 3;
@@ -46,8 +47,9 @@ class TriangleFilter {
                      c = shear(cluster.corners[2], i);
         const Floats doubt = broadcast(cluster.doubt);
         const Floats u = edge(b, c), v = edge(c, a), w = edge(a, b);
-        const Mask surrounds = hn::Or(hn::Ge(hn::Min(u, hn::Min(v, w)), hn::Neg(doubt)),
-                                      hn::Le(hn::Max(u, hn::Max(v, w)), doubt));
+        const Mask around = hn::Or(hn::Ge(hn::Min(u, hn::Min(v, w)), hn::Neg(doubt)),
+                                   hn::Le(hn::Max(u, hn::Max(v, w)), doubt));
+        const Mask surrounds = hn::AndNot(holds(cluster.ids, i, left_), around);
         if (hn::AllFalse(Tag(), surrounds)) return surrounds;
         return hn::AndNot(surely_beyond(tmax, {u, v, w}, {a.z, b.z, c.z}, doubt), surrounds);
     }
@@ -84,6 +86,7 @@ class TriangleFilter {
     int kx_, ky_, kz_;
     Floats origin_x_, origin_y_, origin_z_, slope_x_, slope_y_, forward_;
     float speed_;
+    std::uint32_t left_;
 };
 
 }  // namespace etalon::HWY_NAMESPACE

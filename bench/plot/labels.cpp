@@ -1,9 +1,9 @@
-#include "bench/accuracy/report/labels.h"
+#include "bench/plot/labels.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace etalon::accuracy {
+namespace etalon::plot {
 namespace {
 
 constexpr double ascent = 11, descent = 4, padding = 3, mark_radius = 7;
@@ -113,4 +113,4 @@ void place(std::vector<Label>& labels, const Rectangle& page, const std::vector<
     }
 }
 
-}  // namespace etalon::accuracy
+}  // namespace etalon::plot

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/accuracy/report/svg.h"
+#include "bench/plot/svg.h"
 
-namespace etalon::accuracy {
+namespace etalon::plot {
 
 struct Rectangle {
     double left, top, right, bottom;
@@ -32,4 +32,4 @@ Place leader_end(const Label& label);
 /// can, near its mark.
 void place(std::vector<Label>& labels, const Rectangle& page, const std::vector<Place>& avoid);
 
-}  // namespace etalon::accuracy
+}  // namespace etalon::plot

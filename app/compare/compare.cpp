@@ -1,0 +1,101 @@
+// etalon compare: how far a picture is from another, in numbers and as a map.
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/compare/limit.h"
+#include "app/compare/pictures.h"
+#include "app/exit_status.h"
+#include "app/output.h"
+#include "core/image/atomic_file.h"
+#include "core/image/metrics/flip.h"
+#include "core/image/metrics/magma.h"
+#include "core/image/metrics/measure.h"
+#include "core/image/oiio.h"
+
+namespace etalon::compare {
+namespace {
+
+struct Arguments {
+    std::string a, b, json, heatmap;
+    std::vector<std::string> limits;
+};
+
+int fail(int status, const std::string& message) {
+    fmt::print(stderr, "etalon: error: {}\n", message);
+    return status;
+}
+
+/// A display shows no such pixel, and figures of two pictures that both have one do not tell.
+void warn_of_unbounded(const std::string& path, Pixels pixels) {
+    const std::uint64_t count = unbounded_pixels(pixels);
+    if (count == 0) return;
+    fmt::print(stderr, "{}: warning: {} pixels are NaN or infinite\n", path, count);
+}
+
+/// Why the map could not be written, or nothing.
+std::string write_heatmap(const std::string& path, const PixelPlane& map) {
+    const Outcome<std::string> file = encode_png(magma(map), map.width, map.height);
+    return file ? write_file_atomically(path, file.value) : path + ": " + file.error;
+}
+
+int write(const Arguments& a, const Metrics& metrics, const PixelPlane& map) {
+    if (a.json != "-") fmt::print("{}", as_text(metrics));
+    if (!a.json.empty() && !write_json(a.json, as_json(metrics))) return exit_not_written;
+    const std::string error = a.heatmap.empty() ? "" : write_heatmap(a.heatmap, map);
+    return error.empty() ? exit_done : fail(exit_not_written, error);
+}
+
+std::string obstacle(const Arguments& a) {
+    for (const std::string& path : {a.json, a.heatmap}) {
+        if (path.empty() || path == "-") continue;
+        if (std::string error = obstacle_to_writing(path); !error.empty()) return error;
+    }
+    return {};
+}
+
+int judge(const Arguments& a, const Metrics& metrics) {
+    int status = exit_done;
+    for (const std::string& text : a.limits) {
+        const std::string worse = violation(parse_limit(text).value, metrics);
+        if (!worse.empty()) status = fail(exit_differs, worse);
+    }
+    return status;
+}
+
+int run(const Arguments& a) {
+    if (const std::string error = obstacle(a); !error.empty()) return fail(exit_not_written, error);
+    const Outcome<Pictures> pictures = read_pictures(a.a, a.b);
+    if (!pictures) return fail(exit_unusable, pictures.error);
+    const auto& [first, second] = pictures.value.pixels;
+    warn_of_unbounded(a.a, first);
+    warn_of_unbounded(a.b, second);
+    const PixelPlane map = flip_map(first, second, pictures.value.width);
+    const Metrics metrics = measure(first, second, map);
+    const int status = write(a, metrics, map);
+    return status == exit_done ? judge(a, metrics) : status;
+}
+
+}  // namespace
+}  // namespace etalon::compare
+
+namespace etalon {
+
+Run declare_compare(CLI::App& app) {
+    auto a = std::make_shared<compare::Arguments>();
+    app.add_option("A", a->a, "A picture: EXR, PFM and HDR are linear, PNG and JPEG sRGB")
+        ->required();
+    app.add_option("B", a->b, "What it should be: the reference")->required();
+    app.add_option("--json", a->json, "Write the figures to this file; - is standard output");
+    app.add_option("--heatmap", a->heatmap, "FILE.png: the map of FLIP, black where A is B")
+        ->check([](const std::string& path) {
+            return path.ends_with(".png") ? "" : path + ": expected a name ending in .png";
+        });
+    app.add_option("--fail-above", a->limits,
+                   "METRIC=VALUE: exit with 1 if it is worse, that is larger, but smaller for psnr "
+                   "and ssim; may be repeated")
+        ->check([](const std::string& text) { return compare::parse_limit(text).error; })
+        ->allow_extra_args(false);
+    return [a] { return compare::run(*a); };
+}
+
+}  // namespace etalon

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "app/compare/report.h"
+#include "core/image/image.h"
+
+namespace etalon::compare {
+
+/// The worst value of a metric that is still good enough.
+struct Limit {
+    const Metric* metric = nullptr;
+    double worst = 0;
+};
+
+/// Of METRIC=VALUE; or what is wrong with it.
+Outcome<Limit> parse_limit(const std::string& text);
+
+/// What is said of a metric worse than its limit; nothing if it is not.
+std::string violation(const Limit& limit, const Metrics& metrics);
+
+}  // namespace etalon::compare

@@ -1,0 +1,45 @@
+#include "app/compare/pictures.h"
+
+#include <fmt/core.h>
+
+#include "core/image/io.h"
+#include "core/parallel/parallel.h"
+
+namespace etalon::compare {
+namespace {
+
+std::string extent(const std::string& path, const Image& image) {
+    const std::string size = fmt::format("{}: {} x {} pixels", path, image.width, image.height);
+    return image.origin ? fmt::format("{} at {},{}", size, image.origin->x, image.origin->y) : size;
+}
+
+bool same_extent(const Image& a, const Image& b) {
+    const bool same_place = !a.origin || !b.origin || *a.origin == *b.origin;
+    return a.width == b.width && a.height == b.height && same_place;
+}
+
+/// A PNG does not say that it has display values; it has if the other picture has them.
+void agree_on_encoding(Image& a, Image& b) {
+    if (a.encoding == Encoding::display && b.encoding == Encoding::srgb) b.encoding = a.encoding;
+    if (b.encoding == Encoding::display && a.encoding == Encoding::srgb) a.encoding = b.encoding;
+}
+
+}  // namespace
+
+Outcome<Pictures> read_pictures(const std::string& a, const std::string& b) {
+    Outcome<Image> first, second;
+    parallel_invoke([&] { first = read_image(a); }, [&] { second = read_image(b); });
+    if (!first) return {{}, first.error};
+    if (!second) return {{}, second.error};
+    Image &p = first.value, &q = second.value;
+    if (!same_extent(p, q)) {
+        return {{}, fmt::format("{}; {}; expected the same", extent(a, p), extent(b, q))};
+    }
+    agree_on_encoding(p, q);
+    Pictures pictures{p.width, p.height, {}};
+    parallel_invoke([&] { pictures.pixels[0] = linear_pixels(p); },
+                    [&] { pictures.pixels[1] = linear_pixels(q); });
+    return {std::move(pictures), {}};
+}
+
+}  // namespace etalon::compare

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/image/image.h"
+
+namespace etalon::compare {
+
+/// Two pictures of one size and, where both files say where in their frame they are, of one place.
+struct Pictures {
+    int width = 0, height = 0;
+    std::array<std::vector<Color>, 2> pixels;  ///< linear RGB, or display values, by rows
+};
+
+/// Of files in any format read_image knows. A failure's reason begins with the path it is about.
+Outcome<Pictures> read_pictures(const std::string& a, const std::string& b);
+
+}  // namespace etalon::compare

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "app/stopwatch.h"
+#include "core/image/metrics/metrics.h"
+#include "core/render/renderer.h"
+
+namespace etalon {
+
+/// How a picture comes closer to what it should be.
+class Reference {
+  public:
+    /// Reads the file. A picture of the whole frame also serves a crop of it. The reason why it
+    /// cannot be used, or nothing.
+    std::string open(const std::string& path, const Camera& camera, const Imath::Box2i& window);
+
+    /// Notes the errors of a picture, and the times since construction without those spent in here.
+    void note(const RenderedRound& round);
+
+    /// All metrics of the finished picture.
+    Metrics judge(const Film& film) const;
+
+    /// One entry for each note.
+    const nlohmann::ordered_json& history() const { return history_; }
+
+  private:
+    int width_ = 0;
+    std::vector<Color> pixels_;
+    Stopwatch watch_;
+    Duration spent_;
+    nlohmann::ordered_json history_ = nlohmann::ordered_json::array();
+};
+
+}  // namespace etalon

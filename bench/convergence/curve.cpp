@@ -1,0 +1,67 @@
+#include "bench/convergence/curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <span>
+
+namespace etalon::convergence {
+namespace {
+
+/// Fewer samples are not yet the law they follow.
+constexpr double fewest_samples = 4;
+
+/// What the floor is told from.
+constexpr std::ptrdiff_t last_points = 4;
+
+/// Of the line through (x, y) that fits best.
+struct Line {
+    double slope, at_zero;
+};
+
+/// Least squares; `weight` is that of a point's square.
+template <class X, class Y, class Weight>
+Line line_through(std::span<const Point> points, const X& x, const Y& y, const Weight& weight) {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (const Point& p : points) {
+        const double w = weight(p);
+        n += w, sx += w * x(p), sy += w * y(p), sxx += w * x(p) * x(p), sxy += w * x(p) * y(p);
+    }
+    const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    return {slope, (sy - slope * sx) / n};
+}
+
+double slope_of(std::span<const Point> points) {
+    return line_through(
+               points, [](const Point& p) { return std::log(p.cpu_seconds); },
+               [](const Point& p) { return std::log(p.mse); }, [](const Point&) { return 1; })
+        .slope;
+}
+
+/// In ratios, so that no point outweighs the others.
+double floor_of(std::span<const Point> points) {
+    return line_through(
+               points, [](const Point& p) { return 1 / p.cpu_seconds; },
+               [](const Point& p) { return p.mse; },
+               [](const Point& p) { return 1 / (p.mse * p.mse); })
+        .at_zero;
+}
+
+}  // namespace
+
+double Curve::efficiency() const {
+    if (points.empty()) return 0;
+    return 1 / (points.back().mse * points.back().cpu_seconds);
+}
+
+Fit fit(const std::vector<Point>& points) {
+    std::vector<Point> used;
+    std::copy_if(points.begin(), points.end(), std::back_inserter(used), [](const Point& p) {
+        return p.samples >= fewest_samples && p.mse > 0 && p.cpu_seconds > 0;
+    });
+    if (used.size() < 3) return {};
+    const auto count = std::min<std::ptrdiff_t>(last_points, std::ssize(used));
+    return {slope_of(used), std::max(0.0, floor_of({used.end() - count, used.end()}))};
+}
+
+}  // namespace etalon::convergence

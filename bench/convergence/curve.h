@@ -1,0 +1,38 @@
+// Errors of a picture against the time that it has taken so far.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace etalon::convergence {
+
+/// The mean of several seeds.
+struct Point {
+    double samples = 0;      ///< per pixel
+    double cpu_seconds = 0;  ///< of rendering, one thread
+    double mse = 0, relmse = 0;
+    double mse_least = 0, mse_most = 0;  ///< of any seed
+};
+
+/// The law that points follow.
+struct Fit {
+    double slope = 0;  ///< of log MSE against log time: -1 for independent samples
+    double floor = 0;  ///< MSE that no time takes away: bias, or the noise of the reference
+};
+
+/// How one way to render a picture converges.
+struct Curve {
+    std::string name;  ///< "sobol, bvh"
+    std::string sampler, integrator, backend;
+    std::vector<Point> points;
+    Fit fit;
+
+    /// 1 / (MSE * CPU seconds) of the last point: as much again is twice the machines.
+    double efficiency() const;
+};
+
+/// The slope is that of the points from 4 samples on. The floor is what the last of them have above
+/// c / seconds, the slowest that a picture without bias comes closer; 0 if they do not.
+Fit fit(const std::vector<Point>& points);
+
+}  // namespace etalon::convergence

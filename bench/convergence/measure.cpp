@@ -1,0 +1,169 @@
+#include "bench/convergence/measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "app/backends.h"
+#include "app/stopwatch.h"
+#include "core/image/metrics/metrics.h"
+#include "core/parallel/parallel.h"
+#include "core/render/renderer.h"
+
+namespace etalon::convergence {
+namespace {
+
+constexpr int truth_times = 32;
+constexpr std::uint32_t truth_seed = 0x7ea1;
+
+/// An error that is never reached: an adaptive picture ends at its samples.
+constexpr double no_error = 1e-30;
+constexpr int any_samples = 1 << 24;
+
+/// A scene made ready to be rendered again and again.
+class Studio {
+  public:
+    Studio(const Scene& scene, const std::string& backend)
+        : scene_(scene),
+          environment_(scene.environment, problems_),
+          intersector_(find_backend(backend)->build(scene)) {}
+
+    Rendering render(RenderOptions options) const {
+        options.max_depth = scene_.whitted.max_depth;
+        options.window = {{0, 0}, {scene_.camera.width - 1, scene_.camera.height - 1}};
+        return etalon::render(scene_, *intersector_, environment_, options);
+    }
+
+  private:
+    const Scene& scene_;
+    std::vector<std::string> problems_;  // said when the scene was read
+    EnvironmentMap environment_;
+    std::unique_ptr<Intersector> intersector_;
+};
+
+/// One picture, and what it is like after every round. The time it takes to look is not counted.
+class Run {
+  public:
+    Run(const Studio& studio, const Truth& truth, const Plan& plan, const std::string& sampler,
+        const std::atomic<bool>& stop)
+        : studio_(studio), truth_(truth), plan_(plan), sampler_(sampler), stop_(stop) {}
+
+    /// Empty if it was stopped.
+    std::vector<Point> points(std::uint32_t seed) {
+        RenderOptions options;
+        const bool is_adaptive = sampler_ == "adaptive";
+        options.samples_per_pixel = is_adaptive ? any_samples : plan_.samples;
+        options.error = is_adaptive ? no_error : 0;
+        options.sampler = sampler_ == "random" ? Sampler::random : Sampler::sobol;
+        options.seed = seed;
+        options.stop = &enough_;
+        options.progress = [&](double) { enough_ = enough_ || stop_; };
+        options.after_round = [&](const RenderedRound& round) { note(round.film); };
+        watch_.lap();
+        studio_.render(options);
+        return stop_ ? std::vector<Point>() : std::move(points_);
+    }
+
+  private:
+    void note(const Film& film) {
+        seconds_ += watch_.lap().cpu;
+        const std::vector<Color> pixels = film.pixels();
+        const auto samples = static_cast<double>(film.total_count());
+        Point point{samples / static_cast<double>(film.size()), seconds_,
+                    mse(pixels, truth_.pixels), relmse(pixels, truth_.pixels)};
+        point.mse_least = point.mse_most = point.mse;
+        points_.push_back(point);
+        enough_ = point.samples >= plan_.samples;
+        watch_.lap();
+    }
+
+    const Studio& studio_;
+    const Truth& truth_;
+    const Plan& plan_;
+    const std::string& sampler_;
+    const std::atomic<bool>& stop_;
+    std::atomic<bool> enough_ = false;
+    Stopwatch watch_;
+    double seconds_ = 0;
+    std::vector<Point> points_;
+};
+
+/// Round by round, as many as all have.
+std::vector<Point> mean_of(const std::vector<std::vector<Point>>& seeds) {
+    std::size_t rounds = std::numeric_limits<std::size_t>::max();
+    for (const auto& points : seeds) rounds = std::min(rounds, points.size());
+    std::vector<Point> means;
+    const auto count = static_cast<double>(seeds.size());
+    for (std::size_t i = 0; i < rounds; ++i) {
+        Point mean;
+        mean.mse_least = std::numeric_limits<double>::infinity();
+        for (const auto& points : seeds) {
+            mean.samples += points[i].samples / count;
+            mean.cpu_seconds += points[i].cpu_seconds / count;
+            mean.mse += points[i].mse / count;
+            mean.relmse += points[i].relmse / count;
+            mean.mse_least = std::min(mean.mse_least, points[i].mse);
+            mean.mse_most = std::max(mean.mse_most, points[i].mse);
+        }
+        means.push_back(mean);
+    }
+    return means;
+}
+
+/// Which curves there are.
+std::vector<Curve> wanted(const Plan& plan) {
+    std::vector<Curve> curves;
+    for (const std::string& integrator : plan.integrators) {
+        const auto add = [&](const std::string& sampler, const std::string& backend) {
+            curves.push_back({sampler + ", " + backend, sampler, integrator, backend, {}, {}});
+        };
+        for (const std::string& sampler : plan.samplers) add(sampler, plan.backends.front());
+        for (std::size_t i = 1; i < plan.backends.size(); ++i) {
+            add(plan.samplers.back(), plan.backends[i]);
+        }
+    }
+    return curves;
+}
+
+}  // namespace
+
+const std::vector<std::string>& sampler_names() {
+    static const std::vector<std::string> names{"random", "sobol", "adaptive"};
+    return names;
+}
+
+Truth render_truth(const Scene& scene, const Plan& plan, const Watcher& watcher) {
+    RenderOptions options;
+    options.samples_per_pixel = truth_times * plan.samples;
+    options.seed = truth_seed;
+    options.stop = &watcher.stop;
+    options.progress = watcher.progress;
+    const Rendering r = Studio(scene, plan.backends.front()).render(options);
+    return {r.film.pixels(), fmt::format("{} samples per pixel", options.samples_per_pixel)};
+}
+
+std::vector<Curve> measure(const Scene& scene, const Truth& truth, const Plan& plan,
+                           const Watcher& watcher) {
+    const ThreadLimit alone(1);
+    std::vector<Curve> done;
+    const std::vector<Curve> curves = wanted(plan);
+    for (Curve curve : curves) {
+        const Studio studio(scene, curve.backend);
+        std::vector<std::vector<Point>> seeds;
+        for (int seed = 0; seed < plan.seeds && !watcher.stop; ++seed) {
+            seeds.push_back(Run(studio, truth, plan, curve.sampler, watcher.stop)
+                                .points(static_cast<std::uint32_t>(seed)));
+            const double part = static_cast<double>(seed + 1) / plan.seeds;
+            const auto before = static_cast<double>(done.size());
+            watcher.progress((before + part) / static_cast<double>(curves.size()));
+        }
+        if (watcher.stop) break;
+        curve.points = mean_of(seeds);
+        curve.fit = fit(curve.points);
+        done.push_back(std::move(curve));
+    }
+    return done;
+}
+
+}  // namespace etalon::convergence

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "bench/convergence/curve.h"
+#include "core/scene/scene.h"
+
+namespace etalon::convergence {
+
+/// How samples may be put into a picture: "random", "sobol" or "adaptive".
+const std::vector<std::string>& sampler_names();
+
+struct Plan {
+    std::vector<std::string> samplers = sampler_names();
+    std::vector<std::string> integrators{"whitted"};
+    std::vector<std::string> backends{"bvh"};
+    int samples = 64;  ///< per pixel, at the end of each curve
+    int seeds = 3;
+};
+
+/// What a task has to do with whoever runs it.
+struct Watcher {
+    const std::atomic<bool>& stop;         ///< set: give up soon
+    std::function<void(double)> progress;  ///< with the part done, from any thread
+};
+
+/// The picture all curves come closer to: Sobol' points of a seed that no curve has, and so many
+/// times the samples at a curve's end that hardly any of what differs is its own.
+struct Truth {
+    std::vector<Color> pixels;
+    std::string description;
+};
+
+Truth render_truth(const Scene& scene, const Plan& plan, const Watcher& watcher);
+
+/// The curves of all samplers with the first backend, and of the last sampler with the others. What
+/// is not finished when a stop comes is left out.
+std::vector<Curve> measure(const Scene& scene, const Truth& truth, const Plan& plan,
+                           const Watcher& watcher);
+
+}  // namespace etalon::convergence

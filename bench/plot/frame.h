@@ -1,0 +1,18 @@
+#pragma once
+
+#include "bench/plot/svg.h"
+
+namespace etalon::plot {
+
+/// A picture, and where in it the area is that the axes border, in pixels.
+struct Frame {
+    double width, height;
+    double left, right, top, bottom;
+
+    /// Of shares of the area, from its lower left.
+    Place place(double x, double y) const {
+        return {left + x * (right - left), bottom - y * (bottom - top)};
+    }
+};
+
+}  // namespace etalon::plot

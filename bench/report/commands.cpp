@@ -1,0 +1,83 @@
+#include "bench/report/commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "bench/speed/figures.h"
+
+namespace etalon::bench_report {
+namespace {
+
+/// The yardsticks take part unasked.
+std::vector<std::string> asked(const speed::Plan& plan) {
+    std::vector<std::string> names = plan.contenders;
+    std::erase_if(names, [](const std::string& name) {
+        return name == speed::yardstick || name == speed::robust_yardstick;
+    });
+    return names;
+}
+
+}  // namespace
+
+std::string command_of(const Settings& settings) {
+    return fmt::format("build/bin/etalon-bench report{} -o report",
+                       settings.name == "quick" ? " --quick" : "");
+}
+
+std::string speed_command(const Settings& settings, const std::string& scene) {
+    const speed::Plan& plan = settings.plan;
+    return fmt::format(
+        "build/bin/etalon-bench speed --scene {} --backends {} --threads {} --repeat {} "
+        "--max-rays {} --oracle {}",
+        scene, fmt::join(asked(plan), ","), fmt::join(plan.threads, ","), plan.repeats,
+        plan.max_rays, plan.oracle_seconds);
+}
+
+std::string speed_command(const Settings& settings) {
+    return speed_command(settings, fmt::format("{}", fmt::join(settings.speed_scenes, ",")));
+}
+
+std::string builds_command(const Settings& settings, const std::string& scene) {
+    const speed::Plan& plan = settings.plan;
+    return fmt::format(
+        "build/bin/etalon-bench speed --only-build --scene {} --backends {} --threads {} "
+        "--repeat {}",
+        scene, fmt::join(asked(plan), ","), fmt::join(plan.threads, ","), plan.repeats);
+}
+
+std::string accuracy_command(const Settings& settings) {
+    return fmt::format("build/bin/etalon-bench accuracy --backends {} --rays {} --limit {}",
+                       fmt::join(settings.accuracy_backends, ","), settings.case_rays,
+                       settings.case_seconds);
+}
+
+std::string accuracy_command(const Settings& settings, const std::vector<accuracy::Row>& rows,
+                             const std::string& shape) {
+    std::vector<std::string> ids;
+    for (const accuracy::Row& row : rows) {
+        const bool is_new = std::find(ids.begin(), ids.end(), row.id) == ids.end();
+        if (row.shape == shape && is_new) ids.push_back(row.id);
+    }
+    return fmt::format("{} --case {}", accuracy_command(settings), fmt::join(ids, ","));
+}
+
+std::string spd_command(const Settings& settings) {
+    std::string scenes;
+    for (const SpdScene& s : settings.spd_scenes) {
+        scenes += fmt::format("\"{} {}\" ", s.family, s.size);
+    }
+    return fmt::format(
+        "for scene in {}; do set -- $scene; build/bin/etalon-scenes $1 --size $2 -o $1.p3f; "
+        "build/bin/etalon render $1.p3f --spd --stats -; done",
+        scenes.substr(0, scenes.size() - 1));
+}
+
+std::string picture_command(const PictureRequest& request) {
+    return fmt::format("build/bin/etalon render scenes/{} --resolution {}x{} --spp {} -o {}.png",
+                       request.scene, request.width, request.height, request.samples,
+                       std::filesystem::path(request.scene).stem().string());
+}
+
+}  // namespace etalon::bench_report

@@ -1,0 +1,30 @@
+// The command lines that measure what the report's figures show, one by one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/accuracy/tally.h"
+#include "bench/report/settings.h"
+
+namespace etalon::bench_report {
+
+/// The whole report.
+std::string command_of(const Settings& settings);
+
+/// All scenes, or one.
+std::string speed_command(const Settings& settings);
+std::string speed_command(const Settings& settings, const std::string& scene);
+std::string builds_command(const Settings& settings, const std::string& scene);
+
+/// All hard cases, or those of a shape.
+std::string accuracy_command(const Settings& settings);
+std::string accuracy_command(const Settings& settings, const std::vector<accuracy::Row>& rows,
+                             const std::string& shape);
+
+/// All classic scenes.
+std::string spd_command(const Settings& settings);
+
+std::string picture_command(const PictureRequest& request);
+
+}  // namespace etalon::bench_report

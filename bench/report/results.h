@@ -1,0 +1,95 @@
+// All that a report is made of; its sections are views of it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/stopwatch.h"
+#include "bench/accuracy/tally.h"
+#include "bench/report/settings.h"
+#include "bench/speed/figures.h"
+#include "core/render/ray_counts.h"
+
+namespace etalon::bench_report {
+
+/// "2026-11-21 23:08", local time.
+std::string date_now();
+
+/// Figures in the order in which they came, and when the last one did.
+template <class T>
+struct Measured {
+    void add(T figures) {
+        list.push_back(std::move(figures));
+        date = date_now();
+    }
+    std::vector<T> list;
+    std::string date;
+};
+
+/// Where and with what.
+struct Machine {
+    std::string processor, system, compiler, flags, version, embree, embree_isa;
+    int cores = 0;
+    double memory_bytes = 0;
+    double load = 0;  ///< average of the last minute when the run began: what else there was to do
+};
+
+/// A classic scene by one backend.
+struct SpdRun {
+    std::string backend;
+    Duration build, render;
+    std::size_t bytes = 0;  ///< of the accelerator
+    RayCounts counts;
+};
+
+struct SpdFigures {
+    std::string family;
+    std::int64_t size = 0;
+    std::size_t primitives = 0;
+    double parse = 0;  ///< CPU seconds
+    std::vector<SpdRun> runs;
+};
+
+/// A picture's error while samples were added.
+struct ConvergenceCurve {
+    std::string name;
+    struct Point {
+        double samples;  ///< per pixel
+        double seconds;  ///< CPU
+        double error;    ///< relMSE to the reference
+    };
+    std::vector<Point> points;
+};
+
+struct ConvergenceFigures {
+    std::string scene, command;
+    std::string reference;  ///< what the errors are relative to, in words
+    std::vector<ConvergenceCurve> curves;
+};
+
+struct PictureFigures {
+    std::string scene, command;
+    int width = 0, height = 0;
+    std::size_t primitives = 0;
+    int samples = 0;  ///< per pixel
+    Duration render;
+    struct Layer {
+        std::string title, png;
+    };
+    std::vector<Layer> layers;  ///< the picture, and what there is to know of each pixel
+};
+
+struct Results {
+    Settings settings;
+    std::string begun;
+    std::string missing;  ///< why not all was measured; empty if it was
+    Machine machine;
+    Measured<PictureFigures> pictures;
+    Measured<speed::SceneFigures> scenes;
+    Measured<accuracy::Row> rows;
+    Measured<SpdFigures> spd;
+    Measured<ConvergenceFigures> convergence;
+};
+
+}  // namespace etalon::bench_report

@@ -1,0 +1,71 @@
+// Cost against error, shape by shape.
+#include <fmt/format.h>
+
+#include "bench/accuracy/report/cases.h"
+#include "bench/accuracy/report/numbers.h"
+#include "bench/accuracy/report/plot.h"
+#include "bench/accuracy/report/points.h"
+#include "bench/report/commands.h"
+#include "bench/report/sections/sections.h"
+#include "bench/report/words.h"
+
+namespace etalon::bench_report {
+namespace {
+
+using accuracy::brief;
+using accuracy::Row;
+
+Table points_of(const std::vector<Row>& rows) {
+    Table table{{{"shape", false},
+                 {"contender", false},
+                 {"cost"},
+                 {"error"},
+                 {"worst case", false},
+                 {"Pareto set", false}},
+                {}};
+    for (const std::string& shape : accuracy::shapes_of(rows)) {
+        for (const accuracy::Point& p : accuracy::scatter_of(rows, shape).points) {
+            table.rows.push_back({{shape},
+                                  {p.contender},
+                                  {brief(p.cost)},
+                                  {brief(p.error)},
+                                  {p.worst_case},
+                                  {p.efficient ? "yes" : ""}});
+        }
+    }
+    return table;
+}
+
+}  // namespace
+
+Section pareto_section(const Results& results) {
+    Section section{"pareto", "Cost against error", {}, {}};
+    section.prose = {
+        "Where each contender stands on a shape’s hard cases: to the right what a ray costs, "
+        "relative to the kernel of the textbooks in float; upwards its error in the worst case, "
+        "the error of t in ulp of a float plus wrong answers in a million rays. Best is the "
+        "lower left. Filled marks are the Pareto set, which nothing beats in both, and have their "
+        "names; the others say theirs where a pointer rests on them and in the table."};
+    const std::vector<Row>& rows = results.rows.list;
+    Charts charts{{}, {{1, "promises to be right"}, {7, "textbook kernel"}, {2, "float backend"}}};
+    for (const std::string& shape : accuracy::shapes_of(rows)) {
+        std::string svg = accuracy::small_plot(rows, shape);
+        if (svg.empty()) continue;
+        charts.charts.push_back(
+            {fmt::format("{}, {}", shape, count_of(accuracy::cases_of(rows, shape).size(), "case")),
+             std::move(svg)});
+    }
+    if (charts.charts.empty()) return section;
+    const std::string command = accuracy_command(results.settings);
+    section.figures.push_back({"Shape by shape",
+                               "Error of the worst case against the median cost of a ray, both by "
+                               "logarithms.",
+                               command, results.rows.date, std::move(charts)});
+    section.figures.push_back({"All points of these plots",
+                               "Cost relative to the first textbook kernel, where the scene is one "
+                               "primitive, else to embree-builtin.",
+                               command, results.rows.date, points_of(rows), true});
+    return section;
+}
+
+}  // namespace etalon::bench_report

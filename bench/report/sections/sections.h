@@ -1,0 +1,25 @@
+// The sections of the report, each a view of what was measured. To add one: its function here, its
+// file, and its line in the table of sections.cpp.
+#pragma once
+
+#include "bench/report/content.h"
+#include "bench/report/results.h"
+
+namespace etalon::bench_report {
+
+Section speed_section(const Results& results);
+Section builds_section(const Results& results);
+Section pareto_section(const Results& results);
+Section hard_cases_section(const Results& results);
+Section convergence_section(const Results& results);
+Section pictures_section(const Results& results);
+Section spd_section(const Results& results);
+Section machine_section(const Results& results);
+
+/// The numbers to begin with, of what was measured so far.
+std::vector<Fact> summary(const Results& results);
+
+/// The whole report. A section without figures is not measured yet.
+Page page_of(const Results& results);
+
+}  // namespace etalon::bench_report

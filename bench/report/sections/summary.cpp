@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include "bench/accuracy/report/cases.h"
+#include "bench/report/sections/sections.h"
+#include "bench/report/words.h"
+
+namespace etalon::bench_report {
+namespace {
+
+using namespace speed;
+
+const std::string hero = "bvh";  ///< the backend that is used where none is asked for
+
+void add_speed(const std::vector<SceneFigures>& scenes, std::vector<Fact>& facts) {
+    std::vector<double> fast, robust;
+    for (const SceneFigures& scene : scenes) {
+        for (const KindFigures& kind : scene.kinds) {
+            for (const RayFigures& r : kind.contenders) {
+                if (r.contender != hero) continue;
+                fast.push_back(r.by_threads.front().ratio.median);
+                robust.push_back(r.by_threads.front().ratio_robust.median);
+            }
+        }
+    }
+    if (fast.empty()) return;
+    facts.push_back(
+        {"×" + three_digits(geometric_mean(fast)), "ray speed",
+         fmt::format("bvh to embree-builtin, mean of {}; ×{} to its robust form",
+                     count_of(scenes.size(), "scene"), three_digits(geometric_mean(robust)))});
+}
+
+void add_builds(const std::vector<SceneFigures>& scenes, std::vector<Fact>& facts) {
+    std::vector<double> ratios, sizes;
+    for (const SceneFigures& scene : scenes) {
+        for (const BuildFigures& b : scene.builds) {
+            if (b.contender != hero) continue;
+            ratios.push_back(b.by_threads.front().ratio.median);
+            sizes.push_back(b.bytes_per_primitive);
+        }
+    }
+    if (ratios.empty()) return;
+    facts.push_back({"×" + three_digits(geometric_mean(ratios)), "build speed",
+                     fmt::format("bvh to embree-builtin; {} bytes a primitive",
+                                 three_digits(geometric_mean(sizes)))});
+}
+
+void add_errors(const std::vector<accuracy::Row>& rows, std::vector<Fact>& facts) {
+    std::uint64_t exact_rays = 0, exact_errors = 0, yardstick_rays = 0, yardstick_errors = 0;
+    for (const accuracy::Row& row : rows) {
+        if (row.exact) exact_rays += row.tally.rays, exact_errors += row.tally.errors();
+        if (row.contender != accuracy::yardstick) continue;
+        yardstick_rays += row.tally.rays;
+        yardstick_errors += row.tally.errors();
+    }
+    if (exact_rays == 0) return;
+    facts.push_back({grouped(exact_errors), "wrong answers",
+                     fmt::format("exact backends, {} hard rays", grouped(exact_rays))});
+    if (yardstick_rays == 0) return;
+    const double share =
+        100 * static_cast<double>(yardstick_errors) / static_cast<double>(yardstick_rays);
+    facts.push_back({fmt::format("{} %", three_digits(share)), "wrong answers",
+                     fmt::format("embree-builtin, {} of the same rays", grouped(yardstick_rays))});
+}
+
+}  // namespace
+
+std::vector<Fact> summary(const Results& results) {
+    std::vector<Fact> facts;
+    add_speed(results.scenes.list, facts);
+    add_errors(results.rows.list, facts);
+    add_builds(results.scenes.list, facts);
+    return facts;
+}
+
+}  // namespace etalon::bench_report

@@ -1,0 +1,23 @@
+#include "bench/report/tasks.h"
+
+#include <ctime>
+
+namespace etalon::bench_report {
+
+std::string date_now() {
+    const std::time_t now = std::time(nullptr);
+    std::tm local = {};
+    localtime_r(&now, &local);
+    char text[32];
+    return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local)};
+}
+
+std::vector<Task> all_tasks(const Settings& settings) {
+    std::vector<Task> all;
+    for (const auto tasks : {picture_tasks, speed_tasks, accuracy_tasks, spd_tasks}) {
+        for (Task& task : tasks(settings)) all.push_back(std::move(task));
+    }
+    return all;
+}
+
+}  // namespace etalon::bench_report

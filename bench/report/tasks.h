@@ -1,0 +1,37 @@
+// What there is to measure, in pieces between which one can stop.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/report/results.h"
+
+namespace etalon::bench_report {
+
+/// What a task has to do with whoever runs it.
+struct Context {
+    const std::atomic<bool>& stop;         ///< set: give up soon and keep what there is
+    std::function<void(double)> progress;  ///< with the part done, from any thread
+};
+
+struct Task {
+    std::string what;  ///< "soup", "hard cases of spheres"
+    double seconds;    ///< on the wall, about, on two cores of 2026 with nothing else to do
+    /// Adds what it measured. Says on standard error what it could not.
+    std::function<void(Results& results, const Context& context)> run;
+};
+
+std::vector<Task> picture_tasks(const Settings& settings);
+std::vector<Task> speed_tasks(const Settings& settings);
+std::vector<Task> accuracy_tasks(const Settings& settings);
+std::vector<Task> spd_tasks(const Settings& settings);
+
+/// All of them, in the order in which they are to be run.
+std::vector<Task> all_tasks(const Settings& settings);
+
+/// This machine, as it is now.
+Machine this_machine();
+
+}  // namespace etalon::bench_report

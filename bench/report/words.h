@@ -1,0 +1,37 @@
+// Numbers as the report writes them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "bench/report/content.h"
+#include "bench/speed/statistics.h"
+
+namespace etalon::bench_report {
+
+/// "1,411,230".
+std::string grouped(std::uint64_t n);
+
+/// "1 case", "799 cases".
+std::string count_of(std::uint64_t n, const std::string& what);
+
+/// Three digits: "0.123", "1.23", "12.3", "123", "1,234".
+std::string three_digits(double value);
+
+/// "×1.02 ± 0.03"; without the spread where there is none.
+std::string times(const speed::Estimate& ratio);
+
+/// "1.2 s", "35 s", "12 min", "1 h 5 min".
+std::string duration(double seconds);
+
+/// "64 B", "1.2 kB", "31 MB", "15 GB": powers of 1000.
+std::string bytes(double count);
+
+/// "3 of 2,174", marked.
+Cell wrong_of(std::uint64_t wrong, std::uint64_t all);
+
+/// Which colour of the style sheet a contender has, everywhere in the report.
+int colour_of(std::string_view contender);
+
+}  // namespace etalon::bench_report

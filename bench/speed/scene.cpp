@@ -1,0 +1,39 @@
+#include "bench/speed/scene.h"
+
+#include <algorithm>
+
+#include "bench/speed/rays.h"
+
+namespace etalon::speed {
+namespace {
+
+std::vector<Contender> enter(const Plan& plan) {
+    std::vector<Contender> contenders;
+    for (const std::string& name : plan.contenders) {
+        contenders.push_back({&find_contender(name), nullptr});
+    }
+    return contenders;
+}
+
+}  // namespace
+
+SceneFigures measure_scene(const std::string& name, Scene scene, const Plan& plan,
+                           const Observer& observer) {
+    hard::Setting setting;
+    setting.scene = std::move(scene);
+    SceneFigures figures{name, setting.scene.primitives.size(), {}, {}};
+    std::vector<Contender> contenders = enter(plan);
+    figures.builds = measure_builds(contenders, setting.scene, plan.threads, plan.repeats);
+    if (!observer(figures) || plan.kinds.empty()) return figures;
+    const RayMeasurement measurement(setting, contenders, plan);
+    for (const char* kind : ray_kinds) {
+        if (std::find(plan.kinds.begin(), plan.kinds.end(), kind) == plan.kinds.end()) continue;
+        const RaySet set = make_ray_set(kind, setting.scene, measurement.exact(), plan.max_rays);
+        if (set.rays.empty()) continue;
+        figures.kinds.push_back(measurement.measure(set));
+        if (!observer(figures)) return figures;
+    }
+    return figures;
+}
+
+}  // namespace etalon::speed

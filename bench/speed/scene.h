@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+
+#include "bench/speed/figures.h"
+#include "bench/speed/plan.h"
+#include "core/scene/scene.h"
+
+namespace etalon::speed {
+
+/// Called after the builds and after each kind of ray with what there is then; false if that is to
+/// be all.
+using Observer = std::function<bool(const SceneFigures& figures)>;
+
+/// Builds every contender of the plan and gives it rays of every kind that the scene has.
+SceneFigures measure_scene(const std::string& name, Scene scene, const Plan& plan,
+                           const Observer& observer);
+
+}  // namespace etalon::speed

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/image/metrics/pixel_plane.h"
+
+namespace etalon {
+
+/// Weights of an odd number of neighbours, the pixel itself in the middle.
+using Filter = std::vector<double>;
+
+/// Weights function(-radius), ..., function(radius).
+template <class Function>
+Filter filter_of(int radius, const Function& function) {
+    Filter filter;
+    for (int x = -radius; x <= radius; ++x) filter.push_back(function(x));
+    return filter;
+}
+
+/// The same with weights that sum to 1.
+Filter normalized(Filter filter);
+
+/// Weighs neighbours along the rows by `along_x` and the result along the columns by `along_y`.
+/// Outside, the picture goes on as its nearest pixel.
+PixelPlane convolve(const PixelPlane& plane, const Filter& along_x, const Filter& along_y);
+
+PixelPlane convolve_x(const PixelPlane& plane, const Filter& filter);
+PixelPlane convolve_y(const PixelPlane& plane, const Filter& filter);
+
+}  // namespace etalon

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/render/error_estimate.h"
+#include "core/render/rounds.h"
+
+namespace etalon {
+
+/// Samples where they lower the error most, until the picture's expected relMSE is `error`. A
+/// pixel's samples are doubled each time, so that they stay well distributed.
+class AdaptiveRounds : public Rounds {
+  public:
+    /// For films like this one; at most `samples` of a pixel.
+    AdaptiveRounds(const Film& film, double error, std::uint32_t samples);
+
+    std::optional<Goals> next(const Film& film) override;
+    double expected_error() const override { return expected_; }
+    double part_done(std::uint64_t samples) const override;
+
+  private:
+    /// A pixel whose samples might be doubled.
+    struct Candidate {
+        double gain;  ///< by which the sum of the pixels' errors falls, for each sample
+        std::uint32_t pixel;
+    };
+
+    bool is_enough() const;
+    bool knows_too_little() const;
+    std::vector<Candidate> candidates(const Film& film) const;
+    Goals worthwhile(const Film& film) const;
+
+    ErrorEstimate estimate_;
+    double error_, expected_ = 0;
+    std::uint32_t samples_, of_all_ = 0;
+};
+
+}  // namespace etalon

@@ -1,0 +1,117 @@
+#include "core/render/error_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace etalon {
+namespace {
+
+/// Pixels on a side. Smaller ones know less of their rate, larger ones mix what falls fast, open
+/// surfaces, with what falls slowly, edges and shadows.
+constexpr int block_size = 16;
+
+/// As long as nothing is known.
+constexpr double usual_rate = 1.25;
+
+double relative_square(const Vec3& difference, const Vec3& value) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        sum += difference[k] * difference[k] / (value[k] * value[k] + 0.01);
+    }
+    return sum / 3;
+}
+
+/// The exponent of a power law for V where one change is `ratio` times the next. V is a sum of
+/// parts that fall as 1 / n, where the samples might as well be random, and of faster ones; what
+/// counts in the long run are the slow ones. As a / n + b / n^2 it is (5 - ratio) / 3 of the last
+/// change. No more is made of it than that it falls by two to four.
+double rate_of(double ratio) {
+    const double left = std::clamp((5 - ratio) / 3, 1.0 / 3, 1.0);
+    return std::log2(1 + 1 / left);
+}
+
+/// V(n) as a part of V(n/2) - V(n).
+double left_after(double rate) {
+    return 1 / (std::exp2(rate) - 1);
+}
+
+int blocks(int pixels) {
+    return (pixels + block_size - 1) / block_size;
+}
+
+}  // namespace
+
+ErrorEstimate::ErrorEstimate(int width, int height)
+    : width_(width),
+      height_(height),
+      sums_(static_cast<std::size_t>(width) * height, Vec3(0)),
+      counts_(sums_.size(), 0),
+      changes_(sums_.size(), 0),
+      changes_before_(sums_.size(), 0),
+      rates_(static_cast<std::size_t>(blocks(width)) * blocks(height), usual_rate) {}
+
+std::size_t ErrorEstimate::block(int x, int y) const {
+    return static_cast<std::size_t>(y / block_size) * blocks(width_) + x / block_size;
+}
+
+void ErrorEstimate::look(const Film& film) {
+    for (std::size_t i = 0; i < sums_.size(); ++i) look_at_pixel(i, film);
+    learn_rates();
+}
+
+void ErrorEstimate::look_at_pixel(std::size_t i, const Film& film) {
+    if (counts_[i] > 0 && film.counts()[i] == 2 * counts_[i]) {
+        const Vec3 half = sums_[i] / counts_[i];
+        const Vec3 other_half = (film.sum(i) - sums_[i]) / counts_[i];
+        changes_before_[i] = changes_[i];
+        changes_[i] = relative_square((half - other_half) / 2, film.mean(i));
+        exists_ = true;
+    }
+    sums_[i] = film.sum(i);
+    counts_[i] = film.counts()[i];
+}
+
+void ErrorEstimate::learn_rates() {
+    std::vector<double> before(rates_.size(), 0), after(rates_.size(), 0);
+    for (int y = 0; y < height_; ++y) {
+        for (int x = 0; x < width_; ++x) {
+            if (counts_[index(x, y)] < 4) continue;  // doubled but once
+            before[block(x, y)] += changes_before_[index(x, y)];
+            after[block(x, y)] += changes_[index(x, y)];
+        }
+    }
+    for (std::size_t b = 0; b < rates_.size(); ++b) {
+        if (before[b] > 0 && after[b] > 0) rates_[b] = rate_of(before[b] / after[b]);
+    }
+}
+
+double ErrorEstimate::total() const {
+    double sum = 0;
+    for (int y = 0; y < height_; ++y) {
+        for (int x = 0; x < width_; ++x) sum += changes_[index(x, y)] * left_after(rate(x, y));
+    }
+    return sum / static_cast<double>(changes_.size());
+}
+
+/// What neighbours with unlike numbers of samples can be compared by.
+double ErrorEstimate::error_after_one_sample(int x, int y) const {
+    const std::size_t i = index(x, y);
+    return changes_[i] * left_after(rate(x, y)) * std::pow(counts_[i], rate(x, y));
+}
+
+/// Those that share a side count twice.
+double ErrorEstimate::by_neighbours(int x, int y) const {
+    double sum = 0, weights = 0;
+    for (int v = std::max(0, y - 1); v <= std::min(height_ - 1, y + 1); ++v) {
+        for (int u = std::max(0, x - 1); u <= std::min(width_ - 1, x + 1); ++u) {
+            if (u == x && v == y) continue;
+            const double weight = u == x || v == y ? 2 : 1;
+            sum += weight * error_after_one_sample(u, v);
+            weights += weight;
+        }
+    }
+    if (weights == 0) return changes_[0] * left_after(rate(0, 0));  // the picture is one pixel
+    return sum / weights * std::pow(counts_[index(x, y)], -rate(x, y));
+}
+
+}  // namespace etalon

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "core/render/film.h"
+
+namespace etalon {
+
+/// How far each pixel of a film still is from its limit, told from how much it changed when its
+/// samples were doubled.
+///
+/// Let V(n) be the expected squared error of a pixel after n samples of an Owen-scrambled sequence,
+/// both halves of which are as well distributed as each other. A quarter of the squared difference
+/// of their means has the expectation V(n/2) - V(n), be they independent or not. How V goes on
+/// falls out of two such changes in a row, taken together over a block of pixels.
+class ErrorEstimate {
+  public:
+    ErrorEstimate(int width, int height);
+
+    /// Looks at a film each of whose pixels has as many samples as when last looked at, or twice as
+    /// many; others tell nothing.
+    void look(const Film& film);
+
+    /// Whether there is an estimate: some pixels were doubled.
+    bool exists() const { return exists_; }
+
+    /// relMSE of the picture: the mean over pixels and channels of (error / value)^2, with 0.01
+    /// added to the squared value.
+    double total() const;
+
+    /// The same of one pixel, as its neighbours have it. What a single pixel changed says little;
+    /// and as long as its own samples do not decide how many more it gets, that biases neither its
+    /// mean nor its part of the total.
+    double by_neighbours(int x, int y) const;
+
+    /// p: by doubling a pixel's samples its error falls to 2^-p.
+    double rate(int x, int y) const { return rates_[block(x, y)]; }
+
+  private:
+    void look_at_pixel(std::size_t pixel, const Film& film);
+    void learn_rates();
+    double error_after_one_sample(int x, int y) const;
+
+    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * width_ + x; }
+    std::size_t block(int x, int y) const;
+
+    int width_, height_;
+    bool exists_ = false;
+    std::vector<Vec3> sums_;
+    std::vector<std::uint32_t> counts_;
+    std::vector<double> changes_, changes_before_;  ///< of V, relative: the last two of each pixel
+    std::vector<double> rates_;                     ///< of blocks
+};
+
+}  // namespace etalon

@@ -1,0 +1,33 @@
+// Which samples are taken when. A picture is rendered in rounds; after each one it is whole.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/render/film.h"
+
+namespace etalon {
+
+/// How many samples pixels have at the end of a round.
+struct Goals {
+    std::uint32_t all = 0;                  ///< of every pixel, unless
+    std::vector<std::uint32_t> of_pixel{};  ///< each one has its own
+
+    std::uint32_t of(std::size_t pixel) const { return of_pixel.empty() ? all : of_pixel[pixel]; }
+};
+
+class Rounds {
+  public:
+    virtual ~Rounds() = default;
+
+    /// What the next round aims at; nothing when the picture is done.
+    virtual std::optional<Goals> next(const Film& film) = 0;
+
+    /// The picture's expected relMSE, as far as it is known; 0 where nobody asks for it.
+    virtual double expected_error() const { return 0; }
+
+    /// Which part of the work is done once `film` has as many samples as it has; in [0, 1].
+    virtual double part_done(std::uint64_t samples) const = 0;
+};
+
+}  // namespace etalon

@@ -1,0 +1,34 @@
+// The sample points of a picture, each named by its pixel, sample, dimension and seed.
+#pragma once
+
+#include "core/sampling/sobol.h"
+
+namespace etalon {
+
+/// How the points of a pixel lie: evenly, or, to compare with, each wherever it falls.
+enum class Sampler { sobol, random };
+
+/// One sample of one pixel: a source of points, one for each dimension asked.
+class SampleSource {
+  public:
+    /// Sample number `index` of the pixel (x, y).
+    SampleSource(int x, int y, std::uint32_t seed, std::uint32_t index,
+                 Sampler sampler = Sampler::sobol)
+        : pixel_(hash(hash(seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y))),
+          index_(index),
+          points_(sampler == Sampler::sobol ? scrambled_sobol : uniform_random) {}
+
+    Vec2 point(std::uint32_t dimension) const { return part(dimension, 0, 1); }
+
+    /// Where a dimension wants several points of each sample: number `k` of `parts`. Over all
+    /// samples of the pixel they make one well distributed set.
+    Vec2 part(std::uint32_t dimension, std::uint32_t k, std::uint32_t parts) const {
+        return points_(index_ * parts + k, hash(pixel_, dimension));
+    }
+
+  private:
+    std::uint32_t pixel_, index_;
+    Vec2 (*points_)(std::uint32_t index, std::uint32_t seed);
+};
+
+}  // namespace etalon

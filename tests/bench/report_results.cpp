@@ -1,0 +1,76 @@
+#include "tests/bench/report_results.h"
+
+#include "tests/accuracy/report_rows.h"
+
+namespace etalon::test {
+namespace {
+
+using namespace bench_report;
+
+const std::string hostile = "<b>\"a\" & b</b>";
+
+speed::Runs runs(double seconds) {
+    speed::Runs r;
+    r.repeats = {{seconds, seconds}, {1.1 * seconds, 1.1 * seconds}};
+    r.ratio = {1 / seconds, 0.05};
+    r.ratio_robust = r.cpu_scaling = r.wall_scaling = {1, 0};
+    return r;
+}
+
+speed::SceneFigures scene() {
+    speed::SceneFigures figures{hostile, 1234567, {}, {{"camera", 1000, false, {}}}};
+    double seconds = 0.5;
+    for (const char* name : {"grid", "bvh", "embree", "embree-builtin", "embree-builtin-robust"}) {
+        figures.builds.push_back({name, "avx2", 64.25, {runs(seconds)}});
+        speed::Errors errors;
+        errors.sample.rays = 2174;
+        errors.sample.false_hits = name == std::string("embree-builtin") ? 12 : 0;
+        figures.kinds[0].contenders.push_back({name, {runs(seconds)}, errors});
+        seconds += 0.25;
+    }
+    return figures;
+}
+
+SpdFigures spd() {
+    RayCounts counts;
+    counts.camera = 263169;
+    counts.camera_hits = 49950;
+    RayCounts other = counts;
+    other.shadow = 1;
+    return {"tetra",
+            6,
+            16385,
+            0.01,
+            {{"bvh", {0.1, 0.1}, {0.2, 0.3}, 4096, counts},
+             {"embree-builtin", {0.1, 0.1}, {0.2, 0.3}, 4096, other}}};
+}
+
+/// The page does not look into it; a browser shows a broken picture of the right size.
+const std::string no_png = "\x89PNG";
+
+}  // namespace
+
+Results sample_results() {
+    Results results;
+    results.settings = quick_settings();
+    results.begun = date_now();
+    results.machine.processor = hostile;
+    results.machine.flags = "-O3 " + std::string(200, 'x');
+    results.scenes.add(scene());
+    for (accuracy::Row& row : accuracy::sample_rows()) results.rows.add(std::move(row));
+    results.spd.add(spd());
+    results.convergence.add({hostile,
+                             "build/bin/etalon-bench convergence",
+                             hostile,
+                             {{"sobol", {{1, 0.1, 0.5}, {4, 0.4, 0.04}, {16, 1.6, 0.003}}},
+                              {hostile, {{1, 0.1, 0.5}, {4, 0.5, 0.1}, {16, 2, 0.02}}}}});
+    PictureFigures picture;
+    picture.scene = hostile;
+    picture.command = "build/bin/etalon render " + hostile;
+    picture.width = picture.height = 480;
+    picture.layers = {{hostile, no_png}};
+    results.pictures.add(std::move(picture));
+    return results;
+}
+
+}  // namespace etalon::test

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "bench/report/results.h"
+
+namespace etalon::test {
+
+/// Figures for every section of a report, measured by nobody, with names full of what HTML takes
+/// for its own.
+bench_report::Results sample_results();
+
+}  // namespace etalon::test

@@ -1,0 +1,91 @@
+#include <cmath>
+#include <cstring>
+
+#include "core/image/io.h"
+#include "tests/catch.h"
+#include "tests/image/pictures.h"
+#include "tests/temporary_folder.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+/// From the definition in IEC 61966-2-1.
+double linear_of(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+std::vector<Color> pixels_of(const TemporaryFolder& folder, const std::string& name,
+                             const std::string& content) {
+    put(folder / name, content);
+    const Outcome<Image> image = read_image(folder / name);
+    REQUIRE(image.error == "");
+    CHECK_FALSE(image.value.origin);
+    return linear_pixels(image.value);
+}
+
+std::string text_of(const std::vector<int>& bytes) {
+    return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
+
+TEST_CASE("a PNG becomes linear: the picture it was made of, to half a step") {
+    const TemporaryFolder folder;
+    Picture picture{256, 1, {{0, 0}, {255, 0}}, {}, false, {}};
+    for (int i = 0; i < 256; ++i) {
+        picture.pixels.push_back(Color(static_cast<float>(linear_of(i / 255.0)), 0, 1));
+    }
+    REQUIRE(write_picture(folder / "p.png", picture) == "");
+    const Outcome<Image> read = read_image(folder / "p.png");
+    REQUIRE(read.error == "");
+    CHECK(linear_pixels(read.value) == picture.pixels);
+}
+
+TEST_CASE("integers of eight and sixteen bits are sRGB") {
+    const TemporaryFolder folder;
+    const auto middle = static_cast<float>(linear_of(0x80 / 255.0));
+    const std::vector<Color> eight =
+        pixels_of(folder, "a.pgm", "P5 1 2 255\n" + text_of({51, 128}));
+    CHECK(eight.at(0).x == static_cast<float>(linear_of(0.2)));
+    CHECK(eight.at(1) == Color(middle));
+    const std::vector<Color> sixteen =
+        pixels_of(folder, "b.ppm", "P6 1 1 65535\n" + text_of({0, 0, 128, 128, 255, 255}));
+    CHECK(sixteen.at(0).equalWithAbsError(Color(0, middle, 1), 1e-4F));
+}
+
+TEST_CASE("floats are linear already, whatever they are") {
+    const TemporaryFolder folder;
+    const float values[] = {-4, 1e20F, 0.125F};
+    std::string data(sizeof values, 0);
+    std::memcpy(data.data(), values, data.size());
+    const std::vector<Color> pfm = pixels_of(folder, "p.pfm", "PF\n1 1\n-1.0\n" + data);
+    CHECK(pfm.at(0) == Color(-4, 1e20F, 0.125F));
+    const std::vector<Color> hdr = pixels_of(
+        folder, "p.hdr",
+        "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n" + text_of({128, 64, 32, 130}));
+    CHECK(hdr.at(0).x == Approx(2).epsilon(0.01));
+}
+
+TEST_CASE("an EXR is linear and says where in its frame it is") {
+    const TemporaryFolder folder;
+    const Picture picture = random_picture(10, 8, {{3, 2}, {8, 5}});
+    REQUIRE(write_picture(folder / "p.exr", picture) == "");
+    const Outcome<Image> read = read_image(folder / "p.exr");
+    REQUIRE(read.error == "");
+    REQUIRE(read.value.origin);
+    CHECK(*read.value.origin == Imath::V2i(3, 2));
+    const std::vector<Color> pixels = linear_pixels(read.value);
+    REQUIRE(pixels.size() == picture.pixels.size());
+    CHECK(std::memcmp(pixels.data(), picture.pixels.data(), pixels.size() * sizeof(Color)) == 0);
+}
+
+TEST_CASE("an EXR says whether it has display values") {
+    const TemporaryFolder folder;
+    Picture picture = random_picture(4, 3);
+    picture.display_colors = GENERATE(false, true);
+    REQUIRE(write_picture(folder / "p.exr", picture) == "");
+    const Encoding expected = picture.display_colors ? Encoding::display : Encoding::linear;
+    CHECK((read_image(folder / "p.exr").value.encoding == expected));
+}
