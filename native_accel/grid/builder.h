@@ -3,21 +3,10 @@
 #pragma once
 
 #include <numeric>
-#include <optional>
 
-#include "native_accel/grid/cost.h"
-#include "native_accel/grid/distribution.h"
+#include "native_accel/grid/layout_choice.h"
 
 namespace etalon {
-
-struct GridConfig {
-    GridCost cost;
-    double cells_per_item = 1;   ///< of a grid, at most
-    double max_references = 12;  ///< times the number of items: no more are listed in all cells
-    double max_work = 48;        ///< cells looked at for an item, on average, to cut a box once
-    int max_depth = 6;           ///< grids in each other
-    std::uint32_t serial_below = 4096;  ///< grids of fewer items are one thread's work
-};
 
 /// Top-down, on as many threads as allowed; the same for any number of them. No more than
 /// max_references n references and, as the lists of one depth together hold no more,
@@ -33,41 +22,38 @@ class GridBuilder {
         ItemNumbers all(items_.size());
         std::iota(all.begin(), all.end(), 0U);
         const double budget = config_.max_references * static_cast<double>(all.size());
-        tree.root = cell(tree, {box, std::move(all), budget, 0, 1});
+        tree.root = cell(tree, {box, std::move(all), budget, 0});
         return tree;
     }
 
   private:
-    /// What is to become a cell.
-    struct Part {
-        Box3 box;
-        ItemNumbers items;
-        double budget;  ///< as many references may come of it
-        int depth;
-        double reach;  ///< of the rays that cross the cell, as many cross the box
-    };
-
-    /// What of a cell there is anything in. It reaches as far beyond that as the list of a cell.
-    Box3 content_of(const ItemNumbers& items, const Box3& cell) const {
-        Box3f all;
-        for (const std::uint32_t i : items) all.extendBy(items_[i].box);
-        const Vec3 padding(grid_padding);
-        Box3 content;
-        for (int k = 0; k < 3; ++k) {
-            content.min[k] = std::max<double>(all.min[k], cell.min[k]);
-            content.max[k] = std::min<double>(all.max[k], cell.max[k]);
-        }
-        return {content.min - padding, content.max + padding};
+    GridCell cell(GridTree& tree, GridPart part) const {
+        if (!LayoutChoice<Item>::may_gain(part, config_)) return list(tree, part.items);
+        shrink_to_content(part);
+        const auto layout = LayoutChoice<Item>(items_, config_, part).best();
+        return layout ? grid(tree, part, *layout) : list(tree, part.items);
     }
 
-    GridCell cell(GridTree& tree, const Part& part) const {
-        if (const auto layout = best_layout(part)) return grid(tree, part, *layout);
+    GridCell list(GridTree& tree, const ItemNumbers& items) const {
         const auto first = static_cast<std::uint32_t>(tree.items.size());
-        tree.items.insert(tree.items.end(), part.items.begin(), part.items.end());
-        return {first, static_cast<std::uint32_t>(part.items.size())};
+        tree.items.insert(tree.items.end(), items.begin(), items.end());
+        return {first, static_cast<std::uint32_t>(items.size())};
     }
 
-    GridCell grid(GridTree& tree, const Part& part, const GridLayout& layout) const {
+    /// To what of the cell there is anything in, and beyond that as far as the list of a cell
+    /// reaches.
+    void shrink_to_content(GridPart& part) const {
+        Box3f all;
+        for (const std::uint32_t i : part.items) all.extendBy(items_[i].box);
+        const double before = half_area(part.box.size());
+        for (int k = 0; k < 3; ++k) {
+            part.box.min[k] = std::max<double>(all.min[k], part.box.min[k]) - grid_padding;
+            part.box.max[k] = std::min<double>(all.max[k], part.box.max[k]) + grid_padding;
+        }
+        part.reach = std::min(half_area(part.box.size()) / before, 1.0);
+    }
+
+    GridCell grid(GridTree& tree, const GridPart& part, const GridLayout& layout) const {
         const CellLists lists = Distribution<Item>(items_, part.items, layout).lists();
         const auto node = static_cast<std::uint32_t>(tree.nodes.size());
         const auto first_cell = static_cast<std::uint32_t>(tree.cells.size());
@@ -77,10 +63,7 @@ class GridBuilder {
             const ItemNumbers items(lists.items.begin() + lists.begin[c],
                                     lists.items.begin() + lists.begin[c + 1]);
             const double share = static_cast<double>(items.size()) / lists.begin.back();
-            const Box3 all = layout.box_of(c), content = content_of(items, all);
-            const double reach = half_area(content.size()) / half_area(all.size());
-            return cell(
-                into, {content, items, share * part.budget, part.depth + 1, std::min(reach, 1.0)});
+            return cell(into, {layout.box_of(c), items, share * part.budget, part.depth + 1});
         };
         if (part.items.size() < config_.serial_below) {
             for (std::uint32_t c = 0; c < layout.size(); ++c) {
@@ -148,72 +131,6 @@ class GridBuilder {
 
         std::uint32_t nodes, cells, items;
     };
-
-    /// Whether it would not take too long to find out what it costs to cut so.
-    bool is_allowed(const Part& part, const GridLayout& layout) const {
-        const auto items = static_cast<double>(part.items.size());
-        const double limit = std::min(part.budget, config_.max_work * items);
-        return Distribution<Item>(items_, part.items, layout).box_references() <= limit;
-    }
-
-    /// What a ray through the box costs if it is cut so, and so many of all pass through a cell;
-    /// infinity where nothing would be gained.
-    double cost(const Part& part, const GridLayout& layout, double share_of_rays) const {
-        double sum = static_cast<double>(layout.size()), references = 0;
-        std::uint32_t fullest = 0;
-        for (const std::uint32_t count :
-             Distribution<Item>(items_, part.items, layout).box_counts()) {
-            sum += config_.cost.cell(count);
-            references += count;
-            fullest = std::max(fullest, count);
-        }
-        const auto items = static_cast<double>(part.items.size());
-        const bool no_progress = fullest == part.items.size() && references > 2 * items;
-        if (no_progress || references > part.budget) return infinity;
-        return part.reach * (config_.cost.enter + share_of_rays * sum);
-    }
-
-    /// A layout, if it costs less than `cost`.
-    struct Choice {
-        std::optional<GridLayout> layout;
-        double cost;
-    };
-
-    std::optional<GridLayout> best_layout(const Part& part) const {
-        const auto count = static_cast<std::uint32_t>(part.items.size());
-        if (config_.cost.is_short(count) || part.depth == config_.max_depth) return std::nullopt;
-        const Choice as_list{std::nullopt, config_.cost.list(count)};
-        const Choice cubes = best_layout(part, Cut::cubes, as_list);
-        const Vec3 size = part.box.size();
-        const bool is_long = max_abs(size) > 4 * std::min({size.x, size.y, size.z});
-        if (!is_long) return cubes.layout;
-        const Choice alike = best_layout(part, Cut::alike, as_list);
-        return is_safer(part, alike, cubes) ? alike.layout : cubes.layout;
-    }
-
-    /// Few of all rays go along a box that is long, so that cubes cost less; but where those few
-    /// would cost many times more, as in a mesh that is a needle, they are what counts.
-    bool is_safer(const Part& part, const Choice& choice, const Choice& other) const {
-        constexpr double much = 8;
-        if (!choice.layout || !other.layout) return choice.layout.has_value();
-        return much * cost(part, *choice.layout, choice.layout->share_along_axes()) <
-               cost(part, *other.layout, other.layout->share_along_axes());
-    }
-
-    /// From about as many cells as items to ever fewer, as long as that is better.
-    Choice best_layout(const Part& part, Cut cut, Choice best) const {
-        bool allowed = false, found = false;
-        for (double cells = config_.cells_per_item * static_cast<double>(part.items.size());
-             cells >= 4; cells /= 2) {
-            const GridLayout layout(part.box, cells, cut);
-            allowed = allowed || is_allowed(part, layout);  // coarser cuts then hardly need more
-            if (!allowed) continue;
-            const double c = cost(part, layout, layout.share_of_rays());
-            if (c >= best.cost && found) break;
-            if (c < best.cost) best = {layout, c}, found = true;
-        }
-        return best;
-    }
 
     std::span<const Item> items_;
     GridConfig config_;

@@ -22,8 +22,6 @@ namespace etalon::HWY_NAMESPACE {
 template <class Offer, class Tally>
 class SphereTest {
   public:
-    static constexpr std::size_t ahead = 8;
-
     HWY_INLINE SphereTest(const FrameRay& ray, const Offer& offer, Tally to)
         : tally(to), filter_(ray), offer_(offer) {}
 
@@ -51,8 +49,6 @@ class SphereTest {
 template <class Offer, class Tally>
 class ClusterTest {
   public:
-    static constexpr std::size_t ahead = 1;
-
     /// For what is met from `entry` on by a ray that has left the primitive `left` (see Ray).
     HWY_INLINE ClusterTest(const Clusters& clusters, const FrameRay& ray, float entry,
                            std::uint32_t left, const Offer& offer, Tally to)

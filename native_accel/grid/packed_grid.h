@@ -34,13 +34,6 @@ class PackedGrid {
     /// What a cell that is no grid holds.
     std::span<const Pack> packs(const GridCell& c) const { return {&packs_[c.first], c.count}; }
 
-    /// Asks the memory for what a cell holds.
-    void prefetch(const GridCell& c) const {
-        const char* begin = c.is_grid() ? reinterpret_cast<const char*>(&tree_.nodes[c.first])
-                                        : reinterpret_cast<const char*>(&packs_[c.first]);
-        for (std::size_t i = 0; i < sizeof(Pack); i += 64) __builtin_prefetch(begin + i);
-    }
-
     std::size_t memory_bytes() const {
         return tree_.nodes.capacity() * sizeof(GridNode) +
                tree_.cells.capacity() * sizeof(GridCell) + packs_.capacity() * sizeof(Pack);

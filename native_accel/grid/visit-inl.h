@@ -14,7 +14,6 @@ namespace etalon::HWY_NAMESPACE {
 
 /// A part of a ray, in the frame; empty where it ends before it begins.
 struct Passage {
-    Passage() = default;
     HWY_INLINE Passage(float from, float to) : entry(from), exit(to) {}
 
     /// Of the part from tmin to tmax, both finite, what is in a box. What is wanted of a grid lies
@@ -37,9 +36,7 @@ struct Passage {
 
 /// Gives the packs of one cell after the other to test(packs, from, to, tmax), where the ray is in
 /// the cell from `from` to `to`, and nothing is wanted beyond tmax; it returns the tmax from then
-/// on. Goes up to Test::ahead cells ahead before it visits them, so that memory is asked for the
-/// contents of several at once: at first one, as a surface most often is hit in the first, then
-/// ever more.
+/// on. Tells test.tally of every cell.
 template <class Pack, class Test>
 class GridVisit {
   public:
@@ -58,12 +55,6 @@ class GridVisit {
     }
 
   private:
-    /// A cell with something in it, on the way.
-    struct Stop {
-        GridCell cell;
-        Passage passage;
-    };
-
     HWY_INLINE void visit(const GridCell& c, const Passage& passage) {
         if (!c.is_grid()) return test(c, passage);
         const GridNode& node = grid_.node(c);
@@ -78,27 +69,16 @@ class GridVisit {
     void walk(const GridNode& node, const Passage& passage) {
         auto [entry, end] = passage;
         GridWalk walk(node, ray_, entry);
-        std::array<Stop, Test::ahead> stops;
-        for (std::size_t ahead = 1; entry <= end; ahead = std::min(2 * ahead, stops.size())) {
-            std::size_t count = 0;
-            do {
-                test_.tally.cell();
-                const GridCell c = grid_.cell(walk.cell());
-                const Float4 exit = walk.exit();
-                stops[count] = {c, {entry, exit[0]}};
-                count += c.count != 0 ? 1 : 0;
-                entry = exit[0];
-                walk.advance(exit);
-            } while (entry <= end && count < ahead);
-            if (Test::ahead > 1) {
-                for (std::size_t i = 0; i < count; ++i) grid_.prefetch(stops[i].cell);
-            }
-            for (std::size_t i = 0; i < count; ++i) {
-                const auto& [c, in_cell] = stops[i];
-                if (in_cell.entry > end) return;
-                visit(c, {in_cell.entry, std::min(in_cell.exit, end)});
+        while (entry <= end) {
+            test_.tally.cell();
+            const GridCell c = grid_.cell(walk.cell());
+            const Float4 exit = walk.exit();
+            walk.advance(exit);
+            if (c.count != 0) {
+                visit(c, {entry, std::min(exit[0], end)});
                 end = std::min(end, tmax_);
             }
+            entry = exit[0];
         }
     }
 
