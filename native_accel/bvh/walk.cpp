@@ -6,6 +6,7 @@
 
 #include "core/intersect/clusters/targets.h"
 #include "native_accel/bvh/stack.h"
+#include "native_accel/tally.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "native_accel/bvh/walk.cpp"
@@ -50,28 +51,13 @@ struct AsTheyCome {
     }
 };
 
-/// What a walk tells of itself where nobody asks.
-struct Uncounted {
-    HWY_INLINE void node(const WideNode&) const {}
-    HWY_INLINE void cluster(const Clusters&, ClusterRef) const {}
-};
-
-struct Counted {
-    void node(const WideNode& n) const { cost.box_tests += n.count(); }
-    void cluster(const Clusters& all, ClusterRef ref) const {
-        cost.primitive_tests += all.size(ref);
-    }
-
-    TraversalCost& cost;
-};
-
 /// A ray on its way through the tree.
-template <class Order, class Count>
+template <class Order, class Tally>
 class Walk {
   public:
     HWY_INLINE Walk(const WideTree& tree, const FrameRay& ray, float tmin, StackSpace& space, Order,
-                    Count count)
-        : tree_(tree), slabs_(ray, tmin), stack_(space), count_(count), next_(tree.root) {}
+                    Tally tally)
+        : tree_(tree), slabs_(ray, tmin), stack_(space), tally_(tally), next_(tree.root) {}
 
     /// Whether the ray meets the tree before tmax at all: many do not, and need no more set up.
     HWY_INLINE bool begin(float tmax) { return next_.is_leaf() || descend(tmax); }
@@ -87,11 +73,13 @@ class Walk {
         } while (stack_.pop(tmax, next_));
     }
 
+    HWY_INLINE Tally tally() const { return tally_; }
+
   private:
     /// From a node to a child; false where none is entered.
     HWY_INLINE bool descend(float tmax) {
         const WideNode& node = tree_.nodes[next_.node()];
-        count_.node(node);
+        tally_.boxes(node);
         alignas(32) Lanes entry;
         const std::uint32_t entered = slabs_.entered(node, tmax, entry);
         if (entered == 0) return false;
@@ -102,17 +90,17 @@ class Walk {
     const WideTree& tree_;
     const Slabs slabs_;
     TraversalStack stack_;
-    [[no_unique_address]] const Count count_;
+    [[no_unique_address]] const Tally tally_;
     ChildRef next_;
 };
 
-template <class Count>
+template <class Tally>
 HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
-                             NearestHit& nearest, Count count) {
+                             NearestHit& nearest, Tally tally) {
     const float tmin = start(query, local);
     float tmax = local.tmax(nearest.t);
     StackSpace space;
-    Walk walk(bvh.tree, local, tmin, space, NearestFirst(), count);
+    Walk walk(bvh.tree, local, tmin, space, NearestFirst(), tally);
     if (!walk.begin(tmax)) return;
     const ClusterFilter filter(local, tmin, query.ray.left);
     const auto offer = [&](double t, std::uint32_t id) HWY_ATTR {
@@ -121,7 +109,7 @@ HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const Fr
     };
     walk.finish(tmax, [&](ClusterRef ref) HWY_ATTR {
         const double before = nearest.t;
-        count.cluster(bvh.clusters, ref);
+        walk.tally().members(bvh.clusters, ref);
         visit(bvh, ref, filter, tmax, query, offer);
         if (nearest.t < before) tmax = local.tmax(nearest.t);
         return true;

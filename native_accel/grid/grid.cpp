@@ -44,6 +44,11 @@ void Grid::closest_bounded(const RayQuery& query, const FrameRay& local,
     trace_closest({scene(), spheres_, others_}, query, local, nearest);
 }
 
+void Grid::closest_counted(const RayQuery& query, const FrameRay& local, NearestHit& nearest,
+                           TraversalCost& cost) const {
+    trace_closest_counted({scene(), spheres_, others_}, query, local, nearest, cost);
+}
+
 bool Grid::occluded_bounded(const RayQuery& query, const FrameRay& local) const {
     return trace_occluded({scene(), spheres_, others_}, query, local);
 }

@@ -16,6 +16,8 @@ class Grid final : public Intersector {
   protected:
     void closest_bounded(const RayQuery& query, const FrameRay& local,
                          NearestHit& nearest) const override;
+    void closest_counted(const RayQuery& query, const FrameRay& local, NearestHit& nearest,
+                         TraversalCost& cost) const override;
     bool occluded_bounded(const RayQuery& query, const FrameRay& local) const override;
 
   private:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "core/intersect/clusters/cluster.h"
 #include "native_accel/grid/cost.h"
 #include "native_accel/grid/overlap.h"
@@ -15,6 +17,12 @@ struct alignas(32) SpherePack {
     SpherePack() : centre{}, ids{} { limit.fill(-1); }
 
     void set(std::size_t lane, const SphereItem& item);
+
+    /// How many spheres it has.
+    std::size_t count() const {
+        return static_cast<std::size_t>(
+            std::count_if(limit.begin(), limit.end(), [](float l) { return l >= 0; }));
+    }
 
     std::array<Lanes, 3> centre;
     Lanes limit;  ///< what the squared distance of a ray from the centre must not be above

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/intersect/ray.h"
+#include "core/intersect/traversal_cost.h"
 #include "native_accel/grid/cluster_grid.h"
 #include "native_accel/grid/sphere_pack.h"
 
@@ -18,6 +19,11 @@ struct GridView {
 /// Offers `nearest` every primitive that could be hit no later than nearest.t.
 void trace_closest(const GridView& grid, const RayQuery& query, const FrameRay& local,
                    NearestHit& nearest);
+
+/// The same, adding to `cost` the cells and the boxes in them, and the members of all that is
+/// tested.
+void trace_closest_counted(const GridView& grid, const RayQuery& query, const FrameRay& local,
+                           NearestHit& nearest, TraversalCost& cost);
 
 /// Whether any primitive is hit at t <= query.ray.tmax.
 bool trace_occluded(const GridView& grid, const RayQuery& query, const FrameRay& local);

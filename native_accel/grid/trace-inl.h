@@ -1,0 +1,64 @@
+// How a ray goes through the grids. Compiled for each instruction set.
+#if defined(ETALON_GRID_TRACE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ETALON_GRID_TRACE_INL_H
+#undef ETALON_GRID_TRACE_INL_H
+#else
+#define ETALON_GRID_TRACE_INL_H
+#endif
+
+#include "native_accel/grid/cell_tests-inl.h"
+#include "native_accel/grid/trace.h"
+#include "native_accel/grid/visit-inl.h"
+#include "native_accel/tally.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+/// Calls offer(t, id), which returns the tmax from then on, for what the ray could hit from tmin to
+/// tmax in the frame.
+template <class Tally, class Offer>
+HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const FrameRay& local,
+                      const float& tmax, Tally tally, const Offer& offer) {
+    const GridRay ray(local);
+    const float tmin = std::max(0.0F, local.tmin(query.ray.tmin));
+    const PackedGrid<BoxPack>& boxes = grid.others.boxes();
+    if (!boxes.empty()) {
+        const Passage passage(boxes.box(), ray, tmin, tmax);
+        const Clusters& clusters = grid.others.clusters();
+        const auto ask = [&](ClusterRef ref, std::size_t lane) HWY_ATTR {
+            const auto [id, t] = clusters.ask(grid.scene, ref, lane, query);
+            return offer(t, id);
+        };
+        if (!passage.empty()) {
+            const ClusterTest test(clusters, local, passage.entry, query.ray.left, ask, tally);
+            GridVisit(boxes, ray, test, tmax).visit(passage);
+        }
+    }
+    if (!grid.spheres.empty()) {
+        const Passage passage(grid.spheres.box(), ray, tmin, tmax);
+        const auto ask = [&](std::uint32_t id) HWY_ATTR {
+            return offer(primitive_first_hit(grid.scene, id, query), id);
+        };
+        if (!passage.empty()) {
+            const SphereTest test(local, ask, tally);
+            GridVisit(grid.spheres, ray, test, tmax).visit(passage);
+        }
+    }
+}
+
+template <class Tally>
+HWY_INLINE void find_closest(const GridView& grid, const RayQuery& query, const FrameRay& local,
+                             NearestHit& nearest, Tally tally) {
+    float tmax = local.tmax(nearest.t);
+    trace(grid, query, local, tmax, tally, [&](double t, std::uint32_t id) HWY_ATTR {
+        const double before = nearest.t;
+        nearest.offer(t, id);
+        if (nearest.t < before) tmax = local.tmax(nearest.t);
+        return tmax;
+    });
+}
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

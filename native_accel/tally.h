@@ -1,0 +1,37 @@
+// How a traversal counts what it does, or does not: it is compiled once with each of these, so that
+// whoever does not ask does not pay.
+#pragma once
+
+#include "core/intersect/clusters/clusters.h"
+#include "core/intersect/traversal_cost.h"
+
+namespace etalon {
+
+struct Uncounted {
+    void cell() const {}
+    template <class Boxes>
+    void boxes(const Boxes&) const {}
+    template <class Pack>
+    void members(const Pack&) const {}
+    void members(const Clusters&, ClusterRef) const {}
+};
+
+struct Counted {
+    /// One more that the ray goes through.
+    void cell() const { ++cost.box_tests; }
+    template <class Boxes>
+    void boxes(const Boxes& tested) const {
+        cost.box_tests += tested.count();
+    }
+    template <class Pack>
+    void members(const Pack& tested) const {
+        cost.primitive_tests += tested.count();
+    }
+    void members(const Clusters& clusters, ClusterRef tested) const {
+        cost.primitive_tests += clusters.size(tested);
+    }
+
+    TraversalCost& cost;
+};
+
+}  // namespace etalon
