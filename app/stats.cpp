@@ -27,7 +27,7 @@ Json rays(const RayCounts& r) {
 }  // namespace
 
 Json to_json(const RenderStats& s) {
-    const double total = s.parse.wall + s.build.wall + s.render.wall + s.write.wall;
+    const double total = s.parse.wall + s.build.wall + s.render.wall + s.aovs.wall + s.write.wall;
     const double rate =
         s.render.wall > 0 ? static_cast<double>(s.rays.total()) / s.render.wall * 1e-6 : 0;
     return {
@@ -47,6 +47,7 @@ Json to_json(const RenderStats& s) {
          {{"parse", s.parse.wall},
           {"build", s.build.wall},
           {"render", s.render.wall},
+          {"aovs", s.aovs.wall},
           {"write", s.write.wall},
           {"total", total}}},
         {"cpu_seconds", {{"parse", s.parse.cpu}, {"build", s.build.cpu}, {"render", s.render.cpu}}},

@@ -16,7 +16,7 @@ struct RenderStats {
     int width = 0, height = 0, samples_per_pixel = 0;
     std::uint32_t seed = 0;
     nlohmann::ordered_json primitives;
-    Duration parse, build, render, write;
+    Duration parse, build, render, aovs, write;
     RayCounts rays;
     std::size_t scene_bytes = 0, accelerator_bytes = 0;
 };

@@ -13,9 +13,9 @@ std::unique_ptr<Intersector> build(const Scene& scene) {
 }
 
 constexpr Backend backends[] = {
-    {"none", "every primitive for every ray: the reference", true, build<None>},
+    {"none", "every primitive for every ray: the reference", true, build<None>, true, true},
     {"grid", "grids within grids, walked by a 3D-DDA", true, build<Grid>},
-    {"bvh", "bounding volume hierarchy by binned SAH, eight-wide", true, build<Bvh>},
+    {"bvh", "bounding volume hierarchy by binned SAH, eight-wide", true, build<Bvh>, true, true},
 };
 
 }  // namespace

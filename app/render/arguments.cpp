@@ -1,6 +1,7 @@
 #include "app/render/arguments.h"
 
 #include "app/backends.h"
+#include "app/render/aovs.h"
 #include "core/image/io.h"
 
 namespace etalon {
@@ -20,6 +21,11 @@ void declare_picture(CLI::App& app, RenderArguments& a) {
     app.add_option("--resolution", a.resolution, "WIDTHxHEIGHT instead of the scene's")
         ->group(group);
     app.add_option("--crop", a.crop, "X0,Y0,X1,Y1: only these pixels, half open")->group(group);
+    app.add_option("--aov", a.aovs,
+                   "NAME,...: channels of the EXR beside the colours: " + aov_names())
+        ->delimiter(',')
+        ->check(check_aov)
+        ->group(group);
     app.add_option("--exposure", a.exposure, "Stops, for PNG only")->group(group);
 }
 

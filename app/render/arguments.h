@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/scene_arguments.h"
+#include "core/render/renderer.h"
 
 namespace etalon {
 
@@ -24,5 +25,9 @@ void declare_render_options(CLI::App& app, RenderArguments& a);
 /// The command line's wishes put into the scene, and the pixels it asks for; returns the reason why
 /// they cannot be had, or nothing.
 std::string apply(const RenderArguments& a, Scene& scene, Imath::Box2i& window);
+
+/// How these pixels of such a scene are to be rendered, from now on.
+RenderOptions render_options(const RenderArguments& a, const Scene& scene,
+                             const Imath::Box2i& window);
 
 }  // namespace etalon

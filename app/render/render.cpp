@@ -9,13 +9,14 @@
 #include "app/exit_status.h"
 #include "app/output.h"
 #include "app/progress.h"
+#include "app/render/aovs.h"
 #include "app/render/arguments.h"
+#include "app/render/picture.h"
 #include "app/render/reference.h"
 #include "app/signals.h"
 #include "app/stats.h"
 #include "core/image/io.h"
 #include "core/parallel/parallel.h"
-#include "core/render/camera_rays.h"
 #include "core/render/renderer.h"
 
 namespace etalon {
@@ -29,21 +30,6 @@ bool complain(const std::string& message) {
 std::string default_output(const std::string& scene) {
     const std::string stem = scene == "-" ? "render" : std::filesystem::path(scene).stem().string();
     return stem + ".exr";
-}
-
-Picture make_picture(const Scene& scene, const Rendering& rendering, const RenderStats& stats) {
-    const CameraRays camera(scene.camera);
-    Picture picture{scene.camera.width,      scene.camera.height,  rendering.film.window(),
-                    rendering.film.pixels(), scene.display_colors, {}};
-    picture.metadata = {{"software", std::string("Etalon " ETALON_VERSION)},
-                        {"backend", stats.backend},
-                        {"integrator", std::string("whitted")},
-                        {"samplesPerPixel", static_cast<int>(std::lround(rendering.samples))},
-                        {"seed", fmt::format("{}", stats.seed)},
-                        {"renderTimeSeconds", static_cast<float>(stats.render.wall)},
-                        {"worldToCamera", Imath::M44f(camera.world_to_camera())},
-                        {"worldToNDC", Imath::M44f(camera.world_to_ndc())}};
-    return picture;
 }
 
 /// One run of the subcommand, in the order things happen.
@@ -99,15 +85,9 @@ class Render {
     Rendering render_picture() {
         std::optional<Progress> progress;
         if (!a_.quiet) progress.emplace(a_.scene.path);
-        RenderOptions options;
-        options.samples_per_pixel = scene_.samples_per_pixel;
-        options.max_depth = scene_.whitted.max_depth;
-        options.seed = a_.seed;
-        options.window = window_;
-        if (a_.sampler == "random") options.sampler = Sampler::random;
-        options.error = a_.target_error;
-        if (a_.time_limit > 0) options.deadline = Deadline(a_.time_limit);
-        options.stop = &signals_.raised();
+        options_ = render_options(a_, scene_, window_);
+        options_.stop = &signals_.raised();
+        RenderOptions options = options_;
         if (reference_) {
             options.after_round = [&](const RenderedRound& round) { reference_->note(round); };
         }
@@ -117,9 +97,20 @@ class Render {
         return rendering;
     }
 
+    std::vector<Channel> make_channels(const Film& film) {
+        std::vector<std::string> missing;
+        auto channels = make_aovs(a_.aovs, scene_, *intersector_, film, options_, missing);
+        for (const std::string& name : missing) {
+            fmt::print(stderr, "etalon: warning: stopped before {} was made\n", name);
+        }
+        stats_.aovs = watch_.lap();
+        return channels;
+    }
+
     bool write(const Rendering& rendering) {
         fill_stats(rendering);
-        const Picture picture = make_picture(scene_, rendering, stats_);
+        Picture picture = make_picture(scene_, rendering, stats_);
+        picture.channels = make_channels(rendering.film);
         bool written = true;
         for (const std::string& path : a_.outputs) {
             const std::string error = write_picture(path, picture, a_.exposure);
@@ -188,6 +179,7 @@ class Render {
     Scene scene_;
     Imath::Box2i window_;
     RenderStats stats_;
+    RenderOptions options_;
     std::optional<EnvironmentMap> environment_;
     std::optional<Reference> reference_;
     std::unique_ptr<Intersector> intersector_;

@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
+#include "app/backends.h"
+#include "app/render/aovs.h"
 #include "app/render/arguments.h"
+#include "core/image/io.h"
 #include "core/render/spd_rules.h"
 
 namespace etalon {
@@ -49,6 +53,14 @@ void apply_samples(const RenderArguments& a, Scene& scene) {
     if (a.spd) apply_spd_rules(scene);
 }
 
+std::string check_aovs(const RenderArguments& a, const Scene& scene) {
+    if (a.aovs.empty()) return {};
+    if (!a.outputs.empty() && std::none_of(a.outputs.begin(), a.outputs.end(), can_hold_channels)) {
+        return "--aov: no output is an EXR; expected -o FILE.exr to hold the channels";
+    }
+    return obstacle_to_aovs(a.aovs, *find_backend(scene.backend));
+}
+
 }  // namespace
 
 std::string apply(const RenderArguments& a, Scene& scene, Imath::Box2i& window) {
@@ -59,8 +71,23 @@ std::string apply(const RenderArguments& a, Scene& scene, Imath::Box2i& window) 
     if (a.target_error > 0 && scene.samples_per_pixel < 1) {
         return "--target-error needs at least one sample per pixel";
     }
-    const std::string error = apply_resolution(a.resolution, scene.camera);
+    std::string error = check_aovs(a, scene);
+    if (error.empty()) error = apply_resolution(a.resolution, scene.camera);
     return error.empty() ? apply_crop(a.crop, scene.camera, window) : error;
+}
+
+RenderOptions render_options(const RenderArguments& a, const Scene& scene,
+                             const Imath::Box2i& window) {
+    RenderOptions options;
+    options.samples_per_pixel = scene.samples_per_pixel;
+    options.max_depth = scene.whitted.max_depth;
+    options.seed = a.seed;
+    if (a.sampler == "random") options.sampler = Sampler::random;
+    options.window = window;
+    options.error = a.target_error;
+    options.variance = need_variance(a.aovs);
+    if (a.time_limit > 0) options.deadline = Deadline(a.time_limit);
+    return options;
 }
 
 }  // namespace etalon

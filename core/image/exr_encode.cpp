@@ -14,7 +14,15 @@
 namespace etalon {
 namespace {
 
-constexpr const char* channel_names[] = {"R", "G", "B"};
+constexpr const char* color_names[] = {"R", "G", "B"};
+
+Imf::PixelType pixel_type(const Channel& channel) {
+    return std::holds_alternative<std::vector<float>>(channel.values) ? Imf::FLOAT : Imf::UINT;
+}
+
+const void* data(const Channel& channel) {
+    return std::visit([](const auto& v) -> const void* { return v.data(); }, channel.values);
+}
 
 /// OpenEXR goes back to fill in the table of its blocks, so writing may replace what is there.
 class MemoryStream : public Imf::OStream {
@@ -37,7 +45,10 @@ class MemoryStream : public Imf::OStream {
 Imf::Header make_header(const Picture& picture) {
     Imf::Header header({{0, 0}, {picture.width - 1, picture.height - 1}}, picture.window);
     header.compression() = Imf::ZIP_COMPRESSION;
-    for (const char* name : channel_names) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    for (const char* name : color_names) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    for (const Channel& c : picture.channels) {
+        header.channels().insert(c.name, Imf::Channel(pixel_type(c)));
+    }
     Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec. 709
     if (picture.display_colors) header.insert(display_colors_attribute, Imf::IntAttribute(1));
     for (const auto& [name, value] : picture.metadata) {
@@ -54,8 +65,11 @@ void write_pixels(const Picture& picture, Imf::OutputFile& file) {
     Imf::FrameBuffer buffer;
     for (int k = 0; k < 3; ++k) {
         const float* first = &picture.pixels[0][k];
-        buffer.insert(channel_names[k],
+        buffer.insert(color_names[k],
                       Imf::Slice::Make(Imf::FLOAT, first, picture.window, sizeof(Color)));
+    }
+    for (const Channel& c : picture.channels) {
+        buffer.insert(c.name, Imf::Slice::Make(pixel_type(c), data(c), picture.window));
     }
     file.setFrameBuffer(buffer);
     file.writePixels(picture.window.max.y - picture.window.min.y + 1);

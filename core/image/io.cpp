@@ -29,8 +29,11 @@ std::string extension(const std::string& path) {
 bool is_consistent(const Picture& picture) {
     if (picture.width < 1 || picture.height < 1 || picture.window.isEmpty()) return false;
     const Imath::V2i last = picture.window.size();
-    return picture.pixels.size() ==
-           (static_cast<std::size_t>(last.x) + 1) * (static_cast<std::size_t>(last.y) + 1);
+    const std::size_t size =
+        (static_cast<std::size_t>(last.x) + 1) * (static_cast<std::size_t>(last.y) + 1);
+    return picture.pixels.size() == size &&
+           std::all_of(picture.channels.begin(), picture.channels.end(),
+                       [&](const Channel& c) { return c.size() == size; });
 }
 
 Outcome<std::string> encode(const std::string& kind, const Picture& picture, double exposure) {
@@ -56,6 +59,10 @@ std::string obstacle_to_reading(const std::string& path) {
 bool can_write(const std::string& path) {
     const std::string kind = extension(path);
     return kind == ".exr" || kind == ".png";
+}
+
+bool can_hold_channels(const std::string& path) {
+    return extension(path) == ".exr";
 }
 
 std::string write_picture(const std::string& path, const Picture& picture, double exposure) {

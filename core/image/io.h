@@ -10,13 +10,16 @@
 
 namespace etalon {
 
-/// Writes .exr (float RGB, ZIP, data window, all metadata) or .png (8 bit), told by the extension.
-/// A crop's PNG holds the crop. `exposure` in stops applies to PNG only. Returns the reason of a
-/// failure, beginning with the path, or an empty string.
+/// Writes .exr (float RGB, ZIP, data window, all metadata and channels) or .png (8 bit), told by
+/// the extension. A crop's PNG holds the crop. `exposure` in stops applies to PNG only. Returns the
+/// reason of a failure, beginning with the path, or an empty string.
 std::string write_picture(const std::string& path, const Picture& picture, double exposure = 0);
 
 /// Whether write_picture knows the extension.
 bool can_write(const std::string& path);
+
+/// Whether a file of this extension has a place for a picture's channels.
+bool can_hold_channels(const std::string& path);
 
 /// Reads a picture file: .exr by OpenEXR, anything else by OpenImageIO. A failure's reason begins
 /// with the path.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <variant>
@@ -8,6 +9,16 @@
 #include "core/numerics/vec.h"
 
 namespace etalon {
+
+/// Something else than colour that is known of each pixel.
+struct Channel {
+    std::string name;  ///< what is before the last dot is a layer: "albedo.R"
+    std::variant<std::vector<float>, std::vector<std::uint32_t>> values;
+
+    std::size_t size() const {
+        return std::visit([](const auto& v) { return v.size(); }, values);
+    }
+};
 
 /// A rendered picture: linear scene values in a data window inside the full frame.
 struct Picture {
@@ -18,6 +29,8 @@ struct Picture {
 
     using Attribute = std::variant<int, float, std::string, Imath::M44f>;
     std::map<std::string, Attribute> metadata;
+
+    std::vector<Channel> channels{};  ///< each of as many values as there are pixels, in that order
 };
 
 }  // namespace etalon

@@ -20,7 +20,9 @@ bool reaches(const Scene& scene, std::uint32_t id, const RayQuery& query) {
 Intersector::Intersector(const Scene& scene, SceneBounds bounds)
     : scene_(scene), bounds_(std::move(bounds)) {}
 
-std::optional<Hit> Intersector::closest(const Ray& ray) const {
+template <class OfferBounded>
+std::optional<Hit> Intersector::closest_of_all(const Ray& ray,
+                                               const OfferBounded& offer_bounded) const {
     const DenormalsCount denormals_count;
     if (!is_valid(ray)) return std::nullopt;
     const RayQuery query(ray);
@@ -34,8 +36,25 @@ std::optional<Hit> Intersector::closest(const Ray& ray) const {
     for (const std::uint32_t id : bounds_.unbounded) {
         nearest.offer(primitive_first_hit(scene_, id, query), id);
     }
-    if (const auto local = bounds_.frame.ray(ray)) closest_bounded(query, *local, nearest);
+    if (const auto local = bounds_.frame.ray(ray)) offer_bounded(query, *local, nearest);
     return nearest.result();
+}
+
+std::optional<Hit> Intersector::closest(const Ray& ray) const {
+    return closest_of_all(ray,
+                          [&](const RayQuery& query, const FrameRay& local, NearestHit& nearest) {
+                              closest_bounded(query, local, nearest);
+                          });
+}
+
+std::optional<Hit> Intersector::closest(const Ray& ray, TraversalCost& cost) const {
+    if (!is_valid(ray)) return std::nullopt;
+    const bool resolved = bounds_.frame.resolves(ray);
+    cost.primitive_tests += resolved ? bounds_.unbounded.size() : scene_.primitives.size();
+    return closest_of_all(ray,
+                          [&](const RayQuery& query, const FrameRay& local, NearestHit& nearest) {
+                              closest_counted(query, local, nearest, cost);
+                          });
 }
 
 bool Intersector::occluded(const Ray& ray) const {

@@ -8,6 +8,7 @@
 
 #include "core/intersect/bounded.h"
 #include "core/intersect/ray.h"
+#include "core/intersect/traversal_cost.h"
 #include "core/scene/scene.h"
 
 namespace etalon {
@@ -27,6 +28,9 @@ class Intersector {
     /// zero or non-finite direction, or a non-finite origin, hits nothing.
     std::optional<Hit> closest(const Ray& ray) const;
 
+    /// The same hit. Adds to `cost` what it took, as far as the backend counts (see Backend).
+    std::optional<Hit> closest(const Ray& ray, TraversalCost& cost) const;
+
     /// True exactly where closest(ray) finds something.
     bool occluded(const Ray& ray) const;
 
@@ -42,6 +46,12 @@ class Intersector {
     virtual void closest_bounded(const RayQuery& query, const FrameRay& local,
                                  NearestHit& nearest) const = 0;
 
+    /// The same, adding to `cost`: code of its own, so that whoever does not ask does not pay.
+    virtual void closest_counted(const RayQuery& query, const FrameRay& local, NearestHit& nearest,
+                                 TraversalCost&) const {
+        closest_bounded(query, local, nearest);
+    }
+
     /// Whether any bounded primitive is hit with t <= query.ray.tmax.
     virtual bool occluded_bounded(const RayQuery& query, const FrameRay& local) const = 0;
 
@@ -52,6 +62,9 @@ class Intersector {
     std::vector<BoundedPrimitive> take_bounded() { return std::move(bounds_.bounded); }
 
   private:
+    template <class OfferBounded>
+    std::optional<Hit> closest_of_all(const Ray& ray, const OfferBounded& offer_bounded) const;
+
     const Scene& scene_;
     SceneBounds bounds_;
 };
@@ -64,6 +77,8 @@ struct Backend {
     /// Never null. Throws std::bad_alloc, and std::runtime_error with the reason where a library
     /// that the backend stands on cannot work on this machine.
     std::unique_ptr<Intersector> (*build)(const Scene& scene);
+    bool counts_box_tests = false;  ///< in a TraversalCost
+    bool counts_primitive_tests = false;
 };
 
 }  // namespace etalon

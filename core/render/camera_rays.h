@@ -14,6 +14,9 @@ class CameraRays {
     /// no effect on a pinhole. The direction is of unit length.
     Ray ray(const Vec2& pixel, const Vec2& lens) const;
 
+    /// How far in front of the eye a point is, along the axis of view; negative behind it.
+    double depth(const Vec3& point) const { return (eye_ - point).dot(n_); }
+
     bool has_lens() const { return lens_radius_ > 0; }
 
     /// World to a right-handed frame that looks down -z; row vectors, as OpenEXR stores it.

@@ -6,48 +6,23 @@
 
 #include "core/parallel/parallel.h"
 #include "core/render/adaptive_rounds.h"
-#include "core/render/camera_rays.h"
+#include "core/render/eye_rays.h"
+#include "core/render/tiles.h"
 #include "core/render/uniform_rounds.h"
 #include "core/render/whitted.h"
 
 namespace etalon {
 namespace {
 
-constexpr int tile_size = 16;
-
-/// Names of the camera's sample dimensions; the integrator's are hashes.
-enum CameraDimension : std::uint32_t { pixel_dimension = 0, lens_dimension = 1 };
-
-std::vector<Imath::Box2i> tiles_of(const Imath::Box2i& window) {
-    std::vector<Imath::Box2i> tiles;
-    for (int y = window.min.y; y <= window.max.y; y += tile_size) {
-        for (int x = window.min.x; x <= window.max.x; x += tile_size) {
-            const Imath::V2i last(std::min(x + tile_size - 1, window.max.x),
-                                  std::min(y + tile_size - 1, window.max.y));
-            tiles.emplace_back(Imath::V2i(x, y), last);
-        }
-    }
-    return tiles;
-}
-
-/// What has rays: pixels, or the corners about them.
-Imath::Box2i sampled(Imath::Box2i pixels, bool corners) {
-    if (corners) pixels.max += Imath::V2i(1);
-    return pixels;
-}
-
 class Renderer {
   public:
     Renderer(const Scene& scene, const Intersector& intersector, const EnvironmentMap& environment,
              const RenderOptions& options)
         : options_(options),
-          in_pixel_(scene.camera.pixel_rays == PixelRays::centre ? 0.5 : 0.0),
-          shares_corners_(options.samples_per_pixel == 0 &&
-                          scene.camera.pixel_rays == PixelRays::shared_corners),
-          rays_(scene.camera),
+          rays_(scene.camera, options.samples_per_pixel),
           integrator_(scene, intersector, environment, options.samples_per_pixel,
                       options.max_depth),
-          film_(sampled(options.window, shares_corners_), options.variance),
+          film_(rays_.sampled(options.window), options.variance),
           tiles_(tiles_of(film_.window())),
           counts_(tiles_.size()) {}
 
@@ -80,7 +55,7 @@ class Renderer {
     }
 
     Rendering finished(const Rounds& rounds, bool complete) {
-        Rendering result{shares_corners_ ? film_.cells() : std::move(film_), {}};
+        Rendering result{rays_.shares_corners() ? film_.cells() : std::move(film_), {}};
         result.samples =
             static_cast<double>(samples_done_) / static_cast<double>(result.film.size());
         result.expected_error = rounds.expected_error();
@@ -118,19 +93,11 @@ class Renderer {
 
     Color sample(int x, int y, std::uint32_t index, RayCounts& counts) const {
         const SampleSource source(x, y, options_.seed, index, options_.sampler);
-        const Vec2 corner(x, y);
-        if (options_.samples_per_pixel == 0) {
-            return integrator_.radiance(rays_.ray(corner + in_pixel_, Vec2(0.5)), source, counts);
-        }
-        const Vec2 lens = rays_.has_lens() ? source.point(lens_dimension) : Vec2(0.5);
-        const Vec2 pixel = corner + source.point(pixel_dimension);
-        return integrator_.radiance(rays_.ray(pixel, lens), source, counts);
+        return integrator_.radiance(rays_.ray(x, y, source), source, counts);
     }
 
     const RenderOptions& options_;
-    Vec2 in_pixel_;  ///< where the one ray of a picture without samples goes
-    bool shares_corners_;
-    CameraRays rays_;
+    EyeRays rays_;
     Whitted integrator_;
     Film film_;
     std::vector<Imath::Box2i> tiles_;

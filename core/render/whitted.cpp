@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/intersect/kernels.h"
 #include "core/shading/fresnel.h"
 
 namespace etalon {
@@ -65,7 +64,7 @@ Color Whitted::radiance(const Ray& ray, const SampleSource& sample, RayCounts& c
 Color Whitted::trace(const Path& path, std::optional<Hit> hit, Context& context) const {
     Color color;
     if (hit) {
-        const Encounter at = encounter(path.ray, *hit);
+        const Encounter at = encounter(scene_, path.ray, *hit);
         color = at.material.ambient + direct(path, at, context);
         if (path.depth < max_depth_) color += secondary(path, at, context);
         if (!is_black(path.absorption)) color *= transmittance(path.absorption, hit->t);
@@ -73,18 +72,6 @@ Color Whitted::trace(const Path& path, std::optional<Hit> hit, Context& context)
         color = environment_.radiance(path.ray.direction);
     }
     return scene_.whitted.clamp_each_ray ? clamped(color) : color;
-}
-
-Whitted::Encounter Whitted::encounter(const Ray& ray, const Hit& hit) const {
-    const Material& material = scene_.materials[scene_.primitives[hit.primitive].material];
-    Encounter at{surface_at(scene_, ray, hit), material, false, Vec3(0), Vec3(0)};
-    const SurfacePoint& p = at.surface;
-    at.entering = ray.direction.dot(p.normal) < 0;
-    at.facing = at.entering ? p.normal : -p.normal;
-    // Where an interpolated normal turns away from the ray it is still the surface's other side
-    // that is dark: what decides is the geometric normal alone.
-    at.normal = at.facing.dot(p.shading_normal) > 0 ? p.shading_normal : -p.shading_normal;
-    return at;
 }
 
 Color Whitted::direct(const Path& path, const Encounter& at, Context& context) const {

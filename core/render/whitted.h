@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/intersect/intersector.h"
-#include "core/intersect/surface.h"
+#include "core/render/encounter.h"
 #include "core/render/ray_counts.h"
 #include "core/sampling/sample_source.h"
 #include "core/shading/environment_map.h"
@@ -36,17 +36,7 @@ class Whitted {
         RayCounts& counts;
     };
 
-    /// A hit seen from where the ray came.
-    struct Encounter {
-        SurfacePoint surface;
-        const Material& material;
-        bool entering;  ///< the ray came from in front of the surface
-        Vec3 facing;    ///< geometric normal, on the ray's side
-        Vec3 normal;    ///< for shading, on the same side of the surface as `facing`
-    };
-
     Color trace(const Path& path, std::optional<Hit> hit, Context& context) const;
-    Encounter encounter(const Ray& ray, const Hit& hit) const;
     Color direct(const Path& path, const Encounter& at, Context& context) const;
     Color lit_by(const Vec3& light, const Path& path, const Encounter& at, Context& context) const;
     Color secondary(const Path& path, const Encounter& at, Context& context) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/parallel/large_pages.h"
 #include "core/parallel/parallel.h"
 #include "native_accel/bvh/large_sets.h"
 #include "native_accel/bvh/parts.h"
@@ -58,7 +59,7 @@ BvhTree build_bvh(std::vector<BoundedPrimitive> primitives, const BvhConfig& con
     tree.ids.resize(primitives.size());
     const Survey all = survey(primitives);
     const LeafWeights weights(config.leaf_costs, commonest_kind(all));
-    std::vector<BoundedPrimitive> spare(primitives.size());
+    std::vector<BoundedPrimitive, LargePages<BoundedPrimitive>> spare(primitives.size());
     tree.nodes = join(*Builder(config, weights, tree.ids).build(all.set, spare, 0, 0));
     return tree;
 }

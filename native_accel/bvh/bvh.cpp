@@ -40,6 +40,12 @@ void Bvh::closest_bounded(const RayQuery& query, const FrameRay& local, NearestH
     if (!tree_.empty()) walk_closest({scene(), tree_, clusters_}, query, local, nearest);
 }
 
+void Bvh::closest_counted(const RayQuery& query, const FrameRay& local, NearestHit& nearest,
+                          TraversalCost& cost) const {
+    if (tree_.empty()) return;
+    walk_closest_counted({scene(), tree_, clusters_}, query, local, nearest, cost);
+}
+
 bool Bvh::occluded_bounded(const RayQuery& query, const FrameRay& local) const {
     return !tree_.empty() && walk_occluded({scene(), tree_, clusters_}, query, local);
 }

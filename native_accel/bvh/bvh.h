@@ -15,6 +15,8 @@ class Bvh final : public Intersector {
   protected:
     void closest_bounded(const RayQuery& query, const FrameRay& local,
                          NearestHit& nearest) const override;
+    void closest_counted(const RayQuery& query, const FrameRay& local, NearestHit& nearest,
+                         TraversalCost& cost) const override;
     bool occluded_bounded(const RayQuery& query, const FrameRay& local) const override;
 
   private:

@@ -50,12 +50,28 @@ struct AsTheyCome {
     }
 };
 
+/// What a walk tells of itself where nobody asks.
+struct Uncounted {
+    HWY_INLINE void node(const WideNode&) const {}
+    HWY_INLINE void cluster(const Clusters&, ClusterRef) const {}
+};
+
+struct Counted {
+    void node(const WideNode& n) const { cost.box_tests += n.count(); }
+    void cluster(const Clusters& all, ClusterRef ref) const {
+        cost.primitive_tests += all.size(ref);
+    }
+
+    TraversalCost& cost;
+};
+
 /// A ray on its way through the tree.
-template <class Order>
+template <class Order, class Count>
 class Walk {
   public:
-    HWY_INLINE Walk(const WideTree& tree, const FrameRay& ray, float tmin, StackSpace& space)
-        : tree_(tree), slabs_(ray, tmin), stack_(space), next_(tree.root) {}
+    HWY_INLINE Walk(const WideTree& tree, const FrameRay& ray, float tmin, StackSpace& space, Order,
+                    Count count)
+        : tree_(tree), slabs_(ray, tmin), stack_(space), count_(count), next_(tree.root) {}
 
     /// Whether the ray meets the tree before tmax at all: many do not, and need no more set up.
     HWY_INLINE bool begin(float tmax) { return next_.is_leaf() || descend(tmax); }
@@ -75,6 +91,7 @@ class Walk {
     /// From a node to a child; false where none is entered.
     HWY_INLINE bool descend(float tmax) {
         const WideNode& node = tree_.nodes[next_.node()];
+        count_.node(node);
         alignas(32) Lanes entry;
         const std::uint32_t entered = slabs_.entered(node, tmax, entry);
         if (entered == 0) return false;
@@ -85,15 +102,17 @@ class Walk {
     const WideTree& tree_;
     const Slabs slabs_;
     TraversalStack stack_;
+    [[no_unique_address]] const Count count_;
     ChildRef next_;
 };
 
-void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
-                  NearestHit& nearest) {
+template <class Count>
+HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+                             NearestHit& nearest, Count count) {
     const float tmin = start(query, local);
     float tmax = local.tmax(nearest.t);
     StackSpace space;
-    Walk<NearestFirst> walk(bvh.tree, local, tmin, space);
+    Walk walk(bvh.tree, local, tmin, space, NearestFirst(), count);
     if (!walk.begin(tmax)) return;
     const ClusterFilter filter(local, tmin, query.ray.left);
     const auto offer = [&](double t, std::uint32_t id) HWY_ATTR {
@@ -102,16 +121,27 @@ void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& loc
     };
     walk.finish(tmax, [&](ClusterRef ref) HWY_ATTR {
         const double before = nearest.t;
+        count.cluster(bvh.clusters, ref);
         visit(bvh, ref, filter, tmax, query, offer);
         if (nearest.t < before) tmax = local.tmax(nearest.t);
         return true;
     });
 }
 
+void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+                  NearestHit& nearest) {
+    find_closest(bvh, query, local, nearest, Uncounted());
+}
+
+void walk_closest_counted(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+                          NearestHit& nearest, TraversalCost& cost) {
+    find_closest(bvh, query, local, nearest, Counted{cost});
+}
+
 bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
     const float tmin = start(query, local), tmax = local.tmax(query.ray.tmax);
     StackSpace space;
-    Walk<AsTheyCome> walk(bvh.tree, local, tmin, space);
+    Walk walk(bvh.tree, local, tmin, space, AsTheyCome(), Uncounted());
     if (!walk.begin(tmax)) return false;
     const ClusterFilter filter(local, tmin, query.ray.left);
     bool found = false;
@@ -133,11 +163,17 @@ HWY_AFTER_NAMESPACE();
 namespace etalon {
 
 HWY_EXPORT(walk_closest);
+HWY_EXPORT(walk_closest_counted);
 HWY_EXPORT(walk_occluded);
 
 void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
                   NearestHit& nearest) {
     HWY_DYNAMIC_DISPATCH(walk_closest)(bvh, query, local, nearest);
+}
+
+void walk_closest_counted(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+                          NearestHit& nearest, TraversalCost& cost) {
+    HWY_DYNAMIC_DISPATCH(walk_closest_counted)(bvh, query, local, nearest, cost);
 }
 
 bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/intersect/ray.h"
+#include "core/intersect/traversal_cost.h"
 #include "native_accel/bvh/wide_node.h"
 
 namespace etalon {
@@ -19,6 +20,10 @@ struct BvhView {
 /// Offers `nearest` every primitive that could be hit no later than nearest.t.
 void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
                   NearestHit& nearest);
+
+/// The same, adding the boxes of all nodes visited and the members of all clusters to `cost`.
+void walk_closest_counted(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+                          NearestHit& nearest, TraversalCost& cost);
 
 /// Whether any primitive is hit at t <= query.ray.tmax.
 bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local);

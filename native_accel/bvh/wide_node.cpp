@@ -70,6 +70,14 @@ void WideNode::set(std::size_t lane, const Box3f& box, ChildRef child) {
     children[lane] = child;
 }
 
+std::size_t WideNode::count() const {
+    const float* low = &planes[plane(0, false)];
+    const float* high = &planes[plane(0, true)];
+    std::size_t lane = 0;
+    while (lane < node_width && low[lane] <= high[lane]) ++lane;
+    return lane;
+}
+
 WideTree widen(const std::vector<BvhNode>& nodes, const std::vector<ClusterRef>& leaves) {
     WideTree tree;
     tree.root = Widener(nodes, leaves, tree).place(nodes[0]);

@@ -36,6 +36,9 @@ struct alignas(64) WideNode {
     WideNode();
     void set(std::size_t lane, const Box3f& box, ChildRef child);
 
+    /// How many children it has.
+    std::size_t count() const;
+
     /// Where in `planes` the lanes of an axis's min or max begin: min x, max x, min y, ...
     static constexpr std::size_t plane(int axis, bool max) {
         return (2 * axis + (max ? 1 : 0)) * node_width;

@@ -9,7 +9,7 @@ namespace etalon {
 /// The padded boxes of up to eight clusters, to be tested at once as the children of a node are.
 struct BoxPack {
     using Item = BoxItem;  ///< whose id is ClusterRef::bits
-    static constexpr GridCost cost{node_width, 2, 2, 12};
+    static constexpr GridCost cost{node_width, 1, 4, 20};
 
     void set(std::size_t lane, const BoxItem& item) {
         boxes.set(lane, item.box, ChildRef::leaf(ClusterRef(item.id)));

@@ -6,6 +6,10 @@
 #define ETALON_GRID_CELL_TESTS_INL_H
 #endif
 
+#include <algorithm>
+#include <bit>
+#include <span>
+
 #include "core/intersect/clusters/filter-inl.h"
 #include "native_accel/bvh/slabs-inl.h"
 #include "native_accel/grid/cluster_grid.h"
@@ -22,10 +26,12 @@ class SphereTest {
 
     HWY_INLINE SphereTest(const FrameRay& ray, const Offer& offer) : filter_(ray), offer_(offer) {}
 
-    HWY_INLINE float operator()(const SpherePack& pack, float, float, float tmax) const {
-        std::uint32_t lanes = filter_.candidates(pack);
-        for (; lanes != 0 && tmax >= 0; lanes &= lanes - 1) {
-            tmax = offer_(pack.ids[std::countr_zero(lanes)]);
+    HWY_INLINE float operator()(std::span<const SpherePack> packs, float, float, float tmax) const {
+        for (const SpherePack& pack : packs) {
+            std::uint32_t lanes = filter_.candidates(pack);
+            for (; lanes != 0 && tmax >= 0; lanes &= lanes - 1) {
+                tmax = offer_(pack.ids[std::countr_zero(lanes)]);
+            }
         }
         return tmax;
     }
@@ -43,26 +49,50 @@ class ClusterTest {
   public:
     static constexpr std::size_t ahead = 1;
 
-    /// For what is met from `entry` on.
+    /// For what is met from `entry` on by a ray that has left the primitive `left` (see Ray).
     HWY_INLINE ClusterTest(const Clusters& clusters, const FrameRay& ray, float entry,
-                           const Offer& offer)
-        : clusters_(clusters), slabs_(ray, entry), filter_(ray, entry), offer_(offer) {}
+                           std::uint32_t left, const Offer& offer)
+        : clusters_(clusters), slabs_(ray, entry), filter_(ray, entry, left), offer_(offer) {}
 
-    HWY_INLINE float operator()(const BoxPack& pack, float from, float to, float tmax) const {
-        alignas(32) Lanes entry;
-        std::uint32_t entered = slabs_.entered(pack.boxes, to, entry);
-        if (entered == 0) return tmax;
-        const Floats begin = broadcast(from);
-        entered &=
-            lanes_where([&](std::size_t i) HWY_ATTR { return hn::Ge(load(entry, i), begin); });
-        for (; entered != 0; entered &= entered - 1) {
-            const int lane = std::countr_zero(entered);
-            if (entry[lane] <= tmax) tmax = test(pack.boxes.children[lane].cluster(), tmax);
+    HWY_INLINE float operator()(std::span<const BoxPack> packs, float from, float to,
+                                float tmax) const {
+        while (!packs.empty() && from <= tmax) {
+            const auto some = packs.first(std::min(packs.size(), most));
+            tmax = test(some, from, to, tmax);
+            packs = packs.subspan(some.size());
         }
         return tmax;
     }
 
   private:
+    static constexpr std::size_t most = 64 / node_width;  ///< packs whose lanes have a bit each
+
+    /// First all boxes, without a branch that nobody could predict, then what is entered.
+    HWY_INLINE float test(std::span<const BoxPack> packs, float from, float to, float tmax) const {
+        alignas(32) std::array<Lanes, most> entry;
+        std::uint64_t entered = 0;
+        for (std::size_t i = 0; i < packs.size(); ++i) {
+            const std::uint64_t lanes = entered_in(packs[i].boxes, from, to, entry[i]);
+            entered |= lanes << (i * node_width);
+        }
+        for (; entered != 0; entered &= entered - 1) {
+            const auto bit = static_cast<std::size_t>(std::countr_zero(entered));
+            const std::size_t pack = bit / node_width, lane = bit % node_width;
+            if (entry[pack][lane] > tmax) continue;
+            tmax = test(packs[pack].boxes.children[lane].cluster(), tmax);
+        }
+        return tmax;
+    }
+
+    /// The lanes whose box is entered within [from, to], and where.
+    HWY_INLINE std::uint32_t entered_in(const WideNode& boxes, float from, float to,
+                                        Lanes& entry) const {
+        const std::uint32_t before_end = slabs_.entered(boxes, to, entry);
+        const Floats begin = broadcast(from);
+        return before_end &
+               lanes_where([&](std::size_t i) HWY_ATTR { return hn::Ge(load(entry, i), begin); });
+    }
+
     HWY_INLINE float test(ClusterRef ref, float tmax) const {
         std::uint32_t lanes = filter_.candidates(clusters_, ref, tmax);
         for (; lanes != 0 && tmax >= 0; lanes &= lanes - 1) {

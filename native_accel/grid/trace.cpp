@@ -1,7 +1,6 @@
 #include "native_accel/grid/trace.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "core/intersect/clusters/targets.h"
 
@@ -32,7 +31,7 @@ HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const FrameRa
             return offer(t, id);
         };
         if (!passage.empty()) {
-            const ClusterTest test(clusters, local, passage.entry, ask);
+            const ClusterTest test(clusters, local, passage.entry, query.ray.left, ask);
             GridVisit(boxes, ray, test, tmax).visit(passage);
         }
     }

@@ -35,7 +35,7 @@ struct Passage {
     float entry, exit;
 };
 
-/// Gives the packs of one cell after the other to test(pack, from, to, tmax), where the ray is in
+/// Gives the packs of one cell after the other to test(packs, from, to, tmax), where the ray is in
 /// the cell from `from` to `to`, and nothing is wanted beyond tmax; it returns the tmax from then
 /// on. Goes up to Test::ahead cells ahead before it visits them, so that memory is asked for the
 /// contents of several at once: at first one, as a surface most often is hit in the first, then
@@ -72,9 +72,7 @@ class GridVisit {
     }
 
     HWY_INLINE void test(const GridCell& c, const Passage& passage) {
-        for (const Pack& pack : grid_.packs(c)) {
-            tmax_ = test_(pack, passage.entry, passage.exit, tmax_);
-        }
+        tmax_ = test_(grid_.packs(c), passage.entry, passage.exit, tmax_);
     }
 
     void walk(const GridNode& node, const Passage& passage) {

@@ -70,3 +70,21 @@ TEST_CASE("oiiotool sees the pixels, the windows and the metadata") {
     CHECK_THAT(text, ContainsSubstring("samplesPerPixel: 64"));
     CHECK_THAT(text, ContainsSubstring("amera: 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 7.25, 0, 0, 1"));
 }
+
+TEST_CASE("oiiotool sees the channels beside the colours, and their types") {
+    const TemporaryFolder folder;
+    Picture picture = random_picture(2, 1);
+    picture.pixels.assign(2, Color(0.0F));
+    picture.channels = {{"N.X", std::vector{0.5F, -0.5F}},
+                        {"Z", std::vector{2.0F, 3.0F}},
+                        {"primitiveId", std::vector{7U, 4294967295U}}};
+    REQUIRE(write_picture(folder / "p.exr", picture) == "");
+    const std::string text = output_of("oiiotool --info -v --stats " + (folder / "p.exr"));
+    if (text.empty()) {
+        WARN("oiiotool is not installed: not tested");
+        return;
+    }
+    CHECK_THAT(text, ContainsSubstring("2 x    1, 6 channel"));
+    CHECK_THAT(text, ContainsSubstring("primitiveId (uint)"));
+    CHECK_THAT(text, ContainsSubstring("N.X (float)") && ContainsSubstring("Z (float)"));
+}

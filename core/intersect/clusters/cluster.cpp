@@ -9,11 +9,7 @@
 namespace etalon {
 namespace {
 
-/// Of so large an extent.
-float steps_per_unit(double extent) {
-    constexpr double most = 65535, finest = 0x1p-40;
-    return static_cast<float>(power_of_two_reciprocal(std::max(extent / most, finest)) / 2);
-}
+constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 
 /// Each lane's; those that are not taken repeat the last.
 Ids spread(std::span<const std::uint32_t> all) {
@@ -41,47 +37,31 @@ std::array<const Primitive*, cluster_lanes> look_up(const Scene& scene, const Id
 void TriangleCluster::fill(const Scene& scene, const Frame& frame,
                            std::span<const std::uint32_t> all) {
     ids = spread(all);
-    taken = (1U << all.size()) - 1;
     const auto primitives = look_up(scene, ids);
     for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
         vertices[lane] = scene.get<Triangle>(*primitives[lane]).vertices;
         sides[lane] = primitives[lane]->sides;
     }
-    std::array<std::array<Vec3, 3>, cluster_lanes> places;
+    std::array<std::array<Vec3, 3>, cluster_lanes> exact;
     for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
-        for (int c = 0; c < 3; ++c) places[lane][c] = scene.vertices[vertices[lane][c]];
+        exact[lane] = etalon::corners(scene, Triangle{vertices[lane]});
     }
-    for (auto& corners_of_one : places) {
-        for (Vec3& place : corners_of_one) place = frame.point(place);
-    }
-    set_corners(places);
-}
-
-void TriangleCluster::set_corners(const std::array<std::array<Vec3, 3>, cluster_lanes>& places) {
-    Box3 around;
-    double extent = 0;
-    for (const auto& of_one : places) {
+    doubt = 0;
+    for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
         Box3 box;
-        for (const Vec3& place : of_one) box.extendBy(place);
-        around.extendBy(box);
-        extent = std::max(extent, max_abs(box.size()));
-    }
-    base = float_down(around.min);
-    steps_per_unit = etalon::steps_per_unit(max_abs(around.max - Vec3(base)));
-    doubt = edge_doubt(extent, steps_per_unit);
-    for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
         for (int c = 0; c < 3; ++c) {
-            const Vec3 steps = (places[lane][c] - Vec3(base)) * steps_per_unit;
+            const Vec3 corner = frame.point(exact[lane][c]);
+            box.extendBy(corner);
             for (int k = 0; k < 3; ++k) {
-                corners[c][k][lane] = static_cast<std::uint16_t>(steps[k] + 0.5);
+                corners[c][k][lane] = lane < all.size() ? static_cast<float>(corner[k]) : nothing;
             }
         }
+        doubt = std::max(doubt, edge_doubt(max_abs(box.size())));
     }
 }
 
 void SphereCluster::fill(const Scene& scene, const Frame& frame,
                          std::span<const std::uint32_t> all) {
-    constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
     ids = spread(all);
     const auto primitives = look_up(scene, ids);
     for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {

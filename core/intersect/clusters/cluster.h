@@ -1,4 +1,4 @@
-// Primitives of one kind side by side, placed in a frame, so that one set of vector instructions
+// Primitives of one kind side by side, in floats of a frame, so that one set of vector instructions
 // rejects those that a ray cannot hit. See filter-inl.h for the tests.
 #pragma once
 
@@ -16,38 +16,27 @@ inline constexpr std::size_t cluster_lanes = 8;
 
 using Lanes = std::array<float, cluster_lanes>;
 
-/// Primitive numbers.
+/// Primitive numbers; lanes that are not taken repeat the last one's.
 using Ids = std::array<std::uint32_t, cluster_lanes>;
 
-/// Coordinates as multiples of a step.
-using Steps = std::array<std::uint16_t, cluster_lanes>;
-
-/// Corners are on a grid of the cluster's own, of 2^16 steps along each axis: half the space of
-/// floats, and finer than the roundings of a ray unless the cluster takes a twentieth of the frame.
-/// What the filter reads comes first; of a lane that passes, all else that the kernel must know
-/// before it reads the corners is in one cache line.
+/// Lanes that are not taken hold NaN, which no ray meets. What the filter reads comes first; of a
+/// lane that passes, all else that the kernel must know before it reads the corners is in one cache
+/// line.
 struct alignas(64) TriangleCluster {
     /// Sets nothing, so that many are first written by the threads that fill them.
     TriangleCluster() {}
 
-    /// With at least one of them. Lanes that are not taken repeat the last.
+    /// With at least one of them.
     void fill(const Scene& scene, const Frame& frame, std::span<const std::uint32_t> all);
 
-    Vec3f base;            ///< where the grid begins, in the frame
-    float steps_per_unit;  ///< a power of two
-    float doubt;           ///< bound on the error of an edge function, in steps: edge_doubt()
-    std::uint32_t taken;   ///< lanes that hold a triangle
+    std::array<std::array<Lanes, 3>, 3> corners;  ///< of each corner x, y and z
+    float doubt;  ///< bound on the error of an edge function, see TriangleFilter
     std::array<Sides, cluster_lanes> sides;
-    Ids ids;
-    std::array<std::array<Steps, 3>, 3> corners;  ///< of each corner x, y and z
+    alignas(32) Ids ids;
     std::array<std::array<std::uint32_t, 3>, cluster_lanes> vertices;
-
-  private:
-    void set_corners(const std::array<std::array<Vec3, 3>, cluster_lanes>& places);
 };
 
-/// What a kernel needs of a sphere is in two cache lines that can be read together. Radii of lanes
-/// that are not taken are NaN, which no ray meets.
+/// What a kernel needs of a sphere is in two cache lines that can be read together.
 struct alignas(64) SphereCluster {
     SphereCluster() {}
     void fill(const Scene& scene, const Frame& frame, std::span<const std::uint32_t> all);
@@ -59,6 +48,6 @@ struct alignas(64) SphereCluster {
     alignas(32) std::array<Sphere, cluster_lanes> exact;
 };
 
-static_assert(sizeof(TriangleCluster) == 320 && sizeof(SphereCluster) == 448);
+static_assert(sizeof(TriangleCluster) == 448 && sizeof(SphereCluster) == 448);
 
 }  // namespace etalon

@@ -1,22 +1,12 @@
 #include "core/intersect/clusters/clusters.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 #include "core/parallel/parallel.h"
 
 namespace etalon {
-namespace {
-
-/// That of all, or a list.
-ClusterRef::Kind kind_for(const Scene& scene, std::span<const std::uint32_t> ids) {
-    const ClusterRef::Kind kind = cluster_kind(scene.primitives[ids[0]].kind);
-    const bool alike = std::all_of(ids.begin(), ids.end(), [&](std::uint32_t id) {
-        return cluster_kind(scene.primitives[id].kind) == kind;
-    });
-    return alike ? kind : ClusterRef::list;
-}
-
-}  // namespace
 
 Clusters::Clusters(const Scene& scene, const Frame& frame, std::span<const std::uint32_t> ids,
                    std::span<const Range> ranges, std::vector<ClusterRef>& refs) {
@@ -24,7 +14,7 @@ Clusters::Clusters(const Scene& scene, const Frame& frame, std::span<const std::
     refs.clear();
     refs.reserve(ranges.size());
     for (const Range& range : ranges) {
-        const ClusterRef::Kind kind = kind_for(scene, ids.subspan(range.first, range.count));
+        const ClusterRef::Kind kind = cluster_kind(scene.primitives[ids[range.first]].kind);
         refs.emplace_back(kind, counts[kind]++);
     }
     triangles_.resize(counts[ClusterRef::triangles]);
@@ -48,6 +38,20 @@ void Clusters::fill(const Scene& scene, const Frame& frame, ClusterRef ref,
         default:
             lists_[ref.index()].fill(no_index);
             std::copy(ids.begin(), ids.end(), lists_[ref.index()].begin());
+    }
+}
+
+std::size_t Clusters::size(ClusterRef ref) const {
+    const auto lanes_where = [](const auto& lanes, const auto& holds) {
+        return static_cast<std::size_t>(std::count_if(lanes.begin(), lanes.end(), holds));
+    };
+    switch (ref.kind()) {
+        case ClusterRef::triangles:
+            return static_cast<std::size_t>(std::popcount(triangles(ref).taken));
+        case ClusterRef::spheres:
+            return lanes_where(spheres(ref).radius, [](float r) { return !std::isnan(r); });
+        default:
+            return lanes_where(lists_[ref.index()], [](auto id) { return id != no_index; });
     }
 }
 

@@ -39,8 +39,8 @@ class Clusters {
   public:
     Clusters() = default;
 
-    /// One for each of `ranges` of `ids`, of at most cluster_lanes primitives, and to refs[i]
-    /// where the i-th is. Those of different kinds make a list. As many threads as allowed.
+    /// One for each of `ranges` of `ids`, of at most cluster_lanes primitives of one kind of
+    /// cluster, and to refs[i] where the i-th is. As many threads as allowed.
     Clusters(const Scene& scene, const Frame& frame, std::span<const std::uint32_t> ids,
              std::span<const Range> ranges, std::vector<ClusterRef>& refs);
 
@@ -56,6 +56,9 @@ class Clusters {
 
     const TriangleCluster& triangles(ClusterRef ref) const { return triangles_[ref.index()]; }
     const SphereCluster& spheres(ClusterRef ref) const { return spheres_[ref.index()]; }
+
+    /// How many primitives it has.
+    std::size_t size(ClusterRef ref) const;
 
     std::size_t memory_bytes() const;
 

@@ -33,11 +33,7 @@ HWY_INLINE Floats broadcast(float x) {
 HWY_INLINE Floats load(const Lanes& lanes, std::size_t first) {
     return hn::Load(Tag(), &lanes[first]);
 }
-HWY_INLINE Floats load(const Steps& steps, std::size_t first) {
-    const hn::Rebind<std::int32_t, Tag> numbers;
-    const hn::Rebind<std::uint16_t, Tag> halves;
-    return hn::ConvertTo(Tag(), hn::PromoteTo(numbers, hn::Load(halves, &steps[first])));
-}
+
 /// The lanes that hold the primitive `id`.
 HWY_INLINE Mask holds(const Ids& ids, std::size_t first, std::uint32_t id) {
     const hn::Rebind<std::uint32_t, Tag> numbers;

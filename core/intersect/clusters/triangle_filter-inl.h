@@ -34,16 +34,7 @@ class TriangleFilter {
 
     /// The lanes, lowest first, that the ray could hit at t <= tmax in the frame.
     HWY_INLINE std::uint32_t candidates(const TriangleCluster& cluster, float tmax) const {
-        const Floats scale = broadcast(cluster.steps_per_unit);
-        const Floats z = hn::Sub(broadcast(cluster.base[kz_]), origin_z_);
-        const auto sheared = [&](int axis, Floats origin, Floats slope) HWY_ATTR {
-            const Floats x = hn::Sub(broadcast(cluster.base[axis]), origin);
-            return hn::Mul(hn::NegMulAdd(slope, z, x), scale);
-        };
-        const Corner base{sheared(kx_, origin_x_, slope_x_), sheared(ky_, origin_y_, slope_y_),
-                          hn::Mul(z, scale)};
-        return cluster.taken &
-               lanes_where([&](std::size_t i) HWY_ATTR { return meets(cluster, base, i, tmax); });
+        return lanes_where([&](std::size_t i) HWY_ATTR { return meets(cluster, i, tmax); });
     }
 
   private:
@@ -51,31 +42,22 @@ class TriangleFilter {
         Floats x, y, z;
     };
 
-    /// In steps of the cluster's grid, whose base is at `base`.
-    HWY_INLINE Mask meets(const TriangleCluster& cluster, const Corner& base, std::size_t i,
-                          float tmax) const {
-        const Corner a = shear(cluster.corners[0], base, i), b = shear(cluster.corners[1], base, i),
-                     c = shear(cluster.corners[2], base, i);
+    HWY_INLINE Mask meets(const TriangleCluster& cluster, std::size_t i, float tmax) const {
+        const Corner a = shear(cluster.corners[0], i), b = shear(cluster.corners[1], i),
+                     c = shear(cluster.corners[2], i);
         const Floats doubt = broadcast(cluster.doubt);
         const Floats u = edge(b, c), v = edge(c, a), w = edge(a, b);
         const Mask around = hn::Or(hn::Ge(hn::Min(u, hn::Min(v, w)), hn::Neg(doubt)),
                                    hn::Le(hn::Max(u, hn::Max(v, w)), doubt));
         const Mask surrounds = hn::AndNot(holds(cluster.ids, i, left_), around);
         if (hn::AllFalse(Tag(), surrounds)) return surrounds;
-        const float end = std::clamp(tmax * speed_, -8.0F, 8.0F) + depth_doubt;
-        const Floats limit = broadcast(end * cluster.steps_per_unit + 1);
-        const auto beyond = [&](const Corner& p) HWY_ATTR {
-            return hn::MulSub(forward_, hn::Add(p.z, base.z), limit);
-        };
-        return hn::AndNot(surely_beyond({u, v, w}, {beyond(a), beyond(b), beyond(c)}, doubt),
-                          surrounds);
+        return hn::AndNot(surely_beyond(tmax, {u, v, w}, {a.z, b.z, c.z}, doubt), surrounds);
     }
 
-    HWY_INLINE Corner shear(const std::array<Steps, 3>& p, const Corner& base,
-                            std::size_t i) const {
-        const Floats z = load(p[kz_], i);
-        return {hn::Add(base.x, hn::NegMulAdd(slope_x_, z, load(p[kx_], i))),
-                hn::Add(base.y, hn::NegMulAdd(slope_y_, z, load(p[ky_], i))), z};
+    HWY_INLINE Corner shear(const std::array<Lanes, 3>& p, std::size_t i) const {
+        const Floats z = hn::Sub(load(p[kz_], i), origin_z_);
+        return {hn::NegMulAdd(slope_x_, z, hn::Sub(load(p[kx_], i), origin_x_)),
+                hn::NegMulAdd(slope_y_, z, hn::Sub(load(p[ky_], i), origin_y_)), z};
     }
 
     static HWY_INLINE Floats edge(const Corner& a, const Corner& b) {
@@ -85,14 +67,19 @@ class TriangleFilter {
     /// The hit is at the mean of the corners' depths, weighted by |U|, |V|, |W|. It is beyond the
     /// depth of tmax if the sum of |U| q is positive, q being each corner's depth less that. What
     /// is computed is off by doubt * (sum of |q|), with the share of the doubt that is kept for the
-    /// roundings of this sum, 3 u |U| <= 24 u L^2. Where the sign of U + V + W is wrong none of the
-    /// three is beyond twice the doubt in size, nor is the sum.
-    static HWY_INLINE Mask surely_beyond(const Corner& weight, const Corner& q, Floats doubt) {
+    /// roundings of this sum, 3 u |U| <= 24 u L^2 <= 48 u L < 1.8 E L. Where the sign of U + V + W
+    /// is wrong none of the three is beyond twice the doubt in size, nor is the sum.
+    HWY_INLINE Mask surely_beyond(float tmax, const Corner& weight, const Corner& depth,
+                                  Floats doubt) const {
+        const Floats limit = broadcast(std::clamp(tmax * speed_, -8.0F, 8.0F) + depth_doubt);
+        const Floats qx = hn::MulSub(forward_, depth.x, limit),
+                     qy = hn::MulSub(forward_, depth.y, limit),
+                     qz = hn::MulSub(forward_, depth.z, limit);
         const Floats sum =
-            hn::MulAdd(weight.x, q.x, hn::MulAdd(weight.y, q.y, hn::Mul(weight.z, q.z)));
+            hn::MulAdd(weight.x, qx, hn::MulAdd(weight.y, qy, hn::Mul(weight.z, qz)));
         const Floats sense = hn::Add(weight.x, hn::Add(weight.y, weight.z));
         const Floats turned = hn::IfThenElse(hn::Gt(sense, hn::Zero(Tag())), sum, hn::Neg(sum));
-        const Floats size = hn::Add(hn::Abs(q.x), hn::Add(hn::Abs(q.y), hn::Abs(q.z)));
+        const Floats size = hn::Add(hn::Abs(qx), hn::Add(hn::Abs(qy), hn::Abs(qz)));
         return hn::Gt(turned, hn::Mul(hn::Add(doubt, doubt), size));
     }
 

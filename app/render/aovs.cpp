@@ -1,0 +1,166 @@
+#include "app/render/aovs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/backends.h"
+#include "core/formats/nearest_name.h"
+
+namespace etalon {
+namespace {
+
+/// What there is to make channels of. The film always is.
+struct Ingredients {
+    const Film& film;
+    std::optional<SurfaceMeans> means{};
+    std::optional<CentreHits> centres{};
+};
+
+enum class Source { film, means, centres };
+
+using Values = std::variant<std::vector<float>, std::vector<std::uint32_t>, std::vector<Color>,
+                            std::vector<Vec3f>>;
+
+struct Aov {
+    std::string_view name;
+    Source source;
+    Values (*values)(const Ingredients&);
+    std::string_view axes = {};           ///< of three values: what their channels end in
+    bool Backend::*is_counted = nullptr;  ///< what the backend must count
+};
+
+Values tests(const CentreHits& hits, std::uint64_t TraversalCost::*count) {
+    std::vector<float> values;
+    for (const TraversalCost& cost : hits.costs) values.push_back(static_cast<float>(cost.*count));
+    return values;
+}
+
+/// To add one is to add a line.
+constexpr Aov aovs[] = {
+    {"albedo", Source::means,
+     [](const Ingredients& i) -> Values { return i.means->albedo.pixels(); }, "RGB"},
+    {"N", Source::means, [](const Ingredients& i) -> Values { return i.means->normal.pixels(); },
+     "XYZ"},
+    {"P", Source::centres, [](const Ingredients& i) -> Values { return i.centres->positions; },
+     "XYZ"},
+    {"Z", Source::centres, [](const Ingredients& i) -> Values { return i.centres->depths; }},
+    {"primitiveId", Source::centres,
+     [](const Ingredients& i) -> Values { return i.centres->primitives; }},
+    {"variance", Source::film, [](const Ingredients& i) -> Values { return i.film.variances(); },
+     "RGB"},
+    {"sampleCount", Source::film, [](const Ingredients& i) -> Values { return i.film.counts(); }},
+    {"cost.boxTests",
+     Source::centres,
+     [](const Ingredients& i) { return tests(*i.centres, &TraversalCost::box_tests); },
+     {},
+     &Backend::counts_box_tests},
+    {"cost.primitiveTests",
+     Source::centres,
+     [](const Ingredients& i) { return tests(*i.centres, &TraversalCost::primitive_tests); },
+     {},
+     &Backend::counts_primitive_tests},
+};
+
+using Names = std::vector<std::string>;
+
+std::vector<std::string_view> all_names() {
+    std::vector<std::string_view> names;
+    for (const Aov& aov : aovs) names.push_back(aov.name);
+    return names;
+}
+
+/// Those of `names`, each once.
+std::vector<Aov> selected(const Names& names) {
+    std::vector<Aov> list;
+    std::copy_if(std::begin(aovs), std::end(aovs), std::back_inserter(list), [&](const Aov& aov) {
+        return std::find(names.begin(), names.end(), aov.name) != names.end();
+    });
+    return list;
+}
+
+bool any_from(const std::vector<Aov>& list, Source source) {
+    return std::any_of(list.begin(), list.end(), [&](auto& aov) { return aov.source == source; });
+}
+
+bool is_there(const Ingredients& there, Source source) {
+    switch (source) {
+        case Source::means:
+            return there.means.has_value();
+        case Source::centres:
+            return there.centres.has_value();
+        default:
+            return true;
+    }
+}
+
+void add(const Aov& aov, std::vector<float> values, std::vector<Channel>& channels) {
+    channels.push_back({std::string(aov.name), std::move(values)});
+}
+void add(const Aov& aov, std::vector<std::uint32_t> values, std::vector<Channel>& channels) {
+    channels.push_back({std::string(aov.name), std::move(values)});
+}
+
+template <class Triple>
+void add(const Aov& aov, const std::vector<Triple>& triples, std::vector<Channel>& channels) {
+    for (int k = 0; k < 3; ++k) {
+        std::vector<float> values;
+        values.reserve(triples.size());
+        for (const Triple& triple : triples) values.push_back(triple[k]);
+        channels.push_back({fmt::format("{}.{}", aov.name, aov.axes[k]), std::move(values)});
+    }
+}
+
+}  // namespace
+
+std::string check_aov(const std::string& name) {
+    const std::vector<std::string_view> names = all_names();
+    if (std::find(names.begin(), names.end(), name) != names.end()) return {};
+    return fmt::format("'{}' is not one of {}{}", name, aov_names(), did_you_mean(name, names));
+}
+
+std::string aov_names() {
+    return fmt::format("{}", fmt::join(all_names(), ", "));
+}
+
+bool need_variance(const Names& names) {
+    return std::find(names.begin(), names.end(), "variance") != names.end();
+}
+
+std::string obstacle_to_aovs(const Names& names, const Backend& backend) {
+    for (const Aov& aov : selected(names)) {
+        if (aov.is_counted == nullptr || backend.*aov.is_counted) continue;
+        Names able;
+        for (const Backend& other : all_backends()) {
+            if (other.*aov.is_counted) able.emplace_back(other.name);
+        }
+        return fmt::format("--aov {}: the backend {} does not count that; expected one of {}",
+                           aov.name, backend.name, fmt::join(able, ", "));
+    }
+    return {};
+}
+
+std::vector<Channel> make_aovs(const Names& names, const Scene& scene,
+                               const Intersector& intersector, const Film& film,
+                               const RenderOptions& options, Names& missing) {
+    const std::vector<Aov> list = selected(names);
+    Ingredients made{film};
+    if (any_from(list, Source::means)) {
+        made.means = surface_means(scene, intersector, options);
+    }
+    if (any_from(list, Source::centres)) {
+        made.centres = centre_hits(scene, intersector, options);
+    }
+    std::vector<Channel> channels;
+    for (const Aov& aov : list) {
+        if (is_there(made, aov.source)) {
+            std::visit([&](auto values) { add(aov, std::move(values), channels); },
+                       aov.values(made));
+        } else {
+            missing.emplace_back(aov.name);
+        }
+    }
+    return channels;
+}
+
+}  // namespace etalon

@@ -1,0 +1,30 @@
+// What `etalon render --aov` can write beside the colours.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/image/picture.h"
+#include "core/render/features.h"
+
+namespace etalon {
+
+/// Why `name` is none, or nothing.
+std::string check_aov(const std::string& name);
+
+/// "albedo, N, ..."
+std::string aov_names();
+
+/// Whether one of them needs the variances of the film.
+bool need_variance(const std::vector<std::string>& names);
+
+/// Why the backend cannot give all of them, or nothing.
+std::string obstacle_to_aovs(const std::vector<std::string>& names, const Backend& backend);
+
+/// The channels of these, each once, with as many rays as that takes. What was stopped before it
+/// was made goes to `missing`.
+std::vector<Channel> make_aovs(const std::vector<std::string>& names, const Scene& scene,
+                               const Intersector& intersector, const Film& film,
+                               const RenderOptions& options, std::vector<std::string>& missing);
+
+}  // namespace etalon

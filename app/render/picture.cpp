@@ -1,0 +1,26 @@
+#include "app/render/picture.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/render/camera_rays.h"
+
+namespace etalon {
+
+Picture make_picture(const Scene& scene, const Rendering& rendering, const RenderStats& stats) {
+    const CameraRays camera(scene.camera);
+    Picture picture{scene.camera.width,      scene.camera.height,  rendering.film.window(),
+                    rendering.film.pixels(), scene.display_colors, {}};
+    picture.metadata = {{"software", std::string("Etalon " ETALON_VERSION)},
+                        {"backend", stats.backend},
+                        {"integrator", std::string("whitted")},
+                        {"samplesPerPixel", static_cast<int>(std::lround(rendering.samples))},
+                        {"seed", fmt::format("{}", stats.seed)},
+                        {"renderTimeSeconds", static_cast<float>(stats.render.wall)},
+                        {"worldToCamera", Imath::M44f(camera.world_to_camera())},
+                        {"worldToNDC", Imath::M44f(camera.world_to_ndc())}};
+    return picture;
+}
+
+}  // namespace etalon

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/stats.h"
+#include "core/image/picture.h"
+#include "core/render/renderer.h"
+
+namespace etalon {
+
+/// What is written of a rendering, and how it was made. Without channels.
+Picture make_picture(const Scene& scene, const Rendering& rendering, const RenderStats& stats);
+
+}  // namespace etalon

@@ -1,0 +1,19 @@
+#include "core/render/encounter.h"
+
+#include "core/intersect/kernels.h"
+
+namespace etalon {
+
+Encounter encounter(const Scene& scene, const Ray& ray, const Hit& hit) {
+    const Material& material = scene.materials[scene.primitives[hit.primitive].material];
+    Encounter at{surface_at(scene, ray, hit), material, false, Vec3(0), Vec3(0)};
+    const SurfacePoint& p = at.surface;
+    at.entering = ray.direction.dot(p.normal) < 0;
+    at.facing = at.entering ? p.normal : -p.normal;
+    // Where an interpolated normal turns away from the ray it is still the surface's other side
+    // that is dark: what decides is the geometric normal alone.
+    at.normal = at.facing.dot(p.shading_normal) > 0 ? p.shading_normal : -p.shading_normal;
+    return at;
+}
+
+}  // namespace etalon

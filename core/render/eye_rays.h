@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/render/camera_rays.h"
+#include "core/sampling/sample_source.h"
+
+namespace etalon {
+
+/// The rays from the eye that make a picture: one for each sample of a pixel.
+class EyeRays {
+  public:
+    /// `samples_per_pixel` 0: the camera's PixelRays.
+    EyeRays(const Camera& camera, int samples_per_pixel);
+
+    /// Whether each ray counts for the four pixels about its corner.
+    bool shares_corners() const { return shares_corners_; }
+
+    /// What has rays of its own: the pixels of a window, or the corners about them.
+    Imath::Box2i sampled(Imath::Box2i window) const;
+
+    /// That of one sample of the pixel, or corner, (x, y).
+    Ray ray(int x, int y, const SampleSource& sample) const;
+
+  private:
+    CameraRays camera_;
+    bool has_samples_, shares_corners_;
+    Vec2 in_pixel_;  ///< where the one ray of a picture without samples goes
+};
+
+}  // namespace etalon

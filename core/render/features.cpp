@@ -1,0 +1,90 @@
+#include "core/render/features.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/intersect/kernels.h"
+#include "core/parallel/parallel.h"
+#include "core/render/encounter.h"
+#include "core/render/eye_rays.h"
+#include "core/render/tiles.h"
+
+namespace etalon {
+namespace {
+
+constexpr int most_samples = 16;
+
+/// Calls visit(x, y, its number by rows) for every pixel, on all threads. False if stopped.
+template <class Visit>
+bool for_each_pixel(const Imath::Box2i& window, const std::atomic<bool>* stop, const Visit& visit) {
+    const auto stopped = [&] { return stop != nullptr && stop->load(); };
+    const std::vector<Imath::Box2i> tiles = tiles_of(window);
+    const std::size_t width = static_cast<std::size_t>(window.size().x) + 1;
+    parallel_for(tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Imath::Box2i& tile = tiles[i];
+            for (int y = tile.min.y; y <= tile.max.y && !stopped(); ++y) {
+                const std::size_t row = (y - window.min.y) * width;
+                for (int x = tile.min.x; x <= tile.max.x; ++x) {
+                    visit(x, y, row + (x - window.min.x));
+                }
+            }
+        }
+    });
+    return !stopped();
+}
+
+Color albedo_of(const Material& m) {
+    const Color sum = m.diffuse + m.reflection + m.transmission;
+    const auto share = [](float x) { return std::clamp(x, 0.0F, 1.0F); };
+    return {share(sum.x), share(sum.y), share(sum.z)};
+}
+
+}  // namespace
+
+std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector& intersector,
+                                          const RenderOptions& options) {
+    const EyeRays rays(scene.camera, options.samples_per_pixel);
+    const Imath::Box2i window = rays.sampled(options.window);
+    const int samples = std::clamp(options.samples_per_pixel, 1, most_samples);
+    SurfaceMeans means{Film(window), Film(window)};
+    const auto add = [&](int x, int y, const Ray& ray) {
+        const std::optional<Hit> hit = intersector.closest(ray);
+        if (!hit) return means.albedo.add(x, y, Color(0)), means.normal.add(x, y, Color(0));
+        const Encounter at = encounter(scene, ray, *hit);
+        means.albedo.add(x, y, albedo_of(at.material));
+        means.normal.add(x, y, Color(at.normal));
+    };
+    const bool complete = for_each_pixel(window, options.stop, [&](int x, int y, std::size_t) {
+        for (int s = 0; s < samples; ++s) {
+            const SampleSource source(x, y, options.seed, s, options.sampler);
+            add(x, y, rays.ray(x, y, source));
+        }
+    });
+    if (!complete) return std::nullopt;
+    if (rays.shares_corners()) means = {means.albedo.cells(), means.normal.cells()};
+    return means;
+}
+
+std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& intersector,
+                                      const RenderOptions& options) {
+    const CameraRays camera(scene.camera);
+    const Imath::V2i last = options.window.size();
+    const std::size_t pixels = (last.x + std::size_t{1}) * (last.y + std::size_t{1});
+    constexpr float never = std::numeric_limits<float>::infinity();
+    CentreHits hits{std::vector(pixels, Vec3f(0)), std::vector(pixels, never),
+                    std::vector(pixels, no_index), std::vector(pixels, TraversalCost())};
+    const auto trace = [&](int x, int y, std::size_t pixel) {
+        const Ray ray = camera.ray(Vec2(x + 0.5, y + 0.5), Vec2(0.5));
+        const std::optional<Hit> hit = intersector.closest(ray, hits.costs[pixel]);
+        if (!hit) return;
+        const Vec3 position = surface_at(scene, ray, *hit).position;
+        hits.positions[pixel] = Vec3f(position);
+        hits.depths[pixel] = static_cast<float>(camera.depth(position));
+        hits.primitives[pixel] = hit->primitive;
+    };
+    if (!for_each_pixel(options.window, options.stop, trace)) return std::nullopt;
+    return hits;
+}
+
+}  // namespace etalon

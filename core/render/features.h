@@ -1,0 +1,33 @@
+// What is to be seen in a picture but its light: for denoisers, compositors, and whoever asks what
+// an accelerator did. Made by rays of its own, which nothing else counts.
+#pragma once
+
+#include <optional>
+
+#include "core/render/renderer.h"
+
+namespace etalon {
+
+/// Means over the first samples of each pixel, at most 16: the picture's own, so that what is
+/// behind an edge has the same share. A miss counts as 0.
+struct SurfaceMeans {
+    Film albedo;  ///< diffuse + reflection + transmission of the material, each in [0, 1]
+    Film normal;  ///< for shading, unit, on the side of the surface that is seen
+};
+
+/// Of one ray through the centre of each pixel and of the lens, by rows from the top.
+struct CentreHits {
+    std::vector<Vec3f> positions;           ///< 0 for a miss
+    std::vector<float> depths;              ///< along the camera's axis; infinity for a miss
+    std::vector<std::uint32_t> primitives;  ///< number in Scene::primitives, or no_index
+    std::vector<TraversalCost> costs;       ///< as far as the backend counts
+};
+
+/// For a picture of these options; a deadline is the picture's alone. Nothing if stopped. Both are
+/// the same for any number of threads.
+std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector& intersector,
+                                          const RenderOptions& options);
+std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& intersector,
+                                      const RenderOptions& options);
+
+}  // namespace etalon

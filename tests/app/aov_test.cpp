@@ -1,0 +1,91 @@
+// `etalon render --aov`: what is known of a pixel beside its colour.
+#include <nlohmann/json.hpp>
+
+#include "core/image/io.h"
+#include "tests/app/program.h"
+#include "tests/catch.h"
+#include "tests/exr_channels.h"
+
+using namespace etalon::test;
+
+namespace {
+
+std::vector<float> colors(const std::string& path) {
+    const auto image = etalon::read_image(path);
+    REQUIRE(image.error == "");
+    return std::get<std::vector<float>>(image.value.pixels);
+}
+
+Outcome render(const Folder& f, const std::string& options) {
+    f.write("s.p3f", small_scene);
+    return f.etalon("render s.p3f -q " + options);
+}
+
+}  // namespace
+
+TEST_CASE("--aov writes what was asked for as channels of the EXR", "[app]") {
+    const Folder f;
+    REQUIRE(render(f,
+                   "--spp 4 --aov albedo,N,P,Z,primitiveId -o a.exr "
+                   "--aov variance,sampleCount,cost.boxTests,cost.primitiveTests -b bvh")
+                .status == 0);
+    std::map<std::string, Imf::PixelType> expected = {{"primitiveId", Imf::UINT},
+                                                      {"sampleCount", Imf::UINT}};
+    for (const char* name : {"R", "G", "B", "albedo.R", "albedo.G", "albedo.B", "N.X", "N.Y", "N.Z",
+                             "P.X", "P.Y", "P.Z", "Z", "variance.R", "variance.G", "variance.B",
+                             "cost.boxTests", "cost.primitiveTests"}) {
+        expected[name] = Imf::FLOAT;
+    }
+    const std::string path = f.path("a.exr");
+    CHECK(channel_types(path) == expected);
+    CHECK(channel<unsigned>(path, "sampleCount") == std::vector<unsigned>(32 * 24, 4));
+    const auto ids = channel<unsigned>(path, "primitiveId");
+    const auto depths = channel<float>(path, "Z");
+    const auto albedo = channel<float>(path, "albedo.G");
+    const std::size_t middle = 12 * 32 + 16;
+    CHECK(ids[middle] == 1);
+    CHECK(depths[middle] == Approx(std::sqrt(26) - 1).margin(0.02));
+    CHECK(albedo[middle] == Approx(0.7 * 0.2 + 0.3));
+    CHECK(ids[0] == 4294967295U);
+    CHECK(depths[0] == std::numeric_limits<float>::infinity());
+    CHECK(channel<float>(path, "cost.primitiveTests")[middle] == 2);
+}
+
+TEST_CASE("--aov changes neither the picture nor the counts of its rays", "[app]") {
+    const Folder f;
+    REQUIRE(render(f, "--spp 4 -o a.exr --stats a.json").status == 0);
+    REQUIRE(render(f, "--spp 4 -o b.exr --stats b.json --aov N,P,variance").status == 0);
+    CHECK(colors(f.path("a.exr")) == colors(f.path("b.exr")));
+    const auto rays = [&](const char* name) { return nlohmann::json::parse(f.read(name))["rays"]; };
+    CHECK(rays("a.json") == rays("b.json"));
+}
+
+TEST_CASE("--aov follows a crop and the corners of --spd", "[app]") {
+    const Folder f;
+    REQUIRE(render(f, "--spd --crop 4,6,20,18 -o a.exr --aov N,Z,sampleCount").status == 0);
+    const std::string path = f.path("a.exr");
+    CHECK(channel<unsigned>(path, "sampleCount") == std::vector<unsigned>(16 * 12, 4));
+    CHECK(channel<float>(path, "N.Y").size() == 16 * 12);
+    REQUIRE(render(f, "--spd -o b.exr --aov Z").status == 0);
+    const auto part = channel<float>(path, "Z"), whole = channel<float>(f.path("b.exr"), "Z");
+    CHECK(part[0] == whole[6 * 32 + 4]);
+    CHECK(part.back() == whole[17 * 32 + 19]);
+}
+
+TEST_CASE("An --aov that cannot be had is wrong usage, and what could be is said", "[app]") {
+    const Folder f;
+    const Outcome unknown = render(f, "--aov Z,albdo -o a.exr");
+    CHECK(unknown.status == 2);
+    CHECK_THAT(unknown.err + unknown.out, ContainsSubstring("did you mean 'albedo'?"));
+    const Outcome no_place = render(f, "--aov Z -o a.png");
+    CHECK(no_place.status == 2);
+    CHECK_THAT(no_place.err, ContainsSubstring("FILE.exr"));
+    for (const char* aov : {"cost.boxTests", "cost.primitiveTests"}) {
+        const Outcome uncounted = render(f, std::string("-b embree-builtin -o a.exr --aov ") + aov);
+        CHECK(uncounted.status == 2);
+        CHECK_THAT(uncounted.err,
+                   ContainsSubstring(aov) && ContainsSubstring("none") && ContainsSubstring("bvh"));
+    }
+    CHECK_FALSE(f.has("a.exr"));
+    CHECK_FALSE(f.has("a.png"));
+}

@@ -1,0 +1,94 @@
+// What a nearest-hit query took is counted apart: it finds the same, and the counts mean something.
+#include "tests/backends/contenders.h"
+#include "tests/backends/rays.h"
+#include "tests/backends/scenes.h"
+#include "tests/catch.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
+    if (!a || !b) return !a && !b;
+    return a->primitive == b->primitive && a->t == b->t;
+}
+
+TraversalCost cost_of(const Intersector& intersector, const std::vector<Ray>& rays) {
+    TraversalCost cost;
+    for (const Ray& ray : rays) intersector.closest(ray, cost);
+    return cost;
+}
+
+/// Eight small spheres about a place, and eight about another.
+Scene two_heaps() {
+    Scene scene;
+    for (int i = 0; i < 16; ++i) {
+        const Vec3 heap(i < 8 ? -100 : 100, 0, 0);
+        scene.add(Sphere{heap + Vec3(i & 1, i >> 1 & 1, i >> 2 & 1), 0.1}, 0);
+    }
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("Given a ray, a query that counts finds the same hit to the last bit", "[backends]") {
+    for (const SceneFamily& family : scene_families()) {
+        const Scene scene = family.make(300);
+        Random random(7);
+        const std::vector<Ray> rays = make_rays(scene, 500, random);
+        for (const Backend& backend : exact_backends()) {
+            INFO(family.name << ", backend " << backend.name);
+            const auto intersector = backend.build(scene);
+            TraversalCost cost;
+            std::size_t different = 0;
+            for (const Ray& ray : rays) {
+                different += !same(intersector->closest(ray, cost), intersector->closest(ray));
+            }
+            CHECK(different == 0);
+        }
+    }
+}
+
+TEST_CASE("Given many primitives, an accelerator tests far fewer of them", "[backends]") {
+    const Scene scene = make_scene("mix", 4000);
+    Random random(8);
+    const std::vector<Ray> rays = make_rays(scene, 500, random);
+    const auto none = backend_named("none").build(scene);
+    const auto all_tests = cost_of(*none, rays).primitive_tests;
+    for (const Backend& backend : exact_backends()) {
+        if (!backend.counts_box_tests) continue;
+        INFO("backend " << backend.name);
+        const TraversalCost cost = cost_of(*backend.build(scene), rays);
+        if (backend.name == "none") {
+            CHECK(cost.box_tests == 0);
+            continue;
+        }
+        CHECK(cost.primitive_tests > 0);
+        CHECK(cost.primitive_tests < all_tests / 10);
+        CHECK(cost.box_tests > 0);
+    }
+}
+
+TEST_CASE("Given two heaps, a ray at one costs two boxes and the heap", "[backends]") {
+    const Scene scene = two_heaps();
+    const auto bvh = backend_named("bvh").build(scene);
+    TraversalCost cost;
+    REQUIRE(bvh->closest({Vec3(-100, 0, 9), Vec3(0, 0, -1)}, cost));
+    CHECK(cost.box_tests == 2);
+    CHECK(cost.primitive_tests == 8);
+    CHECK_FALSE(bvh->closest({Vec3(0, 0, 9), Vec3(0, 0, -1)}, cost));
+    CHECK(cost.box_tests == 4);
+    CHECK(cost.primitive_tests == 8);
+}
+
+TEST_CASE("Given a plane, it is tested once more for every ray", "[backends]") {
+    Scene scene = two_heaps();
+    scene.add(Plane{Vec3(0, 0, -9), Vec3(0, 0, 1)}, 0);
+    const auto bvh = backend_named("bvh").build(scene);
+    TraversalCost cost;
+    REQUIRE(bvh->closest({Vec3(-100, 0, 9), Vec3(0, 0, -1)}, cost)->primitive == 0);
+    CHECK(cost.primitive_tests == 9);
+    CHECK_FALSE(bvh->closest({Vec3(0), Vec3(0)}, cost));  // no ray: nothing is tested
+    CHECK(cost.primitive_tests == 9);
+}
