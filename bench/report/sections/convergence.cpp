@@ -16,7 +16,8 @@ Chart chart_of(const ConvergenceFigures& figures) {
     const ConvergenceRequest& r = figures.request;
     plot::LineChart chart{r.scene + ": error against time", "CPU seconds", "MSE", {}};
     for (const Curve& curve : figures.curves) {
-        plot::Series series{curve.name, {}};
+        const bool is_usual = curve.backend == figures.curves.front().backend;
+        plot::Series series{is_usual ? curve.sampler : curve.name, {}};
         for (const Point& p : curve.points) {
             series.samples.push_back({p.cpu_seconds, p.mse, p.mse_least, p.mse_most});
         }
@@ -26,7 +27,7 @@ Chart chart_of(const ConvergenceFigures& figures) {
 }
 
 std::string scientific(double value) {
-    return fmt::format("{:.2e}", value);
+    return value == 0 ? "0" : fmt::format("{:.2e}", value);
 }
 
 Table curves_of(const std::vector<ConvergenceFigures>& all) {
