@@ -2,15 +2,14 @@
 
 #include <numeric>
 
-#include "app/backends.h"
 #include "bench/report/commands.h"
+#include "bench/report/measure/cost_map.h"
 #include "bench/report/measure/rendered.h"
 #include "bench/report/words.h"
 #include "core/image/encode.h"
 #include "core/image/metrics/flip.h"
 #include "core/image/metrics/magma.h"
 #include "core/image/oiio.h"
-#include "core/render/features.h"
 
 namespace etalon::bench_report {
 namespace {
@@ -42,38 +41,13 @@ void add(const std::string& title, const Bytes& rgb, PictureFigures& figures) {
     fmt::print(stderr, "etalon-bench: warning: {}\n", png.error);
 }
 
-/// Boxes and primitives tested by an eye ray of each pixel; nothing if the backend does not count.
-std::optional<PixelPlane> tests_of_eye_rays(const Scene& scene, const std::string& backend,
-                                            const Context& context) {
-    const auto intersector = find_backend(backend)->build(scene);
-    RenderOptions options = options_for(scene, context);
-    options.progress = nullptr;
-    const std::optional<CentreHits> hits = centre_hits(scene, *intersector, options);
-    if (!hits || hits->costs.empty()) return std::nullopt;
-    return plane_of(scene.camera.width, scene.camera.height, [&](std::size_t pixel) {
-        const TraversalCost& cost = hits->costs[pixel];
-        return static_cast<double>(cost.box_tests + cost.primitive_tests);
-    });
-}
-
-/// On one scale. Pale is what one pixel of a hundred exceeds by any backend: the few worst ones
-/// would make all others dark.
-void add_costs(const Scene& scene, const Context& context, PictureFigures& figures) {
-    std::vector<std::pair<std::string, PixelPlane>> maps;
-    double white = 1;
-    for (const std::string backend : {"bvh", "grid"}) {
-        std::optional<PixelPlane> map = tests_of_eye_rays(scene, backend, context);
-        if (!map) continue;
-        white = std::max(white, speed::quantile(map->values, 0.99));
-        maps.emplace_back(backend, std::move(*map));
-    }
-    for (const auto& [backend, map] : maps) {
-        const double mean = std::reduce(map.values.begin(), map.values.end()) /
-                            static_cast<double>(map.values.size());
-        add(fmt::format("Tests of an eye ray by {}, mean {}, pale {}", backend, three_digits(mean),
-                        three_digits(white)),
-            magma(map, white), figures);
-    }
+/// Pale is what only one pixel of a hundred exceeds: the few worst ones would make all others dark.
+void add_cost(const std::string& title, const PixelPlane& cost, PictureFigures& figures) {
+    const double white = speed::quantile(cost.values, 0.99);
+    const double mean = std::reduce(cost.values.begin(), cost.values.end()) /
+                        static_cast<double>(cost.values.size());
+    add(fmt::format("{}, mean {}, pale {}", title, three_digits(mean), three_digits(white)),
+        magma(cost, white), figures);
 }
 
 void measure(const PictureRequest& request, Results& results, const Context& context) {
@@ -95,7 +69,10 @@ void measure(const PictureRequest& request, Results& results, const Context& con
     add(fmt::format("FLIP of {}, mean {}", samples_of(request.fewer_samples),
                     three_digits(flip(error))),
         magma(error), figures);
-    add_costs(*scene, context, figures);
+    add_cost("Rays of a sample", rays_of_samples(*scene, request.fewer_samples, context), figures);
+    if (const auto tests = tests_of_eye_rays(*scene, "bvh", context)) {
+        add_cost("Tests of an eye ray by bvh", *tests, figures);
+    }
     results.pictures.add(std::move(figures));
 }
 
@@ -105,7 +82,7 @@ std::vector<Task> picture_tasks(const Settings& settings) {
     std::vector<Task> tasks;
     for (const PictureRequest& request : settings.pictures) {
         const double samples =
-            1.0 * request.width * request.height * (request.samples + request.fewer_samples);
+            1.0 * request.width * request.height * (request.samples + 2 * request.fewer_samples);
         tasks.push_back({request.scene, 0.1 + 0.5e-6 * request.microseconds * samples,
                          [request](Results& results, const Context& context) {
                              measure(request, results, context);
