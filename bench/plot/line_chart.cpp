@@ -114,11 +114,19 @@ void draw_curve(Svg& svg, const Curves& curves, std::size_t which) {
     }
 }
 
-/// All marks are to be kept clear, not only those at the ends, which have the names.
-std::vector<Place> all_marks(const Curves& curves) {
+/// Places so close along the curves that no name fits between: it is to stand beside them.
+std::vector<Place> along(const Curves& curves) {
+    constexpr int steps = 8;
     std::vector<Place> places;
     for (const Series& series : curves.series) {
-        for (const Sample& s : series.samples) places.push_back(curves.place(s.x, s.y));
+        for (std::size_t i = 0; i < series.samples.size(); ++i) {
+            const Sample &s = series.samples[i], &before = series.samples[i > 0 ? i - 1 : i];
+            const Place a = curves.place(before.x, before.y), b = curves.place(s.x, s.y);
+            for (int k = 1; k <= steps; ++k) {
+                const double share = static_cast<double>(k) / steps;
+                places.push_back({a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)});
+            }
+        }
     }
     return places;
 }
@@ -132,7 +140,7 @@ void draw_names(Svg& svg, const Curves& curves) {
         labels.push_back({curves.series[i].name, true, curves.place(last.x, last.y)});
         whose.push_back(i);
     }
-    place(labels, {frame.left, 16, frame.width, frame.bottom}, all_marks(curves));
+    place(labels, {frame.left, 16, frame.width, frame.bottom}, along(curves));
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Label& label = labels[i];
         if (label.is_far) svg.line(label.mark, leader_end(label), "leader");

@@ -79,7 +79,8 @@ std::string picture_command(const PictureRequest& request) {
     const std::string render = fmt::format("build/bin/etalon render scenes/{} --resolution {}x{}",
                                            request.scene, request.width, request.height);
     return fmt::format(
-        "{0} --spp {1} -o {2}.exr -o {2}.png && {0} --spp {3} --seed 1 -o fewer.exr && "
+        "{0} --spp {1} -o {2}.exr -o {2}.png --aov cost.boxTests,cost.primitiveTests && {0} --spp "
+        "{3} --seed 1 -o fewer.exr && "
         "build/bin/etalon compare fewer.exr {2}.exr --heatmap {2}-error.png",
         render, request.samples, name, request.fewer_samples);
 }

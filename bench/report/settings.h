@@ -24,9 +24,9 @@ struct PictureRequest {
 
 struct ConvergenceRequest {
     std::string scene;  ///< below the folder of scenes
-    int width, height;
-    double microseconds;  ///< that a sample takes a core, about
-    int samples;          ///< per pixel, at the end of the curves
+    int width = 0, height = 0;
+    double microseconds = 0;  ///< that a sample takes a core, about
+    int samples = 0;          ///< per pixel, at the end of the curves
 };
 
 struct Settings {
@@ -46,7 +46,7 @@ struct Settings {
     std::vector<PictureRequest> pictures;
     std::vector<ConvergenceRequest> convergence;
     std::vector<std::string> convergence_backends;
-    int convergence_seeds;
+    int convergence_seeds = 0;
 };
 
 Settings quick_settings();

@@ -49,7 +49,7 @@ SpdFigures spd() {
 
 convergence::Curve curve(const std::string& name, double slope) {
     convergence::Curve c;
-    c.name = name;
+    c.name = c.sampler = c.backend = name;
     for (double samples = 1; samples <= 16; samples *= 2) {
         const double error = std::pow(samples, -slope);
         c.points.push_back({samples, 0.1 * samples, error, error, 0.9 * error, 1.2 * error});
@@ -72,8 +72,10 @@ Results sample_results() {
     results.scenes.add(scene());
     for (accuracy::Row& row : accuracy::sample_rows()) results.rows.add(std::move(row));
     results.spd.add(spd());
-    results.convergence.add(
-        {{hostile, 120, 80, 1, 16}, hostile, {curve("sobol, bvh", 1.5), curve(hostile, 1)}});
+    ConvergenceFigures convergence;
+    convergence.request.scene = convergence.reference = hostile;
+    convergence.curves = {curve("sobol, bvh", 1.5), curve(hostile, 1)};
+    results.convergence.add(std::move(convergence));
     PictureFigures picture;
     picture.scene = hostile;
     picture.command = "build/bin/etalon render " + hostile;

@@ -101,7 +101,7 @@ gap:1.6rem 2rem}
 .plot{min-width:0}
 .chart{display:block;width:100%;height:auto;max-width:30rem}
 .images{display:flex;flex-wrap:wrap;gap:1rem}
-.image{flex:1 1 17rem;max-width:24rem}
+.image{flex:1 1 16rem;max-width:24rem}
 .image p{margin:.2rem 0 0;font-size:.82rem;color:var(--quiet)}
 img{display:block;width:100%;height:auto;border-radius:.3rem}
 footer{margin-top:3rem;padding-top:1rem;padding-bottom:3rem;border-top:1px solid var(--rule);

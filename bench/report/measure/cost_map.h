@@ -1,4 +1,7 @@
+// What each pixel of a picture costs, in counts that no clock disturbs.
 #pragma once
+
+#include <optional>
 
 #include "bench/report/tasks.h"
 #include "core/image/metrics/pixel_plane.h"
@@ -6,7 +9,12 @@
 
 namespace etalon::bench_report {
 
-/// How many rays a sample takes, of whatever kind, in each pixel: a cost that no clock disturbs.
-PixelPlane cost_map(const Scene& scene, int samples_per_pixel, const Context& context);
+/// How many rays a sample takes, of whatever kind.
+PixelPlane rays_of_samples(const Scene& scene, int samples_per_pixel, const Context& context);
+
+/// How many boxes and primitives an eye ray is tested against by a backend; nothing if that does
+/// not count.
+std::optional<PixelPlane> tests_of_eye_rays(const Scene& scene, const std::string& backend,
+                                            const Context& context);
 
 }  // namespace etalon::bench_report

@@ -42,11 +42,11 @@ void add(const std::string& title, const Bytes& rgb, PictureFigures& figures) {
 }
 
 /// Pale is what only one pixel of a hundred exceeds: the few worst ones would make all others dark.
-void add_cost(const PixelPlane& cost, PictureFigures& figures) {
+void add_cost(const std::string& title, const PixelPlane& cost, PictureFigures& figures) {
     const double white = speed::quantile(cost.values, 0.99);
     const double mean = std::reduce(cost.values.begin(), cost.values.end()) /
                         static_cast<double>(cost.values.size());
-    add(fmt::format("Rays of a sample, mean {}, pale {}", three_digits(mean), three_digits(white)),
+    add(fmt::format("{}, mean {}, pale {}", title, three_digits(mean), three_digits(white)),
         magma(cost, white), figures);
 }
 
@@ -55,7 +55,6 @@ void measure(const PictureRequest& request, Results& results, const Context& con
     if (!scene) return;
     const Rendered many = rendered(*scene, request.samples, 0, context.part(0, 0.9));
     const Rendered few = rendered(*scene, request.fewer_samples, 1, context.part(0.9, 1));
-    const PixelPlane cost = cost_map(*scene, request.fewer_samples, context);
     if (!many.rendering.complete || !few.rendering.complete) return;
     PictureFigures figures{request.scene,
                            picture_command(request),
@@ -70,7 +69,10 @@ void measure(const PictureRequest& request, Results& results, const Context& con
     add(fmt::format("FLIP of {}, mean {}", samples_of(request.fewer_samples),
                     three_digits(flip(error))),
         magma(error), figures);
-    add_cost(cost, figures);
+    add_cost("Rays of a sample", rays_of_samples(*scene, request.fewer_samples, context), figures);
+    if (const auto tests = tests_of_eye_rays(*scene, "bvh", context)) {
+        add_cost("Tests of an eye ray by bvh", *tests, figures);
+    }
     results.pictures.add(std::move(figures));
 }
 

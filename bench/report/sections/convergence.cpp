@@ -16,7 +16,8 @@ Chart chart_of(const ConvergenceFigures& figures) {
     const ConvergenceRequest& r = figures.request;
     plot::LineChart chart{r.scene + ": error against time", "CPU seconds", "MSE", {}};
     for (const Curve& curve : figures.curves) {
-        plot::Series series{curve.name, {}};
+        const bool is_usual = curve.backend == figures.curves.front().backend;
+        plot::Series series{is_usual ? curve.sampler : curve.backend, {}};
         for (const Point& p : curve.points) {
             series.samples.push_back({p.cpu_seconds, p.mse, p.mse_least, p.mse_most});
         }
@@ -26,7 +27,7 @@ Chart chart_of(const ConvergenceFigures& figures) {
 }
 
 std::string scientific(double value) {
-    return fmt::format("{:.2e}", value);
+    return value == 0 ? "0" : fmt::format("{:.2e}", value);
 }
 
 Table curves_of(const std::vector<ConvergenceFigures>& all) {
@@ -87,7 +88,8 @@ Section convergence_section(const Results& results) {
     section.prose = {
         "The error of a picture against the time it has taken so far, on one thread, for samples "
         "that fall anywhere (random), evenly (sobol), and where they lower the error most "
-        "(adaptive). A line twice as low at the same time is worth twice the machines; one that "
+        "(adaptive), the last also by another backend, by its name. A line twice as low at the "
+        "same time is worth twice the machines; one that "
         "levels off has a floor that no time takes away."};
     const std::vector<ConvergenceFigures>& all = results.convergence.list;
     if (all.empty()) return section;

@@ -25,7 +25,9 @@ Section pictures_section(const Results& results) {
         "What the rays are for. Every pixel is the same by every exact backend and any number of "
         "threads. Beside each picture: how different one of fewer samples looks (FLIP, Andersson "
         "et "
-        "al. 2020; black is no difference), and how many rays a sample takes."};
+        "al. 2020; black is no difference), how many rays a sample takes, and against how many "
+        "boxes "
+        "and primitives an eye ray is tested."};
     for (const PictureFigures& p : results.pictures.list) {
         section.figures.push_back(figure_of(p, results.pictures.date));
     }

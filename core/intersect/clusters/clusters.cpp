@@ -1,7 +1,6 @@
 #include "core/intersect/clusters/clusters.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "core/parallel/parallel.h"
@@ -42,18 +41,22 @@ void Clusters::fill(const Scene& scene, const Frame& frame, ClusterRef ref,
 }
 
 std::size_t Clusters::size(ClusterRef ref) const {
-    const auto lanes_where = [](const auto& lanes, const auto& holds) {
-        return static_cast<std::size_t>(std::count_if(lanes.begin(), lanes.end(), holds));
+    const auto taken = [](const Lanes& lanes) {
+        return std::count_if(lanes.begin(), lanes.end(), [](float x) { return !std::isnan(x); });
     };
-    const auto is_number = [](float x) { return !std::isnan(x); };
-    switch (ref.kind()) {
-        case ClusterRef::triangles:
-            return lanes_where(triangles(ref).corners[0][0], is_number);
-        case ClusterRef::spheres:
-            return lanes_where(spheres(ref).radius, is_number);
-        default:
-            return lanes_where(lists_[ref.index()], [](auto id) { return id != no_index; });
-    }
+    const auto count = [&] {
+        switch (ref.kind()) {
+            case ClusterRef::triangles:
+                return taken(triangles(ref).corners[0][0]);
+            case ClusterRef::spheres:
+                return taken(spheres(ref).radius);
+            default:
+                const List& list = lists_[ref.index()];
+                return static_cast<std::ptrdiff_t>(cluster_lanes) -
+                       std::count(list.begin(), list.end(), no_index);
+        }
+    };
+    return static_cast<std::size_t>(count());
 }
 
 std::size_t Clusters::memory_bytes() const {
