@@ -15,8 +15,7 @@ void declare_picture(CLI::App& app, RenderArguments& a) {
         ->check([](const std::string& path) {
             return can_write(path) ? "" : path + ": expected a name ending in .exr or .png";
         })
-        ->take_all()
-        ->expected(1)
+        ->allow_extra_args(false)
         ->group(group);
     app.add_option("--resolution", a.resolution, "WIDTHxHEIGHT instead of the scene's")
         ->group(group);

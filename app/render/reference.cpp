@@ -27,9 +27,13 @@ std::vector<Color> cut_out(const std::vector<Color>& pixels, int width,
 }  // namespace
 
 std::string Reference::open(const std::string& path, const Camera& camera,
-                            const Imath::Box2i& window) {
-    const Outcome<Image> file = read_image(path);
+                            const Imath::Box2i& window, bool display_colors) {
+    Outcome<Image> file = read_image(path);
     if (!file) return file.error;
+    // A PNG does not say which values it has: those of the picture it was made from.
+    if (display_colors && file.value.encoding == Encoding::srgb) {
+        file.value.encoding = Encoding::display;
+    }
     const Imath::V2i size(file.value.width, file.value.height), frame(camera.width, camera.height);
     if (size != frame && size != size_of(window)) {
         return fmt::format("{}: {} x {} pixels; expected {} x {}", path, size.x, size.y,

@@ -13,9 +13,10 @@ namespace etalon {
 /// How a picture comes closer to what it should be.
 class Reference {
   public:
-    /// Reads the file. A picture of the whole frame also serves a crop of it. The reason why it
-    /// cannot be used, or nothing.
-    std::string open(const std::string& path, const Camera& camera, const Imath::Box2i& window);
+    /// Reads the file. A picture of the whole frame also serves a crop of it. Where a picture has
+    /// display values, so has a PNG. The reason why it cannot be used, or nothing.
+    std::string open(const std::string& path, const Camera& camera, const Imath::Box2i& window,
+                     bool display_colors);
 
     /// Notes the errors of a picture, and the times since construction without those spent in here.
     void note(const RenderedRound& round);

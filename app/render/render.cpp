@@ -57,7 +57,8 @@ class Render {
   private:
     bool open_reference() {
         if (a_.reference.empty()) return true;
-        const std::string error = reference_.emplace().open(a_.reference, scene_.camera, window_);
+        const std::string error =
+            reference_.emplace().open(a_.reference, scene_.camera, window_, scene_.display_colors);
         return error.empty() || complain(error);
     }
 
