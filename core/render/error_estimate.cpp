@@ -8,7 +8,11 @@ namespace {
 
 /// Pixels on a side. Smaller ones know less of their rate, larger ones mix what falls fast, open
 /// surfaces, with what falls slowly, edges and shadows.
-constexpr int block_size = 16;
+constexpr int block_size = 32;
+
+/// How far away a pixel's neighbours are at most. Fewer of them know too little to choose by: what
+/// was seen too small by chance would be left as it is.
+constexpr int reach = 2;
 
 /// As long as nothing is known.
 constexpr double usual_rate = 1.25;
@@ -99,13 +103,13 @@ double ErrorEstimate::error_after_one_sample(int x, int y) const {
     return changes_[i] * left_after(rate(x, y)) * std::pow(counts_[i], rate(x, y));
 }
 
-/// Those that share a side count twice.
+/// The farther away, the less they count.
 double ErrorEstimate::by_neighbours(int x, int y) const {
     double sum = 0, weights = 0;
-    for (int v = std::max(0, y - 1); v <= std::min(height_ - 1, y + 1); ++v) {
-        for (int u = std::max(0, x - 1); u <= std::min(width_ - 1, x + 1); ++u) {
+    for (int v = std::max(0, y - reach); v <= std::min(height_ - 1, y + reach); ++v) {
+        for (int u = std::max(0, x - reach); u <= std::min(width_ - 1, x + reach); ++u) {
             if (u == x && v == y) continue;
-            const double weight = u == x || v == y ? 2 : 1;
+            const double weight = std::exp2(-0.5 * ((u - x) * (u - x) + (v - y) * (v - y)));
             sum += weight * error_after_one_sample(u, v);
             weights += weight;
         }

@@ -1,0 +1,109 @@
+// render and etalon-bench convergence against references and limits, from outside.
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+
+using nlohmann::json;
+
+namespace {
+
+/// With a reference.exr of many samples.
+struct Converging : Folder {
+    Converging() {
+        write("ball.p3f", small_scene);
+        REQUIRE(etalon("render ball.p3f --spp 256 --seed 7 -q -o reference.exr").status == 0);
+    }
+    json stats() const { return json::parse(read("s.json")); }
+};
+
+}  // namespace
+
+TEST_CASE("render --reference says how the error falls, and what compare says of the end",
+          "[app]") {
+    const Converging f;
+    REQUIRE(f.etalon("render ball.p3f --spp 16 --reference reference.exr -q -o a.exr "
+                     "--stats s.json")
+                .status == 0);
+    const json s = f.stats();
+    REQUIRE(s["convergence"].size() == 5);
+    double last = 1e9, seconds = 0;
+    for (const json& point : s["convergence"]) {
+        CHECK(point["relmse"] < last);
+        CHECK(point["cpu_seconds"] >= seconds);
+        last = point["relmse"];
+        seconds = point["cpu_seconds"];
+    }
+    CHECK(s["convergence"][4]["spp"] == 16);
+    REQUIRE(f.etalon("compare a.exr reference.exr --json c.json").status == 0);
+    CHECK(s["error"] == json::parse(f.read("c.json")));
+}
+
+TEST_CASE("render --target-error stops there, however many samples that takes", "[app]") {
+    const Converging f;
+    const auto r = f.etalon(
+        "render ball.p3f --target-error 2e-3 --reference reference.exr "
+        "-o a.exr --stats s.json");
+    REQUIRE(r.status == 0);
+    CHECK_THAT(r.err, ContainsSubstring("relMSE") && ContainsSubstring("samples a pixel"));
+    const json s = f.stats();
+    CHECK(s["expected_error"]["relmse"] <= 2e-3 * 1.03);
+    CHECK(s["error"]["relmse"] < 4e-3);
+    CHECK(s["image"]["spp"] < 256);
+}
+
+TEST_CASE("a reference serves a crop, and one of another size is refused", "[app]") {
+    const Converging f;
+    REQUIRE(f.etalon("render ball.p3f --spp 256 --seed 7 --crop 3,4,20,15 -q -o a.exr "
+                     "--reference reference.exr --stats s.json")
+                .status == 0);
+    CHECK(f.stats()["error"]["max_abs"] == 0);
+    const auto r = f.etalon("render ball.p3f --resolution 9x9 --reference reference.exr -o b.exr");
+    CHECK(r.status == 3);
+    CHECK_THAT(r.err, ContainsSubstring("reference.exr: 32 x 24 pixels; expected 9 x 9"));
+    CHECK_FALSE(f.has("b.exr"));
+    CHECK(f.etalon("render ball.p3f --reference nowhere.exr").status == 3);
+}
+
+TEST_CASE("what cannot be an error, a time or a sampler is wrong usage", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    for (const std::string wish :
+         {"--target-error 0", "--target-error -1", "--target-error x", "--time-limit 0",
+          "--sampler even", "--spp 0 --target-error 0.1", "--spd --target-error 0.1"}) {
+        INFO(wish);
+        CHECK(f.etalon("render ball.p3f " + wish).status == 2);
+    }
+}
+
+TEST_CASE("render --time-limit ends a picture without end, whole", "[app]") {
+    const Converging f;
+    const auto r = f.etalon("render ball.p3f --time-limit 0.2 -q -o a.exr --stats s.json");
+    CHECK(r.status == 0);
+    CHECK(r.cpu_seconds < 10);
+    CHECK(f.stats()["image"]["spp"] >= 1);
+    CHECK(f.etalon("compare a.exr reference.exr --fail-above relmse=0.2").status == 0);
+}
+
+TEST_CASE("convergence has a curve for every sampler and backend", "[app]") {
+    const Converging f;
+    const auto r = f.shell("exec '" ETALON_BINARY_DIR
+                           "/bin/etalon-bench' convergence ball.p3f "
+                           "--spp 16 --seeds 2 --backends bvh,grid --json c.json");
+    REQUIRE(r.status == 0);
+    const json j = json::parse(f.read("c.json"));
+    CHECK(j["reference"] == "512 samples per pixel");
+    REQUIRE(j["curves"].size() == 4);
+    for (const json& curve : j["curves"]) {
+        INFO(curve["name"]);
+        CHECK_THAT(r.out, ContainsSubstring(std::string(curve["name"])));
+        CHECK(curve["points"].size() >= 5);
+        CHECK(curve["slope"] < -0.5);
+        CHECK(curve["efficiency"] > 0);
+    }
+    const auto last = [&](int curve) { return j["curves"][curve]["points"].back()["mse"]; };
+    CHECK(last(1) < last(0));  // sobol, random
+    CHECK(f.shell("'" ETALON_BINARY_DIR "/bin/etalon-bench' convergence nothing.p3f").status == 3);
+}

@@ -1,0 +1,36 @@
+#include "core/render/film.h"
+
+#include "tests/catch.h"
+
+using namespace etalon;
+
+TEST_CASE("A film has means, numbers and variances of its samples", "[film]") {
+    Film film({{3, 5}, {4, 5}}, true);
+    for (const float value : {1.0F, 2.0F, 6.0F}) film.add(4, 5, Color(value, 0.5F, -value));
+    CHECK(film.pixels() == std::vector<Color>{Color(0.0F), Color(3.0F, 0.5F, -3.0F)});
+    CHECK(film.counts() == std::vector<std::uint32_t>{0, 3});
+    CHECK(film.total_count() == 3);
+    // (4 + 1 + 9) / (3 - 1)
+    CHECK(film.variances() == std::vector<Color>{Color(0.0F), Color(7.0F, 0.0F, 7.0F)});
+}
+
+TEST_CASE("One sample has no variance, and rounding leaves none below 0", "[film]") {
+    Film film({{0, 0}, {0, 0}}, true);
+    film.add(0, 0, Color(0.1F));
+    CHECK(film.variances()[0] == Color(0.0F));
+    for (int i = 0; i < 1000; ++i) film.add(0, 0, Color(0.1F));
+    CHECK(film.variances()[0].x >= 0);
+    CHECK(film.variances()[0].x < 1e-12F);
+}
+
+TEST_CASE("Cells of corners have the samples of all four", "[film]") {
+    Film corners({{0, 0}, {1, 1}}, true);
+    for (const auto& [x, y] : {Imath::V2i(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
+        corners.add(x, y, Color(static_cast<float>(x + 2 * y)));
+    }
+    const Film cell = corners.cells();
+    CHECK(cell.size() == 1);
+    CHECK(cell.counts()[0] == 4);
+    CHECK(cell.pixels()[0].x == 1.5F);
+    CHECK(cell.variances()[0].x == Approx(5.0 / 3));
+}

@@ -1,0 +1,145 @@
+// Pictures that end by their error or by the clock.
+#include <algorithm>
+#include <chrono>
+
+#include "core/image/metrics/metrics.h"
+#include "core/parallel/parallel.h"
+#include "core/render/uniform_rounds.h"
+#include "tests/catch.h"
+#include "tests/render/pictures.h"
+#include "tests/render/test_scenes.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+Rendering rendered(const Scene& scene, const RenderOptions& options) {
+    return render_with(scene, *find_backend("bvh"), options);
+}
+
+RenderOptions samples(const Scene& scene, int count, std::uint32_t seed = 0) {
+    RenderOptions options = whole(scene);
+    options.samples_per_pixel = count;
+    options.seed = seed;
+    return options;
+}
+
+RenderOptions up_to_error(const Scene& scene, double error, std::uint32_t seed = 0) {
+    RenderOptions options = samples(scene, 1 << 14, seed);
+    options.error = error;
+    return options;
+}
+
+const Scene& scene() {
+    static const Scene mixed = mixed_scene(96, 72);
+    return mixed;
+}
+
+const std::vector<Color>& truth() {
+    static const std::vector<Color> pixels =
+        rendered(scene(), samples(scene(), 1024, 99)).film.pixels();
+    return pixels;
+}
+
+}  // namespace
+
+TEST_CASE("A picture ends near the error asked for, with fewer samples than all pixels need",
+          "[rounds]") {
+    for (const double error : {3e-3, 1e-3}) {
+        const Rendering r = rendered(scene(), up_to_error(scene(), error));
+        const double real = relmse(r.film.pixels(), truth());
+        CAPTURE(error, r.expected_error, real, r.samples);
+        CHECK(r.complete);
+        CHECK(r.expected_error <= 1.03 * error);
+        CHECK(real < 4.0 / 3 * error);
+        CHECK(real > 0.75 * error);
+        const auto uniform = static_cast<int>(r.samples);
+        CHECK(relmse(rendered(scene(), samples(scene(), uniform)).film.pixels(), truth()) > real);
+    }
+}
+
+TEST_CASE("An adaptive picture has the same mean as a uniform one", "[rounds]") {
+    Vec3 adaptive(0), uniform(0);
+    constexpr int seeds = 16;
+    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+        adaptive += mean(rendered(scene(), up_to_error(scene(), 3e-3, seed)).film.pixels());
+        uniform += mean(rendered(scene(), samples(scene(), 8, seed)).film.pixels());
+    }
+    const Vec3 exact = mean(truth());
+    for (int k = 0; k < 3; ++k) {
+        CAPTURE(k, exact[k]);
+        CHECK(uniform[k] / seeds == Approx(exact[k]).epsilon(2e-4));
+        CHECK(adaptive[k] / seeds == Approx(exact[k]).epsilon(2e-4));
+    }
+}
+
+TEST_CASE("An adaptive picture is the same for every backend and number of threads", "[rounds]") {
+    const RenderOptions options = up_to_error(scene(), 5e-3);
+    const Rendering reference = rendered(scene(), options);
+    for (const char* backend : {"grid", "embree"}) {
+        for (const int threads : {1, 2}) {
+            const ThreadLimit limit(threads);
+            const Rendering other = render_with(scene(), *find_backend(backend), options);
+            CHECK(other.film.counts() == reference.film.counts());
+            CHECK(other.film.pixels() == reference.film.pixels());
+        }
+    }
+}
+
+TEST_CASE("No pixel has more samples than allowed, nor a sixty-fourth of another's", "[rounds]") {
+    RenderOptions options = up_to_error(scene(), 1e-12);
+    options.samples_per_pixel = 256;
+    const Rendering r = rendered(scene(), options);
+    const auto [least, most] = std::minmax_element(r.film.counts().begin(), r.film.counts().end());
+    CHECK(*most == 256);
+    CHECK(*least > 256 / 64);
+    CHECK(r.expected_error > 1e-12);
+}
+
+TEST_CASE("One pixel, and one sample at most, are pictures too", "[rounds]") {
+    Scene small = mixed_scene(1, 1);
+    const Rendering r = rendered(small, up_to_error(small, 1e-4));
+    CHECK(r.complete);
+    CHECK(r.film.counts()[0] >= 2);
+    RenderOptions single = up_to_error(scene(), 1e-4);
+    single.samples_per_pixel = 1;
+    CHECK(rendered(scene(), single).film.total_count() == scene().camera.width * 72U);
+}
+
+TEST_CASE("Every round of a picture is shown, whole", "[rounds]") {
+    RenderOptions options = samples(scene(), 6);
+    std::vector<std::uint32_t> counts;
+    options.after_round = [&](const RenderedRound& round) {
+        const auto& all = round.film.counts();
+        CHECK(*std::min_element(all.begin(), all.end()) ==
+              *std::max_element(all.begin(), all.end()));
+        CHECK(round.expected_error == 0);
+        counts.push_back(all[0]);
+    };
+    rendered(scene(), options);
+    CHECK(counts == std::vector<std::uint32_t>{1, 2, 4, 6});
+}
+
+TEST_CASE("A picture is over when its time is", "[rounds]") {
+    RenderOptions options = samples(scene(), 1 << 20);
+    options.deadline = Deadline(0.3);
+    const auto start = std::chrono::steady_clock::now();
+    const Rendering r = rendered(scene(), options);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    CHECK(seconds.count() < 5);  // it would take minutes
+    CHECK(r.samples >= 1);
+    CHECK(r.samples < 1 << 20);
+}
+
+TEST_CASE("The last round before a deadline is as large as there is time for", "[rounds]") {
+    const Film film({{0, 0}, {0, 0}});
+    const Deadline soon(1e-9);
+    UniformRounds rounds(1000, 1, soon);
+    CHECK(rounds.next(film)->all == 1);
+    CHECK_FALSE(rounds.next(film).has_value());
+    const Deadline never;
+    UniformRounds all(5, 1, never);
+    for (const std::uint32_t goal : {1U, 2U, 4U, 5U}) CHECK(all.next(film)->all == goal);
+    CHECK_FALSE(all.next(film).has_value());
+}
