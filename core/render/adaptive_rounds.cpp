@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel/parallel.h"
+
 namespace etalon {
 namespace {
 
@@ -49,14 +51,18 @@ bool AdaptiveRounds::knows_too_little() const {
 
 /// The best ones first.
 std::vector<AdaptiveRounds::Candidate> AdaptiveRounds::candidates(const Film& film) const {
-    std::vector<Candidate> result;
-    for (std::uint32_t i = 0; i < film.size(); ++i) {
-        const std::uint32_t count = film.counts()[i];
-        if (2 * count > samples_) continue;
-        const int x = static_cast<int>(i) % film.width(), y = static_cast<int>(i) / film.width();
-        const double falls_by = 1 - std::exp2(-estimate_.rate(x, y));
-        result.push_back({estimate_.by_neighbours(x, y) * falls_by / count, i});
-    }
+    std::vector<Candidate> result(film.size());
+    parallel_for(film.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const int x = static_cast<int>(i) % film.width();
+            const int y = static_cast<int>(i) / film.width();
+            const double falls_by = 1 - std::exp2(-estimate_.rate(x, y));
+            result[i] = {estimate_.by_neighbours(x, y) * falls_by / film.counts()[i],
+                         static_cast<std::uint32_t>(i)};
+        }
+    });
+    std::erase_if(result,
+                  [&](const Candidate& c) { return 2 * film.counts()[c.pixel] > samples_; });
     std::sort(result.begin(), result.end(), [](const Candidate& a, const Candidate& b) {
         return a.gain != b.gain ? a.gain > b.gain : a.pixel < b.pixel;
     });

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel/parallel.h"
+
 namespace etalon {
 namespace {
 
@@ -13,6 +15,9 @@ constexpr int block_size = 32;
 /// How far away a pixel's neighbours are at most. Fewer of them know too little to choose by: what
 /// was seen too small by chance would be left as it is.
 constexpr int reach = 2;
+
+/// Weights by the distance along a row and along a column: powers of 2 of half its square.
+constexpr double fall_off[reach + 1] = {1, 0.70710678118654752, 0.25};
 
 /// As long as nothing is known.
 constexpr double usual_rate = 1.25;
@@ -52,6 +57,7 @@ ErrorEstimate::ErrorEstimate(int width, int height)
       counts_(sums_.size(), 0),
       changes_(sums_.size(), 0),
       changes_before_(sums_.size(), 0),
+      after_one_(sums_.size(), 0),
       rates_(static_cast<std::size_t>(blocks(width)) * blocks(height), usual_rate) {}
 
 std::size_t ErrorEstimate::block(int x, int y) const {
@@ -61,6 +67,7 @@ std::size_t ErrorEstimate::block(int x, int y) const {
 void ErrorEstimate::look(const Film& film) {
     for (std::size_t i = 0; i < sums_.size(); ++i) look_at_pixel(i, film);
     learn_rates();
+    compare_neighbours();
 }
 
 void ErrorEstimate::look_at_pixel(std::size_t i, const Film& film) {
@@ -97,10 +104,18 @@ double ErrorEstimate::total() const {
     return sum / static_cast<double>(changes_.size());
 }
 
-/// What neighbours with unlike numbers of samples can be compared by.
-double ErrorEstimate::error_after_one_sample(int x, int y) const {
-    const std::size_t i = index(x, y);
-    return changes_[i] * left_after(rate(x, y)) * std::pow(counts_[i], rate(x, y));
+/// Neighbours with unlike numbers of samples are compared by what they were after one.
+void ErrorEstimate::compare_neighbours() {
+    parallel_for(static_cast<std::size_t>(height_), 1, [&](std::size_t begin, std::size_t end) {
+        for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
+            for (int x = 0; x < width_; ++x) {
+                const std::size_t i = index(x, y);
+                after_one_[i] = changes_[i] == 0 ? 0
+                                                 : changes_[i] * left_after(rate(x, y)) *
+                                                       std::pow(counts_[i], rate(x, y));
+            }
+        }
+    });
 }
 
 /// The farther away, the less they count.
@@ -109,13 +124,13 @@ double ErrorEstimate::by_neighbours(int x, int y) const {
     for (int v = std::max(0, y - reach); v <= std::min(height_ - 1, y + reach); ++v) {
         for (int u = std::max(0, x - reach); u <= std::min(width_ - 1, x + reach); ++u) {
             if (u == x && v == y) continue;
-            const double weight = std::exp2(-0.5 * ((u - x) * (u - x) + (v - y) * (v - y)));
-            sum += weight * error_after_one_sample(u, v);
+            const double weight = fall_off[std::abs(u - x)] * fall_off[std::abs(v - y)];
+            sum += weight * after_one_[index(u, v)];
             weights += weight;
         }
     }
-    if (weights == 0) return changes_[0] * left_after(rate(0, 0));  // the picture is one pixel
-    return sum / weights * std::pow(counts_[index(x, y)], -rate(x, y));
+    const double after_one = weights > 0 ? sum / weights : after_one_[0];  // or a single pixel's
+    return after_one * std::pow(counts_[index(x, y)], -rate(x, y));
 }
 
 }  // namespace etalon

@@ -39,7 +39,7 @@ class ErrorEstimate {
   private:
     void look_at_pixel(std::size_t pixel, const Film& film);
     void learn_rates();
-    double error_after_one_sample(int x, int y) const;
+    void compare_neighbours();
 
     std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * width_ + x; }
     std::size_t block(int x, int y) const;
@@ -49,6 +49,7 @@ class ErrorEstimate {
     std::vector<Vec3> sums_;
     std::vector<std::uint32_t> counts_;
     std::vector<double> changes_, changes_before_;  ///< of V, relative: the last two of each pixel
+    std::vector<double> after_one_;                 ///< the error of each pixel, had it one sample
     std::vector<double> rates_;                     ///< of blocks
 };
 
