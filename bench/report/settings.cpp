@@ -31,8 +31,9 @@ Settings quick_settings() {
                   {"features/glass.p3f", 320, 213, 2.7, 16, 1},
                   {"features/soft_shadows.p3f", 320, 213, 0.7, 32, 1},
                   {"features/depth_of_field.p3f", 320, 213, 0.8, 32, 1}};
-    s.convergence = {{"features/soft_shadows.p3f", 120, 80, 0.7, 16},
-                     {"features/depth_of_field.p3f", 120, 80, 0.8, 16}};
+    s.convergence = {{"features/soft_shadows.p3f", 60, 40, 0.7, 64},
+                     {"features/depth_of_field.p3f", 60, 40, 0.8, 64},
+                     {"features/glossy.p3f", 60, 40, 0.9, 64}};
     s.convergence_backends = {"bvh", "embree-builtin"};
     s.convergence_seeds = 3;
     return s;
@@ -55,7 +56,8 @@ Settings full_settings() {
                   {"features/depth_of_field.p3f", 480, 320, 0.8, 256, 4}};
     s.convergence = {{"showcase.p3f", 240, 135, 7.7, 16},
                      {"features/soft_shadows.p3f", 240, 160, 0.7, 64},
-                     {"features/depth_of_field.p3f", 240, 160, 0.8, 64}};
+                     {"features/depth_of_field.p3f", 240, 160, 0.8, 64},
+                     {"features/glossy.p3f", 240, 160, 0.9, 64}};
     s.convergence_seeds = 5;
     return s;
 }
