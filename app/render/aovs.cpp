@@ -49,7 +49,10 @@ constexpr Aov aovs[] = {
      [](const Ingredients& i) -> Values { return i.centres->primitives; }},
     {"variance", Source::film, [](const Ingredients& i) -> Values { return i.film.variances(); },
      "RGB"},
-    {"sampleCount", Source::film, [](const Ingredients& i) -> Values { return i.film.counts(); }},
+    {"sampleCount", Source::film,
+     [](const Ingredients& i) -> Values {
+         return std::vector<float>(i.film.counts().begin(), i.film.counts().end());
+     }},
     {"cost.boxTests",
      Source::centres,
      [](const Ingredients& i) { return tests(*i.centres, &TraversalCost::box_tests); },

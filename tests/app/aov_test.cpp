@@ -30,7 +30,7 @@ TEST_CASE("--aov writes what was asked for as channels of the EXR", "[app]") {
                    "--aov variance,sampleCount,cost.boxTests,cost.primitiveTests -b bvh")
                 .status == 0);
     std::map<std::string, Imf::PixelType> expected = {{"primitiveId", Imf::UINT},
-                                                      {"sampleCount", Imf::UINT}};
+                                                      {"sampleCount", Imf::FLOAT}};
     for (const char* name : {"R", "G", "B", "albedo.R", "albedo.G", "albedo.B", "N.X", "N.Y", "N.Z",
                              "P.X", "P.Y", "P.Z", "Z", "variance.R", "variance.G", "variance.B",
                              "cost.boxTests", "cost.primitiveTests"}) {
@@ -38,7 +38,7 @@ TEST_CASE("--aov writes what was asked for as channels of the EXR", "[app]") {
     }
     const std::string path = f.path("a.exr");
     CHECK(channel_types(path) == expected);
-    CHECK(channel<unsigned>(path, "sampleCount") == std::vector<unsigned>(32 * 24, 4));
+    CHECK(channel<float>(path, "sampleCount") == std::vector<float>(32 * 24, 4));
     const auto ids = channel<unsigned>(path, "primitiveId");
     const auto depths = channel<float>(path, "Z");
     const auto albedo = channel<float>(path, "albedo.G");
@@ -64,7 +64,7 @@ TEST_CASE("--aov follows a crop and the corners of --spd", "[app]") {
     const Folder f;
     REQUIRE(render(f, "--spd --crop 4,6,20,18 -o a.exr --aov N,Z,sampleCount").status == 0);
     const std::string path = f.path("a.exr");
-    CHECK(channel<unsigned>(path, "sampleCount") == std::vector<unsigned>(16 * 12, 4));
+    CHECK(channel<float>(path, "sampleCount") == std::vector<float>(16 * 12, 4));
     CHECK(channel<float>(path, "N.Y").size() == 16 * 12);
     REQUIRE(render(f, "--spd -o b.exr --aov Z").status == 0);
     const auto part = channel<float>(path, "Z"), whole = channel<float>(f.path("b.exr"), "Z");
