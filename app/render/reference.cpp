@@ -1,49 +1,17 @@
 #include "app/render/reference.h"
 
-#include <fmt/format.h>
-
-#include "core/image/io.h"
+#include "app/reference_picture.h"
 #include "core/image/metrics/flip.h"
 #include "core/image/metrics/measure.h"
 
 namespace etalon {
-namespace {
 
-Imath::V2i size_of(const Imath::Box2i& window) {
-    return window.size() + Imath::V2i(1);
-}
-
-/// Rows of `pixels`, `width` wide, that lie in the window.
-std::vector<Color> cut_out(const std::vector<Color>& pixels, int width,
-                           const Imath::Box2i& window) {
-    std::vector<Color> part;
-    for (int y = window.min.y; y <= window.max.y; ++y) {
-        const auto row = pixels.begin() + static_cast<std::ptrdiff_t>(y) * width;
-        part.insert(part.end(), row + window.min.x, row + window.max.x + 1);
-    }
-    return part;
-}
-
-}  // namespace
-
-std::string Reference::open(const std::string& path, const Camera& camera,
-                            const Imath::Box2i& window, bool display_colors) {
-    Outcome<Image> file = read_image(path);
-    if (!file) return file.error;
-    // A PNG does not say which values it has: those of the picture it was made from.
-    if (display_colors && file.value.encoding == Encoding::srgb) {
-        file.value.encoding = Encoding::display;
-    }
-    const Imath::V2i size(file.value.width, file.value.height), frame(camera.width, camera.height);
-    if (size != frame && size != size_of(window)) {
-        return fmt::format("{}: {} x {} pixels; expected {} x {}", path, size.x, size.y,
-                           size_of(window).x, size_of(window).y);
-    }
-    pixels_ = linear_pixels(file.value);
-    if (size == frame) pixels_ = cut_out(pixels_, size.x, window);
-    width_ = size_of(window).x;
-    watch_.lap();
-    return {};
+std::string Reference::open(const std::string& path, const Scene& scene,
+                            const Imath::Box2i& window) {
+    Outcome<std::vector<Color>> picture = read_reference(path, scene, window);
+    pixels_ = std::move(picture.value);
+    width_ = window.size().x + 1;
+    return picture.error;
 }
 
 void Reference::note(const RenderedRound& round) {

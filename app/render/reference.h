@@ -13,12 +13,13 @@ namespace etalon {
 /// How a picture comes closer to what it should be.
 class Reference {
   public:
-    /// Reads the file. A picture of the whole frame also serves a crop of it. Where a picture has
-    /// display values, so has a PNG. The reason why it cannot be used, or nothing.
-    std::string open(const std::string& path, const Camera& camera, const Imath::Box2i& window,
-                     bool display_colors);
+    /// See read_reference(). The reason why there is none, or nothing.
+    std::string open(const std::string& path, const Scene& scene, const Imath::Box2i& window);
 
-    /// Notes the errors of a picture, and the times since construction without those spent in here.
+    /// Rendering begins.
+    void start() { watch_.lap(); }
+
+    /// Notes the errors of a picture, and the times since the start without those spent in here.
     void note(const RenderedRound& round);
 
     /// All metrics of the finished picture.

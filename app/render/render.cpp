@@ -47,7 +47,7 @@ class Render {
         if (!unwise.empty()) return complain(unwise), exit_usage;
         if (a_.outputs.empty()) a_.outputs = {default_output(a_.scene.path)};
         if (!outputs_are_writable()) return exit_not_written;
-        if (!build() || !open_reference()) return exit_unusable;
+        if (!open_reference() || !build()) return exit_unusable;
         const Rendering rendering = render_picture();
         const bool written = rendering.counts.camera == 0 || write(rendering);
         if (signals_.signal() != 0) return exit_signal + signals_.signal();
@@ -57,8 +57,8 @@ class Render {
   private:
     bool open_reference() {
         if (a_.reference.empty()) return true;
-        const std::string error =
-            reference_.emplace().open(a_.reference, scene_.camera, window_, scene_.display_colors);
+        const std::string error = reference_.emplace().open(a_.reference, scene_, window_);
+        watch_.lap();  // no part of the building
         return error.empty() || complain(error);
     }
 
@@ -90,6 +90,7 @@ class Render {
         options_.stop = &signals_.raised();
         RenderOptions options = options_;
         if (reference_) {
+            reference_->start();
             options.after_round = [&](const RenderedRound& round) { reference_->note(round); };
         }
         if (progress) options.progress = [&](double part) { progress->update(part); };

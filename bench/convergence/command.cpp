@@ -9,13 +9,13 @@
 #include "app/exit_status.h"
 #include "app/output.h"
 #include "app/progress.h"
+#include "app/reference_picture.h"
 #include "app/signals.h"
 #include "bench/commands.h"
 #include "bench/convergence/measure.h"
 #include "bench/convergence/report.h"
 #include "bench/scenes/bench_scene.h"
 #include "bench/speed/report/json.h"
-#include "core/image/io.h"
 
 namespace etalon {
 namespace {
@@ -40,16 +40,10 @@ void set_width(Camera& camera, int width) {
     camera.width = width;
 }
 
-Outcome<Truth> read_truth(const std::string& path, const Camera& camera) {
-    const Outcome<Image> file = read_image(path);
-    if (!file) return {{}, file.error};
-    const Image& image = file.value;
-    if (image.width == camera.width && image.height == camera.height) {
-        return {{linear_pixels(image), path}, {}};
-    }
-    return {{},
-            fmt::format("{}: {} x {} pixels; expected {} x {}", path, image.width, image.height,
-                        camera.width, camera.height)};
+Outcome<Truth> read_truth(const std::string& path, const Scene& scene) {
+    const Camera& camera = scene.camera;
+    auto picture = read_reference(path, scene, {{0, 0}, {camera.width - 1, camera.height - 1}});
+    return {{std::move(picture.value), path}, picture.error};
 }
 
 /// Tables make room for JSON that another program is to read from standard output.
@@ -86,7 +80,7 @@ int run(const Arguments& a) {
     const Watcher watcher{signals.raised(), [&](double part) { progress.update(part); }};
     const Outcome<Truth> truth =
         a.reference.empty() ? Outcome<Truth>{render_truth(*named.scene, a.plan, watcher), {}}
-                            : read_truth(a.reference, named.scene->camera);
+                            : read_truth(a.reference, *named.scene);
     if (!truth) return fail(exit_unusable, truth.error);
     const std::vector<Curve> curves = measure(*named.scene, truth.value, a.plan, watcher);
     const auto json = report_on(a, *named.scene, truth.value, curves);

@@ -31,19 +31,29 @@ class Renderer {
         bool complete = false;
         while (!stopped()) {
             const std::optional<Goals> goals = rounds->next(film_);
-            if (samples_done_ > 0 && options_.after_round) {
-                options_.after_round({film_, rounds->expected_error()});
-            }
+            show(*rounds);
             complete = !goals;
             if (complete) break;
             render_round(*goals, *rounds);
+            is_picture_ = true;
         }
+        show(*rounds);  // where it was stopped: what there is of the last round
         return finished(*rounds, complete);
     }
 
   private:
+    /// However short the time is, a picture has one sample of each pixel.
     bool stopped() const {
-        return (options_.stop != nullptr && options_.stop->load()) || options_.deadline.is_over();
+        return (options_.stop != nullptr && options_.stop->load()) ||
+               (is_picture_ && options_.deadline.is_over());
+    }
+
+    /// The film, if there is anything new in it.
+    void show(const Rounds& rounds) {
+        if (options_.after_round && shown_ < samples_done_) {
+            options_.after_round({film_, rounds.expected_error()});
+        }
+        shown_ = samples_done_;
     }
 
     std::unique_ptr<Rounds> make_rounds() const {
@@ -103,6 +113,8 @@ class Renderer {
     std::vector<Imath::Box2i> tiles_;
     std::vector<RayCounts> counts_;
     std::atomic<std::uint64_t> samples_done_ = 0;
+    std::uint64_t shown_ = 0;
+    bool is_picture_ = false;  ///< the first round is over
 };
 
 }  // namespace

@@ -14,7 +14,7 @@
 
 namespace etalon {
 
-/// A picture as it is after a round.
+/// A picture as it is after a round, or after what a stop left of it.
 struct RenderedRound {
     const Film& film;
     double expected_error;  ///< relMSE; 0 unless an error was asked for

@@ -62,8 +62,9 @@ TEST_CASE("a reference serves a crop, and one of another size is refused", "[app
     CHECK(f.stats()["error"]["max_abs"] == 0);
     const auto r = f.etalon("render ball.p3f --resolution 9x9 --reference reference.exr -o b.exr");
     CHECK(r.status == 3);
-    CHECK_THAT(r.err, ContainsSubstring("reference.exr: 32 x 24 pixels; expected 9 x 9"));
+    CHECK_THAT(r.err, ContainsSubstring("reference.exr: 32 x 24 pixels at 0,0; expected 9 x 9"));
     CHECK_FALSE(f.has("b.exr"));
+    CHECK(f.etalon("render ball.p3f --crop 1,1,18,12 --reference a.exr -o b.exr").status == 3);
     CHECK(f.etalon("render ball.p3f --reference nowhere.exr").status == 3);
 }
 
@@ -85,6 +86,31 @@ TEST_CASE("render --time-limit ends a picture without end, whole", "[app]") {
     CHECK(r.cpu_seconds < 10);
     CHECK(f.stats()["image"]["spp"] >= 1);
     CHECK(f.etalon("compare a.exr reference.exr --fail-above relmse=0.2").status == 0);
+}
+
+TEST_CASE("a time too short for anything is a picture of one sample a pixel", "[app]") {
+    const Converging f;
+    const auto r = f.etalon(
+        "render ball.p3f --time-limit 1e-6 --reference reference.exr -o a.exr "
+        "--stats s.json");
+    CHECK(r.status == 0);
+    CHECK_THAT(r.err, ContainsSubstring("relMSE"));
+    CHECK(f.has("a.exr"));
+    CHECK(f.stats()["image"]["spp"] == 1);
+    CHECK(f.stats()["convergence"].size() == 1);
+}
+
+TEST_CASE("a PNG of display values is a reference of display values", "[app]") {
+    const Converging f;
+    REQUIRE(f.etalon("render ball.p3f --spp 256 --seed 7 -q -o reference.png").status == 0);
+    REQUIRE(f.etalon("render ball.p3f --spp 64 --reference reference.png -q -o a.exr "
+                     "--stats s.json")
+                .status == 0);
+    CHECK(f.stats()["error"]["relmse"] < 1e-3);
+    REQUIRE(f.shell("exec '" ETALON_BINARY_DIR "/bin/etalon-bench' convergence ball.p3f --spp 64 "
+                    "--samplers sobol --seeds 1 --reference reference.png --json c.json")
+                .status == 0);
+    CHECK(json::parse(f.read("c.json"))["curves"][0]["points"].back()["relmse"] < 1e-3);
 }
 
 TEST_CASE("convergence has a curve for every sampler and backend", "[app]") {

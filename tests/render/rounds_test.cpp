@@ -132,6 +132,30 @@ TEST_CASE("A picture is over when its time is", "[rounds]") {
     CHECK(r.samples < 1 << 20);
 }
 
+TEST_CASE("However short the time is, every pixel has a sample", "[rounds]") {
+    for (const double error : {0.0, 1e-4}) {
+        RenderOptions options = up_to_error(scene(), error);
+        options.deadline = Deadline(1e-9);
+        const std::vector<std::uint32_t> counts = rendered(scene(), options).film.counts();
+        CHECK(*std::min_element(counts.begin(), counts.end()) == 1);
+        CHECK(*std::max_element(counts.begin(), counts.end()) == 1);
+    }
+}
+
+TEST_CASE("What there is of a round that was stopped is shown, once", "[rounds]") {
+    std::atomic<bool> stop = false;
+    RenderOptions options = samples(scene(), 64);
+    options.stop = &stop;
+    options.progress = [&](double) { stop = true; };
+    int shown = 0;
+    options.after_round = [&](const RenderedRound& round) {
+        CHECK(round.film.total_count() > 0);
+        ++shown;
+    };
+    rendered(scene(), options);
+    CHECK(shown == 1);
+}
+
 TEST_CASE("The last round before a deadline is as large as there is time for", "[rounds]") {
     const Film film({{0, 0}, {0, 0}});
     const Deadline soon(1e-9);

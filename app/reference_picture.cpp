@@ -1,0 +1,52 @@
+#include "app/reference_picture.h"
+
+#include <fmt/format.h>
+
+#include "core/image/io.h"
+
+namespace etalon {
+namespace {
+
+Imath::V2i size_of(const Imath::Box2i& window) {
+    return window.size() + Imath::V2i(1);
+}
+
+/// Rows of `pixels`, `width` wide, that lie in the window.
+std::vector<Color> cut_out(const std::vector<Color>& pixels, int width,
+                           const Imath::Box2i& window) {
+    std::vector<Color> part;
+    for (int y = window.min.y; y <= window.max.y; ++y) {
+        const auto row = pixels.begin() + static_cast<std::ptrdiff_t>(y) * width;
+        part.insert(part.end(), row + window.min.x, row + window.max.x + 1);
+    }
+    return part;
+}
+
+}  // namespace
+
+Outcome<std::vector<Color>> read_reference(const std::string& path, const Scene& scene,
+                                           const Imath::Box2i& window) {
+    Outcome<Image> file = read_image(path);
+    if (!file) return {{}, file.error};
+    Image& image = file.value;
+    const Imath::V2i size(image.width, image.height), asked = size_of(window);
+    const Imath::V2i frame(scene.camera.width, scene.camera.height);
+    const bool elsewhere = size != frame && image.origin && *image.origin != window.min;
+    if ((size != frame && size != asked) || elsewhere) {
+        const std::string place =
+            image.origin ? fmt::format(" at {},{}", image.origin->x, image.origin->y) : "";
+        return {
+            {},
+            fmt::format("{}: {} x {} pixels{}; expected {} x {} at {},{}, or the frame of {} x {}",
+                        path, size.x, size.y, place, asked.x, asked.y, window.min.x, window.min.y,
+                        frame.x, frame.y)};
+    }
+    // A PNG does not say which values it has: those of the picture it was made from.
+    if (scene.display_colors && image.encoding == Encoding::srgb) {
+        image.encoding = Encoding::display;
+    }
+    std::vector<Color> pixels = linear_pixels(image);
+    return {size == frame ? cut_out(pixels, size.x, window) : std::move(pixels), {}};
+}
+
+}  // namespace etalon

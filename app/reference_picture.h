@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/image/image.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+/// What the pixels of `window` in a scene's picture should be, by rows from the top, from a file of
+/// the window or of the whole frame. Where the scene's colours are display values, so are those of
+/// a PNG. A failure's reason begins with the path.
+Outcome<std::vector<Color>> read_reference(const std::string& path, const Scene& scene,
+                                           const Imath::Box2i& window);
+
+}  // namespace etalon
