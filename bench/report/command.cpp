@@ -129,7 +129,7 @@ Run declare_report(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
     app.add_option("-o,--output", a->folder, "Folder for index.html, made if it is not there")
         ->capture_default_str();
-    app.add_flag("--quick", a->quick, "Two minutes instead of twenty");
+    app.add_flag("--quick", a->quick, "Two minutes; else it says beforehand how long");
     return [a] { return run(*a); };
 }
 

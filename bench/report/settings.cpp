@@ -1,5 +1,9 @@
 #include "bench/report/settings.h"
 
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
 #include "bench/speed/contender.h"
 #include "bench/speed/pinned.h"
 
@@ -11,7 +15,28 @@ std::vector<std::string> all_but_none() {
     return {"grid", "bvh", "embree", "embree-builtin"};
 }
 
+struct Cost {
+    std::string_view scene;
+    double microseconds;
+};
+
+constexpr Cost costs[] = {{"showcase.p3f", 7.7},
+                          {"features/glass.p3f", 2.7},
+                          {"features/soft_shadows.p3f", 0.7},
+                          {"features/depth_of_field.p3f", 0.8},
+                          {"features/glossy.p3f", 0.9}};
+
+/// Where well placed samples are to show what they are worth: in light, lens and highlight.
+constexpr const char* converging[] = {"features/soft_shadows.p3f", "features/depth_of_field.p3f",
+                                      "features/glossy.p3f"};
+
 }  // namespace
+
+double microseconds_of_sample(const std::string& scene) {
+    const auto* cost = std::find_if(std::begin(costs), std::end(costs),
+                                    [&](const Cost& c) { return c.scene == scene; });
+    return cost != std::end(costs) ? cost->microseconds : 1;
+}
 
 Settings quick_settings() {
     Settings s;
@@ -27,13 +52,11 @@ Settings quick_settings() {
     s.spd_scenes = {{"sphereflake", 4}, {"gears", 4}, {"mountain", 6},
                     {"rings", 7},       {"tetra", 6}, {"tree", 11}};
     s.spd_backends = all_but_none();
-    s.pictures = {{"showcase.p3f", 320, 180, 7.7, 16, 1},
-                  {"features/glass.p3f", 320, 213, 2.7, 16, 1},
-                  {"features/soft_shadows.p3f", 320, 213, 0.7, 32, 1},
-                  {"features/depth_of_field.p3f", 320, 213, 0.8, 32, 1}};
-    s.convergence = {{"features/soft_shadows.p3f", 60, 40, 0.7, 64},
-                     {"features/depth_of_field.p3f", 60, 40, 0.8, 64},
-                     {"features/glossy.p3f", 60, 40, 0.9, 64}};
+    s.pictures = {{"showcase.p3f", 320, 180, 16, 1},
+                  {"features/glass.p3f", 320, 213, 16, 1},
+                  {"features/soft_shadows.p3f", 320, 213, 32, 1},
+                  {"features/depth_of_field.p3f", 320, 213, 32, 1}};
+    for (const char* scene : converging) s.convergence.push_back({scene, 60, 40, 64});
     s.convergence_backends = {"bvh", "embree-builtin"};
     s.convergence_seeds = 3;
     return s;
@@ -50,14 +73,14 @@ Settings full_settings() {
     s.plan.max_rays = 1 << 18;
     s.case_rays = 100'000;
     s.case_seconds = 5;
-    s.pictures = {{"showcase.p3f", 640, 360, 7.7, 128, 4},
-                  {"features/glass.p3f", 480, 320, 2.7, 256, 4},
-                  {"features/soft_shadows.p3f", 480, 320, 0.7, 256, 4},
-                  {"features/depth_of_field.p3f", 480, 320, 0.8, 256, 4}};
-    s.convergence = {{"showcase.p3f", 240, 135, 7.7, 16},
-                     {"features/soft_shadows.p3f", 240, 160, 0.7, 64},
-                     {"features/depth_of_field.p3f", 240, 160, 0.8, 64},
-                     {"features/glossy.p3f", 240, 160, 0.9, 64}};
+    for (PictureRequest& picture : s.pictures) {
+        picture.width = picture.width * 3 / 2;
+        picture.height = picture.height * 3 / 2;
+        picture.samples *= 8;
+        picture.fewer_samples *= 4;
+    }
+    s.convergence = {{"showcase.p3f", 240, 135, 16}};
+    for (const char* scene : converging) s.convergence.push_back({scene, 240, 160, 64});
     s.convergence_seeds = 5;
     return s;
 }

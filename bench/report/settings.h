@@ -17,17 +17,18 @@ struct SpdScene {
 struct PictureRequest {
     std::string scene;  ///< below the folder of scenes
     int width, height;
-    double microseconds;  ///< that a sample takes a core, about
-    int samples;          ///< per pixel, of what is shown
-    int fewer_samples;    ///< of what is compared with it
+    int samples;        ///< per pixel, of what is shown
+    int fewer_samples;  ///< of what is compared with it
 };
 
 struct ConvergenceRequest {
     std::string scene;  ///< below the folder of scenes
     int width = 0, height = 0;
-    double microseconds = 0;  ///< that a sample takes a core, about
-    int samples = 0;          ///< per pixel, at the end of the curves
+    int samples = 0;  ///< per pixel, at the end of the curves
 };
+
+/// That a sample of a scene takes a core of 2026, about.
+double microseconds_of_sample(const std::string& scene);
 
 struct Settings {
     std::string name;          ///< "quick" or "full"

@@ -52,7 +52,7 @@ TEST_CASE("A picture ends near the error asked for, with fewer samples than all 
         CAPTURE(error, r.expected_error, real, r.samples);
         CHECK(r.complete);
         CHECK(r.expected_error <= 1.03 * error);
-        CHECK(real < 4.0 / 3 * error);
+        CHECK(real < 1.25 * error);
         CHECK(real > 0.75 * error);
         const auto uniform = static_cast<int>(r.samples);
         CHECK(relmse(rendered(scene(), samples(scene(), uniform)).film.pixels(), truth()) > real);

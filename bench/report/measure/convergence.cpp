@@ -30,7 +30,8 @@ double seconds_for(const ConvergenceRequest& request, const Settings& settings) 
     const auto curves = 3.0 + static_cast<double>(settings.convergence_backends.size() - 1);
     const double samples =
         (convergence::truth_times / 2.0 + curves * settings.convergence_seeds) * request.samples;
-    return 0.1 + 1e-6 * request.microseconds * samples * request.width * request.height;
+    return 0.1 +
+           1e-6 * microseconds_of_sample(request.scene) * samples * request.width * request.height;
 }
 
 }  // namespace

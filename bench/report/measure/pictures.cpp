@@ -83,7 +83,8 @@ std::vector<Task> picture_tasks(const Settings& settings) {
     for (const PictureRequest& request : settings.pictures) {
         const double samples =
             1.0 * request.width * request.height * (request.samples + 2 * request.fewer_samples);
-        tasks.push_back({request.scene, 0.1 + 0.5e-6 * request.microseconds * samples,
+        tasks.push_back({request.scene,
+                         0.1 + 0.5e-6 * microseconds_of_sample(request.scene) * samples,
                          [request](Results& results, const Context& context) {
                              measure(request, results, context);
                          }});
