@@ -102,7 +102,7 @@ HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const Fr
     StackSpace space;
     Walk walk(bvh.tree, local, tmin, space, NearestFirst(), tally);
     if (!walk.begin(tmax)) return;
-    const ClusterFilter filter(local, tmin, query.ray.left);
+    const ClusterFilter filter(query, local, tmin);
     const auto offer = [&](double t, std::uint32_t id) HWY_ATTR {
         nearest.offer(t, id);
         return true;
@@ -131,7 +131,7 @@ bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& lo
     StackSpace space;
     Walk walk(bvh.tree, local, tmin, space, AsTheyCome(), Uncounted());
     if (!walk.begin(tmax)) return false;
-    const ClusterFilter filter(local, tmin, query.ray.left);
+    const ClusterFilter filter(query, local, tmin);
     bool found = false;
     const auto offer = [&](double t, std::uint32_t) HWY_ATTR {
         found = t <= query.ray.tmax;
