@@ -48,22 +48,21 @@ struct UserQuery : EmbreeContext {
         initialise(*this);
     }
 
-    /// The lanes, lowest first, that the ray could hit at t <= tmax in the frame; of what no filter
-    /// is for, one.
+    /// The lanes, lowest first, that the ray could hit from its tnear to its tfar; of what no
+    /// filter is for, one.
     template <ClusterRef::Kind kind>
-    HWY_INLINE std::uint32_t candidates(std::uint32_t cluster, float tmax) {
+    HWY_INLINE std::uint32_t candidates(std::uint32_t cluster, const RTCRay& ray) {
         const ClusterRef ref(kind, cluster);
         if constexpr (kind == ClusterRef::list) return 1;
         if constexpr (kind == ClusterRef::triangles) {
             const auto make = [&]() HWY_ATTR { return TriangleFilter(query, local); };
-            return triangles.get(make).candidates(clusters.triangles(ref), tmax);
+            return triangles.get(make).candidates(clusters.triangles(ref), ray.tfar);
         }
         if constexpr (kind == ClusterRef::spheres) {
             const auto make = [&]() HWY_ATTR {
-                const float tmin = std::max(0.0F, local.tmin(query.ray.tmin));  // nothing before 0
-                return SphereFilter(local, tmin, query.ray.left);
+                return SphereFilter(local, ray.tnear, query.ray.left);
             };
-            return spheres.get(make).candidates(clusters.spheres(ref), tmax);
+            return spheres.get(make).candidates(clusters.spheres(ref), ray.tfar);
         }
     }
 
@@ -137,8 +136,8 @@ HWY_NOINLINE void occluded_candidates(const RTCOccludedFunctionNArguments* argum
 template <ClusterRef::Kind kind>
 void intersect_cluster(const RTCIntersectFunctionNArguments* arguments) {
     auto& query = *static_cast<UserQuery*>(arguments->context);
-    const float tfar = single<RTCRayHit>(arguments->rayhit).ray.tfar;
-    const std::uint32_t lanes = query.candidates<kind>(arguments->primID, tfar);
+    const RTCRay& ray = single<RTCRayHit>(arguments->rayhit).ray;
+    const std::uint32_t lanes = query.candidates<kind>(arguments->primID, ray);
     if (lanes != 0) return intersect_candidates<kind>(arguments, lanes);
     report(*arguments, false);
 }
@@ -146,8 +145,8 @@ void intersect_cluster(const RTCIntersectFunctionNArguments* arguments) {
 template <ClusterRef::Kind kind>
 void occluded_cluster(const RTCOccludedFunctionNArguments* arguments) {
     auto& query = *static_cast<UserQuery*>(arguments->context);
-    const float tfar = single<RTCRay>(arguments->ray).tfar;
-    const std::uint32_t lanes = query.candidates<kind>(arguments->primID, tfar);
+    const RTCRay& ray = single<RTCRay>(arguments->ray);
+    const std::uint32_t lanes = query.candidates<kind>(arguments->primID, ray);
     if (lanes != 0) return occluded_candidates<kind>(arguments, lanes);
     report(*arguments, false);
 }
