@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "core/intersect/clusters/targets.h"
+#include "native_accel/bvh/lowest_lane.h"
 #include "native_accel/bvh/stack.h"
 #include "native_accel/tally.h"
 
@@ -36,18 +37,20 @@ HWY_INLINE float start(const RayQuery& query, const FrameRay& local) {
 }
 
 /// The nearest child that a ray enters, the others being kept.
+template <class LowestLane>
 struct NearestFirst {
     HWY_INLINE ChildRef operator()(TraversalStack& stack, const WideNode& node, const Lanes& entry,
                                    std::uint32_t entered) const {
-        return stack.descend(node, entry, entered);
+        return stack.descend<LowestLane>(node, entry, entered);
     }
 };
 
 /// Any child that a ray enters.
+template <class LowestLane>
 struct AsTheyCome {
     HWY_INLINE ChildRef operator()(TraversalStack& stack, const WideNode& node, const Lanes&,
                                    std::uint32_t entered) const {
-        return stack.descend(node, entered);
+        return stack.descend<LowestLane>(node, entered);
     }
 };
 
@@ -94,13 +97,13 @@ class Walk {
     ChildRef next_;
 };
 
-template <class Tally>
+template <class LowestLane, class Tally>
 HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
                              NearestHit& nearest, Tally tally) {
     const float tmin = start(query, local);
     float tmax = local.tmax(nearest.t);
     StackSpace space;
-    Walk walk(bvh.tree, local, tmin, space, NearestFirst(), tally);
+    Walk walk(bvh.tree, local, tmin, space, NearestFirst<LowestLane>(), tally);
     if (!walk.begin(tmax)) return;
     const ClusterFilter filter(local, tmin, query.ray.left);
     const auto offer = [&](double t, std::uint32_t id) HWY_ATTR {
@@ -118,18 +121,23 @@ HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const Fr
 
 void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
                   NearestHit& nearest) {
-    find_closest(bvh, query, local, nearest, Uncounted());
+    if (bvh.foresees(query.ray)) {
+        find_closest<ForeseenLane>(bvh, query, local, nearest, Uncounted());
+    } else {
+        find_closest<ComputedLane>(bvh, query, local, nearest, Uncounted());
+    }
 }
 
 void walk_closest_counted(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
                           NearestHit& nearest, TraversalCost& cost) {
-    find_closest(bvh, query, local, nearest, Counted{cost});
+    find_closest<ComputedLane>(bvh, query, local, nearest, Counted{cost});
 }
 
-bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
+template <class LowestLane>
+HWY_INLINE bool find_any(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
     const float tmin = start(query, local), tmax = local.tmax(query.ray.tmax);
     StackSpace space;
-    Walk walk(bvh.tree, local, tmin, space, AsTheyCome(), Uncounted());
+    Walk walk(bvh.tree, local, tmin, space, AsTheyCome<LowestLane>(), Uncounted());
     if (!walk.begin(tmax)) return false;
     const ClusterFilter filter(local, tmin, query.ray.left);
     bool found = false;
@@ -142,6 +150,11 @@ bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& lo
         return !found;
     });
     return found;
+}
+
+bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
+    return bvh.foresees(query.ray) ? find_any<ForeseenLane>(bvh, query, local)
+                                   : find_any<ComputedLane>(bvh, query, local);
 }
 
 }  // namespace etalon::HWY_NAMESPACE
