@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "native_accel/bvh/builder.h"
+#include "core/intersect/tree/builder.h"
 #include "native_accel/bvh/wide_node.h"
 
 namespace etalon {

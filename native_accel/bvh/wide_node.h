@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/intersect/clusters/clusters.h"
-#include "native_accel/bvh/node.h"
+#include "core/intersect/tree/node.h"
 
 namespace etalon {
 

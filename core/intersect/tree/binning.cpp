@@ -1,4 +1,4 @@
-#include "native_accel/bvh/binning.h"
+#include "core/intersect/tree/binning.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/intersect/bounded.h"
-#include "native_accel/bvh/triangle_pieces.h"
+#include "core/intersect/tree/triangle_pieces.h"
 
 namespace etalon {
 

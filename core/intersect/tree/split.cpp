@@ -1,4 +1,4 @@
-#include "native_accel/bvh/split.h"
+#include "core/intersect/tree/split.h"
 
 namespace etalon {
 namespace {

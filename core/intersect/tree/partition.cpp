@@ -1,4 +1,4 @@
-#include "native_accel/bvh/partition.h"
+#include "core/intersect/tree/partition.h"
 
 #include <algorithm>
 

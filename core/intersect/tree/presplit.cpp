@@ -1,7 +1,7 @@
-#include "native_accel/bvh/presplit.h"
+#include "core/intersect/tree/presplit.h"
 
+#include "core/intersect/tree/prospect.h"
 #include "core/parallel/chunks.h"
-#include "native_accel/bvh/prospect.h"
 
 namespace etalon {
 namespace {
