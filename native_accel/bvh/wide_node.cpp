@@ -14,10 +14,11 @@ class Widener {
             WideTree& tree)
         : collapse_(nodes), leaves_(leaves), tree_(tree) {}
 
-    ChildRef place(const BvhNode& node) {
-        if (node.is_leaf()) return ChildRef::leaf(leaves_[node.first]);
+    ChildRef place(const BvhNode& root) {
+        if (root.is_leaf()) return ChildRef::leaf(leaves_[root.first]);
         tree_.nodes.emplace_back();
-        fill(tree_.nodes.size() - 1, node);
+        fill(0, root);
+        tree_.expected_nodes = surface_ / half_area(root.box);
         return ChildRef::node(0);
     }
 
@@ -27,6 +28,7 @@ class Widener {
     void fill(std::size_t index, const BvhNode& source) {
         const List children = open(source);
         std::size_t next = tree_.nodes.size();
+        surface_ += half_area(source.box);
         for (std::size_t lane = 0; lane < children.size(); ++lane) {
             const BvhNode& child = *children[lane];
             const ChildRef ref =
@@ -51,6 +53,7 @@ class Widener {
     const Collapse collapse_;
     const std::vector<ClusterRef>& leaves_;
     WideTree& tree_;
+    double surface_ = 0;
 };
 
 }  // namespace
