@@ -17,7 +17,7 @@ float first_t(const FrameRay& ray, double tmin) {
     constexpr float margin = 128 * unit_roundoff_f;
     const Vec3f& o = ray.origin;
     const float size = 1 + std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)});
-    return std::max(0.0F, ray.tmin(tmin)) + margin * size;
+    return ray.tmin(tmin) + margin * size;
 }
 
 }  // namespace

@@ -7,16 +7,15 @@
 
 namespace etalon {
 
-/// Fills in the ray as Embree wants it, from t = 0 on; the frame puts nothing before. It is written
-/// as the three vectors as which Embree reads it: a vector load cannot be served from scalar stores
-/// that are still under way.
+/// Fills in the ray as Embree wants it. It is written as the three vectors as which Embree reads
+/// it: a vector load cannot be served from scalar stores that are still under way.
 inline void set_ray(RTCRay& to, const FrameRay& from, float tnear, float tfar) {
     using Row = float __attribute__((vector_size(16), may_alias));
     const float every_mask = std::bit_cast<float>(0xFFFFFFFFU);
     const Vec3f& o = from.origin;
     const Vec3f& d = from.direction;
     Row* rows = reinterpret_cast<Row*>(&to);
-    rows[0] = Row{o.x, o.y, o.z, std::max(0.0F, tnear)};
+    rows[0] = Row{o.x, o.y, o.z, tnear};
     rows[1] = Row{d.x, d.y, d.z, 0};
     rows[2] = Row{tfar, every_mask, 0, 0};
 }

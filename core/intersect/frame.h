@@ -16,12 +16,14 @@ struct FrameRay {
     Vec3f origin, direction;  ///< |origin| <= 3, the direction's largest component in [1, 2)
     double shift, scale;
 
-    /// Rounded down.
-    float tmin(double t) const { return float_down((t - shift) * scale); }
+    /// Rounded down, but no less than 0: before that there is nothing in the frame. Most rays begin
+    /// there and have no end, which is foreseen: nothing waits for the roundings then.
+    float tmin(double t) const { return t <= shift ? 0 : float_down((t - shift) * scale); }
 
     /// Rounded up, so what lies at t exactly is never culled; finite.
     float tmax(double t) const {
-        return std::min(float_up((t - shift) * scale), std::numeric_limits<float>::max());
+        constexpr float last = std::numeric_limits<float>::max();
+        return t == infinity ? last : std::min(float_up((t - shift) * scale), last);
     }
 };
 

@@ -30,15 +30,10 @@ HWY_INLINE void visit(const BvhView& bvh, ClusterRef ref, const ClusterFilter& f
     }
 }
 
-/// Before 0 in the frame there is nothing.
-HWY_INLINE float start(const RayQuery& query, const FrameRay& local) {
-    return std::max(0.0F, local.tmin(query.ray.tmin));
-}
-
 template <class LowestLane, class Tally>
 HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
                              NearestHit& nearest, Tally tally) {
-    const float tmin = start(query, local);
+    const float tmin = local.tmin(query.ray.tmin);
     float tmax = local.tmax(nearest.t);
     StackSpace space;
     Walk walk(bvh.tree, local, tmin, space, NearestFirst<LowestLane>(), tally);
@@ -73,7 +68,7 @@ void walk_closest_counted(const BvhView& bvh, const RayQuery& query, const Frame
 
 template <class LowestLane>
 HWY_INLINE bool find_any(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
-    const float tmin = start(query, local), tmax = local.tmax(query.ray.tmax);
+    const float tmin = local.tmin(query.ray.tmin), tmax = local.tmax(query.ray.tmax);
     StackSpace space;
     Walk walk(bvh.tree, local, tmin, space, AsTheyCome<LowestLane>(), Uncounted());
     if (!walk.begin(tmax)) return false;

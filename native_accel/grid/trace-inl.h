@@ -20,7 +20,7 @@ template <class Tally, class Offer>
 HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const FrameRay& local,
                       const float& tmax, Tally tally, const Offer& offer) {
     const GridRay ray(local);
-    const float tmin = std::max(0.0F, local.tmin(query.ray.tmin));
+    const float tmin = local.tmin(query.ray.tmin);
     const PackedGrid<BoxPack>& boxes = grid.others.boxes();
     if (!boxes.empty()) {
         const Passage passage(boxes.box(), ray, tmin, tmax);

@@ -77,7 +77,7 @@ class Trial {
 
   private:
     void shoot(const Ray& ray, const FrameRay& local, ClusterRef ref, std::uint32_t lane) {
-        const float tmin = std::max(0.0F, local.tmin(ray.tmin));
+        const float tmin = local.tmin(ray.tmin);
         const auto passes = [&](double tmax, std::uint32_t left = no_index) {
             RayQuery query(ray);
             query.ray.left = left;
