@@ -1,48 +1,60 @@
 #include "embree_backend/user_primitives.h"
 
-#include <span>
+#include <algorithm>
 
-#include "embree_backend/grouping.h"
+#include "core/intersect/tree/scene_tree.h"
 
 namespace etalon {
 namespace {
 
-/// What Embree's builder wants of primitives, by kind of cluster.
-using ByKind = std::array<std::vector<RTCBuildPrimitive>, 3>;
+using Boxes = std::vector<Box3f>;
 
-ByKind by_kind(const Scene& scene, const std::vector<BoundedPrimitive>& primitives) {
-    ByKind parts;
-    parts[ClusterRef::triangles].reserve(scene.all<Triangle>().size());
-    parts[ClusterRef::spheres].reserve(scene.all<Sphere>().size());
-    for (const BoundedPrimitive& p : primitives) {
-        parts[cluster_kind(static_cast<ShapeKind>(p.kind))].push_back(
-            {p.min.x, p.min.y, p.min.z, 0, p.max.x, p.max.y, p.max.z, p.id});
-    }
-    return parts;
+bool is_single(const BoundedPrimitive& p) {
+    return cluster_kind(static_cast<ShapeKind>(p.kind)) == ClusterRef::list;
 }
 
-PrimitiveIds ids_of(const std::vector<RTCBuildPrimitive>& primitives) {
+/// Those that no filter is for, out of `primitives`.
+std::vector<BoundedPrimitive> take_singles(std::vector<BoundedPrimitive>& primitives) {
+    std::vector<BoundedPrimitive> singles;
+    std::copy_if(primitives.begin(), primitives.end(), std::back_inserter(singles), is_single);
+    if (!singles.empty()) std::erase_if(primitives, is_single);
+    return singles;
+}
+
+PrimitiveIds ids_of(const std::vector<BoundedPrimitive>& primitives) {
     std::vector<std::uint32_t> ids;
     ids.reserve(primitives.size());
-    for (const RTCBuildPrimitive& p : primitives) ids.push_back(p.primID);
+    for (const BoundedPrimitive& p : primitives) ids.push_back(p.id);
     return PrimitiveIds(std::move(ids));
 }
 
-void bounds_of_group(const RTCBoundsFunctionArguments* arguments) {
+Boxes boxes_of(const std::vector<BoundedPrimitive>& primitives) {
+    Boxes boxes;
+    boxes.reserve(primitives.size());
+    for (const BoundedPrimitive& p : primitives) boxes.push_back(p.box());
+    return boxes;
+}
+
+/// The leaves of a tree as clusters, and their boxes by kind of cluster.
+Clusters cluster(const Scene& scene, const Frame& frame, const BvhTree& tree,
+                 std::array<Boxes, 3>& boxes) {
+    std::vector<Range> ranges;
+    for (const BvhNode& node : tree.nodes) {
+        if (!node.is_leaf()) continue;
+        ranges.push_back({node.first, node.count});
+        boxes[cluster_kind(scene.primitives[tree.ids[node.first]].kind)].push_back(node.box);
+    }
+    std::vector<ClusterRef> refs;
+    return Clusters(scene, frame, tree.ids, ranges, refs);
+}
+
+void bounds_of_box(const RTCBoundsFunctionArguments* arguments) {
     const Box3f& box = static_cast<const Box3f*>(arguments->geometryUserPtr)[arguments->primID];
     *arguments->bounds_o = {box.min.x, box.min.y, box.min.z, 0, box.max.x, box.max.y, box.max.z, 0};
 }
 
-void bounds_of_single(const RTCBoundsFunctionArguments* arguments) {
-    const auto& p =
-        static_cast<const RTCBuildPrimitive*>(arguments->geometryUserPtr)[arguments->primID];
-    *arguments->bounds_o = {p.lower_x, p.lower_y, p.lower_z, 0, p.upper_x, p.upper_y, p.upper_z, 0};
-}
-
 /// A geometry of as many primitives as there are `boxes`, which must be there until it is built.
-template <class BoxSource>
-void attach(const EmbreeDevice& device, RTCScene target, unsigned number,
-            std::span<BoxSource> boxes, RTCBoundsFunction bounds,
+void attach(const EmbreeDevice& device, RTCScene target, unsigned number, Boxes& boxes,
             const UserTracing::Callbacks& callbacks) {
     if (boxes.empty()) return;
     const EmbreeOwned<RTCGeometry> geometry(
@@ -50,7 +62,7 @@ void attach(const EmbreeDevice& device, RTCScene target, unsigned number,
     device.check();
     rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(boxes.size()));
     rtcSetGeometryUserData(geometry.get(), boxes.data());
-    rtcSetGeometryBoundsFunction(geometry.get(), bounds, nullptr);
+    rtcSetGeometryBoundsFunction(geometry.get(), bounds_of_box, nullptr);
     rtcSetGeometryIntersectFunction(geometry.get(), callbacks.intersect);
     rtcSetGeometryOccludedFunction(geometry.get(), callbacks.occluded);
     rtcCommitGeometry(geometry.get());
@@ -62,21 +74,15 @@ void attach(const EmbreeDevice& device, RTCScene target, unsigned number,
 void UserPrimitives::build(const EmbreeDevice& device, RTCScene target, unsigned first,
                            const Frame& frame, std::vector<BoundedPrimitive> primitives) {
     empty_ = primitives.empty();
-    auto [singles, triangles, spheres] = by_kind(scene_, primitives);
-    primitives = {};
+    const std::vector<BoundedPrimitive> singles = take_singles(primitives);
     singles_ = ids_of(singles);
-    Grouping groups;
-    group(device, std::move(triangles), cluster_lanes, groups);
-    const std::size_t triangle_groups = groups.boxes.size();
-    group(device, std::move(spheres), cluster_lanes, groups);
-    std::vector<ClusterRef> refs;
-    clusters_ = Clusters(scene_, frame, groups.ids, groups.ranges, refs);
-
-    const std::span<Box3f> boxes = groups.boxes;
-    const auto& [single, triangle, sphere] = tracing_.callbacks;
-    attach(device, target, first, std::span(singles), bounds_of_single, single);
-    attach(device, target, first + 1, boxes.first(triangle_groups), bounds_of_group, triangle);
-    attach(device, target, first + 2, boxes.subspan(triangle_groups), bounds_of_group, sphere);
+    std::array<Boxes, 3> boxes;
+    boxes[ClusterRef::list] = boxes_of(singles);
+    clusters_ =
+        cluster(scene_, frame, build_scene_bvh(scene_, frame, std::move(primitives)), boxes);
+    for (unsigned kind = 0; kind < boxes.size(); ++kind) {
+        attach(device, target, first + kind, boxes[kind], tracing_.callbacks[kind]);
+    }
     device.commit(target);
 }
 

@@ -22,9 +22,9 @@ class Late {
   public:
     HWY_INLINE Late() {}
 
-    template <class... Arguments>
-    HWY_INLINE const Filter& get(const Arguments&... arguments) {
-        if (!made_) new (&filter_) Filter(arguments...);
+    template <class Make>
+    HWY_INLINE const Filter& get(const Make& make) {
+        if (HWY_UNLIKELY(!made_)) new (&filter_) Filter(make());
         made_ = true;
         return filter_;
     }
@@ -48,16 +48,22 @@ struct UserQuery : EmbreeContext {
         initialise(*this);
     }
 
-    /// Before 0 in the frame there is nothing.
+    /// The lanes, lowest first, that the ray could hit at t <= tmax in the frame; of what no filter
+    /// is for, one.
     template <ClusterRef::Kind kind>
     HWY_INLINE std::uint32_t candidates(std::uint32_t cluster, float tmax) {
         const ClusterRef ref(kind, cluster);
-        const std::uint32_t left = query.ray.left;
+        if constexpr (kind == ClusterRef::list) return 1;
         if constexpr (kind == ClusterRef::triangles) {
-            return triangles.get(local, left).candidates(clusters.triangles(ref), tmax);
-        } else {
-            return spheres.get(local, std::max(0.0F, local.tmin(query.ray.tmin)), left)
-                .candidates(clusters.spheres(ref), tmax);
+            const auto make = [&]() HWY_ATTR { return TriangleFilter(query, local); };
+            return triangles.get(make).candidates(clusters.triangles(ref), tmax);
+        }
+        if constexpr (kind == ClusterRef::spheres) {
+            const auto make = [&]() HWY_ATTR {
+                const float tmin = std::max(0.0F, local.tmin(query.ray.tmin));  // nothing before 0
+                return SphereFilter(local, tmin, query.ray.left);
+            };
+            return spheres.get(make).candidates(clusters.spheres(ref), tmax);
         }
     }
 
@@ -77,14 +83,14 @@ HWY_INLINE Ray& single(PacketOfOne* packet) {
     return *reinterpret_cast<Ray*>(packet);
 }
 
-/// Calls offer(t, id) for what could be hit at t <= tmax in the frame, as long as it returns true.
+/// Calls offer(t, id) for each of `lanes` of a cluster, as long as it returns true.
 template <ClusterRef::Kind kind, class Offer>
-HWY_INLINE void visit(UserQuery& query, std::uint32_t cluster, float tmax, const Offer& offer) {
+HWY_INLINE void ask(const UserQuery& query, std::uint32_t cluster, std::uint32_t lanes,
+                    const Offer& offer) {
     if constexpr (kind == ClusterRef::list) {
         const std::uint32_t id = query.singles[cluster];
         offer(primitive_first_hit(query.scene, id, query.query), id);
     } else {
-        std::uint32_t lanes = query.candidates<kind>(cluster, tmax);
         for (; lanes != 0; lanes &= lanes - 1) {
             const auto [id, t] = query.clusters.ask(query.scene, ClusterRef(kind, cluster),
                                                     std::countr_zero(lanes), query.query);
@@ -96,11 +102,12 @@ HWY_INLINE void visit(UserQuery& query, std::uint32_t cluster, float tmax, const
 /// What is offered at t may lie behind a hit that is not in `nearest`: one on a geometry of
 /// Embree's own, which its tfar tells.
 template <ClusterRef::Kind kind>
-void intersect_cluster(const RTCIntersectFunctionNArguments* arguments) {
+HWY_NOINLINE void intersect_candidates(const RTCIntersectFunctionNArguments* arguments,
+                                       std::uint32_t lanes) {
     auto& query = *static_cast<UserQuery*>(arguments->context);
     auto& [ray, hit] = single<RTCRayHit>(arguments->rayhit);
     bool found = false;
-    visit<kind>(query, arguments->primID, ray.tfar, [&](double t, std::uint32_t id) HWY_ATTR {
+    ask<kind>(query, arguments->primID, lanes, [&](double t, std::uint32_t id) HWY_ATTR {
         if (!(t <= query.nearest->t)) return true;
         const float tfar = query.local.tmax(t);
         if (tfar > ray.tfar) return true;
@@ -113,16 +120,36 @@ void intersect_cluster(const RTCIntersectFunctionNArguments* arguments) {
 }
 
 template <ClusterRef::Kind kind>
-void occluded_cluster(const RTCOccludedFunctionNArguments* arguments) {
+HWY_NOINLINE void occluded_candidates(const RTCOccludedFunctionNArguments* arguments,
+                                      std::uint32_t lanes) {
     auto& query = *static_cast<UserQuery*>(arguments->context);
     auto& ray = single<RTCRay>(arguments->ray);
     bool found = false;
-    visit<kind>(query, arguments->primID, ray.tfar, [&](double t, std::uint32_t) HWY_ATTR {
+    ask<kind>(query, arguments->primID, lanes, [&](double t, std::uint32_t) HWY_ATTR {
         found = t <= query.query.ray.tmax;
         return !found;
     });
     if (found) ray.tfar = -std::numeric_limits<float>::infinity();
     report(*arguments, found);
+}
+
+/// Most clusters have no candidate: what those take is apart, so that these need no stack.
+template <ClusterRef::Kind kind>
+void intersect_cluster(const RTCIntersectFunctionNArguments* arguments) {
+    auto& query = *static_cast<UserQuery*>(arguments->context);
+    const float tfar = single<RTCRayHit>(arguments->rayhit).ray.tfar;
+    const std::uint32_t lanes = query.candidates<kind>(arguments->primID, tfar);
+    if (lanes != 0) return intersect_candidates<kind>(arguments, lanes);
+    report(*arguments, false);
+}
+
+template <ClusterRef::Kind kind>
+void occluded_cluster(const RTCOccludedFunctionNArguments* arguments) {
+    auto& query = *static_cast<UserQuery*>(arguments->context);
+    const float tfar = single<RTCRay>(arguments->ray).tfar;
+    const std::uint32_t lanes = query.candidates<kind>(arguments->primID, tfar);
+    if (lanes != 0) return occluded_candidates<kind>(arguments, lanes);
+    report(*arguments, false);
 }
 
 void intersect(const UserView& view, const RayQuery& query, const FrameRay& local,

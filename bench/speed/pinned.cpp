@@ -4,7 +4,7 @@
 #include <sched.h>
 
 #include <algorithm>
-#include <barrier>
+#include <atomic>
 #include <exception>
 #include <system_error>
 #include <thread>
@@ -40,11 +40,38 @@ double thread_cpu_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
+/// Where threads wait for each other without going to sleep: to be woken takes as long as a
+/// thousand rays.
+class StartLine {
+  public:
+    explicit StartLine(int threads) : missing_(threads) {}
+
+    void arrive_and_wait() {
+        --missing_;
+        while (missing_ > 0) {
+        }
+    }
+
+  private:
+    std::atomic<int> missing_;
+};
+
 /// One thread's share of the work.
 struct Shift {
     Clock::time_point begin, end;
     double cpu = 0;
     std::exception_ptr failure;
+
+    /// Keeps the first failure, so that threads still meet.
+    template <class F>
+    void attempt(const F& f) {
+        if (failure) return;
+        try {
+            f();
+        } catch (...) {
+            failure = std::current_exception();
+        }
+    }
 
     void run(const std::function<void()>& work) {
         begin = Clock::now();
@@ -76,17 +103,14 @@ int usable_cores() {
 Duration run_pinned(int threads, const std::function<void()>& work) {
     const std::vector<int> places = cores();
     std::vector<Shift> shifts(static_cast<std::size_t>(threads));
-    std::barrier all_there(threads);
+    StartLine line(threads);
     std::vector<std::jthread> crew;
     for (std::size_t k = 0; k < shifts.size(); ++k) {
         crew.emplace_back([&, k] {
-            try {
-                pin_to(places.at(k));
-                all_there.arrive_and_wait();
-                shifts[k].run(work);
-            } catch (...) {
-                shifts[k].failure = std::current_exception();
-            }
+            Shift& shift = shifts[k];
+            shift.attempt([&] { pin_to(places.at(k)); });
+            line.arrive_and_wait();
+            shift.attempt([&] { shift.run(work); });
         });
     }
     crew.clear();  // joins

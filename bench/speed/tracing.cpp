@@ -8,7 +8,7 @@
 namespace etalon::speed {
 namespace {
 
-constexpr std::size_t portion = 1024;  ///< rays that a thread takes at a time
+constexpr std::size_t portion = 256;  ///< rays that a thread takes at a time
 
 void answer(const Intersector& intersector, std::span<const Ray> rays, std::span<Answer> answers) {
     for (std::size_t i = 0; i < rays.size(); ++i) {

@@ -20,10 +20,14 @@ Imath::Box2i EyeRays::sampled(Imath::Box2i window) const {
 }
 
 Ray EyeRays::ray(int x, int y, const SampleSource& sample) const {
-    const Vec2 corner(x, y);
-    if (!has_samples_) return camera_.ray(corner + in_pixel_, Vec2(0.5));
-    const Vec2 lens = camera_.has_lens() ? sample.point(lens_dimension) : Vec2(0.5);
-    return camera_.ray(corner + sample.point(pixel_dimension), lens);
+    Vec2 pixel = Vec2(x, y) + in_pixel_, lens(0.5);
+    if (has_samples_) {
+        pixel = Vec2(x, y) + sample.point(pixel_dimension);
+        if (camera_.has_lens()) lens = sample.point(lens_dimension);
+    }
+    Ray ray = camera_.ray(pixel, lens);
+    ray.coherent = true;
+    return ray;
 }
 
 }  // namespace etalon

@@ -91,6 +91,7 @@ class RaySetMaker {
             const Light& light = scene_.lights[set.rays.size() % scene_.lights.size()];
             const Vec3 target = LightSamples(light, 1).position(0, sample, 1);
             set.rays.push_back(ray_between(p, target));
+            set.rays.back().coherent = true;
         });
         return set;
     }
@@ -116,7 +117,11 @@ class RaySetMaker {
     }
 
   private:
-    Ray through(const Vec2& pixel) const { return camera_.ray(pixel, Vec2(0.5)); }
+    Ray through(const Vec2& pixel) const {
+        Ray ray = camera_.ray(pixel, Vec2(0.5));
+        ray.coherent = true;
+        return ray;
+    }
 
     /// f(surface, its normal on the camera's side, a sample source of its own)
     template <class F>

@@ -103,6 +103,7 @@ Color Whitted::lit_by(const Vec3& light, const Path& path, const Encounter& at,
         shadow.direction = light - shadow.origin;
     }
     shadow.tmax = shadow_end;
+    shadow.coherent = path.ray.coherent;
     ++context.counts.shadow;
     if (intersector_.occluded(shadow)) {
         ++context.counts.shadow_blocked;
@@ -160,8 +161,9 @@ Color Whitted::follow(const Path& from, const Encounter& at, const Vec3& directi
     const bool crosses = inside == at.entering;
     Color absorption = from.absorption;
     if (crosses) absorption = inside ? at.material.absorption : Color(0.0F);
-    const Path path{leave(at, direction, crosses), from.depth + 1, hash(from.name, crosses ? 1 : 0),
-                    absorption};
+    Path path{leave(at, direction, crosses), from.depth + 1, hash(from.name, crosses ? 1 : 0),
+              absorption};
+    path.ray.coherent = from.ray.coherent;
     const std::optional<Hit> hit = intersector_.closest(path.ray);
     if (hit) ++context.counts.secondary_hits;
     return trace(path, hit, context);

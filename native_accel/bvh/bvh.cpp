@@ -1,6 +1,6 @@
 #include "native_accel/bvh/bvh.h"
 
-#include "native_accel/bvh/scene_tree.h"
+#include "core/intersect/tree/scene_tree.h"
 #include "native_accel/bvh/walk.h"
 
 namespace etalon {

@@ -42,6 +42,9 @@ class Collapse {
 
     Branch root() const { return {nodes_.data(), nodes_.size()}; }
 
+    /// Half of that of all inner nodes that stay.
+    float surface() const { return plans_[0].cost[1]; }
+
     /// The descendants that become the children of an inner node.
     Branches children(const Branch& branch) const;
 

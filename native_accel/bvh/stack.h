@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "native_accel/bvh/builder.h"
+#include "core/intersect/tree/builder.h"
 #include "native_accel/bvh/wide_node.h"
 
 namespace etalon {
@@ -44,8 +44,9 @@ class TraversalStack {
     /// Takes the lanes `entered` of a node, at least one, and gives back the nearest; the others
     /// are kept, the nearer the later. The walk waits for what comes back: so of one lane, or of
     /// two in the order foreseen, it depends on no place of entry.
+    template <class LowestLane>
     ChildRef descend(const WideNode& node, const Lanes& entry, std::uint32_t entered) {
-        const int lane = std::countr_zero(entered);
+        const int lane = LowestLane::of(entered);
         const ChildRef child = node.children[lane];
         const std::uint32_t others = entered & (entered - 1);
         if (others == 0) return child;
@@ -62,8 +63,9 @@ class TraversalStack {
     }
 
     /// The same without regard to where the ray enters.
+    template <class LowestLane>
     ChildRef descend(const WideNode& node, std::uint32_t entered) {
-        ChildRef last = node.children[std::countr_zero(entered)];
+        ChildRef last = node.children[LowestLane::of(entered)];
         while ((entered &= entered - 1) != 0) {
             *top_++ = StackEntry(0, node.children[std::countr_zero(entered)]);
         }

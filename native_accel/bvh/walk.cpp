@@ -5,7 +5,7 @@
 #include <cctype>
 
 #include "core/intersect/clusters/targets.h"
-#include "native_accel/bvh/stack.h"
+#include "native_accel/bvh/lowest_lane.h"
 #include "native_accel/tally.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -14,7 +14,7 @@
 #include <hwy/highway.h>
 
 #include "core/intersect/clusters/filter-inl.h"
-#include "native_accel/bvh/slabs-inl.h"
+#include "native_accel/bvh/walk-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
@@ -35,74 +35,15 @@ HWY_INLINE float start(const RayQuery& query, const FrameRay& local) {
     return std::max(0.0F, local.tmin(query.ray.tmin));
 }
 
-/// The nearest child that a ray enters, the others being kept.
-struct NearestFirst {
-    HWY_INLINE ChildRef operator()(TraversalStack& stack, const WideNode& node, const Lanes& entry,
-                                   std::uint32_t entered) const {
-        return stack.descend(node, entry, entered);
-    }
-};
-
-/// Any child that a ray enters.
-struct AsTheyCome {
-    HWY_INLINE ChildRef operator()(TraversalStack& stack, const WideNode& node, const Lanes&,
-                                   std::uint32_t entered) const {
-        return stack.descend(node, entered);
-    }
-};
-
-/// A ray on its way through the tree.
-template <class Order, class Tally>
-class Walk {
-  public:
-    HWY_INLINE Walk(const WideTree& tree, const FrameRay& ray, float tmin, StackSpace& space, Order,
-                    Tally tally)
-        : tree_(tree), slabs_(ray, tmin), stack_(space), tally_(tally), next_(tree.root) {}
-
-    /// Whether the ray meets the tree before tmax at all: many do not, and need no more set up.
-    HWY_INLINE bool begin(float tmax) { return next_.is_leaf() || descend(tmax); }
-
-    /// After begin(), takes the leaves one by one to at_leaf(cluster), as long as that returns
-    /// true.
-    template <class AtLeaf>
-    HWY_INLINE void finish(const float& tmax, const AtLeaf& at_leaf) {
-        do {
-            while (!next_.is_leaf() && descend(tmax)) {
-            }
-            if (next_.is_leaf() && !at_leaf(next_.cluster())) return;
-        } while (stack_.pop(tmax, next_));
-    }
-
-    HWY_INLINE Tally tally() const { return tally_; }
-
-  private:
-    /// From a node to a child; false where none is entered.
-    HWY_INLINE bool descend(float tmax) {
-        const WideNode& node = tree_.nodes[next_.node()];
-        tally_.boxes(node);
-        alignas(32) Lanes entry;
-        const std::uint32_t entered = slabs_.entered(node, tmax, entry);
-        if (entered == 0) return false;
-        next_ = Order()(stack_, node, entry, entered);
-        return true;
-    }
-
-    const WideTree& tree_;
-    const Slabs slabs_;
-    TraversalStack stack_;
-    [[no_unique_address]] const Tally tally_;
-    ChildRef next_;
-};
-
-template <class Tally>
+template <class LowestLane, class Tally>
 HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
                              NearestHit& nearest, Tally tally) {
     const float tmin = start(query, local);
     float tmax = local.tmax(nearest.t);
     StackSpace space;
-    Walk walk(bvh.tree, local, tmin, space, NearestFirst(), tally);
+    Walk walk(bvh.tree, local, tmin, space, NearestFirst<LowestLane>(), tally);
     if (!walk.begin(tmax)) return;
-    const ClusterFilter filter(local, tmin, query.ray.left);
+    const ClusterFilter filter(query, local, tmin);
     const auto offer = [&](double t, std::uint32_t id) HWY_ATTR {
         nearest.offer(t, id);
         return true;
@@ -118,20 +59,25 @@ HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const Fr
 
 void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
                   NearestHit& nearest) {
-    find_closest(bvh, query, local, nearest, Uncounted());
+    if (bvh.foresees(query.ray)) {
+        find_closest<ForeseenLane>(bvh, query, local, nearest, Uncounted());
+    } else {
+        find_closest<ComputedLane>(bvh, query, local, nearest, Uncounted());
+    }
 }
 
 void walk_closest_counted(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
                           NearestHit& nearest, TraversalCost& cost) {
-    find_closest(bvh, query, local, nearest, Counted{cost});
+    find_closest<ComputedLane>(bvh, query, local, nearest, Counted{cost});
 }
 
-bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
+template <class LowestLane>
+HWY_INLINE bool find_any(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
     const float tmin = start(query, local), tmax = local.tmax(query.ray.tmax);
     StackSpace space;
-    Walk walk(bvh.tree, local, tmin, space, AsTheyCome(), Uncounted());
+    Walk walk(bvh.tree, local, tmin, space, AsTheyCome<LowestLane>(), Uncounted());
     if (!walk.begin(tmax)) return false;
-    const ClusterFilter filter(local, tmin, query.ray.left);
+    const ClusterFilter filter(query, local, tmin);
     bool found = false;
     const auto offer = [&](double t, std::uint32_t) HWY_ATTR {
         found = t <= query.ray.tmax;
@@ -142,6 +88,11 @@ bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& lo
         return !found;
     });
     return found;
+}
+
+bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
+    return bvh.foresees(query.ray) ? find_any<ForeseenLane>(bvh, query, local)
+                                   : find_any<ComputedLane>(bvh, query, local);
 }
 
 }  // namespace etalon::HWY_NAMESPACE

@@ -26,6 +26,7 @@ class Widener {
         if (root.is_leaf()) return ChildRef::leaf(leaves_[root.node->first]);
         tree_.nodes.resize(1 + count(root));
         fill(0, root, 1);
+        tree_.expected_nodes = collapse_.surface() / half_area(root.node->box);
         return ChildRef::node(0);
     }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/intersect/clusters/clusters.h"
-#include "native_accel/bvh/node.h"
+#include "core/intersect/tree/node.h"
 
 namespace etalon {
 
@@ -60,6 +60,8 @@ struct WideTree {
 
     std::vector<WideNode, LargePages<WideNode>> nodes;
     ChildRef root;
+    /// How many nodes a random line through the root's box enters, by their surfaces.
+    double expected_nodes = 1;
 };
 
 /// Places a binary tree's nodes up to eight to one. A binary leaf's `first` says which of `leaves`

@@ -49,13 +49,13 @@ class SphereTest {
 template <class Offer, class Tally>
 class ClusterTest {
   public:
-    /// For what is met from `entry` on by a ray that has left the primitive `left` (see Ray).
-    HWY_INLINE ClusterTest(const Clusters& clusters, const FrameRay& ray, float entry,
-                           std::uint32_t left, const Offer& offer, Tally to)
+    /// For what a ray meets from `entry` on.
+    HWY_INLINE ClusterTest(const Clusters& clusters, const RayQuery& query, const FrameRay& ray,
+                           float entry, const Offer& offer, Tally to)
         : tally(to),
           clusters_(clusters),
           slabs_(ray, entry),
-          filter_(ray, entry, left),
+          filter_(query, ray, entry),
           offer_(offer) {}
 
     HWY_INLINE float operator()(std::span<const BoxPack> packs, float from, float to,

@@ -30,7 +30,7 @@ HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const FrameRa
             return offer(t, id);
         };
         if (!passage.empty()) {
-            const ClusterTest test(clusters, local, passage.entry, query.ray.left, ask, tally);
+            const ClusterTest test(clusters, query, local, passage.entry, ask, tally);
             GridVisit(boxes, ray, test, tmax).visit(passage);
         }
     }

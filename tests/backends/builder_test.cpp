@@ -1,11 +1,11 @@
 // The binary tree under the BVH: what it must be whatever it is built from, and on how many
 // threads.
-#include "native_accel/bvh/builder.h"
+#include "core/intersect/tree/builder.h"
 
 #include <algorithm>
 
+#include "core/intersect/tree/binning.h"
 #include "core/parallel/parallel.h"
-#include "native_accel/bvh/binning.h"
 #include "tests/backends/random.h"
 #include "tests/catch.h"
 

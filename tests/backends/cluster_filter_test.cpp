@@ -14,9 +14,9 @@ HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
 /// The lanes of a cluster of triangles or spheres that pass.
-std::uint32_t candidates(const Clusters& clusters, ClusterRef ref, const FrameRay& ray, float tmin,
-                         float tmax, std::uint32_t left) {
-    return ClusterFilter(ray, tmin, left).candidates(clusters, ref, tmax);
+std::uint32_t candidates(const Clusters& clusters, ClusterRef ref, const RayQuery& query,
+                         const FrameRay& local, float tmin, float tmax) {
+    return ClusterFilter(query, local, tmin).candidates(clusters, ref, tmax);
 }
 
 }  // namespace etalon::HWY_NAMESPACE
@@ -79,8 +79,10 @@ class Trial {
     void shoot(const Ray& ray, const FrameRay& local, ClusterRef ref, std::uint32_t lane) {
         const float tmin = std::max(0.0F, local.tmin(ray.tmin));
         const auto passes = [&](double tmax, std::uint32_t left = no_index) {
+            RayQuery query(ray);
+            query.ray.left = left;
             const std::uint32_t lanes = HWY_DYNAMIC_DISPATCH(candidates)(
-                clusters_, ref, local, tmin, local.tmax(tmax), left);
+                clusters_, ref, query, local, tmin, local.tmax(tmax));
             return (lanes >> lane & 1) != 0;
         };
         const auto [id, t] = clusters_.ask(scene_, ref, lane, RayQuery(ray));

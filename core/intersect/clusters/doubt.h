@@ -40,7 +40,7 @@ inline constexpr float depth_doubt = 48 * unit_roundoff_f;
 /// so turning the direction d by u moves the line's nearest point by 7 u. Its place along the line,
 /// f.d / d.d, is off by 8 u |f| / |d| (3 u each for the products, one for the reciprocal and one
 /// more): 56 u; f less that times d by 14 u. Together 85 u. The factor is for the squares: 3 u for
-/// the distance's, u for the radius', 6 u for their difference over d.d.
+/// the distance's, u for the radius', 6 u for what their difference is compared with.
 inline float enlarged_radius(double radius) {
     return float_up(radius * (1 + 0x1p-20) + 88 * unit_roundoff_f);
 }

@@ -18,9 +18,8 @@ namespace etalon::HWY_NAMESPACE {
 /// Whatever a cluster holds.
 class ClusterFilter {
   public:
-    /// Of a ray that has left the primitive `left` (see Ray).
-    HWY_INLINE ClusterFilter(const FrameRay& ray, float tmin, std::uint32_t left)
-        : triangles_(ray, left), spheres_(ray, tmin, left) {}
+    HWY_INLINE ClusterFilter(const RayQuery& query, const FrameRay& ray, float tmin)
+        : triangles_(query, ray), spheres_(ray, tmin, query.ray.left) {}
 
     /// The lanes, lowest first, that the ray could hit at tmin < t <= tmax in the frame; all those
     /// of a list, taken or not.

@@ -17,11 +17,8 @@ namespace etalon::HWY_NAMESPACE {
 /// By edge functions.
 class TriangleFilter {
   public:
-    /// Of a ray that has left the primitive `left` (see Ray).
-    HWY_INLINE TriangleFilter(const FrameRay& ray, std::uint32_t left) : left_(left) {
-        kz_ = dominant_axis(Vec3(ray.direction));
-        kx_ = (kz_ + 1) % 3;
-        ky_ = (kz_ + 2) % 3;
+    HWY_INLINE TriangleFilter(const RayQuery& query, const FrameRay& ray)
+        : kx_(query.kx), ky_(query.ky), kz_(query.kz), left_(query.ray.left) {
         const float dz = ray.direction[kz_];
         slope_x_ = broadcast(ray.direction[kx_] / dz);
         slope_y_ = broadcast(ray.direction[ky_] / dz);

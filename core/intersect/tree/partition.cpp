@@ -1,11 +1,11 @@
-#include "native_accel/bvh/partition.h"
+#include "core/intersect/tree/partition.h"
 
 #include <algorithm>
 
 #include "core/intersect/clusters/targets.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "native_accel/bvh/partition.cpp"
+#define HWY_TARGET_INCLUDE "core/intersect/tree/partition.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -1,6 +1,6 @@
-#include "native_accel/bvh/scene_tree.h"
+#include "core/intersect/tree/scene_tree.h"
 
-#include "native_accel/bvh/presplit.h"
+#include "core/intersect/tree/presplit.h"
 
 namespace etalon {
 namespace {

@@ -1,8 +1,8 @@
 // Sets of so many primitives that all threads work at one of them.
 #pragma once
 
-#include "native_accel/bvh/builder.h"
-#include "native_accel/bvh/partition.h"
+#include "core/intersect/tree/builder.h"
+#include "core/intersect/tree/partition.h"
 
 namespace etalon {
 

@@ -1,8 +1,8 @@
 // How primitives are brought to their side of a split.
 #pragma once
 
-#include "native_accel/bvh/primitive_set.h"
-#include "native_accel/bvh/split.h"
+#include "core/intersect/tree/primitive_set.h"
+#include "core/intersect/tree/split.h"
 
 namespace etalon {
 

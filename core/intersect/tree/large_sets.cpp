@@ -1,4 +1,4 @@
-#include "native_accel/bvh/large_sets.h"
+#include "core/intersect/tree/large_sets.h"
 
 #include "core/parallel/chunks.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/intersect/frame.h"
-#include "native_accel/bvh/bounds.h"
+#include "core/intersect/tree/bounds.h"
 
 namespace etalon {
 

@@ -1,12 +1,12 @@
-#include "native_accel/bvh/builder.h"
+#include "core/intersect/tree/builder.h"
 
 #include <algorithm>
 
+#include "core/intersect/tree/large_sets.h"
+#include "core/intersect/tree/parts.h"
+#include "core/intersect/tree/subtree.h"
 #include "core/parallel/large_pages.h"
 #include "core/parallel/parallel.h"
-#include "native_accel/bvh/large_sets.h"
-#include "native_accel/bvh/parts.h"
-#include "native_accel/bvh/subtree.h"
 
 namespace etalon {
 namespace {

@@ -2,8 +2,8 @@
 // Bounding Volume Hierarchies").
 #pragma once
 
-#include "native_accel/bvh/bounds.h"
-#include "native_accel/bvh/leaf_cost.h"
+#include "core/intersect/tree/bounds.h"
+#include "core/intersect/tree/leaf_cost.h"
 
 namespace etalon {
 

@@ -1,9 +1,9 @@
-#include "native_accel/bvh/split.h"
+#include "core/intersect/tree/split.h"
 
 #include "core/intersect/clusters/targets.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "native_accel/bvh/split.cpp"
+#define HWY_TARGET_INCLUDE "core/intersect/tree/split.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

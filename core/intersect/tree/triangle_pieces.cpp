@@ -1,4 +1,4 @@
-#include "native_accel/bvh/triangle_pieces.h"
+#include "core/intersect/tree/triangle_pieces.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "native_accel/bvh/binning.h"
+#include "core/intersect/tree/binning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "core/intersect/clusters/targets.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "native_accel/bvh/binning.cpp"
+#define HWY_TARGET_INCLUDE "core/intersect/tree/binning.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

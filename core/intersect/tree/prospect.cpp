@@ -1,4 +1,4 @@
-#include "native_accel/bvh/prospect.h"
+#include "core/intersect/tree/prospect.h"
 
 #include <cmath>
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "native_accel/bvh/leaf_cost.h"
-#include "native_accel/bvh/node.h"
+#include "core/intersect/tree/leaf_cost.h"
+#include "core/intersect/tree/node.h"
 
 namespace etalon {
 

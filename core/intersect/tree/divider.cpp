@@ -1,4 +1,4 @@
-#include "native_accel/bvh/divider.h"
+#include "core/intersect/tree/divider.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "native_accel/bvh/binning.h"
+#include "core/intersect/tree/binning.h"
 
 namespace etalon {
 

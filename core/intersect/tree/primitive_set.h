@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "native_accel/bvh/bounds.h"
+#include "core/intersect/tree/bounds.h"
 
 namespace etalon {
 

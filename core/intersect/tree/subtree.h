@@ -1,6 +1,6 @@
 #pragma once
 
-#include "native_accel/bvh/divider.h"
+#include "core/intersect/tree/divider.h"
 
 namespace etalon {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "native_accel/bvh/node.h"
+#include "core/intersect/tree/node.h"
 
 namespace etalon {
 

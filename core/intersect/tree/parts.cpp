@@ -1,4 +1,4 @@
-#include "native_accel/bvh/parts.h"
+#include "core/intersect/tree/parts.h"
 
 #include <algorithm>
 

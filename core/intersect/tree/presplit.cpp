@@ -1,10 +1,10 @@
-#include "native_accel/bvh/presplit.h"
+#include "core/intersect/tree/presplit.h"
 
 #include <algorithm>
 
+#include "core/intersect/tree/prospect.h"
+#include "core/intersect/tree/triangle_pieces.h"
 #include "core/parallel/chunks.h"
-#include "native_accel/bvh/prospect.h"
-#include "native_accel/bvh/triangle_pieces.h"
 
 namespace etalon {
 namespace {

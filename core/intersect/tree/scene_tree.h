@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/intersect/frame.h"
+#include "core/intersect/tree/builder.h"
 #include "core/scene/scene.h"
-#include "native_accel/bvh/builder.h"
 
 namespace etalon {
 

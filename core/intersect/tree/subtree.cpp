@@ -1,4 +1,4 @@
-#include "native_accel/bvh/subtree.h"
+#include "core/intersect/tree/subtree.h"
 
 namespace etalon {
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "native_accel/bvh/builder.h"
-#include "native_accel/bvh/partition.h"
+#include "core/intersect/tree/builder.h"
+#include "core/intersect/tree/partition.h"
 
 namespace etalon {
 

@@ -1,0 +1,50 @@
+// Two ways to the lowest lane of a mask. A walk waits for a node's boxes to be tested, learns from
+// the mask which child comes next, and only then can fetch that. A branch for each lane tells the
+// same, but the processor foresees branches: where it is right, the next node is on its way before
+// this one's boxes are tested, and where it is wrong, work is thrown away.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace etalon {
+
+/// Computed from the mask.
+struct ComputedLane {
+    static int of(std::uint32_t mask) { return std::countr_zero(mask); }
+};
+
+/// By branches, for rays that go where those before them went.
+struct ForeseenLane {
+    static int of(std::uint32_t mask) {
+        switch (std::countr_zero(mask)) {
+            case 0:
+                return constant<0>();
+            case 1:
+                return constant<1>();
+            case 2:
+                return constant<2>();
+            case 3:
+                return constant<3>();
+            case 4:
+                return constant<4>();
+            case 5:
+                return constant<5>();
+            case 6:
+                return constant<6>();
+            default:
+                return constant<7>();
+        }
+    }
+
+  private:
+    /// What the compiler takes for anything at all: or it would compute the lane after all.
+    template <int lane>
+    static int constant() {
+        int result = lane;
+        asm volatile("" : "+r"(result));
+        return result;
+    }
+};
+
+}  // namespace etalon

@@ -1,0 +1,79 @@
+// From node to node of the tree. Compiled for each instruction set.
+#if defined(ETALON_BVH_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ETALON_BVH_WALK_INL_H
+#undef ETALON_BVH_WALK_INL_H
+#else
+#define ETALON_BVH_WALK_INL_H
+#endif
+
+#include "native_accel/bvh/slabs-inl.h"
+#include "native_accel/bvh/stack.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+/// The nearest child that a ray enters, the others being kept.
+template <class LowestLane>
+struct NearestFirst {
+    HWY_INLINE ChildRef operator()(TraversalStack& stack, const WideNode& node, const Lanes& entry,
+                                   std::uint32_t entered) const {
+        return stack.descend<LowestLane>(node, entry, entered);
+    }
+};
+
+/// Any child that a ray enters.
+template <class LowestLane>
+struct AsTheyCome {
+    HWY_INLINE ChildRef operator()(TraversalStack& stack, const WideNode& node, const Lanes&,
+                                   std::uint32_t entered) const {
+        return stack.descend<LowestLane>(node, entered);
+    }
+};
+
+/// A ray on its way through the tree.
+template <class Order, class Tally>
+class Walk {
+  public:
+    HWY_INLINE Walk(const WideTree& tree, const FrameRay& ray, float tmin, StackSpace& space, Order,
+                    Tally tally)
+        : tree_(tree), slabs_(ray, tmin), stack_(space), tally_(tally), next_(tree.root) {}
+
+    /// Whether the ray meets the tree before tmax at all: many do not, and need no more set up.
+    HWY_INLINE bool begin(float tmax) { return next_.is_leaf() || descend(tmax); }
+
+    /// After begin(), takes the leaves one by one to at_leaf(cluster), as long as that returns
+    /// true.
+    template <class AtLeaf>
+    HWY_INLINE void finish(const float& tmax, const AtLeaf& at_leaf) {
+        do {
+            while (!next_.is_leaf() && descend(tmax)) {
+            }
+            if (next_.is_leaf() && !at_leaf(next_.cluster())) return;
+        } while (stack_.pop(tmax, next_));
+    }
+
+    HWY_INLINE Tally tally() const { return tally_; }
+
+  private:
+    /// From a node to a child; false where none is entered.
+    HWY_INLINE bool descend(float tmax) {
+        const WideNode& node = tree_.nodes[next_.node()];
+        tally_.boxes(node);
+        alignas(32) Lanes entry;
+        const std::uint32_t entered = slabs_.entered(node, tmax, entry);
+        if (entered == 0) return false;
+        next_ = Order()(stack_, node, entry, entered);
+        return true;
+    }
+
+    const WideTree& tree_;
+    const Slabs slabs_;
+    TraversalStack stack_;
+    [[no_unique_address]] const Tally tally_;
+    ChildRef next_;
+};
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
