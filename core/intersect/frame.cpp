@@ -3,7 +3,6 @@
 namespace etalon {
 namespace {
 
-constexpr double largest_origin = 3;
 constexpr double largest_distance = 0x1p24;
 constexpr double largest_speed = 0x1p900;
 
@@ -17,9 +16,8 @@ Frame::Frame(const Box3& world) {
 }
 
 Box3f Frame::box(const Box3& world) const {
-    constexpr double pad = unit_roundoff_f * (7 * largest_origin + 5);
-    const Box3 local((world.min - centre_) * scale_ - Vec3(pad),
-                     (world.max - centre_) * scale_ + Vec3(pad));
+    const Box3 local((world.min - centre_) * scale_ - Vec3(padding),
+                     (world.max - centre_) * scale_ + Vec3(padding));
     return round_outward(local);
 }
 

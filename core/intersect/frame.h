@@ -27,12 +27,17 @@ struct FrameRay {
 
 class Frame {
   public:
+    static constexpr double largest_origin = 3;
+
     Frame() = default;
     explicit Frame(const Box3& world);
 
-    /// `world` in the frame, rounded outward and padded so that a float slab test with a reciprocal
-    /// good to 2.6 units of rounding cannot miss what a double ray hits. Each axis grows by
-    /// u (7 |o| + 5 |b|), u = 2^-24, |o| <= 3 the largest origin a FrameRay can have, |b| <= 1.
+    /// What a box must have around its content so that a float slab test with a reciprocal good to
+    /// 2.6 units of rounding cannot miss what a double ray hits: u (7 |o| + 5 |b|), u = 2^-24, |o|
+    /// <= 3 the largest origin a FrameRay can have, |b| <= 1.
+    static constexpr double padding = unit_roundoff_f * (7 * largest_origin + 5);
+
+    /// `world` in the frame, rounded outward and padded.
     Box3f box(const Box3& world) const;
 
     /// Without padding: for geometry that an accelerator decides on by itself.

@@ -29,16 +29,27 @@ inline float next_below(float x) {
     return -next_above(-x);
 }
 
-/// The largest float <= x; x may be infinite.
+/// From the bits of a float to its place among all floats, with -0 just below 0, and back.
+inline std::int32_t in_order(std::int32_t bits) {
+    return bits ^ ((bits >> 31) & std::numeric_limits<std::int32_t>::max());
+}
+
+/// `x` moved by so many floats. Zeros count as two.
+inline float moved(float x, int by) {
+    return std::bit_cast<float>(in_order(in_order(std::bit_cast<std::int32_t>(x)) + by));
+}
+
+/// The largest float <= x; x may be infinite. Without a branch on which way x was rounded, which
+/// nobody could predict. No zero is moved to the other one: what is negative is rounded to -0.
 inline float float_down(double x) {
     const auto f = static_cast<float>(x);
-    return f > x ? next_below(f) : f;
+    return moved(f, f > x ? -1 : 0);
 }
 
 /// The smallest float >= x; x may be infinite.
 inline float float_up(double x) {
     const auto f = static_cast<float>(x);
-    return f < x ? next_above(f) : f;
+    return moved(f, f < x ? 1 : 0);
 }
 
 inline Vec3f float_down(const Vec3& v) {

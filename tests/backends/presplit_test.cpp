@@ -19,7 +19,9 @@ namespace {
 
 constexpr std::size_t dense_triangles = 4000, needles = 400;
 
-void add(Scene& scene, const Corners& corners) {
+using WorldCorners = std::array<Vec3, 3>;
+
+void add(Scene& scene, const WorldCorners& corners) {
     const auto first = static_cast<std::uint32_t>(scene.vertices.size());
     scene.vertices.insert(scene.vertices.end(), corners.begin(), corners.end());
     scene.add(Triangle{{first, first + 1, first + 2}}, 0);
@@ -59,14 +61,14 @@ Scene scene_on_a_slope() {
 }
 
 /// A point of a triangle whose corners are whole numbers below 2^40: exact.
-Vec3 point_of(const Corners& corners, test::Random& random) {
+Vec3 point_of(const WorldCorners& corners, test::Random& random) {
     const std::uint32_t a = random.below(65), b = random.below(65 - a);
     const double u = a / 64.0, v = b / 64.0;
     return corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]);
 }
 
 /// Whole numbers around a place, of a needle more often than not.
-Corners whole_corners(const Vec3& place, test::Random& random) {
+WorldCorners whole_corners(const Vec3& place, test::Random& random) {
     const auto whole = [](Vec3 v) {
         for (int k = 0; k < 3; ++k) v[k] = std::round(v[k]);
         return v;
@@ -76,17 +78,38 @@ Corners whole_corners(const Vec3& place, test::Random& random) {
     return {place, place + along, place + along / (random.one_in(2) ? 1 : 2) + aside};
 }
 
-bool holds(const std::vector<Box3>& boxes, const Vec3& point) {
-    return std::any_of(boxes.begin(), boxes.end(),
-                       [&](const Box3& box) { return box.intersects(point); });
+std::vector<Bounds> pieces_of(const Corners& corners, int cuts) {
+    std::vector<Bounds> pieces;
+    add_pieces(corners, bounds_of(corners), cuts, pieces);
+    return pieces;
 }
 
-double surface(const std::vector<Box3>& boxes) {
-    double sum = 0;
-    for (const Box3& box : boxes) {
-        const Vec3 s = box.size();
-        sum += s.x * s.y + s.y * s.z + s.z * s.x;
+/// But for what boxes of pieces may be too small.
+bool holds(const Bounds& box, const Vec3& point) {
+    constexpr double error = piece_error;
+    bool inside = true;
+    for (int k = 0; k < 3; ++k) {
+        inside = inside && point[k] >= box.min[k] - error && point[k] <= box.max[k] + error;
     }
+    return inside;
+}
+
+bool hold(const std::vector<Bounds>& boxes, const Vec3& point) {
+    return std::any_of(boxes.begin(), boxes.end(),
+                       [&](const Bounds& box) { return holds(box, point); });
+}
+
+bool is_within(const Bounds& inner, const Bounds& outer) {
+    bool inside = true;
+    for (int k = 0; k < 3; ++k) {
+        inside = inside && inner.min[k] >= outer.min[k] && inner.max[k] <= outer.max[k];
+    }
+    return inside;
+}
+
+float half_area(const std::vector<Bounds>& boxes) {
+    float sum = 0;
+    for (const Bounds& box : boxes) sum += box.half_area();
     return sum;
 }
 
@@ -111,19 +134,20 @@ TEST_CASE(
     int outside = 0, lost = 0, too_many = 0;
     for (int i = 0; i < 2000; ++i) {
         const Vec3 place = std::round(random.magnitude(0, 12)) * Vec3(1, -1, 0);
-        const Corners corners = whole_corners(place, random);
+        const WorldCorners world = whole_corners(place, random);
         Box3 box;
-        for (const Vec3& corner : corners) box.extendBy(corner);
+        for (const Vec3& corner : world) box.extendBy(corner);
+        const double around = random.magnitude(0, 6);
+        const Frame frame(Box3(box.min - Vec3(around), box.max + Vec3(10 * around)));
+        const Corners corners = corners_in(frame, world);
         const int cuts = random.below(40);
-        std::vector<Box3> pieces;
-        add_pieces(corners, box, cuts, Frame(Box3(box.min - Vec3(1e5), box.max + Vec3(1e6))),
-                   pieces);
-        if (pieces.size() > static_cast<std::size_t>(cuts) + 1) ++too_many;
-        for (const Box3& piece : pieces) {
-            if (!box.intersects(piece.min) || !box.intersects(piece.max)) ++outside;
+        const std::vector<Bounds> pieces = pieces_of(corners, cuts);
+        too_many += pieces.size() > static_cast<std::size_t>(cuts) + 1;
+        for (const Bounds& piece : pieces) outside += !is_within(piece, bounds_of(corners));
+        for (const Vec3& corner : world) lost += !hold(pieces, frame.point(corner));
+        for (int k = 0; k < 50; ++k) {
+            lost += !hold(pieces, frame.point(point_of(world, random)));
         }
-        for (const Vec3& corner : corners) lost += !holds(pieces, corner);
-        for (int k = 0; k < 50; ++k) lost += !holds(pieces, point_of(corners, random));
     }
     CHECK(lost == 0);
     CHECK(outside == 0);
@@ -131,27 +155,29 @@ TEST_CASE(
 }
 
 TEST_CASE("Given a needle across the frame, its pieces have far less surface") {
-    const Corners needle{Vec3(-1, -1, -1), Vec3(1, 1, 1), Vec3(-1, -1, -0.99)};
-    const Box3 box(Vec3(-1), Vec3(1));
-    std::vector<Box3> pieces;
-    add_pieces(needle, box, 15, Frame(box), pieces);
+    const WorldCorners needle{Vec3(-1, -1, -1), Vec3(1, 1, 1), Vec3(-1, -1, -0.99)};
+    const Corners corners = corners_in(Frame(Box3(Vec3(-1), Vec3(1))), needle);
+    const std::vector<Bounds> pieces = pieces_of(corners, 15);
     CHECK(pieces.size() == 16);
-    CHECK(surface(pieces) < surface({box}) / 3);
+    CHECK(half_area(pieces) < bounds_of(corners).half_area() / 3);
 }
 
 TEST_CASE("Given needles, all primitives keep references whose boxes hold them") {
     const Scene scene = scene_of_needles();
     const SceneBounds bounds = SceneBounds::of(scene);
-    const auto references = presplit(scene, bounds.frame, bounds.bounded);
-    REQUIRE(references);
-    CHECK(references->size() > bounds.bounded.size() + needles);
-    CHECK(references->size() <= bounds.bounded.size() * 3 / 2);
+    const auto split = presplit(scene, bounds.frame, bounds.bounded);
+    REQUIRE(split);
+    const std::vector<BoundedPrimitive>& references = split->references;
+    CHECK(references.size() > bounds.bounded.size() + needles);
+    const auto whole = static_cast<double>(bounds.bounded.size());
+    CHECK(static_cast<double>(references.size()) <= whole * (1 + PresplitConfig().budget));
     test::Random random(4);
     std::size_t lost = 0;
     for (std::uint32_t id = 0; id < scene.primitives.size(); id += 7) {
-        const std::vector<Box3f> boxes = boxes_of(id, *references);
+        const std::vector<Box3f> boxes = boxes_of(id, references);
         const auto& v = scene.get<Triangle>(scene.primitives[id]).vertices;
-        const Corners corners{scene.vertices[v[0]], scene.vertices[v[1]], scene.vertices[v[2]]};
+        const WorldCorners corners{scene.vertices[v[0]], scene.vertices[v[1]],
+                                   scene.vertices[v[2]]};
         for (int k = 0; k < 50; ++k) {
             const Vec3 point = bounds.frame.point(point_of(corners, random));
             // The padding is 26 units of rounding; half of it must be left around the point.

@@ -1,12 +1,16 @@
 #include "core/intersect/tree/presplit.h"
 
+#include <algorithm>
+
 #include "core/intersect/tree/prospect.h"
+#include "core/intersect/tree/triangle_pieces.h"
 #include "core/parallel/chunks.h"
 
 namespace etalon {
 namespace {
 
 using Primitives = std::span<const BoundedPrimitive>;
+using References = std::vector<BoundedPrimitive>;
 
 constexpr std::size_t chunk_size = 4096;
 constexpr std::size_t sample_size = 4096;
@@ -22,54 +26,107 @@ std::vector<Prospect> sample(const Scene& scene, const Frame& frame, Primitives 
     return result;
 }
 
-std::vector<Prospect> all_prospects(const Scene& scene, const Frame& frame, Primitives primitives) {
-    std::vector<Prospect> result(primitives.size());
+/// Some primitives, by their places among all.
+struct Candidates {
+    void add(const Candidates& other) {
+        places.insert(places.end(), other.places.begin(), other.places.end());
+        prospects.insert(prospects.end(), other.prospects.begin(), other.prospects.end());
+    }
+
+    std::vector<std::size_t> places;
+    std::vector<Prospect> prospects;
+};
+
+/// All that a factor up to `limit` might cut.
+Candidates find_candidates(const Scene& scene, const Frame& frame, Primitives primitives,
+                           double limit) {
+    const Chunks chunks(primitives.size(), chunk_size);
+    std::vector<Candidates> of_chunk(chunks.number());
+    chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!might_be_cut(primitives[i], limit)) continue;
+            of_chunk[chunk].places.push_back(i);
+            of_chunk[chunk].prospects.emplace_back(scene, frame, primitives[i]);
+        }
+    });
+    Candidates all;
+    for (const Candidates& c : of_chunk) all.add(c);
+    return all;
+}
+
+References copy(Primitives primitives, std::size_t room) {
+    References result;
+    result.reserve(room);
+    result.resize(primitives.size());
     const Chunks chunks(primitives.size(), chunk_size);
     chunks.parallel_for_each([&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) result[i] = {scene, frame, primitives[i]};
+        std::copy(primitives.begin() + begin, primitives.begin() + end, result.begin() + begin);
     });
     return result;
 }
 
-void add_references(const Scene& scene, const Frame& frame, const BoundedPrimitive& p, int cuts,
-                    std::vector<BoundedPrimitive>& references) {
-    if (cuts == 0) {
-        references.push_back(p);
-        return;
-    }
-    const Corners corners = corners_of(scene, p);
-    std::vector<Box3> pieces;
-    add_pieces(corners, box_of(corners), cuts, frame, pieces);
-    for (const Box3& piece : pieces) {
-        references.emplace_back(frame.box(piece), p.id, static_cast<ShapeKind>(p.kind));
-    }
+/// With what boxes have around their content, but not beyond the box of the whole.
+BoundedPrimitive padded(const Bounds& piece, const BoundedPrimitive& whole) {
+    const auto pad = Bounds::corner(static_cast<float>(Frame::padding) + piece_error);
+    const Bounds within = Bounds::of(whole);
+    Bounds box;
+    box.min = Bounds::upper(piece.min - pad, within.min);
+    box.max = Bounds::lower(piece.max + pad, within.max);
+    return {box.box(), whole.id, static_cast<ShapeKind>(whole.kind)};
 }
+
+/// Replaces primitives by one of their pieces.
+class Cutter {
+  public:
+    Cutter(const Scene& scene, const Frame& frame) : scene_(scene), frame_(frame) {}
+
+    void cut(BoundedPrimitive& p, int cuts) {
+        const Corners corners = corners_in(frame_, corners_of(scene_, p));
+        boxes_.clear();
+        add_pieces(corners, bounds_of(corners), cuts, boxes_);
+        whole.push_back(p);
+        for (const Bounds& box : boxes_) others.push_back(padded(box, p));
+        p = others.back();
+        others.pop_back();
+    }
+
+    References whole, others;
+
+  private:
+    const Scene& scene_;
+    const Frame& frame_;
+    std::vector<Bounds> boxes_;
+};
 
 }  // namespace
 
 /// The sample's factor does for all, unless it missed some that ask for many cuts.
-std::optional<std::vector<BoundedPrimitive>> presplit(const Scene& scene, const Frame& frame,
-                                                      Primitives primitives,
-                                                      const PresplitConfig& config) {
-    const auto budget = [&](const std::vector<Prospect>& prospects) {
-        return config.budget * static_cast<double>(prospects.size());
+std::optional<Presplit> presplit(const Scene& scene, const Frame& frame, Primitives primitives,
+                                 const PresplitConfig& config) {
+    const auto budget = [&](std::size_t number) {
+        return config.budget * static_cast<double>(number);
     };
     const std::vector<Prospect> some = sample(scene, frame, primitives);
-    const double limit = best_factor(some, budget(some), no_limit);
+    const double limit = best_factor(some, budget(some.size()), no_limit);
     if (!(gain(some, limit) >= config.least_gain)) return std::nullopt;
 
-    const std::vector<Prospect> all = all_prospects(scene, frame, primitives);
-    const double factor = best_factor(all, budget(all), limit);
-    const Chunks chunks(primitives.size(), chunk_size);
-    std::vector<std::vector<BoundedPrimitive>> of_chunk(chunks.number());
+    const auto [places, prospects] = find_candidates(scene, frame, primitives, limit);
+    const double most = budget(primitives.size());
+    const double factor = best_factor(prospects, most, limit);
+    Presplit result{copy(primitives, primitives.size() + static_cast<std::size_t>(most)), {}};
+    const Chunks chunks(places.size(), chunk_size / 16);
+    std::vector<Cutter> of_chunk(chunks.number(), Cutter(scene, frame));
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            add_references(scene, frame, primitives[i], all[i].cuts(factor), of_chunk[chunk]);
+            const int cuts = prospects[i].cuts(factor);
+            if (cuts > 0) of_chunk[chunk].cut(result.references[places[i]], cuts);
         }
     });
-    std::vector<BoundedPrimitive> references;
-    for (const auto& c : of_chunk) references.insert(references.end(), c.begin(), c.end());
-    return references;
+    for (const Cutter& c : of_chunk) {
+        result.cut.insert(result.cut.end(), c.whole.begin(), c.whole.end());
+        result.references.insert(result.references.end(), c.others.begin(), c.others.end());
+    }
+    return result;
 }
 
 }  // namespace etalon

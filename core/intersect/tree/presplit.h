@@ -8,16 +8,21 @@
 namespace etalon {
 
 struct PresplitConfig {
-    double budget = 0.5;      ///< pieces that may be added, for each primitive
+    double budget = 0.25;     ///< pieces that may be added, for each primitive
     double least_gain = 0.6;  ///< the share of all boxes' surface that must be saved to begin with
 };
 
-/// Primitives with some triangles cut into pieces, each in a box of its own under the number of the
-/// whole: those whose boxes hold the most that is not triangle (Karras & Aila 2013, "Fast Parallel
-/// Construction of High-Quality Bounding Volume Hierarchies", section 4.3). Nothing where a sample
-/// of the triangles says that they would not gain by it.
-std::optional<std::vector<BoundedPrimitive>> presplit(const Scene& scene, const Frame& frame,
-                                                      std::span<const BoundedPrimitive> primitives,
-                                                      const PresplitConfig& config = {});
+/// Primitives with some triangles cut into pieces.
+struct Presplit {
+    std::vector<BoundedPrimitive> references;  ///< each piece in a box of its own, as its triangle
+    std::vector<BoundedPrimitive> cut;         ///< those that are in pieces, whole
+};
+
+/// Cuts the triangles whose boxes hold the most that is not triangle (Karras & Aila 2013, "Fast
+/// Parallel Construction of High-Quality Bounding Volume Hierarchies", section 4.3). Nothing where
+/// a sample of the triangles says that they would not gain by it.
+std::optional<Presplit> presplit(const Scene& scene, const Frame& frame,
+                                 std::span<const BoundedPrimitive> primitives,
+                                 const PresplitConfig& config = {});
 
 }  // namespace etalon

@@ -9,7 +9,8 @@ namespace {
 
 constexpr double most_cuts = 1e6;
 
-double box_surface(const Vec3& size) {
+double box_surface(const BoundedPrimitive& p) {
+    const Vec3 size(p.max - p.min);
     return 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
 }
 
@@ -21,39 +22,41 @@ double total_cuts(std::span<const Prospect> prospects, double factor) {
 
 }  // namespace
 
-Corners corners_of(const Scene& scene, const BoundedPrimitive& triangle) {
+std::array<Vec3, 3> corners_of(const Scene& scene, const BoundedPrimitive& triangle) {
     return corners(scene, scene.get<Triangle>(scene.primitives[triangle.id]));
 }
 
-Box3 box_of(const Corners& corners) {
-    Box3 box;
-    for (const Vec3& corner : corners) box.extendBy(corner);
-    return box;
-}
-
 Prospect::Prospect(const Scene& scene, const Frame& frame, const BoundedPrimitive& p)
-    : surface(box_surface(Vec3(p.max - p.min))), least(surface) {
+    : surface(box_surface(p)), least(surface) {
     if (p.kind != kind_of<Triangle>()) return;
-    const Corners world = corners_of(scene, p);
+    const auto world = corners_of(scene, p);
     const Vec3 a = frame.point(world[0]), b = frame.point(world[1]), c = frame.point(world[2]);
     const Vec3 normal = abs((b - a).cross(c - a));
     least = std::min(surface, normal.x + normal.y + normal.z);
-    const bool has_edges = is_finite(world[1] - world[0]) && is_finite(world[2] - world[1]) &&
-                           is_finite(world[0] - world[2]);
-    const auto plane = has_edges ? first_median(box_of(world), frame) : std::nullopt;
-    if (plane) priority = std::cbrt(std::ldexp(surface - least, -plane->level));
+    priority = std::cbrt(surface - least);
 }
 
 int Prospect::cuts(double factor) const {
     return static_cast<int>(std::min(factor * priority, most_cuts));
 }
 
+/// No priority is above the cube root of the box's surface. The least that makes a cut is taken
+/// with room for roundings.
+bool might_be_cut(const BoundedPrimitive& p, double limit) {
+    constexpr double one_cut = 0.99;
+    return p.kind == kind_of<Triangle>() && box_surface(p) * limit * limit * limit > one_cut;
+}
+
+/// Rounding down takes less than one cut from each, which brackets the factor.
 double best_factor(std::span<const Prospect> prospects, double cuts, double limit) {
     if (total_cuts(prospects, limit) <= cuts) return limit;
-    double high = 1;
-    while (total_cuts(prospects, high) <= cuts) high *= 2;
-    double low = 0;
-    for (int i = 0; i < 16; ++i) {
+    double sum = 0, number = 0;
+    for (const Prospect& p : prospects) {
+        sum += p.priority;
+        number += p.priority > 0 ? 1 : 0;
+    }
+    double low = cuts / sum, high = (cuts + number) / sum;
+    for (int i = 0; i < 12; ++i) {
         const double middle = (low + high) / 2;
         (total_cuts(prospects, middle) <= cuts ? low : high) = middle;
     }

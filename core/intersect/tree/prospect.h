@@ -2,16 +2,15 @@
 // Construction of High-Quality Bounding Volume Hierarchies", section 4.3).
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "core/intersect/bounded.h"
-#include "core/intersect/tree/triangle_pieces.h"
 
 namespace etalon {
 
 /// A primitive as something to cut.
 struct Prospect {
-    Prospect() = default;
     Prospect(const Scene& scene, const Frame& frame, const BoundedPrimitive& p);
 
     /// For a factor that is the same for all.
@@ -20,13 +19,15 @@ struct Prospect {
     /// With boxes that shrink along two axes where a thin triangle is cut across the third.
     double surface_after(int cuts) const { return least + (surface - least) / (1 + cuts); }
 
-    double surface = 0;   ///< of its box, in the frame
-    double least = 0;     ///< what the surfaces of ever smaller pieces' boxes come to
+    double surface;       ///< of its box, in the frame
+    double least;         ///< what the surfaces of ever smaller pieces' boxes come to
     double priority = 0;  ///< 0: not to be cut
 };
 
-Corners corners_of(const Scene& scene, const BoundedPrimitive& triangle);
-Box3 box_of(const Corners& corners);
+/// False for those that a factor up to `limit` does not cut, by their boxes alone.
+bool might_be_cut(const BoundedPrimitive& p, double limit);
+
+std::array<Vec3, 3> corners_of(const Scene& scene, const BoundedPrimitive& triangle);
 
 /// The largest factor up to `limit` that makes no more cuts than may be.
 double best_factor(std::span<const Prospect> prospects, double cuts, double limit);

@@ -24,17 +24,21 @@ double cost(const BvhTree& tree, const Scene& scene, const LeafCosts& costs) {
 
 }  // namespace
 
-/// Whatever is gained must also pay for more leaves and nodes than stay in the caches.
+/// Whatever is gained must also pay for more leaves and nodes than stay in the caches. The tree of
+/// all costs no less than that of those which are cut, which is often enough to know.
 BvhTree build_scene_bvh(const Scene& scene, const Frame& frame,
                         std::vector<BoundedPrimitive> primitives, const BvhConfig& config) {
     constexpr double clear_gain = 0.8;
     auto pieces = presplit(scene, frame, primitives);
+    if (!pieces) return build_bvh(std::move(primitives), config);
+    BvhTree split = build_bvh(std::move(pieces->references), config);
+    const auto pays = [&](const BvhTree& whole) {
+        return cost(split, scene, config.leaf_costs) <
+               clear_gain * cost(whole, scene, config.leaf_costs);
+    };
+    if (pays(build_bvh(std::move(pieces->cut), config))) return split;
     BvhTree whole = build_bvh(std::move(primitives), config);
-    if (!pieces) return whole;
-    BvhTree split = build_bvh(std::move(*pieces), config);
-    const bool pays =
-        cost(split, scene, config.leaf_costs) < clear_gain * cost(whole, scene, config.leaf_costs);
-    return pays ? std::move(split) : std::move(whole);
+    return pays(whole) ? std::move(split) : std::move(whole);
 }
 
 }  // namespace etalon

@@ -1,4 +1,4 @@
-// Triangles cut along planes, each piece with a box of its own.
+// Triangles cut along planes, each piece with a box of its own, in floats of the frame.
 #pragma once
 
 #include <array>
@@ -6,29 +6,35 @@
 #include <vector>
 
 #include "core/intersect/frame.h"
+#include "core/intersect/tree/bounds.h"
 
 namespace etalon {
 
-using Corners = std::array<Vec3, 3>;
+/// A triangle's, rounded.
+using Corners = std::array<Bounds::Corner, 3>;
+
+Corners corners_in(const Frame& frame, const std::array<Vec3, 3>& world);
+Bounds bounds_of(const Corners& corners);
 
 /// A plane of the hierarchy that halves the frame's cube along each axis again and again.
 struct MedianPlane {
     int axis;
-    double position;  ///< in the world
-    int level;        ///< 0 for the middle of the cube
+    float position;
 };
 
 /// The first of the hierarchy that passes through the inside of a box; nothing for one so small
 /// that it lies between them all.
-std::optional<MedianPlane> first_median(const Box3& world, const Frame& frame);
+std::optional<MedianPlane> first_median(const Bounds& box);
 
-/// Boxes of what a triangle has within `box` on both sides of a plane, below it first: no smaller
-/// than that whatever the roundings. Empty where it has nothing.
-std::array<Box3, 2> cut(const Corners& corners, const Box3& box, const MedianPlane& plane);
+/// By how much boxes of pieces may fall short of them on any side: 12 u where an edge passes a
+/// plane (see `cut`), 1 u for corners that were rounded, and room.
+inline constexpr float piece_error = 16 * unit_roundoff_f;
 
-/// Adds the boxes of a triangle cut so many times. Each contains its piece, all together the
-/// triangle. Its edges must be finite.
-void add_pieces(const Corners& corners, const Box3& box, int cuts, const Frame& frame,
-                std::vector<Box3>& pieces);
+/// Boxes of what a triangle has within `box` on both sides of a plane through the inside of `box`,
+/// below it first. Where it has nothing, min may be above max.
+std::array<Bounds, 2> cut(const Corners& corners, const Bounds& box, const MedianPlane& plane);
+
+/// Adds the boxes of a triangle cut so many times: together they hold it.
+void add_pieces(const Corners& corners, const Bounds& box, int cuts, std::vector<Bounds>& pieces);
 
 }  // namespace etalon
