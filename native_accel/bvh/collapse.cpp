@@ -2,18 +2,40 @@
 
 #include <limits>
 
+#include "core/parallel/parallel.h"
+
 namespace etalon {
 
+Collapse::Collapse(const std::vector<BvhNode>& nodes)
+    : nodes_(nodes), plans_(std::make_unique_for_overwrite<Plan[]>(nodes.size())) {
+    plan_all(root());
+}
+
+/// What is below the left one ends where what is below the right one begins.
+std::array<Branch, 2> Collapse::halves(const Branch& branch) const {
+    const BvhNode* const left = &nodes_[branch.node->first];
+    const BvhNode* const right = left + 1;
+    return {Branch{left, right->is_leaf() ? branch.end : right->first}, Branch{right, branch.end}};
+}
+
 /// Children come after their parents.
-Collapse::Collapse(const std::vector<BvhNode>& nodes) : nodes_(nodes), plans_(nodes.size()) {
-    for (std::size_t i = nodes.size(); i-- > 0;) {
-        if (i != 1) plans_[i] = plan(nodes[i]);
+void Collapse::plan_all(const Branch& branch) {
+    constexpr std::size_t serial_up_to = 1024;
+    if (branch.size() > serial_up_to) {
+        const auto [left, right] = halves(branch);
+        parallel_invoke([&, one = left] { plan_all(one); }, [&, one = right] { plan_all(one); });
+    } else {
+        for (std::size_t i = branch.end; i-- > branch.end - branch.size();) {
+            plans_[i] = plan(nodes_[i]);
+        }
     }
+    plans_[branch.node - nodes_.data()] = plan(*branch.node);
 }
 
 Collapse::Plan Collapse::plan(const BvhNode& node) const {
     Plan plan;
     plan.cost.fill(0);
+    plan.first.fill(0);
     if (node.is_leaf()) return plan;
     const Plan &left = plans_[node.first], &right = plans_[node.first + 1];
     std::array<float, node_width + 1> cost;
@@ -37,24 +59,22 @@ Collapse::Plan Collapse::plan(const BvhNode& node) const {
     return plan;
 }
 
-std::vector<const BvhNode*> Collapse::children(const BvhNode& node) const {
-    const std::size_t first = plans_[&node - nodes_.data()].first[node_width];
-    std::vector<const BvhNode*> list;
-    gather(nodes_[node.first], first, list);
-    gather(nodes_[node.first + 1], node_width - first, list);
+Branches Collapse::children(const Branch& branch) const {
+    const std::size_t first = plan_of(branch).first[node_width];
+    const auto [left, right] = halves(branch);
+    Branches list;
+    gather(left, first, list);
+    gather(right, node_width - first, list);
     return list;
 }
 
-void Collapse::gather(const BvhNode& node, std::size_t count,
-                      std::vector<const BvhNode*>& list) const {
-    const Plan& plan = plans_[&node - nodes_.data()];
+void Collapse::gather(const Branch& branch, std::size_t count, Branches& list) const {
+    const Plan& plan = plan_of(branch);
     while (count > 1 && plan.first[count] == 0) --count;
-    if (count == 1) {
-        list.push_back(&node);
-        return;
-    }
-    gather(nodes_[node.first], plan.first[count], list);
-    gather(nodes_[node.first + 1], count - plan.first[count], list);
+    if (count == 1) return list.push_back(branch);
+    const auto [left, right] = halves(branch);
+    gather(left, plan.first[count], list);
+    gather(right, count - plan.first[count], list);
 }
 
 }  // namespace etalon

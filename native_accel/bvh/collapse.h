@@ -2,36 +2,68 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "native_accel/bvh/wide_node.h"
 
 namespace etalon {
 
+/// A node of a binary tree, with all below it: from its first child up to `end`, as BvhTree has its
+/// nodes.
+struct Branch {
+    bool is_leaf() const { return node->is_leaf(); }
+
+    /// How many nodes are below it.
+    std::size_t size() const { return is_leaf() ? 0 : end - node->first; }
+
+    const BvhNode* node;
+    std::size_t end;
+};
+
+/// Up to node_width of them.
+struct Branches {
+    void push_back(const Branch& branch) { all[count++] = branch; }
+    Branch* begin() { return all.data(); }
+    Branch* end() { return all.data() + count; }
+
+    std::array<Branch, node_width> all;
+    std::size_t count = 0;
+};
+
 /// Which nodes of a binary tree stay when each takes up to node_width of its descendants for
 /// children: those of the least total surface, which is what visiting them costs, by dynamic
 /// programming (Ylitie, Karras & Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through
-/// Compressed Wide BVHs", section 3.1). Leaves stay as they are.
+/// Compressed Wide BVHs", section 3.1). Leaves stay as they are. On as many threads as allowed.
 class Collapse {
   public:
+    /// The tree must not be empty.
     explicit Collapse(const std::vector<BvhNode>& nodes);
 
-    /// The descendants that become the children of the inner node `node`.
-    std::vector<const BvhNode*> children(const BvhNode& node) const;
+    Branch root() const { return {nodes_.data(), nodes_.size()}; }
+
+    /// Half of that of all inner nodes that stay.
+    float surface() const { return plans_[0].cost[1]; }
+
+    /// The descendants that become the children of an inner node.
+    Branches children(const Branch& branch) const;
 
   private:
     /// For a node: the least cost of standing for it with so many nodes or fewer, and how many of
     /// them are below its first child; 0 where one fewer does as well.
     struct Plan {
         std::array<float, node_width> cost;  ///< from 1 on
-        std::array<std::uint8_t, node_width + 1> first{};
+        std::array<std::uint8_t, node_width + 1> first;
     };
 
+    std::array<Branch, 2> halves(const Branch& branch) const;
+    void plan_all(const Branch& branch);
     Plan plan(const BvhNode& node) const;
-    void gather(const BvhNode& node, std::size_t count, std::vector<const BvhNode*>& list) const;
+    void gather(const Branch& branch, std::size_t count, Branches& list) const;
+    const Plan& plan_of(const Branch& branch) const { return plans_[branch.node - nodes_.data()]; }
 
     const std::vector<BvhNode>& nodes_;
-    std::vector<Plan> plans_;
+    std::unique_ptr<Plan[]> plans_;
 };
 
 }  // namespace etalon

@@ -38,7 +38,7 @@ HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const Fr
     StackSpace space;
     Walk walk(bvh.tree, local, tmin, space, NearestFirst<LowestLane>(), tally);
     if (!walk.begin(tmax)) return;
-    const ClusterFilter filter(query, local, tmin);
+    const ClusterFilter filter(bvh.clusters, query, local, tmin);
     const auto offer = [&](double t, std::uint32_t id) HWY_ATTR {
         nearest.offer(t, id);
         return true;
@@ -72,7 +72,7 @@ HWY_INLINE bool find_any(const BvhView& bvh, const RayQuery& query, const FrameR
     StackSpace space;
     Walk walk(bvh.tree, local, tmin, space, AsTheyCome<LowestLane>(), Uncounted());
     if (!walk.begin(tmax)) return false;
-    const ClusterFilter filter(query, local, tmin);
+    const ClusterFilter filter(bvh.clusters, query, local, tmin);
     bool found = false;
     const auto offer = [&](double t, std::uint32_t) HWY_ATTR {
         found = t <= query.ray.tmax;

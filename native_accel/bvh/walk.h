@@ -18,7 +18,7 @@ struct BvhView {
 
     /// Whether the ray is likely to take the same way through the tree as those before it: hardly
     /// where it enters very many nodes.
-    bool foresees(const Ray& ray) const { return ray.coherent && tree.expected_nodes < 32; }
+    bool foresees(const Ray& ray) const { return ray.coherent && tree.expected_nodes < 16; }
 };
 
 /// Offers `nearest` every primitive that could be hit no later than nearest.t.

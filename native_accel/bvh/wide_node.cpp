@@ -2,63 +2,100 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
+#include "core/parallel/parallel.h"
 #include "native_accel/bvh/collapse.h"
 
 namespace etalon {
 namespace {
 
+/// Counts the nodes below each before it writes them, so that all know their places.
 class Widener {
   public:
     Widener(const std::vector<BvhNode>& nodes, const std::vector<ClusterRef>& leaves,
             WideTree& tree)
-        : collapse_(nodes), leaves_(leaves), tree_(tree) {}
+        : first_(nodes.data()),
+          collapse_(nodes),
+          leaves_(leaves),
+          tree_(tree),
+          below_(std::make_unique_for_overwrite<std::uint32_t[]>(nodes.size())) {}
 
-    ChildRef place(const BvhNode& root) {
-        if (root.is_leaf()) return ChildRef::leaf(leaves_[root.first]);
-        tree_.nodes.emplace_back();
-        fill(0, root);
-        tree_.expected_nodes = surface_ / half_area(root.box);
+    ChildRef place() {
+        const Branch root = collapse_.root();
+        if (root.is_leaf()) return ChildRef::leaf(leaves_[root.node->first]);
+        tree_.nodes.resize(1 + count(root));
+        fill(0, root, 1);
+        tree_.expected_nodes = collapse_.surface() / half_area(root.node->box);
         return ChildRef::node(0);
     }
 
   private:
-    using List = std::vector<const BvhNode*>;
+    /// Perhaps at the same time where there is much to do.
+    template <class F>
+    static void for_each(const Branch& parent, std::size_t children, const F& f) {
+        constexpr std::size_t serial_up_to = 1024;
+        const auto some = [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) f(i);
+        };
+        parent.size() > serial_up_to ? parallel_for(children, 1, some) : some(0, children);
+    }
 
-    void fill(std::size_t index, const BvhNode& source) {
-        const List children = open(source);
-        std::size_t next = tree_.nodes.size();
-        surface_ += half_area(source.box);
-        for (std::size_t lane = 0; lane < children.size(); ++lane) {
-            const BvhNode& child = *children[lane];
-            const ChildRef ref =
-                child.is_leaf() ? ChildRef::leaf(leaves_[child.first]) : ChildRef::node(next++);
-            tree_.nodes[index].set(lane, child.box, ref);
+    std::uint32_t& below(const Branch& branch) { return below_[branch.node - first_]; }
+
+    /// The nodes below one.
+    std::uint32_t count(const Branch& source) {
+        const Branches children = collapse_.children(source);
+        std::array<std::uint32_t, node_width> of_child{};
+        for_each(source, children.count, [&](std::size_t i) {
+            const Branch& child = children.all[i];
+            if (!child.is_leaf()) of_child[i] = 1 + count(child);
+        });
+        return below(source) = std::accumulate(of_child.begin(), of_child.end(), 0U);
+    }
+
+    /// Its children's places begin at `free`.
+    void fill(std::size_t index, const Branch& source, std::size_t free) {
+        const Branches children = open(source);
+        WideNode& node = tree_.nodes[index];
+        node.clear();
+        std::array<std::size_t, node_width> place{}, next{};
+        for (std::size_t lane = 0; lane < children.count; ++lane) {
+            const Branch& child = children.all[lane];
+            if (!child.is_leaf()) place[lane] = free++;
+            node.set(lane, child.node->box,
+                     child.is_leaf() ? ChildRef::leaf(leaves_[child.node->first])
+                                     : ChildRef::node(place[lane]));
         }
-        std::size_t first = tree_.nodes.size();
-        tree_.nodes.resize(next);
-        for (const BvhNode* child : children) {
-            if (!child->is_leaf()) fill(first++, *child);
+        for (std::size_t lane = 0; lane < children.count; ++lane) {
+            next[lane] = free;
+            if (!children.all[lane].is_leaf()) free += below(children.all[lane]);
         }
+        for_each(source, children.count, [&](std::size_t lane) {
+            const Branch& child = children.all[lane];
+            if (!child.is_leaf()) fill(place[lane], child, next[lane]);
+        });
     }
 
     /// The largest first: occlusion takes them as they come.
-    List open(const BvhNode& source) const {
-        List list = collapse_.children(source);
-        std::sort(list.begin(), list.end(),
-                  [](auto* a, auto* b) { return half_area(a->box) > half_area(b->box); });
+    Branches open(const Branch& source) const {
+        Branches list = collapse_.children(source);
+        std::sort(list.begin(), list.end(), [](const Branch& a, const Branch& b) {
+            return half_area(a.node->box) > half_area(b.node->box);
+        });
         return list;
     }
 
+    const BvhNode* const first_;
     const Collapse collapse_;
     const std::vector<ClusterRef>& leaves_;
     WideTree& tree_;
-    double surface_ = 0;
+    std::unique_ptr<std::uint32_t[]> below_;  ///< of the nodes that stay
 };
 
 }  // namespace
 
-WideNode::WideNode() {
+void WideNode::clear() {
     constexpr float far = std::numeric_limits<float>::infinity();
     for (std::size_t lane = 0; lane < node_width; ++lane) {
         set(lane, Box3f(Vec3f(far), Vec3f(-far)), ChildRef());
@@ -83,8 +120,7 @@ std::size_t WideNode::count() const {
 
 WideTree widen(const std::vector<BvhNode>& nodes, const std::vector<ClusterRef>& leaves) {
     WideTree tree;
-    tree.root = Widener(nodes, leaves, tree).place(nodes[0]);
-    tree.nodes.shrink_to_fit();
+    tree.root = Widener(nodes, leaves, tree).place();
     return tree;
 }
 

@@ -33,7 +33,11 @@ inline constexpr std::size_t node_width = 8;
 /// Eight children and their boxes in the frame, padded. Lanes without a child hold a box that
 /// nothing enters.
 struct alignas(64) WideNode {
-    WideNode();
+    /// Sets nothing, so that many are first written by the threads that fill them.
+    WideNode() {}
+
+    /// Takes all children out.
+    void clear();
     void set(std::size_t lane, const Box3f& box, ChildRef child);
 
     /// How many children it has.
@@ -61,7 +65,7 @@ struct WideTree {
 };
 
 /// Places a binary tree's nodes up to eight to one. A binary leaf's `first` says which of `leaves`
-/// it becomes. The tree must not be empty.
+/// it becomes. The tree, in the order of BvhTree, must not be empty. On as many threads as allowed.
 WideTree widen(const std::vector<BvhNode>& nodes, const std::vector<ClusterRef>& leaves);
 
 }  // namespace etalon

@@ -11,6 +11,8 @@ struct BoxPack {
     using Item = BoxItem;  ///< whose id is ClusterRef::bits
     static constexpr GridCost cost{node_width, 1, 4, 20};
 
+    BoxPack() { boxes.clear(); }
+
     void set(std::size_t lane, const BoxItem& item) {
         boxes.set(lane, item.box, ChildRef::leaf(ClusterRef(item.id)));
     }

@@ -55,7 +55,7 @@ class ClusterTest {
         : tally(to),
           clusters_(clusters),
           slabs_(ray, entry),
-          filter_(query, ray, entry),
+          filter_(clusters, query, ray, entry),
           offer_(offer) {}
 
     HWY_INLINE float operator()(std::span<const BoxPack> packs, float from, float to,

@@ -16,7 +16,7 @@ namespace etalon::HWY_NAMESPACE {
 /// The lanes of a cluster of triangles or spheres that pass.
 std::uint32_t candidates(const Clusters& clusters, ClusterRef ref, const RayQuery& query,
                          const FrameRay& local, float tmin, float tmax) {
-    return ClusterFilter(query, local, tmin).candidates(clusters, ref, tmax);
+    return ClusterFilter(clusters, query, local, tmin).candidates(clusters, ref, tmax);
 }
 
 }  // namespace etalon::HWY_NAMESPACE

@@ -26,14 +26,9 @@ TEST_CASE("Given the hint that rays are coherent, true or not, no hit changes", 
             const auto intersector = backend.build(scene);
             std::size_t different = 0;
             for (Ray ray : rays) {
-                const auto alone = intersector->closest(ray);
-                const bool occluded = intersector->occluded(ray);
+                const std::optional<Hit> alone = intersector->closest(ray);
                 ray.coherent = true;
-                const auto hinted = intersector->closest(ray);
-                different +=
-                    alone.has_value() != hinted.has_value() ||
-                    occluded != intersector->occluded(ray) ||
-                    (alone && (alone->t != hinted->t || alone->primitive != hinted->primitive));
+                different += !difference(*intersector, ray, alone).empty();
             }
             CHECK(different == 0);
         }

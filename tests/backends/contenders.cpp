@@ -33,12 +33,6 @@ std::string describe(const Ray& ray) {
     return text.str();
 }
 
-bool same_bits(const std::optional<Hit>& a, const std::optional<Hit>& b) {
-    if (!a || !b) return !a && !b;
-    return a->primitive == b->primitive &&
-           std::bit_cast<std::uint64_t>(a->t) == std::bit_cast<std::uint64_t>(b->t);
-}
-
 }  // namespace
 
 std::vector<Backend> exact_backends() {
@@ -64,6 +58,12 @@ std::optional<Hit> brute_force(const Scene& scene, const Ray& ray) {
         if (t <= ray.tmax && t < infinity && (!best || t < best->t)) best = Hit{t, id};
     }
     return best;
+}
+
+bool same_bits(const std::optional<Hit>& a, const std::optional<Hit>& b) {
+    if (!a || !b) return !a && !b;
+    return a->primitive == b->primitive &&
+           std::bit_cast<std::uint64_t>(a->t) == std::bit_cast<std::uint64_t>(b->t);
 }
 
 std::string difference(const Intersector& intersector, const Ray& ray,

@@ -9,11 +9,6 @@ using namespace etalon::test;
 
 namespace {
 
-bool same(const std::optional<Hit>& a, const std::optional<Hit>& b) {
-    if (!a || !b) return !a && !b;
-    return a->primitive == b->primitive && a->t == b->t;
-}
-
 TraversalCost cost_of(const Intersector& intersector, const std::vector<Ray>& rays) {
     TraversalCost cost;
     for (const Ray& ray : rays) intersector.closest(ray, cost);
@@ -43,7 +38,7 @@ TEST_CASE("Given a ray, a query that counts finds the same hit to the last bit",
             TraversalCost cost;
             std::size_t different = 0;
             for (const Ray& ray : rays) {
-                different += !same(intersector->closest(ray, cost), intersector->closest(ray));
+                different += !same_bits(intersector->closest(ray, cost), intersector->closest(ray));
             }
             CHECK(different == 0);
         }

@@ -57,6 +57,8 @@ class Clusters {
     const TriangleCluster& triangles(ClusterRef ref) const { return triangles_[ref.index()]; }
     const SphereCluster& spheres(ClusterRef ref) const { return spheres_[ref.index()]; }
 
+    bool has_spheres() const { return !spheres_.empty(); }
+
     /// How many primitives it has.
     std::size_t size(ClusterRef ref) const;
 

@@ -8,6 +8,8 @@
 #define ETALON_CLUSTERS_FILTER_INL_H
 #endif
 
+#include <new>
+
 #include "core/intersect/clusters/clusters.h"
 #include "core/intersect/clusters/sphere_filter-inl.h"
 #include "core/intersect/clusters/triangle_filter-inl.h"
@@ -18,8 +20,12 @@ namespace etalon::HWY_NAMESPACE {
 /// Whatever a cluster holds.
 class ClusterFilter {
   public:
-    HWY_INLINE ClusterFilter(const RayQuery& query, const FrameRay& ray, float tmin)
-        : triangles_(query, ray), spheres_(ray, tmin, query.ray.left) {}
+    /// What is for spheres is only set up where there are any.
+    HWY_INLINE ClusterFilter(const Clusters& clusters, const RayQuery& query, const FrameRay& ray,
+                             float tmin)
+        : triangles_(query, ray) {
+        if (clusters.has_spheres()) new (&spheres_) SphereFilter(ray, tmin, query.ray.left);
+    }
 
     /// The lanes, lowest first, that the ray could hit at tmin < t <= tmax in the frame; all those
     /// of a list, taken or not.
@@ -37,7 +43,9 @@ class ClusterFilter {
 
   private:
     TriangleFilter triangles_;
-    SphereFilter spheres_;
+    union {
+        SphereFilter spheres_;
+    };
 };
 
 }  // namespace etalon::HWY_NAMESPACE

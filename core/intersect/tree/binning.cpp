@@ -3,7 +3,34 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/intersect/clusters/targets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/intersect/tree/binning.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+void count(const Binning& binning, std::span<const BoundedPrimitive> primitives,
+           const LeafWeights& weights, BinsByAxis& bins) {
+    using Numbers = std::int32_t __attribute__((vector_size(16)));
+    for (const BoundedPrimitive& p : primitives) {
+        const Bounds b = Bounds::of(p);
+        const std::uint32_t weight = weights.weight(p.kind);
+        const auto bin = __builtin_convertvector(binning.positions(b), Numbers);
+        for (int k = 0; k < 3; ++k) bins[k][bin[k]].add(b, weight);
+    }
+}
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace etalon {
+
+HWY_EXPORT(count);
 
 Binning::Binning(const Bounds& centres, int bins)
     : origin_(centres.min), scale_(Bounds::corner(0)), bins_(bins) {
@@ -20,13 +47,7 @@ void Bins::count(const Binning& binning, std::span<const BoundedPrimitive> primi
                  const LeafWeights& weights) {
     size_ = binning.bins();
     for (auto& axis : bins_) std::fill_n(axis.begin(), size_, Bin());
-    using Numbers = std::int32_t __attribute__((vector_size(16)));
-    for (const BoundedPrimitive& p : primitives) {
-        const Bounds b = Bounds::of(p);
-        const std::uint32_t weight = weights.weight(p.kind);
-        const auto bin = __builtin_convertvector(binning.positions(b), Numbers);
-        for (int k = 0; k < 3; ++k) bins_[k][bin[k]].add(b, weight);
-    }
+    HWY_DYNAMIC_DISPATCH(count)(binning, primitives, weights, bins_);
 }
 
 void Bins::add(const Bins& other) {
@@ -42,3 +63,4 @@ Bin Bins::sum(int axis, int begin, int end) const {
 }
 
 }  // namespace etalon
+#endif

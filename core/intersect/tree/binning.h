@@ -51,6 +51,8 @@ struct Bin {
     std::uint32_t count = 0;
 };
 
+using BinsByAxis = std::array<std::array<Bin, max_bins>, 3>;
+
 /// The bins of a set of primitives. Large: to be used again rather than made anew.
 class Bins {
   public:
@@ -67,7 +69,7 @@ class Bins {
 
   private:
     int size_ = 0;
-    std::array<std::array<Bin, max_bins>, 3> bins_;
+    BinsByAxis bins_;
 };
 
 }  // namespace etalon

@@ -16,8 +16,10 @@ struct Bounds {
     static Corner upper(Corner a, Corner b) { return a > b ? a : b; }
 
     static Bounds of(const BoundedPrimitive& p) {
+        const auto* bytes = reinterpret_cast<const char*>(&p);
         Bounds b;
-        std::memcpy(&b, static_cast<const void*>(&p), sizeof(b));
+        std::memcpy(&b.min, bytes, sizeof(b.min));
+        std::memcpy(&b.max, bytes + sizeof(b.min), sizeof(b.max));
         return b;
     }
 

@@ -21,8 +21,9 @@ inline constexpr int bvh_heuristic_depth = 40;
 inline constexpr int bvh_max_depth = bvh_heuristic_depth + 32;
 
 struct BvhTree {
-    std::vector<BvhNode>
-        nodes;  ///< nodes[0] is the root; nodes[1] pads it to a pair; empty if no primitive
+    /// Depth first, left before right, but for the children of a node, which are together. nodes[0]
+    /// is the root; nodes[1] pads it to a pair; empty if no primitive.
+    std::vector<BvhNode> nodes;
     std::vector<std::uint32_t> ids;  ///< primitive numbers in the order of the leaves
 };
 

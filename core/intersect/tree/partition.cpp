@@ -2,17 +2,18 @@
 
 #include <algorithm>
 
-namespace etalon {
-namespace {
+#include "core/intersect/clusters/targets.h"
 
-void store(const Bounds& b, BoundedPrimitive& p) {
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/intersect/tree/partition.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+HWY_INLINE void store(const Bounds& b, BoundedPrimitive& p) {
     std::memcpy(static_cast<void*>(&p), &b, sizeof(b));
-}
-
-}  // namespace
-
-SideBins sides(const Bins& bins, const Split& split) {
-    return {bins.sum(split.axis, 0, split.bin), bins.sum(split.axis, split.bin, bins.size())};
 }
 
 Halves partition(std::span<BoundedPrimitive> primitives, const Binning& binning, const Bins& bins,
@@ -49,6 +50,29 @@ SideCentres scatter(std::span<const BoundedPrimitive> primitives, const Binning&
     return centres;
 }
 
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace etalon {
+
+HWY_EXPORT(partition);
+HWY_EXPORT(scatter);
+
+Halves partition(std::span<BoundedPrimitive> primitives, const Binning& binning, const Bins& bins,
+                 const Split& split) {
+    return HWY_DYNAMIC_DISPATCH(partition)(primitives, binning, bins, split);
+}
+
+SideCentres scatter(std::span<const BoundedPrimitive> primitives, const Binning& binning,
+                    const Split& split, BoundedPrimitive* left, BoundedPrimitive* right) {
+    return HWY_DYNAMIC_DISPATCH(scatter)(primitives, binning, split, left, right);
+}
+
+SideBins sides(const Bins& bins, const Split& split) {
+    return {bins.sum(split.axis, 0, split.bin), bins.sum(split.axis, split.bin, bins.size())};
+}
+
 std::size_t smaller_half(std::span<BoundedPrimitive> primitives) {
     const std::size_t middle = primitives.size() / 2;
     const auto size = [](const BoundedPrimitive& p) { return Bounds::of(p).half_area(); };
@@ -58,3 +82,4 @@ std::size_t smaller_half(std::span<BoundedPrimitive> primitives) {
 }
 
 }  // namespace etalon
+#endif

@@ -8,7 +8,7 @@
 namespace etalon {
 
 struct PresplitConfig {
-    double budget = 0.3;      ///< pieces that may be added, for each primitive
+    double budget = 0.25;     ///< pieces that may be added, for each primitive
     double least_gain = 0.6;  ///< the share of all boxes' surface that must be saved to begin with
 };
 

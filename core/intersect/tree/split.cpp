@@ -1,15 +1,22 @@
 #include "core/intersect/tree/split.h"
 
-namespace etalon {
-namespace {
+#include "core/intersect/clusters/targets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/intersect/tree/split.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
 
 /// Of a leaf, times its area.
-float leaf_cost(const Bin& bin, const LeafWeights& weights) {
+HWY_INLINE float leaf_cost(const Bin& bin, const LeafWeights& weights) {
     return bin.bounds.half_area() * weights.cost(bin.weight);
 }
 
 /// The cheapest plane of one axis, by sweeping areas from both ends.
-Split cheapest_split(const Bins& bins, const LeafWeights& weights, int axis) {
+HWY_INLINE Split cheapest_along(const Bins& bins, const LeafWeights& weights, int axis) {
     std::array<float, max_bins> right_cost;
     Bin right;
     for (int i = bins.size() - 1; i > 0; --i) {
@@ -27,15 +34,26 @@ Split cheapest_split(const Bins& bins, const LeafWeights& weights, int axis) {
     return best;
 }
 
-}  // namespace
-
 Split cheapest_split(const Bins& bins, const LeafWeights& weights) {
     Split best;
     for (int k = 0; k < 3; ++k) {
-        const Split split = cheapest_split(bins, weights, k);
+        const Split split = cheapest_along(bins, weights, k);
         if (split.cost < best.cost) best = split;
     }
     return best;
 }
 
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace etalon {
+
+HWY_EXPORT(cheapest_split);
+
+Split cheapest_split(const Bins& bins, const LeafWeights& weights) {
+    return HWY_DYNAMIC_DISPATCH(cheapest_split)(bins, weights);
+}
+
 }  // namespace etalon
+#endif
