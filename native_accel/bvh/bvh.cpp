@@ -1,7 +1,6 @@
 #include "native_accel/bvh/bvh.h"
 
 #include "core/intersect/tree/scene_tree.h"
-#include "native_accel/bvh/walk.h"
 
 namespace etalon {
 namespace {
@@ -37,17 +36,16 @@ std::string Bvh::isa() const {
 }
 
 void Bvh::closest_bounded(const RayQuery& query, const FrameRay& local, NearestHit& nearest) const {
-    if (!tree_.empty()) walk_closest({scene(), tree_, clusters_}, query, local, nearest);
+    if (!tree_.empty()) walk_.closest(view(), query, local, nearest);
 }
 
 void Bvh::closest_counted(const RayQuery& query, const FrameRay& local, NearestHit& nearest,
                           TraversalCost& cost) const {
-    if (tree_.empty()) return;
-    walk_closest_counted({scene(), tree_, clusters_}, query, local, nearest, cost);
+    if (!tree_.empty()) walk_.closest_counted(view(), query, local, nearest, cost);
 }
 
 bool Bvh::occluded_bounded(const RayQuery& query, const FrameRay& local) const {
-    return !tree_.empty() && walk_occluded({scene(), tree_, clusters_}, query, local);
+    return !tree_.empty() && walk_.occluded(view(), query, local);
 }
 
 }  // namespace etalon

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/intersect/intersector.h"
-#include "native_accel/bvh/wide_node.h"
+#include "native_accel/bvh/walk.h"
 
 namespace etalon {
 
@@ -20,8 +20,11 @@ class Bvh final : public Intersector {
     bool occluded_bounded(const RayQuery& query, const FrameRay& local) const override;
 
   private:
+    BvhView view() const { return {scene(), tree_, clusters_}; }
+
     WideTree tree_;
     Clusters clusters_;
+    const BvhWalk walk_ = bvh_walk();
 };
 
 }  // namespace etalon

@@ -90,28 +90,20 @@ bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& lo
                                    : find_any<ComputedLane>(bvh, query, local);
 }
 
+BvhWalk bvh_walk() {
+    return {walk_closest, walk_closest_counted, walk_occluded};
+}
+
 }  // namespace etalon::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace etalon {
 
-HWY_EXPORT(walk_closest);
-HWY_EXPORT(walk_closest_counted);
-HWY_EXPORT(walk_occluded);
+HWY_EXPORT(bvh_walk);
 
-void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
-                  NearestHit& nearest) {
-    HWY_DYNAMIC_DISPATCH(walk_closest)(bvh, query, local, nearest);
-}
-
-void walk_closest_counted(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
-                          NearestHit& nearest, TraversalCost& cost) {
-    HWY_DYNAMIC_DISPATCH(walk_closest_counted)(bvh, query, local, nearest, cost);
-}
-
-bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
-    return HWY_DYNAMIC_DISPATCH(walk_occluded)(bvh, query, local);
+BvhWalk bvh_walk() {
+    return HWY_DYNAMIC_DISPATCH(bvh_walk)();
 }
 
 std::string walk_isa() {

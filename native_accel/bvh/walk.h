@@ -21,16 +21,22 @@ struct BvhView {
     bool foresees(const Ray& ray) const { return ray.coherent && tree.expected_nodes < 16; }
 };
 
-/// Offers `nearest` every primitive that could be hit no later than nearest.t.
-void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
-                  NearestHit& nearest);
+/// The code for one instruction set.
+struct BvhWalk {
+    /// Offers `nearest` every primitive that could be hit no later than nearest.t.
+    void (*closest)(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+                    NearestHit& nearest);
 
-/// The same, adding the boxes of all nodes visited and the members of all clusters to `cost`.
-void walk_closest_counted(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
-                          NearestHit& nearest, TraversalCost& cost);
+    /// The same, adding the boxes of all nodes visited and the members of all clusters to `cost`.
+    void (*closest_counted)(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+                            NearestHit& nearest, TraversalCost& cost);
 
-/// Whether any primitive is hit at t <= query.ray.tmax.
-bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local);
+    /// Whether any primitive is hit at t <= query.ray.tmax.
+    bool (*occluded)(const BvhView& bvh, const RayQuery& query, const FrameRay& local);
+};
+
+/// For the instruction set in use now.
+BvhWalk bvh_walk();
 
 /// "avx2", "sse4", "neon", ...
 std::string walk_isa();

@@ -1,7 +1,6 @@
 #include "native_accel/grid/grid.h"
 
 #include "native_accel/bvh/walk.h"
-#include "native_accel/grid/trace.h"
 
 namespace etalon {
 namespace {
@@ -41,16 +40,16 @@ std::string Grid::isa() const {
 
 void Grid::closest_bounded(const RayQuery& query, const FrameRay& local,
                            NearestHit& nearest) const {
-    trace_closest({scene(), spheres_, others_}, query, local, nearest);
+    trace_.closest(view(), query, local, nearest);
 }
 
 void Grid::closest_counted(const RayQuery& query, const FrameRay& local, NearestHit& nearest,
                            TraversalCost& cost) const {
-    trace_closest_counted({scene(), spheres_, others_}, query, local, nearest, cost);
+    trace_closest_counted(view(), query, local, nearest, cost);
 }
 
 bool Grid::occluded_bounded(const RayQuery& query, const FrameRay& local) const {
-    return trace_occluded({scene(), spheres_, others_}, query, local);
+    return trace_.occluded(view(), query, local);
 }
 
 }  // namespace etalon

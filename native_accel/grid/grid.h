@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/intersect/intersector.h"
-#include "native_accel/grid/cluster_grid.h"
-#include "native_accel/grid/sphere_pack.h"
+#include "native_accel/grid/trace.h"
 
 namespace etalon {
 
@@ -21,8 +20,11 @@ class Grid final : public Intersector {
     bool occluded_bounded(const RayQuery& query, const FrameRay& local) const override;
 
   private:
+    GridView view() const { return {scene(), spheres_, others_}; }
+
     PackedGrid<SpherePack> spheres_;
     ClusterGrid others_;
+    const GridTrace trace_ = grid_trace();
 };
 
 }  // namespace etalon

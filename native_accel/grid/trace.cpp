@@ -31,22 +31,20 @@ bool trace_occluded(const GridView& grid, const RayQuery& query, const FrameRay&
     return found;
 }
 
+GridTrace grid_trace() {
+    return {trace_closest, trace_occluded};
+}
+
 }  // namespace etalon::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace etalon {
 
-HWY_EXPORT(trace_closest);
-HWY_EXPORT(trace_occluded);
+HWY_EXPORT(grid_trace);
 
-void trace_closest(const GridView& grid, const RayQuery& query, const FrameRay& local,
-                   NearestHit& nearest) {
-    HWY_DYNAMIC_DISPATCH(trace_closest)(grid, query, local, nearest);
-}
-
-bool trace_occluded(const GridView& grid, const RayQuery& query, const FrameRay& local) {
-    return HWY_DYNAMIC_DISPATCH(trace_occluded)(grid, query, local);
+GridTrace grid_trace() {
+    return HWY_DYNAMIC_DISPATCH(grid_trace)();
 }
 
 }  // namespace etalon

@@ -16,16 +16,22 @@ struct GridView {
     const ClusterGrid& others;
 };
 
-/// Offers `nearest` every primitive that could be hit no later than nearest.t.
-void trace_closest(const GridView& grid, const RayQuery& query, const FrameRay& local,
-                   NearestHit& nearest);
+/// The code for one instruction set.
+struct GridTrace {
+    /// Offers `nearest` every primitive that could be hit no later than nearest.t.
+    void (*closest)(const GridView& grid, const RayQuery& query, const FrameRay& local,
+                    NearestHit& nearest);
 
-/// The same, adding to `cost` the cells and the boxes in them, and the members of all that is
-/// tested.
+    /// Whether any primitive is hit at t <= query.ray.tmax.
+    bool (*occluded)(const GridView& grid, const RayQuery& query, const FrameRay& local);
+};
+
+/// For the instruction set in use now.
+GridTrace grid_trace();
+
+/// As GridTrace::closest, adding to `cost` the cells and the boxes in them, and the members of all
+/// that is tested.
 void trace_closest_counted(const GridView& grid, const RayQuery& query, const FrameRay& local,
                            NearestHit& nearest, TraversalCost& cost);
-
-/// Whether any primitive is hit at t <= query.ray.tmax.
-bool trace_occluded(const GridView& grid, const RayQuery& query, const FrameRay& local);
 
 }  // namespace etalon
