@@ -48,7 +48,11 @@ TEST_CASE("Given a ray, a query that counts finds the same hit to the last bit",
 TEST_CASE("Given many primitives, an accelerator tests far fewer of them", "[backends]") {
     const Scene scene = make_scene("mix", 4000);
     Random random(8);
-    const std::vector<Ray> rays = make_rays(scene, 500, random);
+    std::vector<Ray> rays = make_rays(scene, 500, random);
+    // Those from too far away are tested against everything by all.
+    const Frame frame = SceneBounds::of(scene).frame;
+    std::erase_if(rays, [&](const Ray& ray) { return !frame.resolves(ray); });
+    REQUIRE(rays.size() > 400);
     const auto none = backend_named("none").build(scene);
     const auto all_tests = cost_of(*none, rays).primitive_tests;
     for (const Backend& backend : exact_backends()) {
@@ -60,7 +64,7 @@ TEST_CASE("Given many primitives, an accelerator tests far fewer of them", "[bac
             continue;
         }
         CHECK(cost.primitive_tests > 0);
-        CHECK(cost.primitive_tests < all_tests / 5);
+        CHECK(cost.primitive_tests < all_tests / 40);
         CHECK(cost.box_tests > 0);
     }
 }
