@@ -5,11 +5,11 @@
 
 namespace etalon {
 
-Run declare_render(CLI::App& app);
-Run declare_info(CLI::App& app);
-Run declare_trace(CLI::App& app);
-Run declare_crosscheck(CLI::App& app);
-Run declare_compare(CLI::App& app);
-Run declare_convert(CLI::App& app);
+Action declare_render(CLI::App& app);
+Action declare_info(CLI::App& app);
+Action declare_trace(CLI::App& app);
+Action declare_crosscheck(CLI::App& app);
+Action declare_compare(CLI::App& app);
+Action declare_convert(CLI::App& app);
 
 }  // namespace etalon

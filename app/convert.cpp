@@ -39,7 +39,7 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Run declare_convert(CLI::App& app) {
+Action declare_convert(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
     declare_scene(app, a->scene);
     app.add_option("-o,--output", a->output, "The new file; its extension names the format")

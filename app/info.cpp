@@ -17,7 +17,7 @@ struct Arguments {
 };
 
 bool any_material(const Scene& scene, bool (*test)(const Material&)) {
-    return std::any_of(scene.materials.begin(), scene.materials.end(), test);
+    return std::any_of(scene.look.materials.begin(), scene.look.materials.end(), test);
 }
 
 /// What a picture of the scene will ask of the renderer.
@@ -33,16 +33,16 @@ std::vector<std::string> needs(const Scene& s) {
          "refracted rays");
     need(any_material(s, [](const Material& m) { return m.absorption != Color(0.0F); }),
          "absorption");
-    need(std::any_of(s.lights.begin(), s.lights.end(), is_area), "area light samples");
+    need(std::any_of(s.look.lights.begin(), s.look.lights.end(), is_area), "area light samples");
     need(s.camera.aperture > 0 && s.samples_per_pixel > 0, "lens samples");
-    need(!s.normals.empty(), "interpolated normals");
-    need(s.environment.skybox.has_value(), "pictures (OpenImageIO)");
+    need(!s.geometry.normals.empty(), "interpolated normals");
+    need(s.look.environment.skybox.has_value(), "pictures (OpenImageIO)");
     return list;
 }
 
 Json lights(const Scene& scene) {
     Json counts = Json::object();
-    for (const Light& light : scene.lights) {
+    for (const Light& light : scene.look.lights) {
         const char* kind = std::holds_alternative<QuadLight>(light) ? "quad" : "point";
         counts[kind] = counts.value(kind, 0) + 1;
     }
@@ -67,8 +67,8 @@ Json describe(const Arguments& a, const Scene& s, const std::vector<Diagnostic>&
     return {{"scene", a.scene.path},
             {"format", s.format},
             {"primitives", primitive_counts(s)},
-            {"vertices", s.vertices.size()},
-            {"materials", s.materials.size()},
+            {"vertices", s.geometry.vertices.size() + s.geometry.decimal_vertices.size()},
+            {"materials", s.look.materials.size()},
             {"lights", lights(s)},
             {"camera",
              {{"eye", vec(c.eye)},
@@ -83,8 +83,8 @@ Json describe(const Arguments& a, const Scene& s, const std::vector<Diagnostic>&
             {"max_depth", s.whitted.max_depth},
             {"backend", s.backend.empty() ? "bvh" : s.backend},
             {"background",
-             {s.environment.background.x, s.environment.background.y, s.environment.background.z}},
-            {"skybox", s.environment.skybox ? Json(s.environment.skybox->faces) : Json()},
+             {s.look.environment.background.x, s.look.environment.background.y, s.look.environment.background.z}},
+            {"skybox", s.look.environment.skybox ? Json(s.look.environment.skybox->faces) : Json()},
             {"needs", needs(s)},
             {"memory_bytes", memory_bytes(s)},
             {"diagnostics", diagnostics(found)}};
@@ -127,7 +127,7 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Run declare_info(CLI::App& app) {
+Action declare_info(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
     declare_scene(app, a->scene);
     app.add_flag("--json", a->json, "As JSON");

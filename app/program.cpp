@@ -15,7 +15,7 @@ int parse_and_run(CLI::App& app, std::span<const Command> commands, int argc, ch
     app.footer(
         "Exit status: 0 done, 1 found more differences than allowed, 2 wrong usage,\n"
         "3 the scene (or another input) is unusable, 4 output could not be written.");
-    std::vector<std::pair<CLI::App*, Run>> runs;
+    std::vector<std::pair<CLI::App*, Action>> runs;
     for (const Command& command : commands) {
         CLI::App* sub = app.add_subcommand(command.name, command.summary);
         runs.emplace_back(sub, command.declare(*sub));

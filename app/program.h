@@ -8,12 +8,12 @@
 namespace etalon {
 
 /// Runs a subcommand once the command line has been parsed; returns the exit status.
-using Run = std::function<int()>;
+using Action = std::function<int()>;
 
 struct Command {
     const char* name;
     const char* summary;
-    Run (*declare)(CLI::App&);  ///< declares the subcommand's options
+    Action (*declare)(CLI::App&);  ///< declares the subcommand's options
 };
 
 /// Parses the command line and runs what it asks for. No exception escapes.

@@ -68,9 +68,9 @@ bool read_rays(const Arguments& a, std::vector<Ray>& rays) {
 
 std::string describe(const Scene& scene, const Ray& ray, const std::optional<Hit>& hit) {
     if (!hit) return "miss\n";
-    const Vec3 n = surface_at(scene, ray, *hit).normal;
+    const Vec3 n = surface_at(scene.geometry, ray, *hit).normal;
     return fmt::format("hit {:.17g} {} {} {:.17g} {:.17g} {:.17g}\n", hit->t,
-                       kind_name(scene.primitives[hit->primitive].kind), hit->primitive, n.x, n.y,
+                       kind_name(scene.geometry.primitives[hit->primitive].kind), hit->primitive, n.x, n.y,
                        n.z);
 }
 
@@ -85,7 +85,7 @@ int run(const Arguments& a) {
     std::vector<Ray> rays;
     if (!read_rays(a, rays)) return exit_unusable;
     const std::string& chosen = !a.backend.empty() ? a.backend : scene.backend;
-    const auto intersector = find_backend(chosen.empty() ? "bvh" : chosen)->build(scene);
+    const auto intersector = find_backend(chosen.empty() ? "bvh" : chosen)->build(scene.geometry);
     if (!intersector) return exit_unusable;
     std::string text;
     for (const Ray& ray : rays) text += describe(scene, ray, intersector->closest(ray));
@@ -94,7 +94,7 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Run declare_trace(CLI::App& app) {
+Action declare_trace(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
     declare_scene(app, a->scene);
     app.add_option("--rays", a->rays,

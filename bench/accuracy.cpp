@@ -103,7 +103,7 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Run declare_accuracy(CLI::App& app) {
+Action declare_accuracy(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
     app.add_option("--case", a->cases,
                    "Which, by commas: SPH, SPH-1, or \"SPH-1/1e3 radii\"; --list shows all")

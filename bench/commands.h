@@ -5,9 +5,9 @@
 
 namespace etalon {
 
-Run declare_speed(CLI::App& app);
-Run declare_accuracy(CLI::App& app);
-Run declare_convergence(CLI::App& app);
-Run declare_report(CLI::App& app);
+Action declare_speed(CLI::App& app);
+Action declare_accuracy(CLI::App& app);
+Action declare_convergence(CLI::App& app);
+Action declare_report(CLI::App& app);
 
 }  // namespace etalon

@@ -9,14 +9,14 @@ namespace {
 
 /// Embree's builder leaves the calling thread flushing denormals to zero: that ends here.
 template <class Accelerator>
-std::unique_ptr<Intersector> build(const Scene& scene) {
+std::unique_ptr<Intersector> build(const Geometry& geometry) {
     const DefaultFloatEnvironment restored;
-    return std::make_unique<Accelerator>(scene);
+    return std::make_unique<Accelerator>(geometry);
 }
 
-std::unique_ptr<Intersector> build_robust(const Scene& scene) {
+std::unique_ptr<Intersector> build_robust(const Geometry& geometry) {
     const DefaultFloatEnvironment restored;
-    return std::make_unique<EmbreeBuiltin>(scene, EmbreeBuiltin::Traversal::robust);
+    return std::make_unique<EmbreeBuiltin>(geometry, EmbreeBuiltin::Traversal::robust);
 }
 
 constexpr Backend backends[] = {

@@ -22,17 +22,17 @@ float first_t(const FrameRay& ray, double tmin) {
 
 }  // namespace
 
-EmbreeBuiltin::EmbreeBuiltin(const Scene& scene, Traversal traversal)
-    : Intersector(scene), others_(scene), embree_scene_(rtcNewScene(device_.handle())) {
+EmbreeBuiltin::EmbreeBuiltin(const Geometry& geometry, Traversal traversal)
+    : Intersector(geometry), others_(geometry), embree_scene_(rtcNewScene(device_.handle())) {
     device_.check();
     if (traversal == Traversal::robust) {
         rtcSetSceneFlags(embree_scene_.get(), RTC_SCENE_FLAG_ROBUST);
     }
-    const FloatGeometry geometry(device_, scene, scene_bounds().frame);
+    const FloatGeometry floats(device_, geometry, scene_bounds().frame);
     std::map<RTCGeometryType, std::vector<std::uint32_t>> by_type;
     std::vector<BoundedPrimitive> others;
     for (const BoundedPrimitive& p : take_bounded()) {
-        if (const auto type = geometry.type_of(p.id)) {
+        if (const auto type = floats.type_of(p.id)) {
             by_type[*type].push_back(p.id);
         } else {
             others.push_back(p);
@@ -40,7 +40,7 @@ EmbreeBuiltin::EmbreeBuiltin(const Scene& scene, Traversal traversal)
     }
     for (auto& [type, ids] : by_type) {
         const auto number = static_cast<unsigned>(ids_.size());
-        rtcAttachGeometryByID(embree_scene_.get(), geometry.make(type, ids).get(), number);
+        rtcAttachGeometryByID(embree_scene_.get(), floats.make(type, ids).get(), number);
         ids_.emplace_back(std::move(ids));
     }
     others_.build(device_, embree_scene_.get(), static_cast<unsigned>(ids_.size()),

@@ -20,7 +20,7 @@ class EmbreeBuiltin final : public Intersector {
     };
 
     /// Throws as EmbreeDevice does.
-    explicit EmbreeBuiltin(const Scene& scene, Traversal traversal = Traversal::fast);
+    explicit EmbreeBuiltin(const Geometry& geometry, Traversal traversal = Traversal::fast);
 
     std::size_t memory_bytes() const override;
     std::string isa() const override { return device_.isa(); }

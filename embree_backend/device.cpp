@@ -57,8 +57,8 @@ void EmbreeDevice::check() const {
     throw_if(rtcGetDeviceError(handle()));
 }
 
-void EmbreeDevice::commit(RTCScene scene) const {
-    rtcCommitScene(scene);
+void EmbreeDevice::commit(RTCScene geometry) const {
+    rtcCommitScene(geometry);
     check();
 }
 

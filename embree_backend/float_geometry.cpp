@@ -12,14 +12,27 @@ struct FloatSphere {
     float radius;
 };
 
-EmbreeOwned<RTCBuffer> float_vertices(const EmbreeDevice& device, const Scene& scene,
+/// Number of a vertex in the buffer of all: the decimal ones follow the others.
+std::uint32_t buffer_index(const Geometry& geometry, std::uint32_t vertex) {
+    if ((vertex & decimal_vertex) == 0) return vertex;
+    return static_cast<std::uint32_t>(geometry.vertices.size()) + (vertex & ~decimal_vertex);
+}
+
+std::size_t vertex_count(const Geometry& geometry) {
+    return geometry.vertices.size() + geometry.decimal_vertices.size();
+}
+
+EmbreeOwned<RTCBuffer> float_vertices(const EmbreeDevice& device, const Geometry& geometry,
                                       const Frame& frame) {
     constexpr std::size_t overread = sizeof(float);  // Embree loads the last vertex as a vector
     EmbreeOwned<RTCBuffer> buffer(
-        rtcNewBuffer(device.handle(), scene.vertices.size() * sizeof(Vec3f) + overread));
+        rtcNewBuffer(device.handle(), vertex_count(geometry) * sizeof(Vec3f) + overread));
     device.check();
     auto* to = static_cast<Vec3f*>(rtcGetBufferData(buffer.get()));
-    for (const Vec3& v : scene.vertices) *to++ = Vec3f(frame.point(v));
+    for (const Vec3& v : geometry.vertices) *to++ = Vec3f(frame.point(v));
+    for (std::uint32_t i = 0; i < geometry.decimal_vertices.size(); ++i) {
+        *to++ = Vec3f(frame.point(geometry.vertex(i | decimal_vertex)));
+    }
     return buffer;
 }
 
@@ -32,18 +45,18 @@ Item* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std
 
 }  // namespace
 
-FloatGeometry::FloatGeometry(const EmbreeDevice& device, const Scene& scene, const Frame& frame)
+FloatGeometry::FloatGeometry(const EmbreeDevice& device, const Geometry& geometry, const Frame& frame)
     : device_(device),
-      scene_(scene),
+      geometry_(geometry),
       frame_(frame),
-      vertices_(float_vertices(device, scene, frame)) {}
+      vertices_(float_vertices(device, geometry, frame)) {}
 
 std::optional<RTCGeometryType> FloatGeometry::type_of(std::uint32_t primitive) const {
-    const Primitive& p = scene_.primitives[primitive];
+    const Primitive p = geometry_.primitives[primitive];
     if (p.sides != Sides::both) return std::nullopt;
     if (p.kind == kind_of<Triangle>()) return RTC_GEOMETRY_TYPE_TRIANGLE;
     if (p.kind == kind_of<Sphere>()) return RTC_GEOMETRY_TYPE_SPHERE_POINT;
-    if (p.kind == kind_of<Polygon>() && is_quad(scene_.get<Polygon>(p))) {
+    if (p.kind == kind_of<Polygon>() && is_quad(geometry_.get<Polygon>(p))) {
         return RTC_GEOMETRY_TYPE_QUAD;
     }
     return std::nullopt;
@@ -53,7 +66,7 @@ std::optional<RTCGeometryType> FloatGeometry::type_of(std::uint32_t primitive) c
 /// is the polygon if it is convex and, to the precision of its float corners, flat.
 bool FloatGeometry::is_quad(const Polygon& polygon) const {
     if (polygon.count != 4) return false;
-    const Vec3* p = &scene_.vertices[polygon.first];
+    const Vec3* p = &geometry_.vertices[polygon.first];
     const Vec3 normal = (p[2] - p[0]).cross(p[3] - p[1]);
     const double height = unit_roundoff_f / frame_.scale() * std::sqrt(normal.dot(normal));
     for (int i = 0; i < 4; ++i) {
@@ -85,16 +98,19 @@ EmbreeOwned<RTCGeometry> FloatGeometry::make(RTCGeometryType type,
 void FloatGeometry::fill_triangles(RTCGeometry geometry,
                                    const std::vector<std::uint32_t>& ids) const {
     rtcSetGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, vertices_.get(), 0,
-                         sizeof(Vec3f), scene_.vertices.size());
-    using Corners = std::array<std::uint32_t, 3>;
-    auto* to = new_buffer<Corners>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, ids.size());
+                         sizeof(Vec3f), vertex_count(geometry_));
+    auto* to =
+        new_buffer<TriangleIndices>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, ids.size());
     device_.check();
-    for (const std::uint32_t id : ids) *to++ = get<Triangle>(id).vertices;
+    for (const std::uint32_t id : ids) {
+        const auto [a, b, c] = get<Triangle>(id).vertices;
+        *to++ = {buffer_index(geometry_, a), buffer_index(geometry_, b), buffer_index(geometry_, c)};
+    }
 }
 
 void FloatGeometry::fill_quads(RTCGeometry geometry, const std::vector<std::uint32_t>& ids) const {
     rtcSetGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, vertices_.get(), 0,
-                         sizeof(Vec3f), scene_.vertices.size());
+                         sizeof(Vec3f), vertex_count(geometry_));
     using Corners = std::array<std::uint32_t, 4>;
     auto* to = new_buffer<Corners>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT4, ids.size());
     device_.check();

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/intersect/frame.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 #include "embree_backend/device.h"
 
 namespace etalon {
@@ -12,7 +12,7 @@ namespace etalon {
 /// Makes geometries of Embree's own from a scene's primitives, in the floats of a frame.
 class FloatGeometry {
   public:
-    FloatGeometry(const EmbreeDevice& device, const Scene& scene, const Frame& frame);
+    FloatGeometry(const EmbreeDevice& device, const Geometry& geometry, const Frame& frame);
 
     /// What Embree has for a primitive and hits on the same sides, if it has something.
     std::optional<RTCGeometryType> type_of(std::uint32_t primitive) const;
@@ -29,11 +29,11 @@ class FloatGeometry {
 
     template <class Shape>
     const Shape& get(std::uint32_t id) const {
-        return scene_.get<Shape>(scene_.primitives[id]);
+        return geometry_.get<Shape>(geometry_.primitives[id]);
     }
 
     const EmbreeDevice& device_;
-    const Scene& scene_;
+    const Geometry& geometry_;
     const Frame& frame_;
     EmbreeOwned<RTCBuffer> vertices_;  ///< all of the scene's, so that indices stay what they are
 };

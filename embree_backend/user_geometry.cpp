@@ -4,8 +4,8 @@
 
 namespace etalon {
 
-EmbreeUserGeometry::EmbreeUserGeometry(const Scene& scene)
-    : Intersector(scene), primitives_(scene), embree_scene_(rtcNewScene(device_.handle())) {
+EmbreeUserGeometry::EmbreeUserGeometry(const Geometry& geometry)
+    : Intersector(geometry), primitives_(geometry), embree_scene_(rtcNewScene(device_.handle())) {
     device_.check();
     primitives_.build(device_, embree_scene_.get(), 0, scene_bounds().frame, take_bounded());
 }

@@ -11,7 +11,7 @@ namespace etalon {
 class EmbreeUserGeometry final : public Intersector {
   public:
     /// Throws as EmbreeDevice does.
-    explicit EmbreeUserGeometry(const Scene& scene);
+    explicit EmbreeUserGeometry(const Geometry& geometry);
 
     std::size_t memory_bytes() const override;
     std::string isa() const override { return device_.isa(); }

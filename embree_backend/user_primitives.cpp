@@ -36,16 +36,16 @@ Boxes boxes_of(const std::vector<BoundedPrimitive>& primitives) {
 }
 
 /// The leaves of a tree as clusters, and their boxes by kind of cluster.
-Clusters cluster(const Scene& scene, const Frame& frame, const BvhTree& tree,
+Clusters cluster(const Geometry& geometry, const Frame& frame, const BvhTree& tree,
                  std::array<Boxes, 3>& boxes) {
     std::vector<Range> ranges;
     for (const BvhNode& node : tree.nodes) {
         if (!node.is_leaf()) continue;
         ranges.push_back({node.first, node.count});
-        boxes[cluster_kind(scene.primitives[tree.ids[node.first]].kind)].push_back(node.box);
+        boxes[cluster_kind(geometry.primitives[tree.ids[node.first]].kind)].push_back(node.box);
     }
     std::vector<ClusterRef> refs;
-    return Clusters(scene, frame, tree.ids, ranges, refs);
+    return Clusters(geometry, frame, tree.ids, ranges, refs);
 }
 
 void bounds_of_box(const RTCBoundsFunctionArguments* arguments) {
@@ -79,7 +79,7 @@ void UserPrimitives::build(const EmbreeDevice& device, RTCScene target, unsigned
     std::array<Boxes, 3> boxes;
     boxes[ClusterRef::list] = boxes_of(singles);
     clusters_ =
-        cluster(scene_, frame, build_scene_bvh(scene_, frame, std::move(primitives)), boxes);
+        cluster(geometry_, frame, build_scene_bvh(geometry_, frame, std::move(primitives)), boxes);
     for (unsigned kind = 0; kind < boxes.size(); ++kind) {
         attach(device, target, first + kind, boxes[kind], tracing_.callbacks[kind]);
     }

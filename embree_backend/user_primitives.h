@@ -15,7 +15,7 @@ namespace etalon {
 /// that is never below the best t.
 class UserPrimitives {
   public:
-    explicit UserPrimitives(const Scene& scene) : scene_(scene) {}
+    explicit UserPrimitives(const Geometry& geometry) : geometry_(geometry) {}
     UserPrimitives(const UserPrimitives&) = delete;
     UserPrimitives& operator=(const UserPrimitives&) = delete;
 
@@ -30,15 +30,15 @@ class UserPrimitives {
     /// As UserTracing has it.
     void intersect(RTCScene target, const RayQuery& query, const FrameRay& local,
                    NearestHit& nearest, RTCRayHit& ray) const {
-        tracing_.intersect({target, scene_, clusters_, singles_}, query, local, nearest, ray);
+        tracing_.intersect({target, geometry_, clusters_, singles_}, query, local, nearest, ray);
     }
     void occluded(RTCScene target, const RayQuery& query, const FrameRay& local,
                   RTCRay& ray) const {
-        tracing_.occluded({target, scene_, clusters_, singles_}, query, local, ray);
+        tracing_.occluded({target, geometry_, clusters_, singles_}, query, local, ray);
     }
 
   private:
-    const Scene& scene_;
+    const Geometry& geometry_;
     bool empty_ = true;
     Clusters clusters_;
     PrimitiveIds singles_;

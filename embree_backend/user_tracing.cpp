@@ -39,7 +39,7 @@ class Late {
 /// What the callbacks need of a ray: Embree hands them the context it was given.
 struct UserQuery : EmbreeContext {
     HWY_INLINE UserQuery(const UserView& view, const RayQuery& q, const FrameRay& l, NearestHit* n)
-        : scene(view.scene),
+        : geometry(view.geometry),
           clusters(view.clusters),
           singles(view.singles),
           query(q),
@@ -66,7 +66,7 @@ struct UserQuery : EmbreeContext {
         }
     }
 
-    const Scene& scene;
+    const Geometry& geometry;
     const Clusters& clusters;
     const PrimitiveIds& singles;
     const RayQuery& query;
@@ -88,10 +88,10 @@ HWY_INLINE void ask(const UserQuery& query, std::uint32_t cluster, std::uint32_t
                     const Offer& offer) {
     if constexpr (kind == ClusterRef::list) {
         const std::uint32_t id = query.singles[cluster];
-        offer(primitive_first_hit(query.scene, id, query.query), id);
+        offer(primitive_first_hit(query.geometry, id, query.query), id);
     } else {
         for (; lanes != 0; lanes &= lanes - 1) {
-            const auto [id, t] = query.clusters.ask(query.scene, ClusterRef(kind, cluster),
+            const auto [id, t] = query.clusters.ask(query.geometry, ClusterRef(kind, cluster),
                                                     std::countr_zero(lanes), query.query);
             if (!offer(t, id)) return;
         }

@@ -14,7 +14,7 @@ namespace etalon {
 /// What a ray can meet.
 struct UserView {
     RTCScene target;
-    const Scene& scene;
+    const Geometry& geometry;
     const Clusters& clusters;
     const PrimitiveIds& singles;  ///< what no filter is for, in place of lists
 };

@@ -8,8 +8,8 @@ namespace etalon {
 namespace {
 
 template <class Accelerator>
-std::unique_ptr<Intersector> build(const Scene& scene) {
-    return std::make_unique<Accelerator>(scene);
+std::unique_ptr<Intersector> build(const Geometry& geometry) {
+    return std::make_unique<Accelerator>(geometry);
 }
 
 constexpr Backend backends[] = {

@@ -2,7 +2,7 @@
 
 namespace etalon {
 
-None::None(const Scene& scene) : Intersector(scene, SceneBounds::none_bounded(scene)) {}
+None::None(const Geometry& geometry) : Intersector(geometry, SceneBounds::none_bounded(geometry)) {}
 
 std::size_t None::memory_bytes() const {
     return scene_bounds().unbounded.size() * sizeof(std::uint32_t);

@@ -8,7 +8,7 @@ namespace etalon {
 /// unbounded, so it is what the others are checked against.
 class None final : public Intersector {
   public:
-    explicit None(const Scene& scene);
+    explicit None(const Geometry& geometry);
     std::size_t memory_bytes() const override;
 
   protected:

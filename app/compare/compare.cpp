@@ -80,7 +80,7 @@ int run(const Arguments& a) {
 
 namespace etalon {
 
-Run declare_compare(CLI::App& app) {
+Action declare_compare(CLI::App& app) {
     auto a = std::make_shared<compare::Arguments>();
     app.add_option("A", a->a, "A picture: EXR, PFM and HDR are linear, PNG and JPEG sRGB")
         ->required();

@@ -23,7 +23,7 @@ Answers ask(const Intersector& intersector, const std::vector<Ray>& rays) {
 
 Contestant ask(const std::string& backend, const Scene& scene, const std::vector<Trial>& trials) {
     const Backend* found = find_backend(backend);
-    const auto intersector = found->build(scene);
+    const auto intersector = found->build(scene.geometry);
     Contestant contestant{backend, found->exact, {}};
     for (const Trial& trial : trials) contestant.answers.push_back(ask(*intersector, trial.rays));
     return contestant;

@@ -43,7 +43,7 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Run declare_crosscheck(CLI::App& app) {
+Action declare_crosscheck(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
     declare_scene(app, a->scene);
     app.add_option("-b,--backend", a->backends,

@@ -17,8 +17,8 @@ std::vector<OracleAnswer> ask(const Oracle& oracle, const std::vector<Ray>& rays
 }  // namespace
 
 std::vector<Trial> make_trials(const Scene& scene, std::size_t limit) {
-    const auto exact = find_backend("bvh")->build(scene);
-    const Oracle oracle(scene);
+    const auto exact = find_backend("bvh")->build(scene.geometry);
+    const Oracle oracle(scene.geometry);
     std::vector<Trial> trials;
     for (const char* kind : {"camera", "bounce", "shadow", "aimed"}) {  // few chords are hard cases
         RaySet set = make_ray_set(kind, scene, *exact, limit);

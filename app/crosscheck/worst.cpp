@@ -37,7 +37,7 @@ std::vector<Case> cases(const std::vector<Trial>& trials, const Contestant& cont
 }
 
 std::string describe_hit(const Scene& scene, double t, std::uint32_t primitive) {
-    const std::string_view kind = kind_name(scene.primitives[primitive].kind);
+    const std::string_view kind = kind_name(scene.geometry.primitives[primitive].kind);
     return fmt::format("hit {:.17g} {} {}", t, kind, primitive);
 }
 

@@ -72,13 +72,13 @@ class Render {
 
     bool build() {
         std::vector<std::string> problems;
-        environment_.emplace(scene_.environment, problems);
+        environment_.emplace(scene_.look.environment, problems);
         for (const std::string& problem : problems) {
             fmt::print(stderr, "{}: warning: {}; the background colour stands in\n", a_.scene.path,
                        problem);
         }
         if (a_.scene.options.strict && !problems.empty()) return false;
-        intersector_ = find_backend(scene_.backend)->build(scene_);
+        intersector_ = find_backend(scene_.backend)->build(scene_.geometry);
         stats_.build = watch_.lap();
         return intersector_ != nullptr;
     }
@@ -170,7 +170,7 @@ class Render {
     void summarise(const Rendering& rendering) const {
         fmt::print(stderr, "{}{}: {} primitives, {}, {:.2f} Mrays in {:.2f} s{} -> {}\n",
                    a_.scene.path, rendering.complete ? "" : " (stopped early)",
-                   scene_.primitives.size(), scene_.backend,
+                   scene_.geometry.primitives.size(), scene_.backend,
                    1e-6 * static_cast<double>(rendering.counts.total()), stats_.render.wall,
                    error_reached(rendering), fmt::join(a_.outputs, ", "));
     }
@@ -189,7 +189,7 @@ class Render {
 
 }  // namespace
 
-Run declare_render(CLI::App& app) {
+Action declare_render(CLI::App& app) {
     auto arguments = std::make_shared<RenderArguments>();
     declare_render_options(app, *arguments);
     return [arguments] { return Render(*arguments).run(); };

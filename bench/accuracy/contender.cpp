@@ -6,7 +6,7 @@ namespace {
 class BackendContender final : public Contender {
   public:
     BackendContender(const Backend& backend, const Scene& scene)
-        : Contender(std::string(backend.name)), intersector_(backend.build(scene)) {}
+        : Contender(std::string(backend.name)), intersector_(backend.build(scene.geometry)) {}
 
     void closest(const RayBlock& block, std::span<Answer> answers) const override {
         for (std::size_t i = 0; i < block.rays.size(); ++i) {

@@ -11,7 +11,7 @@ struct ProjectKernel {
     using RayForm = RayQuery;
 
     double first_hit(const RayQuery& query) const {
-        const double t = etalon::first_hit(scene, shape, sides, query);
+        const double t = etalon::first_hit(scene.geometry, shape, sides, query);
         return t <= query.ray.tmax ? t : no_hit;
     }
 
@@ -68,18 +68,18 @@ std::vector<std::unique_ptr<Contender>> textbooks_of(const Scene& scene, const S
 }  // namespace
 
 std::unique_ptr<Contender> kernel_contender(const Scene& scene) {
-    if (scene.primitives.size() != 1) return nullptr;
-    const Primitive& p = scene.primitives.front();
+    if (scene.geometry.primitives.size() != 1) return nullptr;
+    const Primitive& p = scene.geometry.primitives.front();
     return with_shape(p.kind, [&]<class Shape>() {
-        return contender("kernel", ProjectKernel<Shape>{scene, scene.get<Shape>(p), p.sides});
+        return contender("kernel", ProjectKernel<Shape>{scene, scene.geometry.get<Shape>(p), p.sides});
     });
 }
 
 std::vector<std::unique_ptr<Contender>> textbook_contenders(const Scene& scene) {
-    if (scene.primitives.size() != 1) return {};
-    const Primitive& p = scene.primitives.front();
+    if (scene.geometry.primitives.size() != 1) return {};
+    const Primitive& p = scene.geometry.primitives.front();
     return with_shape(p.kind,
-                      [&]<class Shape>() { return textbooks_of(scene, scene.get<Shape>(p)); });
+                      [&]<class Shape>() { return textbooks_of(scene, scene.geometry.get<Shape>(p)); });
 }
 
 }  // namespace etalon::accuracy

@@ -55,7 +55,7 @@ class Measurement {
                 const Effort& effort)
         : case_(hard_case),
           setting_(hard_case.make()),
-          oracle_(setting_.scene),
+          oracle_(setting_.scene.geometry),
           seed_(seed_of(hard_case)),
           effort_(effort) {
         for (const Backend* b : backends) {
@@ -91,7 +91,7 @@ class Measurement {
     }
 
     bool takes_part(const Entrant& entrant, std::uint64_t first_ray) const {
-        const std::uint64_t all = first_ray * setting_.scene.primitives.size();
+        const std::uint64_t all = first_ray * setting_.scene.geometry.primitives.size();
         return entrant.contender->name() != "none" || all < effort_.tests;
     }
 

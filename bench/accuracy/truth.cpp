@@ -24,14 +24,14 @@ double ulp_of_float(double x) {
 
 /// What a renderer would go on from.
 Vec3 position(const Scene& scene, const Entrant& entrant, const Ray& ray, const Answer& answer) {
-    if (entrant.refined) return surface_at(scene, ray, answer).position;
+    if (entrant.refined) return surface_at(scene.geometry, ray, answer).position;
     return ray.origin + answer.t * ray.direction;
 }
 
 /// u (all magnitudes) / cosine: the change of t when origin, direction and shape move by a relative
 /// u each.
 double sensitivity(const hard::Setting& setting, const Ray& ray, const OracleAnswer& truth) {
-    const SurfacePoint p = surface_at(setting.scene, ray, {truth.t, truth.primitive});
+    const SurfacePoint p = surface_at(setting.scene.geometry, ray, {truth.t, truth.primitive});
     const double length = ray.direction.length();
     const double speed = std::abs(p.normal.dot(ray.direction)) - 4 * unit_roundoff * length;
     const double reach =
@@ -92,7 +92,7 @@ bool Truth::is_right_primitive(const Entrant& entrant, const Answer& answer) con
 std::uint32_t Truth::lowest_of_the_nearest() const {
     NearestHit nearest(ray_.tmax);
     for (const std::uint32_t id : answer_.tied) {
-        nearest.offer(primitive_first_hit(setting_.scene, id, RayQuery(ray_)), id);
+        nearest.offer(primitive_first_hit(setting_.scene.geometry, id, RayQuery(ray_)), id);
     }
     return nearest.primitive;
 }
@@ -100,7 +100,7 @@ std::uint32_t Truth::lowest_of_the_nearest() const {
 std::optional<Spawned> spawn(const hard::Setting& setting, const Ray& ray, const Answer& answer,
                              Random& random) {
     if (answer.primitive == no_index) return std::nullopt;
-    const SurfacePoint p = surface_at(setting.scene, ray, answer);
+    const SurfacePoint p = surface_at(setting.scene.geometry, ray, answer);
     const double side = random.sign();
     const bool grazing = random.index(2) == 0;
     const double cosine = grazing ? random.magnitude(-6, 0) : random.uniform(0.01, 1);
@@ -117,7 +117,7 @@ std::optional<Spawned> spawn(const hard::Setting& setting, const Ray& ray, const
 bool is_self_hit(const Scene& scene, const Spawned& spawned, const Answer& answer) {
     if (answer.primitive != spawned.from) return false;
     if (spawned.outward) return true;
-    return surface_at(scene, spawned.ray, answer).normal.dot(spawned.ray.direction) <= 0;
+    return surface_at(scene.geometry, spawned.ray, answer).normal.dot(spawned.ray.direction) <= 0;
 }
 
 }  // namespace etalon::accuracy

@@ -90,7 +90,7 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Run declare_convergence(CLI::App& app) {
+Action declare_convergence(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
     app.add_option("SCENE", a->scene, "A file, or a name as `etalon-bench speed --list` has them")
         ->required();

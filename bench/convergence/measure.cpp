@@ -25,8 +25,8 @@ class Studio {
   public:
     Studio(const Scene& scene, const std::string& backend)
         : scene_(scene),
-          environment_(scene.environment, problems_),
-          intersector_(find_backend(backend)->build(scene)) {}
+          environment_(scene.look.environment, problems_),
+          intersector_(find_backend(backend)->build(scene.geometry)) {}
 
     Rendering render(RenderOptions options) const {
         options.max_depth = scene_.whitted.max_depth;
@@ -42,9 +42,9 @@ class Studio {
 };
 
 /// One picture, and what it is like after every round. The time it takes to look is not counted.
-class Run {
+class Action {
   public:
-    Run(const Studio& studio, const Truth& truth, const Plan& plan, const std::string& sampler,
+    Action(const Studio& studio, const Truth& truth, const Plan& plan, const std::string& sampler,
         const std::atomic<bool>& stop)
         : studio_(studio), truth_(truth), plan_(plan), sampler_(sampler), stop_(stop) {}
 
@@ -151,7 +151,7 @@ std::vector<Curve> measure(const Scene& scene, const Truth& truth, const Plan& p
         const Studio studio(scene, curve.backend);
         std::vector<std::vector<Point>> seeds;
         for (int seed = 0; seed < plan.seeds && !watcher.stop; ++seed) {
-            seeds.push_back(Run(studio, truth, plan, curve.sampler, watcher.stop)
+            seeds.push_back(Action(studio, truth, plan, curve.sampler, watcher.stop)
                                 .points(static_cast<std::uint32_t>(seed)));
             const double part = static_cast<double>(seed + 1) / plan.seeds;
             const auto before = static_cast<double>(done.size());

@@ -3,12 +3,12 @@
 namespace etalon::hard {
 
 void add_face(Scene& scene, const std::vector<Vec3>& corners, Sides sides) {
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-    scene.vertices.insert(scene.vertices.end(), corners.begin(), corners.end());
+    const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
+    scene.geometry.vertices.insert(scene.geometry.vertices.end(), corners.begin(), corners.end());
     if (corners.size() == 3) {
-        scene.add(Triangle{{first, first + 1, first + 2}}, 0, sides);
+        scene.geometry.add(Triangle{{first, first + 1, first + 2}}, 0, sides);
     } else {
-        scene.add(Polygon{first, static_cast<std::uint32_t>(corners.size())}, 0, sides);
+        scene.geometry.add(Polygon{first, static_cast<std::uint32_t>(corners.size())}, 0, sides);
     }
 }
 

@@ -89,7 +89,7 @@ Setting aimed_at(const Affine& map, const MakeRay& ray) {
 template <class Shape>
 Setting aimed(const Affine& map) {
     Setting setting = aimed_at<Shape>(map, nullptr);
-    const std::vector<Target> targets = targets_of(setting.scene, 0, to_the_last_bit);
+    const std::vector<Target> targets = targets_of(setting.scene.geometry, 0, to_the_last_bit);
     const Place place{map.point({0, 0, 0.5}), setting.size};
     setting.ray = [=](Random& random) {
         return approach(place, targets[random.index(targets.size())], random);
@@ -101,7 +101,7 @@ Setting aimed(const Affine& map) {
 template <class Shape>
 Setting arriving(const Affine& map) {
     Setting setting = aimed_at<Shape>(map, nullptr);
-    const std::vector<Target> targets = targets_of(setting.scene, 0, to_the_last_bit);
+    const std::vector<Target> targets = targets_of(setting.scene.geometry, 0, to_the_last_bit);
     setting.ray = [=](Random& random) {
         const bool inside = random.index(2) == 0;
         const Vec3 local =

@@ -19,7 +19,7 @@ struct Example {
 template <class Shape>
 Example example(const char* name, const Place& place, const Shape& shape) {
     Scene scene;
-    scene.add(shape, 0);
+    scene.geometry.add(shape, 0);
     return {name, place, std::make_shared<Scene>(std::move(scene))};
 }
 
@@ -127,20 +127,20 @@ std::vector<Example> flat_shapes() {
 
 /// A surface has no sides at a tip, so nothing can leave one.
 bool has_tip(const Scene& scene) {
-    return !scene.all<Cone>().empty() && scene.all<Cone>()[0].top_radius == 0;
+    return !scene.geometry.all<Cone>().empty() && scene.geometry.all<Cone>()[0].top_radius == 0;
 }
 
 /// Whether a ray may leave to the outside and come back.
 bool is_concave(const Scene& scene) {
-    if (scene.all<Quadric>().empty()) return false;
-    const auto& form = scene.all<Quadric>()[0].coefficients;
+    if (scene.geometry.all<Quadric>().empty()) return false;
+    const auto& form = scene.geometry.all<Quadric>()[0].coefficients;
     return form[0] < 0 || form[4] < 0 || form[7] < 0;
 }
 
 using MakeAimedRay = Ray (*)(const Place&, const Target&, Random&);
 
 Setting shot_at(const Example& e, MakeAimedRay ray) {
-    const std::vector<Target> targets = targets_of(*e.scene, 0, to_the_last_bit);
+    const std::vector<Target> targets = targets_of(e.scene->geometry, 0, to_the_last_bit);
     // The targets point into the scene, so the rays hold it.
     return {*e.scene, e.place.size, [=, scene = e.scene, place = e.place](Random& random) {
                 const std::size_t chosen = random.index(targets.size());
@@ -149,7 +149,7 @@ Setting shot_at(const Example& e, MakeAimedRay ray) {
 }
 
 void add_rows(const Example& e, std::vector<HardCase>& cases) {
-    Rows rows{std::string(kind_name(e.scene->primitives[0].kind))};
+    Rows rows{std::string(kind_name(e.scene->geometry.primitives[0].kind))};
     rows.add("AIM-1", e.name, [e] { return shot_at(e, approach); });
     rows.add("AIM-2", e.name, [e] { return shot_at(e, leave); });
     rows.add("AIM-3", e.name, [e] { return shot_at(e, through_two); });

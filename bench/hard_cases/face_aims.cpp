@@ -46,7 +46,7 @@ Setting only_face(const Corners& corners, double size, MakeRay ray) {
 Setting aimed_at_face(const Corners& corners, double size) {
     return only_face(corners, size, [scene = scene_of(corners), size](Random& random) {
         const Feature feature = features[random.index(features.size())];
-        const Vec3 target = point_of(Outline(*scene, 0), feature, random);
+        const Vec3 target = point_of(Outline(scene->geometry, 0), feature, random);
         const double distance = size * random.magnitude(-1, 3);
         Ray ray = towards(target + distance * random.direction(), target);
         if (random.index(2) == 0) ray.direction *= random.uniform(0.5, 1);
@@ -56,7 +56,7 @@ Setting aimed_at_face(const Corners& corners, double size) {
 
 Setting along_face(const Corners& corners, double size) {
     return only_face(corners, size, [scene = scene_of(corners)](Random& random) {
-        const Outline face(*scene, 0);
+        const Outline face(scene->geometry, 0);
         const Feature feature = features[random.index(features.size())];
         const Vec3 target = point_of(face, feature, random);
         const Vec3 along = face[1] - face[0], across = face[2] - face[0];

@@ -18,8 +18,8 @@ Scene lattice(Knots knots) {
     Scene scene;
     for (int i = 0; i < cells * cells * cells; ++i) {
         const Vec3 p(i % cells, i / cells % cells, i / cells / cells);
-        if (knots == Knots::spheres) scene.add(Sphere{p, 0.25}, 0);
-        if (knots == Knots::boxes) scene.add(Box{p - Vec3(0.25), p + Vec3(0.25)}, 0);
+        if (knots == Knots::spheres) scene.geometry.add(Sphere{p, 0.25}, 0);
+        if (knots == Knots::boxes) scene.geometry.add(Box{p - Vec3(0.25), p + Vec3(0.25)}, 0);
     }
     return scene;
 }
@@ -68,7 +68,7 @@ Setting walked(Knots knots, MakeLatticeRay ray) {
 Setting on_planes() {
     Setting setting{{}, 1, through_corners};
     Random random(1, 0);
-    while (setting.scene.primitives.size() < 500) {
+    while (setting.scene.geometry.primitives.size() < 500) {
         const Vec3 low = lattice_point(cells - 2, 1, random);
         const int k = random.axis();
         Vec3 across(1), along(0);
@@ -76,7 +76,7 @@ Setting on_planes() {
         along[(k + 1) % 3] = 1;
         const Vec3 high = low + across;
         if (random.index(2) == 0) {
-            setting.scene.add(Box{low, high}, 0);
+            setting.scene.geometry.add(Box{low, high}, 0);
         } else {
             add_face(setting.scene, {low, low + along, high});
         }

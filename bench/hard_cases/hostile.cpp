@@ -14,49 +14,49 @@ void add_hostile_spheres(Scene& scene) {
         for (int k = 0; k < 3; ++k) {
             Vec3 centre(0);
             centre[k] = bad;
-            scene.add(Sphere{centre, 1}, 0);
+            scene.geometry.add(Sphere{centre, 1}, 0);
         }
-        scene.add(Sphere{{0, 0, 0}, bad}, 0);
+        scene.geometry.add(Sphere{{0, 0, 0}, bad}, 0);
     }
-    scene.add(Sphere{{0, 0, 0}, 0}, 0);
-    scene.add(Sphere{{0, 0, 0}, -1}, 0);
+    scene.geometry.add(Sphere{{0, 0, 0}, 0}, 0);
+    scene.geometry.add(Sphere{{0, 0, 0}, -1}, 0);
 }
 
 void add_hostile_cones(Scene& scene) {
     const Vec3 base(0), top(0, 0, 1);
     for (const double bad : {none, infinity, -infinity}) {
-        scene.add(Cone{base, {0, bad, 1}, 1, 1}, 0);
-        scene.add(Cone{{bad, 0, 0}, top, 1, 1}, 0);
-        scene.add(Cone{base, top, bad, 1}, 0);
-        scene.add(Cone{base, top, 1, bad}, 0);
+        scene.geometry.add(Cone{base, {0, bad, 1}, 1, 1}, 0);
+        scene.geometry.add(Cone{{bad, 0, 0}, top, 1, 1}, 0);
+        scene.geometry.add(Cone{base, top, bad, 1}, 0);
+        scene.geometry.add(Cone{base, top, 1, bad}, 0);
     }
-    scene.add(Cone{base, base, 1, 1}, 0);
-    scene.add(Cone{base, top, 0, 0}, 0);
-    scene.add(Cone{base, top, 1, -1}, 0);
+    scene.geometry.add(Cone{base, base, 1, 1}, 0);
+    scene.geometry.add(Cone{base, top, 0, 0}, 0);
+    scene.geometry.add(Cone{base, top, 1, -1}, 0);
 }
 
 void add_hostile_boxes_and_planes(Scene& scene) {
     for (const double bad : {none, infinity, -infinity}) {
-        scene.add(Box{{bad, -1, -1}, {1, 1, 1}}, 0);
-        scene.add(Box{{-1, -1, -1}, {1, 1, bad}}, 0);
-        scene.add(Plane{{0, 0, bad}, {0, 0, 1}}, 0);
-        scene.add(Plane{{0, 0, 0}, {0, bad, 1}}, 0);
+        scene.geometry.add(Box{{bad, -1, -1}, {1, 1, 1}}, 0);
+        scene.geometry.add(Box{{-1, -1, -1}, {1, 1, bad}}, 0);
+        scene.geometry.add(Plane{{0, 0, bad}, {0, 0, 1}}, 0);
+        scene.geometry.add(Plane{{0, 0, 0}, {0, bad, 1}}, 0);
     }
-    scene.add(Box{{1, -1, -1}, {-1, 1, 1}}, 0);
-    scene.add(Box{Vec3(1), Vec3(-1)}, 0);
-    scene.add(Plane{{0, 0, 0}, {0, 0, 0}}, 0);
+    scene.geometry.add(Box{{1, -1, -1}, {-1, 1, 1}}, 0);
+    scene.geometry.add(Box{Vec3(1), Vec3(-1)}, 0);
+    scene.geometry.add(Plane{{0, 0, 0}, {0, 0, 0}}, 0);
 }
 
 void add_hostile_rings(Scene& scene) {
     for (const double bad : {none, infinity, -infinity}) {
-        scene.add(Ring{{bad, 0, 0}, {0, 0, 1}, 0, 1}, 0);
-        scene.add(Ring{{0, 0, 0}, {0, bad, 1}, 0, 1}, 0);
-        scene.add(Ring{{0, 0, 0}, {0, 0, 1}, bad, 1}, 0);
-        scene.add(Ring{{0, 0, 0}, {0, 0, 1}, 0, bad}, 0);
+        scene.geometry.add(Ring{{bad, 0, 0}, {0, 0, 1}, 0, 1}, 0);
+        scene.geometry.add(Ring{{0, 0, 0}, {0, bad, 1}, 0, 1}, 0);
+        scene.geometry.add(Ring{{0, 0, 0}, {0, 0, 1}, bad, 1}, 0);
+        scene.geometry.add(Ring{{0, 0, 0}, {0, 0, 1}, 0, bad}, 0);
     }
-    scene.add(Ring{{0, 0, 0}, {0, 0, 0}, 0, 1}, 0);
-    scene.add(Ring{{0, 0, 0}, {0, 0, 1}, 1, 0.5}, 0);
-    scene.add(Ring{{0, 0, 0}, {0, 0, 1}, 0, 0}, 0);
+    scene.geometry.add(Ring{{0, 0, 0}, {0, 0, 0}, 0, 1}, 0);
+    scene.geometry.add(Ring{{0, 0, 0}, {0, 0, 1}, 1, 0.5}, 0);
+    scene.geometry.add(Ring{{0, 0, 0}, {0, 0, 1}, 0, 0}, 0);
 }
 
 void add_hostile_quadrics(Scene& scene) {
@@ -64,7 +64,7 @@ void add_hostile_quadrics(Scene& scene) {
     const auto add_but = [&](auto&& change) {
         Quadric s = good;
         change(s);
-        scene.add(s, 0);
+        scene.geometry.add(s, 0);
     };
     for (const double bad : {none, infinity, -infinity}) {
         add_but([=](Quadric& s) { s.centre.y = bad; });
@@ -105,9 +105,9 @@ Scene hostile_world() {
     };
     add_hostile();
     Random random(5, 0);
-    while (scene.primitives.size() < 500) {
+    while (scene.geometry.primitives.size() < 500) {
         const Vec3 centre = random.in_cube();
-        scene.add(Sphere{centre, random.uniform(0.01, 0.1)}, 0);
+        scene.geometry.add(Sphere{centre, random.uniform(0.01, 0.1)}, 0);
         const Vec3 a = random.in_cube(), b = a + 0.2 * random.in_cube();
         add_face(scene, {a, b, a + 0.2 * random.in_cube()});
     }

@@ -15,26 +15,26 @@ std::uint32_t corner_of(std::uint32_t ring, std::uint32_t segment) {
 }
 
 void add_corners(Scene& scene, const Vec3& centre, const Vec3& radius) {
-    scene.vertices.push_back(rounded(centre + radius * Vec3(0, 0, 1)));
+    scene.geometry.vertices.push_back(rounded(centre + radius * Vec3(0, 0, 1)));
     for (std::uint32_t ring = 1; ring < rings; ++ring) {
         const double polar = turn / 2 * ring / rings;
         for (std::uint32_t segment = 0; segment < segments; ++segment) {
             const Vec3 level = across({0, 0, 1}, turn * segment / segments);
             const Vec3 unit = std::sin(polar) * level + Vec3(0, 0, std::cos(polar));
-            scene.vertices.push_back(rounded(centre + radius * unit));
+            scene.geometry.vertices.push_back(rounded(centre + radius * unit));
         }
     }
-    scene.vertices.push_back(rounded(centre - radius * Vec3(0, 0, 1)));
+    scene.geometry.vertices.push_back(rounded(centre - radius * Vec3(0, 0, 1)));
 }
 
 /// A polygon's corners are consecutive, so it has copies of its own.
 void add_quad(Scene& scene, const std::array<std::uint32_t, 4>& corners) {
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+    const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
     for (const std::uint32_t corner : corners) {
-        const Vec3 copy = scene.vertices[corner];
-        scene.vertices.push_back(copy);
+        const Vec3 copy = scene.geometry.vertices[corner];
+        scene.geometry.vertices.push_back(copy);
     }
-    scene.add(Polygon{first, 4}, 0);
+    scene.geometry.add(Polygon{first, 4}, 0);
 }
 
 }  // namespace
@@ -52,8 +52,8 @@ Scene uv_sphere(const Vec3& centre, const Vec3& radius, Faces faces) {
                 add_quad(scene, {a, b, c, d});
                 continue;
             }
-            if (b != c) scene.add(Triangle{{a, b, c}}, 0);
-            if (a != d) scene.add(Triangle{{a, c, d}}, 0);
+            if (b != c) scene.geometry.add(Triangle{{a, b, c}}, 0);
+            if (a != d) scene.geometry.add(Triangle{{a, c, d}}, 0);
         }
     }
     return scene;
@@ -63,16 +63,16 @@ Scene terrain(const Vec3& corner) {
     Scene scene;
     for (std::uint32_t row = 0; row <= terrain_cells; ++row) {
         for (std::uint32_t column = 0; column <= terrain_cells; ++column) {
-            const double height = Random(1, scene.vertices.size()).uniform();
-            scene.vertices.push_back(rounded(corner + Vec3(column, row, height)));
+            const double height = Random(1, scene.geometry.vertices.size()).uniform();
+            scene.geometry.vertices.push_back(rounded(corner + Vec3(column, row, height)));
         }
     }
     for (std::uint32_t row = 0; row < terrain_cells; ++row) {
         for (std::uint32_t column = 0; column < terrain_cells; ++column) {
             const std::uint32_t a = row * (terrain_cells + 1) + column;
             const std::uint32_t c = a + terrain_cells + 2;
-            scene.add(Triangle{{a, a + 1, c}}, 0);
-            scene.add(Triangle{{a, c, c - 1}}, 0);
+            scene.geometry.add(Triangle{{a, a + 1, c}}, 0);
+            scene.geometry.add(Triangle{{a, c, c - 1}}, 0);
         }
     }
     return scene;

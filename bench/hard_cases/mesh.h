@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/sampling/outline.h"
+#include "core/scene/scene.h"
 
 namespace etalon::hard {
 

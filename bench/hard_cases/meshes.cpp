@@ -20,8 +20,8 @@ Setting seen_from_inside(const Ellipsoid& e, Feature feature) {
     const auto mesh = std::make_shared<const Scene>(uv_sphere(e.centre, e.radius, e.faces));
     return {*mesh, max_abs(e.radius), [=](Random& random) {
                 const Vec3 origin = e.centre + 0.5 * e.radius * in_ball(random);
-                const auto face = static_cast<std::uint32_t>(random.index(mesh->primitives.size()));
-                return towards(origin, point_of(Outline(*mesh, face), feature, random));
+                const auto face = static_cast<std::uint32_t>(random.index(mesh->geometry.primitives.size()));
+                return towards(origin, point_of(Outline(mesh->geometry, face), feature, random));
             }};
 }
 
@@ -35,7 +35,7 @@ Setting seen_from_above(const Vec3& corner, Feature feature) {
                 const auto row = static_cast<std::uint32_t>(12 + random.index(terrain_cells - 24));
                 const std::uint32_t half = random.index(2) == 0 ? 0 : 1;
                 const std::uint32_t face = terrain_face(column, row) + half;
-                const Vec3 target = point_of(Outline(*ground, face), feature, random);
+                const Vec3 target = point_of(Outline(ground->geometry, face), feature, random);
                 const double height = random.uniform(2, 20);
                 const Vec3 beside = 0.5 * in_disc({0, 0, 1}, random);
                 return towards(target + height * (beside + Vec3(0, 0, 1)), target);

@@ -52,8 +52,8 @@ Ray at_plane(const Plane& plane, Random& random) {
 Setting pair(const Plane& first, const Plane& second) {
     constexpr double tie = 0x1p-48;
     Setting setting{{}, 1, [=](Random& random) { return at_plane(first, random); }, tie};
-    setting.scene.add(first, 0);
-    setting.scene.add(second, 0);
+    setting.scene.geometry.add(first, 0);
+    setting.scene.geometry.add(second, 0);
     return setting;
 }
 

@@ -80,9 +80,9 @@ Setting pieces(const Vec3& centre, const Vec3& at) {
     for (int piece = 0; piece < 8; ++piece) {
         Quadric s{centre, sphere, around(centre, 1)};
         for (int k = 0; k < 3; ++k) ((piece >> k & 1) != 0 ? s.clip.min : s.clip.max)[k] = at[k];
-        setting.scene.add(s, 0);
+        setting.scene.geometry.add(s, 0);
     }
-    setting.ray = [=, whole = setting.scene.all<Quadric>()](Random& random) {
+    setting.ray = [=, whole = setting.scene.geometry.all<Quadric>()](Random& random) {
         const QuadricPoints points(whole[random.index(whole.size())]);
         return towards(centre + 0.3 * random.in_cube(), points.on_rim(random));
     };
@@ -97,7 +97,7 @@ Setting cut_exactly(int boxes) {
     Setting setting = only(Quadric{{0, 0, 0}, form, {Vec3(-5), {3, 5, 5}}}, 5, [](Random& random) {
         return through(points[random.index(points.size())], random);
     });
-    if (boxes == 2) setting.scene.add(Quadric{{0, 0, 0}, form, {{3, -5, -5}, Vec3(5)}}, 0);
+    if (boxes == 2) setting.scene.geometry.add(Quadric{{0, 0, 0}, form, {{3, -5, -5}, Vec3(5)}}, 0);
     return setting;
 }
 

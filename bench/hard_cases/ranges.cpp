@@ -13,7 +13,7 @@ Scene boxes() {
     Scene scene;
     for (int i = 0; i < count * count * count; ++i) {
         const Vec3 p(i % count, i / count % count, i / count / count);
-        scene.add(Box{2.0 * p, 2.0 * p + Vec3(1)}, 0);
+        scene.geometry.add(Box{2.0 * p, 2.0 * p + Vec3(1)}, 0);
     }
     return scene;
 }

@@ -57,8 +57,8 @@ Setting abutting() {
                         const double radius = nearly_one(to_the_last_bit, random);
                         return at_circle(inner, radius, 4, random);
                     }};
-    setting.scene.add(outer, 0);
-    setting.scene.add(inner, 0);
+    setting.scene.geometry.add(outer, 0);
+    setting.scene.geometry.add(inner, 0);
     return setting;
 }
 

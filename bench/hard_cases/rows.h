@@ -34,7 +34,7 @@ class Rows {
 template <class Shape>
 Setting only(const Shape& shape, double size, MakeRay ray) {
     Setting setting{{}, size, std::move(ray)};
-    setting.scene.add(shape, 0);
+    setting.scene.geometry.add(shape, 0);
     return setting;
 }
 

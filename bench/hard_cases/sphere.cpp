@@ -90,8 +90,8 @@ Setting shells(Sides inner_sides) {
                         const Vec3 side = across(d, random.uniform(0, turn));
                         return Ray{unit_sphere.centre + reach * side - distance * d, d};
                     }};
-    setting.scene.add(outer, 0);
-    setting.scene.add(unit_sphere, 0, inner_sides);
+    setting.scene.geometry.add(outer, 0);
+    setting.scene.geometry.add(unit_sphere, 0, inner_sides);
     return setting;
 }
 

@@ -13,8 +13,8 @@ Setting same_spheres(std::size_t count) {
                         const Vec3 origin = usual_place() + 0.5 * in_ball(random);
                         return Ray{origin, random.direction()};
                     }};
-    while (setting.scene.primitives.size() < count) {
-        setting.scene.add(Sphere{usual_place(), 1}, 0);
+    while (setting.scene.geometry.primitives.size() < count) {
+        setting.scene.geometry.add(Sphere{usual_place(), 1}, 0);
     }
     return setting;
 }
@@ -26,15 +26,15 @@ Setting same_triangles(std::uint32_t count) {
                         const Vec3 target(x, y * (1 - x) * 1.5, 0);
                         return towards(target + 3.0 * random.direction(), target);
                     }};
-    setting.scene.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    for (std::uint32_t i = 0; i < count; ++i) setting.scene.add(Triangle{{0, 1, 2}}, 0);
+    setting.scene.geometry.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    for (std::uint32_t i = 0; i < count; ++i) setting.scene.geometry.add(Triangle{{0, 1, 2}}, 0);
     return setting;
 }
 
 /// Concentric spheres: all middles are the same.
 Setting concentric() {
     Scene scene;
-    for (int i = 0; i < 500; ++i) scene.add(Sphere{usual_place(), 1 + i / 1000.0}, 0);
+    for (int i = 0; i < 500; ++i) scene.geometry.add(Sphere{usual_place(), 1 + i / 1000.0}, 0);
     return aimed_at_world(std::move(scene));
 }
 
@@ -42,7 +42,7 @@ Setting concentric() {
 Setting in_a_row() {
     Scene scene;
     for (int i = 0; i < 1000; ++i) {
-        scene.add(Box{{i + 0.0, 0, 0}, {i + 1.0, 1, 1}}, 0);
+        scene.geometry.add(Box{{i + 0.0, 0, 0}, {i + 1.0, 1, 1}}, 0);
     }
     return aimed_at_world(std::move(scene));
 }
@@ -50,14 +50,16 @@ Setting in_a_row() {
 /// Every shape of a world eight times, the copies far apart in the numbering.
 Setting copies() {
     Scene scene = world({.count = 200});
-    const std::vector<Primitive> once = scene.primitives;
+    const std::vector<Primitive> once = scene.geometry.primitives.list();
+    std::vector<Primitive> all = once;
     for (int copy = 1; copy < 8; ++copy) {
-        scene.primitives.insert(scene.primitives.end(), once.begin(), once.end());
+        all.insert(all.end(), once.begin(), once.end());
     }
     Random random(13, 0);
-    for (std::size_t i = scene.primitives.size() - 1; i > 0; --i) {
-        std::swap(scene.primitives[i], scene.primitives[random.index(i + 1)]);
+    for (std::size_t i = all.size() - 1; i > 0; --i) {
+        std::swap(all[i], all[random.index(i + 1)]);
     }
+    scene.geometry.primitives = PrimitiveRuns(all);
     return aimed_at_world(std::move(scene));
 }
 
@@ -72,11 +74,11 @@ Setting stadium() {
                         out.z = std::abs(out.z);
                         return towards(target + random.magnitude(-2, 6) * out, target);
                     }};
-    setting.scene.add(Box{{-5e5, -5e5, -1}, {5e5, 5e5, 0}}, 0);
+    setting.scene.geometry.add(Box{{-5e5, -5e5, -1}, {5e5, 5e5, 0}}, 0);
     Random random(1, 0);
-    while (setting.scene.primitives.size() < 10001) {
+    while (setting.scene.geometry.primitives.size() < 10001) {
         const Vec3 centre = near(random);
-        setting.scene.add(Sphere{centre, random.uniform(5e-4, 2e-3)}, 0);
+        setting.scene.geometry.add(Sphere{centre, random.uniform(5e-4, 2e-3)}, 0);
     }
     return setting;
 }
@@ -86,11 +88,11 @@ Scene flat() {
     Scene scene;
     Random random(17, 0);
     const auto in_square = [&](double half) { return half * Vec3(1, 1, 0) * random.in_cube(); };
-    while (scene.primitives.size() < 1000) {
+    while (scene.geometry.primitives.size() < 1000) {
         const Vec3 a = in_square(1), b = a + in_square(0.1);
         if (random.index(3) == 0) {
             const Vec3 half = abs(b - a);
-            scene.add(Box{a - half, a + half}, 0);
+            scene.geometry.add(Box{a - half, a + half}, 0);
         } else {
             add_face(scene, {a, b, a + in_square(0.1)});
         }
@@ -101,7 +103,7 @@ Scene flat() {
 /// Points on a line: no extent in two axes.
 Scene spikes() {
     Scene scene;
-    for (int i = 0; i < 500; ++i) scene.add(Box{{0, 0, 2.0 * i}, {0, 0, 2.0 * i + 1}}, 0);
+    for (int i = 0; i < 500; ++i) scene.geometry.add(Box{{0, 0, 2.0 * i}, {0, 0, 2.0 * i + 1}}, 0);
     return scene;
 }
 

@@ -65,7 +65,7 @@ Setting coplanar() {
                         return Ray{target + 4.0 * up, -up};
                     }};
     Random random(1, 0);
-    while (setting.scene.primitives.size() < 200) {
+    while (setting.scene.geometry.primitives.size() < 200) {
         Corners corners;
         for (int i = 0; i < 3; ++i) {
             const auto x = static_cast<double>(random.index(9));

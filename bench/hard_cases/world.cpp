@@ -29,13 +29,13 @@ void add_triangle(Scene& scene, const Vec3& place, double size, Sides sides, Ran
 void add_cone(Scene& scene, const Vec3& place, double size, Sides sides, Random& random) {
     const Vec3 top = place + size * random.in_cube();
     const double base_radius = size * std::max(0.0, random.uniform(-0.2, 0.5));
-    scene.add(Cone{place, top, base_radius, size * random.uniform(0.1, 0.5)}, 0, sides);
+    scene.geometry.add(Cone{place, top, base_radius, size * random.uniform(0.1, 0.5)}, 0, sides);
 }
 
 void add_ring(Scene& scene, const Vec3& place, double size, Sides sides, Random& random) {
     const double outer = size * random.uniform(0.1, 1);
     const double inner = outer * std::max(0.0, random.uniform(-0.5, 0.9));
-    scene.add(Ring{place, random.direction(), inner, outer}, 0, sides);
+    scene.geometry.add(Ring{place, random.direction(), inner, outer}, 0, sides);
 }
 
 /// Of any kind, through its box's middle or near it.
@@ -45,7 +45,7 @@ void add_quadric(Scene& scene, const Vec3& place, double size, Sides sides, Rand
     for (double& number : s.coefficients) number = random.uniform(-1, 1);
     s.coefficients[9] *= random.uniform();
     s.coefficients = scaled(s.coefficients, size);
-    scene.add(s, 0, sides);
+    scene.geometry.add(s, 0, sides);
 }
 
 /// Sheared, and in half of all cases mirrored.
@@ -57,16 +57,16 @@ Affine any_map(const Vec3& place, double size, Random& random) {
 void add_shape(Scene& scene, ShapeKind kind, double size, Sides sides, Random& random) {
     const Vec3 place = random.in_cube();
     if (kind == kind_of<Sphere>()) {
-        scene.add(Sphere{place, size * random.uniform(0.1, 1)}, 0, sides);
+        scene.geometry.add(Sphere{place, size * random.uniform(0.1, 1)}, 0, sides);
     } else if (kind == kind_of<Triangle>()) {
         add_triangle(scene, place, size, sides, random);
     } else if (kind == kind_of<Polygon>()) {
         add_polygon(scene, place, size, sides, random);
     } else if (kind == kind_of<Box>()) {
         const Vec3 half = abs(size * random.in_cube());
-        scene.add(Box{place - half, place + half}, 0, sides);
+        scene.geometry.add(Box{place - half, place + half}, 0, sides);
     } else if (kind == kind_of<Plane>()) {
-        scene.add(Plane{3.0 * place, random.direction()}, 0, sides);
+        scene.geometry.add(Plane{3.0 * place, random.direction()}, 0, sides);
     } else if (kind == kind_of<Cone>()) {
         add_cone(scene, place, size, sides, random);
     } else if (kind == kind_of<Ring>()) {
@@ -74,9 +74,9 @@ void add_shape(Scene& scene, ShapeKind kind, double size, Sides sides, Random& r
     } else if (kind == kind_of<Quadric>()) {
         add_quadric(scene, place, size, sides, random);
     } else if (kind == kind_of<Ellipsoid>()) {
-        scene.add(Ellipsoid(any_map(place, size, random)), 0, sides);
+        scene.geometry.add(Ellipsoid(any_map(place, size, random)), 0, sides);
     } else {
-        scene.add(ClosedCylinder(any_map(place, size, random)), 0, sides);
+        scene.geometry.add(ClosedCylinder(any_map(place, size, random)), 0, sides);
     }
 }
 
@@ -92,7 +92,7 @@ ShapeKind any_kind(const WorldPlan& plan, Random& random) {
 Scene world(const WorldPlan& plan) {
     Scene scene;
     Random random(plan.seed, 0);
-    while (scene.primitives.size() < plan.count) {
+    while (scene.geometry.primitives.size() < plan.count) {
         const ShapeKind kind = any_kind(plan, random);
         const double low = std::log10(plan.smallest), high = std::log10(plan.largest);
         const double size = random.magnitude(low, high);

@@ -17,17 +17,17 @@ class Surroundings {
     Surroundings(Scene scene, double finest) : scene_(std::make_shared<Scene>(std::move(scene))) {
         std::vector<Box3> boxes;
         Box3 all;
-        for (std::uint32_t id = 0; id < scene_->primitives.size(); ++id) {
-            const Box3 box = primitive_bounds(*scene_, id);
+        for (std::uint32_t id = 0; id < scene_->geometry.primitives.size(); ++id) {
+            const Box3 box = primitive_bounds(scene_->geometry, id);
             if (!box.isEmpty() && is_finite(box.size())) all.extendBy(box);
             boxes.push_back(box);
         }
         if (!all.isEmpty()) whole_ = middle_of(all);
-        for (std::uint32_t id = 0; id < scene_->primitives.size(); ++id) {
+        for (std::uint32_t id = 0; id < scene_->geometry.primitives.size(); ++id) {
             if (boxes[id].isEmpty()) continue;
             const bool bounded = is_finite(boxes[id].size());
             things_.push_back(
-                {bounded ? middle_of(boxes[id]) : whole_, targets_of(*scene_, id, finest)});
+                {bounded ? middle_of(boxes[id]) : whole_, targets_of(scene_->geometry, id, finest)});
         }
     }
 

@@ -11,9 +11,9 @@ namespace {
 Scene cloud(const Vec3& place) {
     Scene scene;
     Random random(1, 0);
-    while (scene.primitives.size() < 2000) {
+    while (scene.geometry.primitives.size() < 2000) {
         const Vec3 centre = rounded(place + random.in_cube());
-        scene.add(Sphere{centre, static_cast<float>(random.uniform(0.01, 0.04))}, 0);
+        scene.geometry.add(Sphere{centre, static_cast<float>(random.uniform(0.01, 0.04))}, 0);
     }
     return scene;
 }
@@ -22,7 +22,7 @@ Scene cloud(const Vec3& place) {
 Setting cloud_from(double offset, double distance) {
     const Vec3 place = offset * Vec3(0.6, -0.48, 0.64);
     Setting setting{cloud(place), 1, {}};
-    setting.ray = [=, spheres = setting.scene.all<Sphere>()](Random& random) {
+    setting.ray = [=, spheres = setting.scene.geometry.all<Sphere>()](Random& random) {
         const Vec3 eye = place + distance * random.direction();
         if (random.index(2) == 0) return towards(eye, place + random.in_cube());
         const Sphere& s = spheres[random.index(spheres.size())];
@@ -55,8 +55,8 @@ Scene slivers() {
         const Vec3 a = random.in_cube(), along = random.in_cube();
         const double share = random.uniform(), width = random.magnitude(-8, -2);
         const Vec3 c = a + share * along + width * random.in_cube();
-        scene.vertices.insert(scene.vertices.end(), {a, a + along, c});
-        scene.add(Triangle{{3 * i, 3 * i + 1, 3 * i + 2}}, 0);
+        scene.geometry.vertices.insert(scene.geometry.vertices.end(), {a, a + along, c});
+        scene.geometry.add(Triangle{{3 * i, 3 * i + 1, 3 * i + 2}}, 0);
     }
     return scene;
 }

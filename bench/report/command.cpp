@@ -125,7 +125,7 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Run declare_report(CLI::App& app) {
+Action declare_report(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
     app.add_option("-o,--output", a->folder, "Folder for index.html, made if it is not there")
         ->capture_default_str();

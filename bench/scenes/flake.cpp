@@ -24,10 +24,10 @@ struct Tessellation {
 };
 
 void add_sphere(Scene& scene, const Sphere& s, const Tessellation& t) {
-    const auto south = static_cast<std::uint32_t>(scene.vertices.size());
+    const auto south = static_cast<std::uint32_t>(scene.geometry.vertices.size());
     const std::uint32_t north = south + 1, rings = t.stacks - 1;
     const auto place = [&](double x, double y, double z) {
-        scene.vertices.push_back(s.centre + s.radius * Vec3(x, y, z));
+        scene.geometry.vertices.push_back(s.centre + s.radius * Vec3(x, y, z));
     };
     place(0, -1, 0);
     place(0, 1, 0);
@@ -43,12 +43,12 @@ void add_sphere(Scene& scene, const Sphere& s, const Tessellation& t) {
         return north + 1 + ring * t.slices + i % t.slices;
     };
     for (std::uint32_t i = 0; i < t.slices; ++i) {
-        scene.add(Triangle{{south, vertex(i + 1, 0), vertex(i, 0)}}, 0);
+        scene.geometry.add(Triangle{{south, vertex(i + 1, 0), vertex(i, 0)}}, 0);
         for (std::uint32_t j = 0; j + 1 < rings; ++j) {
             add_quad(scene,
                      {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
         }
-        scene.add(Triangle{{north, vertex(i, rings - 1), vertex(i + 1, rings - 1)}}, 0);
+        scene.geometry.add(Triangle{{north, vertex(i, rings - 1), vertex(i + 1, rings - 1)}}, 0);
     }
 }
 

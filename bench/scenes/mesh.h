@@ -10,16 +10,16 @@ namespace etalon::bench {
 
 /// Three corners that no other triangle has.
 inline void add_triangle(Scene& scene, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-    scene.vertices.insert(scene.vertices.end(), {a, b, c});
-    scene.add(Triangle{{first, first + 1, first + 2}}, 0);
+    const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
+    scene.geometry.vertices.insert(scene.geometry.vertices.end(), {a, b, c});
+    scene.geometry.add(Triangle{{first, first + 1, first + 2}}, 0);
 }
 
 /// Two triangles, the corners in order round the quad.
 inline void add_quad(Scene& scene, const std::array<std::uint32_t, 4>& corners) {
     const auto [a, b, c, d] = corners;
-    scene.add(Triangle{{a, b, c}}, 0);
-    scene.add(Triangle{{a, c, d}}, 0);
+    scene.geometry.add(Triangle{{a, b, c}}, 0);
+    scene.geometry.add(Triangle{{a, c, d}}, 0);
 }
 
 /// `columns` x `rows` quads. A sheet that closes has its first line of vertices as its last one.
@@ -31,12 +31,12 @@ struct Sheet {
 /// The sheet whose vertex (i, j) is at point(i / columns, j / rows).
 template <class Point>
 void add_sheet(Scene& scene, const Sheet& sheet, const Point& point) {
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+    const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
     const std::uint32_t width = sheet.columns + !sheet.closes;
     const std::uint32_t height = sheet.rows + !sheet.closes;
     for (std::uint32_t j = 0; j < height; ++j) {
         for (std::uint32_t i = 0; i < width; ++i) {
-            scene.vertices.push_back(point(i / double(sheet.columns), j / double(sheet.rows)));
+            scene.geometry.vertices.push_back(point(i / double(sheet.columns), j / double(sheet.rows)));
         }
     }
     const auto vertex = [&](std::uint32_t i, std::uint32_t j) {

@@ -14,7 +14,7 @@ class Mixer {
         const Vec3 place = on_grid(random_.in_cube());
         switch (number % 5) {
             case 0:
-                return scene_.add(Sphere{place, size_ * random_.uniform(0.5, 1)}, 0);
+                return scene_.geometry.add(Sphere{place, size_ * random_.uniform(0.5, 1)}, 0);
             case 1:
                 return add_cone(place);
             case 2:
@@ -38,12 +38,12 @@ class Mixer {
     void add_cone(const Vec3& base) {
         const double radius = size_ * random_.uniform(0.2, 0.6);
         const Vec3 top = base + 2 * size_ * random_.direction();
-        scene_.add(Cone{base, top, radius, radius * random_.uniform()}, 0);
+        scene_.geometry.add(Cone{base, top, radius, radius * random_.uniform()}, 0);
     }
 
     void add_box(const Vec3& middle) {
         const Vec3 half = 0.2 * Vec3(size_) + 0.8 * abs(edge());
-        scene_.add(Box{middle - half, middle + half}, 0);
+        scene_.geometry.add(Box{middle - half, middle + half}, 0);
     }
 
     void add_triangle(const Vec3& corner) {
@@ -53,11 +53,11 @@ class Mixer {
 
     void add_hexagon(const Vec3& middle) {
         const Vec3 u = edge(), v = edge();
-        const auto first = static_cast<std::uint32_t>(scene_.vertices.size());
+        const auto first = static_cast<std::uint32_t>(scene_.geometry.vertices.size());
         for (const Vec3& corner : {u, u + v, v, -u, -u - v, -v}) {
-            scene_.vertices.push_back(middle + corner);
+            scene_.geometry.vertices.push_back(middle + corner);
         }
-        scene_.add(Polygon{first, 6}, 0);
+        scene_.geometry.add(Polygon{first, 6}, 0);
     }
 
     Scene& scene_;

@@ -23,7 +23,7 @@ Scene nan_soup(std::size_t count) {
     Scene scene = soup(count);
     for (std::size_t i = 9; i < count; i += 10) {
         const std::size_t corner = i / 10 % 3, axis = i / 30 % 3;
-        scene.vertices[3 * i + corner][static_cast<int>(axis)] = nan_value;
+        scene.geometry.vertices[3 * i + corner][static_cast<int>(axis)] = nan_value;
     }
     return scene;
 }

@@ -6,7 +6,7 @@ namespace etalon::bench {
 
 Scene sphereflake(std::size_t depth) {
     Scene scene = empty_scene({.eye = {2.8, 2.3, 3.5}, .at = {0, 0.2, 0}});
-    for (const Sphere& sphere : sphereflake_spheres(depth)) scene.add(sphere, 0);
+    for (const Sphere& sphere : sphereflake_spheres(depth)) scene.geometry.add(sphere, 0);
     return scene;
 }
 

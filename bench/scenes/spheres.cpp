@@ -11,7 +11,7 @@ Scene spheres(std::size_t count) {
     const double radius = 0.5 / std::sqrt(static_cast<double>(count));
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3 place = random.in_cube();
-        scene.add(Sphere{place, radius * random.uniform(0.5, 1.5)}, 0);
+        scene.geometry.add(Sphere{place, radius * random.uniform(0.5, 1.5)}, 0);
     }
     return scene;
 }

@@ -11,8 +11,8 @@ Scene empty_scene(const Stage& stage) {
                     .fov_degrees = stage.fov_degrees,
                     .width = stage.pixels,
                     .height = stage.pixels};
-    scene.lights = {PointLight{stage.light, Color(1.0F)}};
-    scene.materials = {Material()};
+    scene.look.lights = {PointLight{stage.light, Color(1.0F)}};
+    scene.look.materials = {Material()};
     return scene;
 }
 

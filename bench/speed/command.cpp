@@ -66,7 +66,7 @@ std::string table_of(const SceneFigures& figures) {
 }
 
 SceneFigures measure(const Arguments& a, const std::string& name, Scene scene) {
-    show(a, fmt::format("{}: {} primitives\n", name, scene.primitives.size()));
+    show(a, fmt::format("{}: {} primitives\n", name, scene.geometry.primitives.size()));
     const auto observer = [&](const SceneFigures& figures) {
         if (figures.kinds.size() == 1) show(a, heading_of_rays());
         show(a, table_of(figures));
@@ -152,7 +152,7 @@ void declare_how(CLI::App& app, Arguments& a) {
 
 }  // namespace
 
-Run declare_speed(CLI::App& app) {
+Action declare_speed(CLI::App& app) {
     auto a = std::make_shared<Arguments>();
     declare_what(app, *a);
     declare_how(app, *a);

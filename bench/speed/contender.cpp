@@ -13,7 +13,7 @@ namespace {
 
 Duration time_build(Contender& contender, const Scene& scene, int threads) {
     const ThreadLimit limit(threads);
-    const auto build = [&] { contender.intersector = contender.backend->build(scene); };
+    const auto build = [&] { contender.intersector = contender.backend->build(scene.geometry); };
     contender.intersector.reset();
     if (threads == 1) return run_pinned(1, build);
     Stopwatch watch;
@@ -57,7 +57,7 @@ std::vector<BuildFigures> measure_builds(std::vector<Contender>& contenders, con
         all[i].contender = contenders[i].name();
         all[i].isa = built.isa();
         all[i].bytes_per_primitive = static_cast<double>(built.memory_bytes()) /
-                                     static_cast<double>(scene.primitives.size());
+                                     static_cast<double>(scene.geometry.primitives.size());
     }
     compare_with_yardsticks(all);
     return all;

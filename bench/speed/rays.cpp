@@ -22,11 +22,11 @@ const Contender* find(const std::vector<Contender>& list, const std::string& nam
 
 RayMeasurement::RayMeasurement(const hard::Setting& setting,
                                const std::vector<Contender>& contenders, const Plan& plan)
-    : setting_(setting), contenders_(contenders), plan_(plan), oracle_(setting.scene) {
+    : setting_(setting), contenders_(contenders), plan_(plan), oracle_(setting.scene.geometry) {
     for (const std::string name : {"bvh", "embree"}) {
         if (find(contenders, name) != nullptr) continue;
         const Backend& backend = find_contender(name);
-        references_.push_back({&backend, backend.build(setting.scene)});
+        references_.push_back({&backend, backend.build(setting.scene.geometry)});
     }
 }
 

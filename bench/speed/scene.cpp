@@ -21,7 +21,7 @@ SceneFigures measure_scene(const std::string& name, Scene scene, const Plan& pla
                            const Observer& observer) {
     hard::Setting setting;
     setting.scene = std::move(scene);
-    SceneFigures figures{name, setting.scene.primitives.size(), {}, {}};
+    SceneFigures figures{name, setting.scene.geometry.primitives.size(), {}, {}};
     std::vector<Contender> contenders = enter(plan);
     figures.builds = measure_builds(contenders, setting.scene, plan.threads, plan.repeats);
     if (!observer(figures) || plan.kinds.empty()) return figures;

@@ -1,4 +1,5 @@
 // Polygons of any number of corners, concave ones too, flat or with corner normals.
+#include <algorithm>
 #include <cmath>
 
 #include "core/formats/degenerate.h"
@@ -14,70 +15,76 @@ Vec3 normalized(const Vec3& v) {
     return n / std::sqrt(n.dot(n));
 }
 
-/// Where the corners and normals of the polygon being read begin in the scene's arrays.
-struct Place {
-    std::uint32_t vertex, normal;
-};
-
-/// Appends the corners to the scene's vertices (and normals).
 void read_corners(SceneLoader& loader, std::size_t count, bool with_normals) {
-    Scene& scene = loader.scene;
+    auto& [positions, normals] = loader.corners;
+    positions.clear();
+    normals.clear();
     for (std::size_t i = 0; i < count && loader.in.ok(); ++i) {
-        scene.vertices.push_back(loader.in.vector("corner"));
-        if (with_normals) scene.normals.push_back(loader.in.vector("corner normal"));
+        positions.push_back(loader.in.vector("corner"));
+        if (with_normals) normals.push_back(loader.in.vector("corner normal"));
     }
 }
 
-/// Nothing where the corners just read make no polygon.
-bool is_visible(SceneLoader& loader, const Place& first) {
+/// Whether the corners just read make a polygon.
+bool is_visible(SceneLoader& loader) {
     if (!loader.in.ok()) return false;
-    const Vec3 normal = area_normal(std::span(loader.scene.vertices).subspan(first.vertex));
+    const Vec3 normal = area_normal(loader.corners.positions);
     if (is_finite(normal) && normal != Vec3(0)) return true;
     loader.leave_out("it has no area");
     return false;
 }
 
 /// Brings the normals to unit length. A zero one leaves the polygon without any.
-std::uint32_t usable_normals(SceneLoader& loader, const Place& first) {
-    std::vector<Vec3>& normals = loader.scene.normals;
-    for (std::size_t i = first.normal; i < normals.size(); ++i) {
-        normals[i] = normalized(normals[i]);
-        if (is_finite(normals[i])) continue;
-        loader.in.warn("degenerate", "'{}' shaded flat: a corner normal is zero",
-                       loader.in.keyword());
-        normals.resize(first.normal);
-        return no_index;
-    }
-    return first.normal;
+void normalize_normals(SceneLoader& loader) {
+    std::vector<Vec3>& normals = loader.corners.normals;
+    for (Vec3& n : normals) n = normalized(n);
+    if (std::ranges::all_of(normals, [](const Vec3& n) { return is_finite(n); })) return;
+    loader.in.warn("degenerate", "'{}' shaded flat: a corner normal is zero", loader.in.keyword());
+    normals.clear();
 }
 
-void add(SceneLoader& loader, const Place& first, std::uint32_t normals) {
-    const std::uint32_t v = first.vertex;
-    const auto count = static_cast<std::uint32_t>(loader.scene.vertices.size()) - v;
-    if (count == 3) {
-        loader.add(Triangle{{v, v + 1, v + 2}, normals}, loader.sides());
-    } else {
-        loader.add(Polygon{v, count, normals}, loader.sides());
+void add_triangle(SceneLoader& loader) {
+    const auto& [positions, normals] = loader.corners;
+    Geometry& geometry = loader.scene.geometry;
+    Triangle triangle{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        triangle.vertices[k] =
+            normals.empty() ? geometry.add_vertex(positions[k])
+                            : loader.smooth_vertices.number(geometry, positions[k], normals[k]);
     }
+    if (!normals.empty()) triangle.normal_offset = geometry.normal_offset();
+    loader.add(triangle, loader.sides());
+}
+
+template <class T>
+std::uint32_t append(std::vector<T>& to, const std::vector<T>& items) {
+    const auto first = static_cast<std::uint32_t>(to.size());
+    to.insert(to.end(), items.begin(), items.end());
+    return first;
+}
+
+void add_polygon(SceneLoader& loader) {
+    const auto& [positions, normals] = loader.corners;
+    Geometry& geometry = loader.scene.geometry;
+    Polygon polygon{append(geometry.vertices, positions),
+                    static_cast<std::uint32_t>(positions.size())};
+    if (!normals.empty()) polygon.normals = append(geometry.normals, normals);
+    loader.add(polygon, loader.sides());
 }
 
 void read(SceneLoader& loader, bool with_normals) {
     Reader& in = loader.in;
-    Scene& scene = loader.scene;
     const std::size_t offset = in.tokens().offset();
     const std::size_t count = in.count("number of corners", with_normals ? 6 : 3);
     if (!in.ok()) return;
-    const Place first{static_cast<std::uint32_t>(scene.vertices.size()),
-                      static_cast<std::uint32_t>(scene.normals.size())};
     read_corners(loader, count, with_normals);
     if (in.ok() && count < 3) {
         in.warn_at(offset, "degenerate", "'{}' left out: {} corners, expected at least 3",
                    in.keyword(), count);
-    } else if (is_visible(loader, first)) {
-        return add(loader, first, with_normals ? usable_normals(loader, first) : no_index);
+    } else if (is_visible(loader)) {
+        normalize_normals(loader);
+        count == 3 ? add_triangle(loader) : add_polygon(loader);
     }
-    scene.vertices.resize(first.vertex);
-    scene.normals.resize(first.normal);
 }
 
 }  // namespace

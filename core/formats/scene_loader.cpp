@@ -41,8 +41,8 @@ Material matt_grey() {
 
 void SceneLoader::set_material(const Material& m) {
     if (!is_possible(in, m)) return;
-    material = static_cast<std::uint32_t>(scene.materials.size());
-    scene.materials.push_back(m);
+    material = static_cast<std::uint32_t>(scene.look.materials.size());
+    scene.look.materials.push_back(m);
 }
 
 std::uint32_t SceneLoader::current_material() {
@@ -54,20 +54,20 @@ std::uint32_t SceneLoader::current_material() {
 }
 
 Sides SceneLoader::sides() {
-    const bool opaque = scene.materials[current_material()].transmission == Color(0.0F);
+    const bool opaque = scene.look.materials[current_material()].transmission == Color(0.0F);
     return options.one_sided && opaque ? Sides::front : Sides::both;
 }
 
 void SceneLoader::add_light(const Vec3& position) {
-    uncolored_lights.push_back(scene.lights.size());
-    scene.lights.emplace_back(PointLight{position, Color(1.0F)});
+    uncolored_lights.push_back(scene.look.lights.size());
+    scene.look.lights.emplace_back(PointLight{position, Color(1.0F)});
 }
 
 LoadResult SceneLoader::finish(DiagnosticLog& log) {
     settle_cameras(*this, log);
-    const double intensity = 1 / std::sqrt(static_cast<double>(scene.lights.size()));
+    const double intensity = 1 / std::sqrt(static_cast<double>(scene.look.lights.size()));
     for (const std::size_t i : uncolored_lights) {
-        std::get<PointLight>(scene.lights[i]).color = Color(static_cast<float>(intensity));
+        std::get<PointLight>(scene.look.lights[i]).color = Color(static_cast<float>(intensity));
     }
     LoadResult result;
     if (!log.has_errors()) result.scene = std::move(scene);
@@ -77,7 +77,7 @@ LoadResult SceneLoader::finish(DiagnosticLog& log) {
 
 void read_background(SceneLoader& loader) {
     const Color color = loader.in.color("colour");
-    if (loader.in.ok()) loader.scene.environment.background = color;
+    if (loader.in.ok()) loader.scene.look.environment.background = color;
 }
 
 }  // namespace etalon

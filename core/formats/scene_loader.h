@@ -7,6 +7,7 @@
 
 #include "core/formats/load.h"
 #include "core/formats/reader.h"
+#include "core/formats/smooth_vertices.h"
 
 namespace etalon {
 
@@ -17,6 +18,11 @@ struct UnusableCamera {
 
 /// What objects before any material are made of, where the format does not say.
 Material matt_grey();
+
+/// Corners of the polygon being read, and their normals if it has some.
+struct Corners {
+    std::vector<Vec3> positions, normals;
+};
 
 /// A scene file being read: what the formats that grew from NFF have in common.
 struct SceneLoader {
@@ -29,6 +35,8 @@ struct SceneLoader {
     std::optional<UnusableCamera> unusable_camera{};  ///< the first; an error if no other is good
     std::optional<std::uint32_t> material{};          ///< of the objects to come
     std::vector<std::size_t> uncolored_lights{};      ///< those the file gives no colour
+    Corners corners{};  ///< kept from one polygon to the next for their room
+    SmoothVertices smooth_vertices{};
 
     /// Of the objects to come, if there can be such a surface; if not, says why.
     void set_material(const Material& material);
@@ -49,7 +57,7 @@ struct SceneLoader {
 
     template <class Shape>
     void add(const Shape& shape, Sides which) {
-        scene.add(shape, current_material(), which);
+        scene.geometry.add(shape, current_material(), which);
     }
 
     /// The current statement's shape cannot be seen.

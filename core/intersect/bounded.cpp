@@ -21,11 +21,11 @@ bool is_bounded(const Box3& box) {
     return !box.isEmpty() && is_finite(box.min) && is_finite(box.max);
 }
 
-Survey survey(const Scene& scene, std::size_t begin, std::size_t end) {
+Survey survey(const Geometry& geometry, std::size_t begin, std::size_t end) {
     Survey result;
     for (std::size_t i = begin; i < end; ++i) {
         const auto id = static_cast<std::uint32_t>(i);
-        const Box3 box = primitive_bounds(scene, id);
+        const Box3 box = primitive_bounds(geometry, id);
         if (is_bounded(box)) {
             result.world.extendBy(box);
             ++result.bounded;
@@ -37,22 +37,22 @@ Survey survey(const Scene& scene, std::size_t begin, std::size_t end) {
 }
 
 /// The boxes are asked for a second time: that costs less than to keep them in double.
-void bound(const Scene& scene, const Frame& frame, std::size_t begin, std::size_t end,
+void bound(const Geometry& geometry, const Frame& frame, std::size_t begin, std::size_t end,
            BoundedPrimitive* out) {
     for (std::size_t i = begin; i < end; ++i) {
         const auto id = static_cast<std::uint32_t>(i);
-        const Box3 box = primitive_bounds(scene, id);
-        if (is_bounded(box)) *out++ = {frame.box(box), id, scene.primitives[i].kind};
+        const Box3 box = primitive_bounds(geometry, id);
+        if (is_bounded(box)) *out++ = {frame.box(box), id, geometry.primitives[i].kind};
     }
 }
 
 }  // namespace
 
-SceneBounds SceneBounds::of(const Scene& scene) {
-    const Chunks chunks(scene.primitives.size(), chunk_size);
+SceneBounds SceneBounds::of(const Geometry& geometry) {
+    const Chunks chunks(geometry.primitives.size(), chunk_size);
     std::vector<Survey> surveys(chunks.number());
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        surveys[chunk] = survey(scene, begin, end);
+        surveys[chunk] = survey(geometry, begin, end);
     });
 
     SceneBounds result;
@@ -68,14 +68,14 @@ SceneBounds SceneBounds::of(const Scene& scene) {
     result.frame = Frame(world);
     result.bounded.resize(count);
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        bound(scene, result.frame, begin, end, result.bounded.data() + offsets[chunk]);
+        bound(geometry, result.frame, begin, end, result.bounded.data() + offsets[chunk]);
     });
     return result;
 }
 
-SceneBounds SceneBounds::none_bounded(const Scene& scene) {
+SceneBounds SceneBounds::none_bounded(const Geometry& geometry) {
     SceneBounds result;
-    result.unbounded.resize(scene.primitives.size());
+    result.unbounded.resize(geometry.primitives.size());
     std::iota(result.unbounded.begin(), result.unbounded.end(), 0U);
     return result;
 }

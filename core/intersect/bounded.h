@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/intersect/frame.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
@@ -28,10 +28,10 @@ static_assert(sizeof(BoundedPrimitive) == 32);
 /// nothing can hit, are in neither list.
 struct SceneBounds {
     /// On as many threads as allowed; both lists are in the order of the scene.
-    static SceneBounds of(const Scene& scene);
+    static SceneBounds of(const Geometry& geometry);
 
     /// Every primitive in the list of those that must always be tested.
-    static SceneBounds none_bounded(const Scene& scene);
+    static SceneBounds none_bounded(const Geometry& geometry);
 
     Frame frame;
     std::vector<BoundedPrimitive> bounded;

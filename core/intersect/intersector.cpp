@@ -11,14 +11,14 @@ bool is_valid(const Ray& ray) {
            ray.tmin < ray.tmax;
 }
 
-bool reaches(const Scene& scene, std::uint32_t id, const RayQuery& query) {
-    return primitive_first_hit(scene, id, query) <= query.ray.tmax;
+bool reaches(const Geometry& geometry, std::uint32_t id, const RayQuery& query) {
+    return primitive_first_hit(geometry, id, query) <= query.ray.tmax;
 }
 
 }  // namespace
 
-Intersector::Intersector(const Scene& scene, SceneBounds bounds)
-    : scene_(scene), bounds_(std::move(bounds)) {}
+Intersector::Intersector(const Geometry& geometry, SceneBounds bounds)
+    : geometry_(geometry), bounds_(std::move(bounds)) {}
 
 template <class OfferBounded>
 std::optional<Hit> Intersector::closest_of_all(const Ray& ray,
@@ -28,13 +28,13 @@ std::optional<Hit> Intersector::closest_of_all(const Ray& ray,
     const RayQuery query(ray);
     NearestHit nearest(ray.tmax);
     if (!bounds_.frame.resolves(ray)) {
-        for (std::uint32_t id = 0; id < scene_.primitives.size(); ++id) {
-            nearest.offer(primitive_first_hit(scene_, id, query), id);
+        for (std::uint32_t id = 0; id < geometry_.primitives.size(); ++id) {
+            nearest.offer(primitive_first_hit(geometry_, id, query), id);
         }
         return nearest.result();
     }
     for (const std::uint32_t id : bounds_.unbounded) {
-        nearest.offer(primitive_first_hit(scene_, id, query), id);
+        nearest.offer(primitive_first_hit(geometry_, id, query), id);
     }
     if (const auto local = bounds_.frame.ray(ray)) offer_bounded(query, *local, nearest);
     return nearest.result();
@@ -50,7 +50,7 @@ std::optional<Hit> Intersector::closest(const Ray& ray) const {
 std::optional<Hit> Intersector::closest(const Ray& ray, TraversalCost& cost) const {
     if (!is_valid(ray)) return std::nullopt;
     const bool resolved = bounds_.frame.resolves(ray);
-    cost.primitive_tests += resolved ? bounds_.unbounded.size() : scene_.primitives.size();
+    cost.primitive_tests += resolved ? bounds_.unbounded.size() : geometry_.primitives.size();
     return closest_of_all(ray,
                           [&](const RayQuery& query, const FrameRay& local, NearestHit& nearest) {
                               closest_counted(query, local, nearest, cost);
@@ -62,13 +62,13 @@ bool Intersector::occluded(const Ray& ray) const {
     if (!is_valid(ray)) return false;
     const RayQuery query(ray);
     if (!bounds_.frame.resolves(ray)) {
-        for (std::uint32_t id = 0; id < scene_.primitives.size(); ++id) {
-            if (reaches(scene_, id, query)) return true;
+        for (std::uint32_t id = 0; id < geometry_.primitives.size(); ++id) {
+            if (reaches(geometry_, id, query)) return true;
         }
         return false;
     }
     for (const std::uint32_t id : bounds_.unbounded) {
-        if (reaches(scene_, id, query)) return true;
+        if (reaches(geometry_, id, query)) return true;
     }
     const auto local = bounds_.frame.ray(ray);
     return local && occluded_bounded(query, *local);

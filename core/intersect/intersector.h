@@ -9,7 +9,7 @@
 #include "core/intersect/bounded.h"
 #include "core/intersect/ray.h"
 #include "core/intersect/traversal_cost.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
@@ -18,8 +18,8 @@ namespace etalon {
 /// The scene must outlive the intersector.
 class Intersector {
   public:
-    explicit Intersector(const Scene& scene) : Intersector(scene, SceneBounds::of(scene)) {}
-    Intersector(const Scene& scene, SceneBounds bounds);
+    explicit Intersector(const Geometry& geometry) : Intersector(geometry, SceneBounds::of(geometry)) {}
+    Intersector(const Geometry& geometry, SceneBounds bounds);
     virtual ~Intersector() = default;
     Intersector(const Intersector&) = delete;
     Intersector& operator=(const Intersector&) = delete;
@@ -55,7 +55,7 @@ class Intersector {
     /// Whether any bounded primitive is hit with t <= query.ray.tmax.
     virtual bool occluded_bounded(const RayQuery& query, const FrameRay& local) const = 0;
 
-    const Scene& scene() const { return scene_; }
+    const Geometry& geometry() const { return geometry_; }
     const SceneBounds& scene_bounds() const { return bounds_; }
 
     /// The bounded primitives, for building; the intersector does not keep them.
@@ -65,7 +65,7 @@ class Intersector {
     template <class OfferBounded>
     std::optional<Hit> closest_of_all(const Ray& ray, const OfferBounded& offer_bounded) const;
 
-    const Scene& scene_;
+    const Geometry& geometry_;
     SceneBounds bounds_;
 };
 
@@ -76,7 +76,7 @@ struct Backend {
     bool exact;  ///< hits are decided by the kernels, so bit-identical to every other exact backend
     /// Never null. Throws std::bad_alloc, and std::runtime_error with the reason where a library
     /// that the backend stands on cannot work on this machine.
-    std::unique_ptr<Intersector> (*build)(const Scene& scene);
+    std::unique_ptr<Intersector> (*build)(const Geometry& geometry);
     bool counts_box_tests = false;  ///< in a TraversalCost
     bool counts_primitive_tests = false;
 };

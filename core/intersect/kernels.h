@@ -4,21 +4,21 @@
 
 #include "core/intersect/ray.h"
 #include "core/intersect/surface.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
 /// See core/intersect/shapes/all.h for what these promise.
-Box3 primitive_bounds(const Scene& scene, std::uint32_t primitive);
-double primitive_first_hit(const Scene& scene, std::uint32_t primitive, const RayQuery& query);
+Box3 primitive_bounds(const Geometry& geometry, std::uint32_t primitive);
+double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive, const RayQuery& query);
 
 /// The same for whoever has the shape at hand: a primitive's number leads to it over two cache
 /// misses. Triangles only need their corners.
 template <class Shape>
-double shape_first_hit(const Scene& scene, const Shape& shape, Sides sides, const RayQuery& query);
-extern template double shape_first_hit(const Scene&, const Triangle&, Sides, const RayQuery&);
-extern template double shape_first_hit(const Scene&, const Sphere&, Sides, const RayQuery&);
+double shape_first_hit(const Geometry& geometry, const Shape& shape, Sides sides, const RayQuery& query);
+extern template double shape_first_hit(const Geometry&, const Triangle&, Sides, const RayQuery&);
+extern template double shape_first_hit(const Geometry&, const Sphere&, Sides, const RayQuery&);
 
-SurfacePoint surface_at(const Scene& scene, const Ray& ray, const Hit& hit);
+SurfacePoint surface_at(const Geometry& geometry, const Ray& ray, const Hit& hit);
 
 }  // namespace etalon

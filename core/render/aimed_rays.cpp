@@ -15,8 +15,8 @@ constexpr double finest = -15;
 /// The numbers of the primitives of each kind that there are, degenerate ones left out.
 std::vector<std::vector<std::uint32_t>> primitives_by_kind(const Scene& scene) {
     std::vector<std::vector<std::uint32_t>> kinds(shape_kinds);
-    for (std::uint32_t id = 0; id < scene.primitives.size(); ++id) {
-        if (!primitive_bounds(scene, id).isEmpty()) kinds[scene.primitives[id].kind].push_back(id);
+    for (std::uint32_t id = 0; id < scene.geometry.primitives.size(); ++id) {
+        if (!primitive_bounds(scene.geometry, id).isEmpty()) kinds[scene.geometry.primitives[id].kind].push_back(id);
     }
     std::erase_if(kinds, [](const auto& ids) { return ids.empty(); });
     return kinds;
@@ -60,7 +60,7 @@ std::vector<Ray> rays_at_features(const Scene& scene, const Box3& bounds, std::s
     for (std::size_t i = 0; i < count && !kinds.empty(); ++i) {
         Random random(feature_seed, i);
         const auto& ids = kinds[random.index(kinds.size())];
-        const auto targets = targets_of(scene, ids[random.index(ids.size())], finest);
+        const auto targets = targets_of(scene.geometry, ids[random.index(ids.size())], finest);
         const Vec3 origin = i % 2 == 0 ? scene.camera.eye : anywhere_in(bounds, random);
         const Vec3 target = targets[random.index(targets.size())](origin, random);
         const Vec3 direction = target - origin;

@@ -5,6 +5,7 @@
 
 #include "core/intersect/intersector.h"
 #include "core/render/camera_rays.h"
+#include "core/scene/scene.h"
 
 namespace etalon {
 

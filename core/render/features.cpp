@@ -78,7 +78,7 @@ std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& int
         const Ray ray = camera.ray(Vec2(x + 0.5, y + 0.5), Vec2(0.5));
         const std::optional<Hit> hit = intersector.closest(ray, hits.costs[pixel]);
         if (!hit) return;
-        const Vec3 position = surface_at(scene, ray, *hit).position;
+        const Vec3 position = surface_at(scene.geometry, ray, *hit).position;
         hits.positions[pixel] = Vec3f(position);
         hits.depths[pixel] = static_cast<float>(camera.depth(position));
         hits.primitives[pixel] = hit->primitive;

@@ -51,10 +51,10 @@ Vec3 on_unit_sphere(const Vec2& uv) {
     return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
-Box3 finite_bounds(const Scene& scene) {
+Box3 finite_bounds(const Geometry& geometry) {
     Box3 box;
-    for (std::uint32_t id = 0; id < scene.primitives.size(); ++id) {
-        const Box3 b = primitive_bounds(scene, id);
+    for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
+        const Box3 b = primitive_bounds(geometry, id);
         if (!b.isEmpty() && is_finite(b.min) && is_finite(b.max)) box.extendBy(b);
     }
     return box.isEmpty() ? Box3(Vec3(-1), Vec3(1)) : box;
@@ -86,9 +86,9 @@ class RaySetMaker {
 
     RaySet shadow() const {
         RaySet set{"shadow", true, {}};
-        if (scene_.lights.empty()) return set;
+        if (scene_.look.lights.empty()) return set;
         for_each_hit([&](const SurfacePoint& p, const Vec3&, const SampleSource& sample) {
-            const Light& light = scene_.lights[set.rays.size() % scene_.lights.size()];
+            const Light& light = scene_.look.lights[set.rays.size() % scene_.look.lights.size()];
             const Vec3 target = LightSamples(light, 1).position(0, sample, 1);
             set.rays.push_back(ray_between(p, target));
             set.rays.back().coherent = true;
@@ -98,13 +98,13 @@ class RaySetMaker {
 
     RaySet aimed() const {
         RaySet set{"aimed", false, {}};
-        set.rays = rays_at_features(scene_, finite_bounds(scene_), (limit_ + 1) / 2);
+        set.rays = rays_at_features(scene_, finite_bounds(scene_.geometry), (limit_ + 1) / 2);
         add_rays_at_borders(exact_, camera_, pixels_, limit_, set.rays);
         return set;
     }
 
     RaySet random() const {
-        const Box3 box = finite_bounds(scene_);
+        const Box3 box = finite_bounds(scene_.geometry);
         const Vec3 centre = box.center();
         const double radius = std::sqrt(box.size().dot(box.size())) / 2;
         RaySet set{"random", false, {}};
@@ -131,7 +131,7 @@ class RaySetMaker {
             const Ray ray = through(pixel);
             const std::optional<Hit> hit = exact_.closest(ray);
             if (!hit) continue;
-            const SurfacePoint p = surface_at(scene_, ray, *hit);
+            const SurfacePoint p = surface_at(scene_.geometry, ray, *hit);
             const Vec3 normal = p.normal.dot(ray.direction) < 0 ? p.normal : -p.normal;
             f(p, normal, SampleSource(0, 0, bounce_seed, index++));
         }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/intersect/intersector.h"
+#include "core/scene/scene.h"
 
 namespace etalon {
 

@@ -10,6 +10,7 @@
 #include "core/render/film.h"
 #include "core/render/ray_counts.h"
 #include "core/sampling/sample_source.h"
+#include "core/scene/scene.h"
 #include "core/shading/environment_map.h"
 
 namespace etalon {

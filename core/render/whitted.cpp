@@ -49,7 +49,7 @@ double highlight_of(const Material& m, const Vec3& direction, const Vec3& normal
 Whitted::Whitted(const Scene& scene, const Intersector& intersector,
                  const EnvironmentMap& environment, int samples_per_pixel, int max_depth)
     : scene_(scene), intersector_(intersector), environment_(environment), max_depth_(max_depth) {
-    for (const Light& light : scene.lights) lights_.emplace_back(light, samples_per_pixel);
+    for (const Light& light : scene.look.lights) lights_.emplace_back(light, samples_per_pixel);
 }
 
 Color Whitted::radiance(const Ray& ray, const SampleSource& sample, RayCounts& counts) const {

@@ -11,13 +11,16 @@ Vec3 in_triangle(const Vec3& a, const Vec3& b, const Vec3& c, Random& random) {
 
 }  // namespace
 
-Outline::Outline(const Scene& scene, std::uint32_t primitive) : vertices_(scene.vertices.data()) {
-    const Primitive& p = scene.primitives[primitive];
+Outline::Outline(const Geometry& geometry, std::uint32_t primitive) {
+    const Primitive p = geometry.primitives[primitive];
     if (p.kind == kind_of<Triangle>()) {
-        triangle_ = scene.get<Triangle>(p).vertices.data();
+        for (const std::uint32_t v : geometry.get<Triangle>(p).vertices) {
+            corners_.push_back(geometry.vertex(v));
+        }
     } else {
-        first_ = scene.get<Polygon>(p).first;
-        size_ = scene.get<Polygon>(p).count;
+        const auto& polygon = geometry.get<Polygon>(p);
+        const auto corners = std::span(geometry.vertices).subspan(polygon.first, polygon.count);
+        corners_.assign(corners.begin(), corners.end());
     }
 }
 

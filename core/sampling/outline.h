@@ -5,25 +5,20 @@
 #include <vector>
 
 #include "core/sampling/random.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
 /// The corners of a primitive that is a triangle or a polygon.
 class Outline {
   public:
-    /// The scene must outlive the outline.
-    Outline(const Scene& scene, std::uint32_t primitive);
+    Outline(const Geometry& geometry, std::uint32_t primitive);
 
-    std::uint32_t size() const { return size_; }
-    const Vec3& operator[](std::uint32_t i) const {
-        return triangle_ != nullptr ? vertices_[triangle_[i]] : vertices_[first_ + i];
-    }
+    std::uint32_t size() const { return static_cast<std::uint32_t>(corners_.size()); }
+    const Vec3& operator[](std::uint32_t i) const { return corners_[i]; }
 
   private:
-    const Vec3* vertices_;
-    const std::uint32_t* triangle_ = nullptr;  ///< the indices of its corners, for a triangle
-    std::uint32_t first_ = 0, size_ = 3;
+    std::vector<Vec3> corners_;
 };
 
 enum class Feature { vertices, edges, middles, points };

@@ -141,13 +141,13 @@ std::vector<Target> targets(const Outline& face) {
 
 }  // namespace
 
-std::vector<Target> targets_of(const Scene& scene, std::uint32_t primitive, double finest) {
-    const Primitive& p = scene.primitives[primitive];
+std::vector<Target> targets_of(const Geometry& geometry, std::uint32_t primitive, double finest) {
+    const Primitive p = geometry.primitives[primitive];
     return with_shape(p.kind, [&]<class Shape>() {
         if constexpr (std::is_same_v<Shape, Triangle> || std::is_same_v<Shape, Polygon>) {
-            return targets(Outline(scene, primitive));
+            return targets(Outline(geometry, primitive));
         } else {
-            return targets(scene.get<Shape>(p), finest);
+            return targets(geometry.get<Shape>(p), finest);
         }
     });
 }

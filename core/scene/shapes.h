@@ -15,6 +15,7 @@
 
 #include "core/numerics/local_frame.h"
 #include "core/numerics/vec.h"
+#include "core/scene/triangle_list.h"
 
 namespace etalon {
 
@@ -31,13 +32,13 @@ struct Sphere {
     double radius;  ///< > 0; an inside-only sphere is a matter of Sides
 };
 
-/// Corners, and corner normals if `normals` is an index: both into the scene's arrays.
-/// The front is where the corners run counter-clockwise.
+/// Numbers of its corners among the vertices of the geometry. The front is where the corners run
+/// counter-clockwise.
 struct Triangle {
     static constexpr std::string_view name = "triangle";
     static constexpr Form form = Form::flat;
-    std::array<std::uint32_t, 3> vertices;
-    std::uint32_t normals = no_index;  ///< first of three consecutive normals
+    TriangleIndices vertices;
+    std::uint32_t normal_offset = no_index;  ///< see Primitive
 };
 
 /// A planar polygon with count >= 4 corners, concave or not: scene.vertices[first ... first+count).
@@ -121,9 +122,10 @@ struct ClosedCylinder {
     LocalFrame frame;
 };
 
-/// One array per kind of shape. A kind's number is its place in this list.
+/// One array per kind of shape. A kind's number is its place in this list; triangles are in an
+/// array of fewer bytes.
 using ShapeArrays =
-    std::tuple<std::vector<Sphere>, std::vector<Triangle>, std::vector<Polygon>, std::vector<Box>,
+    std::tuple<std::vector<Sphere>, TriangleList, std::vector<Polygon>, std::vector<Box>,
                std::vector<Plane>, std::vector<Cone>, std::vector<Ring>, std::vector<Quadric>,
                std::vector<Ellipsoid>, std::vector<ClosedCylinder>>;
 
@@ -131,8 +133,17 @@ inline constexpr std::size_t shape_kinds = std::tuple_size_v<ShapeArrays>;
 
 using ShapeKind = std::uint8_t;
 
+template <class Array>
+struct ShapeOfArray {
+    using type = typename Array::value_type;
+};
+template <>
+struct ShapeOfArray<TriangleList> {
+    using type = Triangle;
+};
+
 template <std::size_t Kind>
-using ShapeOfKind = typename std::tuple_element_t<Kind, ShapeArrays>::value_type;
+using ShapeOfKind = typename ShapeOfArray<std::tuple_element_t<Kind, ShapeArrays>>::type;
 
 /// The number of the kind `Shape`; fails to compile for what is not in the list.
 template <class Shape, std::size_t Kind = 0>

@@ -5,12 +5,29 @@
 namespace etalon {
 namespace {
 
+/// What is moved or scaled has as many digits as a double.
+void decode_vertices(Geometry& g) {
+    const auto first = static_cast<std::uint32_t>(g.vertices.size());
+    for (std::uint32_t i = 0; i < g.decimal_vertices.size(); ++i) {
+        g.vertices.push_back(g.vertex(i | decimal_vertex));
+    }
+    g.decimal_vertices.clear();
+    TriangleList triangles;
+    for (TriangleIndices t : g.all<Triangle>()) {
+        for (std::uint32_t& v : t) {
+            if ((v & decimal_vertex) != 0) v = first + (v & ~decimal_vertex);
+        }
+        triangles.push_back(t);
+    }
+    g.all<Triangle>() = std::move(triangles);
+}
+
 class Similarity {
   public:
     Similarity(double factor, const Vec3& offset) : factor_(factor), offset_(offset) {}
 
     void operator()(Sphere& s) const { move(s.centre), scale(s.radius); }
-    void operator()(Triangle&) const {}  // its corners are the scene's
+    void operator()(TriangleList&) const {}  // corners are moved by themselves
     void operator()(Polygon&) const {}
     void operator()(Box& b) const { move(b.min), move(b.max); }
     void operator()(Plane& p) const { move(p.point); }
@@ -26,6 +43,11 @@ class Similarity {
     void operator()(Ellipsoid& e) const { e = Ellipsoid(after(e.to_world)); }
     void operator()(ClosedCylinder& c) const { c = ClosedCylinder(after(c.to_world)); }
 
+    void operator()(Geometry& g) const {
+        decode_vertices(g);
+        std::apply([&](auto&... shapes) { ((*this)(shapes), ...); }, g.shapes);
+        (*this)(g.vertices);
+    }
     void operator()(Vec3& point) const { move(point); }
     void operator()(PointLight& l) const { move(l.position); }
     void operator()(QuadLight& l) const { move(l.corner), l.edge1 *= factor_, l.edge2 *= factor_; }
@@ -36,8 +58,14 @@ class Similarity {
         for (T& item : list) (*this)(item);
     }
 
+    /// Whether all points so far are within the range of double.
+    bool stayed_finite() const { return finite_; }
+
   private:
-    void move(Vec3& p) const { p = factor_ * p + offset_; }
+    void move(Vec3& p) const {
+        p = factor_ * p + offset_;
+        finite_ = is_finite(p) && finite_;
+    }
     void scale(double& length) const { length *= factor_; }
     Affine after(const Affine& map) const {
         return {factor_ * map.x, factor_ * map.y, factor_ * map.z, factor_ * map.origin + offset_};
@@ -45,16 +73,23 @@ class Similarity {
 
     double factor_;
     Vec3 offset_;
+    mutable bool finite_ = true;
 };
 
 }  // namespace
 
+std::optional<Geometry> moved(Geometry geometry, const Vec3& offset) {
+    const Similarity place(1, offset);
+    place(geometry);
+    if (!place.stayed_finite()) return std::nullopt;
+    return geometry;
+}
+
 Scene transformed(Scene scene, double factor, const Vec3& offset) {
     const Similarity place(factor, offset);
-    std::apply([&](auto&... shapes) { (place(shapes), ...); }, scene.shapes);
-    place(scene.vertices);
+    place(scene.geometry);
     place(scene.camera);
-    for (Light& light : scene.lights) std::visit(place, light);
+    for (Light& light : scene.look.lights) std::visit(place, light);
     return scene;
 }
 

@@ -18,12 +18,12 @@ std::vector<Range> number_leaves(BvhTree& tree) {
 
 }  // namespace
 
-Bvh::Bvh(const Scene& scene) : Intersector(scene) {
-    BvhTree tree = build_scene_bvh(scene, scene_bounds().frame, take_bounded());
+Bvh::Bvh(const Geometry& geometry) : Intersector(geometry) {
+    BvhTree tree = build_scene_bvh(geometry, scene_bounds().frame, take_bounded());
     if (tree.nodes.empty()) return;
     const std::vector<Range> ranges = number_leaves(tree);
     std::vector<ClusterRef> refs;
-    clusters_ = Clusters(scene, scene_bounds().frame, tree.ids, ranges, refs);
+    clusters_ = Clusters(geometry, scene_bounds().frame, tree.ids, ranges, refs);
     tree_ = widen(tree.nodes, refs);
 }
 

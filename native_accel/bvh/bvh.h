@@ -8,7 +8,7 @@ namespace etalon {
 /// A bounding volume hierarchy, built binary and walked eight-wide, with clusters for leaves.
 class Bvh final : public Intersector {
   public:
-    explicit Bvh(const Scene& scene);
+    explicit Bvh(const Geometry& geometry);
     std::size_t memory_bytes() const override;
     std::string isa() const override;
 
@@ -20,7 +20,7 @@ class Bvh final : public Intersector {
     bool occluded_bounded(const RayQuery& query, const FrameRay& local) const override;
 
   private:
-    BvhView view() const { return {scene(), tree_, clusters_}; }
+    BvhView view() const { return {geometry(), tree_, clusters_}; }
 
     WideTree tree_;
     Clusters clusters_;

@@ -25,7 +25,7 @@ HWY_INLINE void visit(const BvhView& bvh, ClusterRef ref, const ClusterFilter& f
                       const RayQuery& query, const Offer& offer) {
     std::uint32_t lanes = filter.candidates(bvh.clusters, ref, tmax);
     for (; lanes != 0; lanes &= lanes - 1) {
-        const auto [id, t] = bvh.clusters.ask(bvh.scene, ref, std::countr_zero(lanes), query);
+        const auto [id, t] = bvh.clusters.ask(bvh.geometry, ref, std::countr_zero(lanes), query);
         if (!offer(t, id)) return;
     }
 }

@@ -12,7 +12,7 @@ namespace etalon {
 
 /// What a walk needs.
 struct BvhView {
-    const Scene& scene;
+    const Geometry& geometry;
     const WideTree& tree;
     const Clusters& clusters;
 

@@ -9,12 +9,12 @@ bool is_sphere(const BoundedPrimitive& p) {
     return static_cast<ShapeKind>(p.kind) == kind_of<Sphere>();
 }
 
-std::vector<SphereItem> sphere_items(const Scene& scene, const Frame& frame,
+std::vector<SphereItem> sphere_items(const Geometry& geometry, const Frame& frame,
                                      const std::vector<BoundedPrimitive>& primitives) {
     std::vector<SphereItem> items;
     for (const BoundedPrimitive& p : primitives) {
         if (!is_sphere(p)) continue;
-        const Sphere& s = scene.get<Sphere>(scene.primitives[p.id]);
+        const Sphere& s = geometry.get<Sphere>(geometry.primitives[p.id]);
         items.push_back({p.box(), p.id, frame.point(s.centre), s.radius * frame.scale()});
     }
     return items;
@@ -22,12 +22,12 @@ std::vector<SphereItem> sphere_items(const Scene& scene, const Frame& frame,
 
 }  // namespace
 
-Grid::Grid(const Scene& scene) : Intersector(scene) {
+Grid::Grid(const Geometry& geometry) : Intersector(geometry) {
     const Frame& frame = scene_bounds().frame;
     std::vector<BoundedPrimitive> primitives = take_bounded();
-    spheres_ = PackedGrid<SpherePack>(sphere_items(scene, frame, primitives));
+    spheres_ = PackedGrid<SpherePack>(sphere_items(geometry, frame, primitives));
     std::erase_if(primitives, is_sphere);
-    if (!primitives.empty()) others_ = ClusterGrid(scene, frame, std::move(primitives));
+    if (!primitives.empty()) others_ = ClusterGrid(geometry, frame, std::move(primitives));
 }
 
 std::size_t Grid::memory_bytes() const {

@@ -8,7 +8,7 @@ namespace etalon {
 /// Grids in grids: one whose cells hold spheres, one over clusters of all else.
 class Grid final : public Intersector {
   public:
-    explicit Grid(const Scene& scene);
+    explicit Grid(const Geometry& geometry);
     std::size_t memory_bytes() const override;
     std::string isa() const override;
 
@@ -20,7 +20,7 @@ class Grid final : public Intersector {
     bool occluded_bounded(const RayQuery& query, const FrameRay& local) const override;
 
   private:
-    GridView view() const { return {scene(), spheres_, others_}; }
+    GridView view() const { return {geometry(), spheres_, others_}; }
 
     PackedGrid<SpherePack> spheres_;
     ClusterGrid others_;

@@ -26,7 +26,7 @@ HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const FrameRa
         const Passage passage(boxes.box(), ray, tmin, tmax);
         const Clusters& clusters = grid.others.clusters();
         const auto ask = [&](ClusterRef ref, std::size_t lane) HWY_ATTR {
-            const auto [id, t] = clusters.ask(grid.scene, ref, lane, query);
+            const auto [id, t] = clusters.ask(grid.geometry, ref, lane, query);
             return offer(t, id);
         };
         if (!passage.empty()) {
@@ -37,7 +37,7 @@ HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const FrameRa
     if (!grid.spheres.empty()) {
         const Passage passage(grid.spheres.box(), ray, tmin, tmax);
         const auto ask = [&](std::uint32_t id) HWY_ATTR {
-            return offer(primitive_first_hit(grid.scene, id, query), id);
+            return offer(primitive_first_hit(grid.geometry, id, query), id);
         };
         if (!passage.empty()) {
             const SphereTest test(local, ask, tally);

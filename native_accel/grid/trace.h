@@ -11,7 +11,7 @@ namespace etalon {
 
 /// What a ray needs.
 struct GridView {
-    const Scene& scene;
+    const Geometry& geometry;
     const PackedGrid<SpherePack>& spheres;
     const ClusterGrid& others;
 };

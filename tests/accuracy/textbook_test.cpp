@@ -11,8 +11,8 @@ namespace {
 template <class Shape>
 Scene scene_of(const Shape& shape, std::vector<Vec3> vertices = {}) {
     Scene scene;
-    scene.vertices = std::move(vertices);
-    scene.add(shape, 0);
+    scene.geometry.vertices = std::move(vertices);
+    scene.geometry.add(shape, 0);
     return scene;
 }
 
@@ -50,7 +50,7 @@ Ray random_ray(Random& random) {
 }
 
 double first_t(const Scene& scene, const Ray& ray) {
-    const double t = primitive_first_hit(scene, 0, RayQuery(ray));
+    const double t = primitive_first_hit(scene.geometry, 0, RayQuery(ray));
     return t <= ray.tmax ? t : no_hit;
 }
 
@@ -86,7 +86,7 @@ std::vector<Answer> answers_of(const Contender& contender, const RayBlock& block
 
 TEST_CASE("Every shape has a scene in this test") {
     std::array<bool, shape_kinds> seen{};
-    for (const Scene& scene : scenes()) seen[scene.primitives.front().kind] = true;
+    for (const Scene& scene : scenes()) seen[scene.geometry.primitives.front().kind] = true;
     CHECK(std::count(seen.begin(), seen.end(), true) == shape_kinds);
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("Given benign rays, every textbook kernel agrees with the project's to
         const RayBlock block = benign_rays(scene);
         const std::vector<Answer> expected = answers_of(*kernel_contender(scene), block);
         for (const auto& contender : textbook_contenders(scene)) {
-            INFO(kind_name(scene.primitives.front().kind) << ", " << contender->name());
+            INFO(kind_name(scene.geometry.primitives.front().kind) << ", " << contender->name());
             const std::vector<Answer> answers = answers_of(*contender, block);
             const double tolerance = contender->name().starts_with("double") ? 1e-13 : 5e-5;
             std::size_t hits = 0, other_class = 0;

@@ -99,7 +99,7 @@ TEST_CASE("Only a backend that promises to be exact breaks the promise by an err
 
 TEST_CASE("The worst rays come gravest first, the furthest off among equals", "[crosscheck]") {
     Scene scene;
-    for (int i = 0; i < 8; ++i) scene.add(Sphere{Vec3(0), 1}, 0);
+    for (int i = 0; i < 8; ++i) scene.geometry.add(Sphere{Vec3(0), 1}, 0);
     const Trial trial{"bounce", std::vector<Ray>(4), std::vector(4, hit_at(2, {7}))};
     const Contestant c = contestant(
         "c", {{Hit{2.5, 6}, true}, {Hit{3, 6}, true}, nothing, {Hit{2 + 0x1p-50, 7}, true}});

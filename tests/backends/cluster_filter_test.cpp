@@ -44,13 +44,13 @@ namespace {
 class Trial {
   public:
     explicit Trial(const Scene& scene) : scene_(scene) {
-        SceneBounds bounds = SceneBounds::of(scene);
+        SceneBounds bounds = SceneBounds::of(scene.geometry);
         frame_ = bounds.frame;
         std::vector<std::uint32_t> ids;
         for (const ShapeKind kind : {kind_of<Triangle>(), kind_of<Sphere>()}) {
             const std::size_t first = ids.size();
             for (const BoundedPrimitive& p : bounds.bounded) {
-                if (scene.primitives[p.id].kind == kind) ids.push_back(p.id);
+                if (scene.geometry.primitives[p.id].kind == kind) ids.push_back(p.id);
             }
             for (std::size_t i = first; i < ids.size(); i += cluster_lanes) {
                 const std::size_t count = std::min(cluster_lanes, ids.size() - i);
@@ -58,7 +58,7 @@ class Trial {
                     {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(count)});
             }
         }
-        clusters_ = Clusters(scene, frame_, ids, ranges_, refs_);
+        clusters_ = Clusters(scene.geometry, frame_, ids, ranges_, refs_);
     }
 
     void shoot(const Ray& ray) {
@@ -85,7 +85,7 @@ class Trial {
                 clusters_, ref, query, local, tmin, local.tmax(tmax));
             return (lanes >> lane & 1) != 0;
         };
-        const auto [id, t] = clusters_.ask(scene_, ref, lane, RayQuery(ray));
+        const auto [id, t] = clusters_.ask(scene_.geometry, ref, lane, RayQuery(ray));
         if (passes(infinity, id)) ++left_and_passed;
         if (std::isnan(t)) {
             ++missed;
@@ -137,8 +137,8 @@ Scene hostile_triangles(const Vec3& eye, std::size_t count) {
     scene.camera.eye = eye;
     test::Random random(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        for (const Vec3& corner : hostile_triangle(eye, random)) scene.vertices.push_back(corner);
-        scene.add(Triangle{{3 * i, 3 * i + 1, 3 * i + 2}}, 0);
+        for (const Vec3& corner : hostile_triangle(eye, random)) scene.geometry.vertices.push_back(corner);
+        scene.geometry.add(Triangle{{3 * i, 3 * i + 1, 3 * i + 2}}, 0);
     }
     return scene;
 }
@@ -149,7 +149,7 @@ Scene hostile_spheres(const Vec3& eye, std::size_t count) {
     scene.camera.eye = eye;
     test::Random random(count);
     for (std::size_t i = 0; i < count; ++i) {
-        scene.add(Sphere{random.in_cube(), random.magnitude(-9, 0)}, 0);
+        scene.geometry.add(Sphere{random.in_cube(), random.magnitude(-9, 0)}, 0);
     }
     return scene;
 }

@@ -23,7 +23,7 @@ TEST_CASE("Given the hint that rays are coherent, true or not, no hit changes", 
         const std::vector<Ray> rays = make_rays(scene, 500, random);
         for (const Backend& backend : exact_backends()) {
             INFO(family.name << ", backend " << backend.name);
-            const auto intersector = backend.build(scene);
+            const auto intersector = backend.build(scene.geometry);
             std::size_t different = 0;
             for (Ray ray : rays) {
                 const std::optional<Hit> alone = intersector->closest(ray);

@@ -53,8 +53,8 @@ const Backend& backend_named(std::string_view name) {
 std::optional<Hit> brute_force(const Scene& scene, const Ray& ray) {
     const RayQuery query(ray);
     std::optional<Hit> best;
-    for (std::uint32_t id = 0; id < scene.primitives.size(); ++id) {
-        const double t = primitive_first_hit(scene, id, query);
+    for (std::uint32_t id = 0; id < scene.geometry.primitives.size(); ++id) {
+        const double t = primitive_first_hit(scene.geometry, id, query);
         if (t <= ray.tmax && t < infinity && (!best || t < best->t)) best = Hit{t, id};
     }
     return best;

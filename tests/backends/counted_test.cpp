@@ -20,7 +20,7 @@ Scene two_heaps() {
     Scene scene;
     for (int i = 0; i < 16; ++i) {
         const Vec3 heap(i < 8 ? -100 : 100, 0, 0);
-        scene.add(Sphere{heap + Vec3(i & 1, i >> 1 & 1, i >> 2 & 1), 0.1}, 0);
+        scene.geometry.add(Sphere{heap + Vec3(i & 1, i >> 1 & 1, i >> 2 & 1), 0.1}, 0);
     }
     return scene;
 }
@@ -34,7 +34,7 @@ TEST_CASE("Given a ray, a query that counts finds the same hit to the last bit",
         const std::vector<Ray> rays = make_rays(scene, 500, random);
         for (const Backend& backend : exact_backends()) {
             INFO(family.name << ", backend " << backend.name);
-            const auto intersector = backend.build(scene);
+            const auto intersector = backend.build(scene.geometry);
             TraversalCost cost;
             std::size_t different = 0;
             for (const Ray& ray : rays) {
@@ -50,15 +50,15 @@ TEST_CASE("Given many primitives, an accelerator tests far fewer of them", "[bac
     Random random(8);
     std::vector<Ray> rays = make_rays(scene, 500, random);
     // Those from too far away are tested against everything by all.
-    const Frame frame = SceneBounds::of(scene).frame;
+    const Frame frame = SceneBounds::of(scene.geometry).frame;
     std::erase_if(rays, [&](const Ray& ray) { return !frame.resolves(ray); });
     REQUIRE(rays.size() > 400);
-    const auto none = backend_named("none").build(scene);
+    const auto none = backend_named("none").build(scene.geometry);
     const auto all_tests = cost_of(*none, rays).primitive_tests;
     for (const Backend& backend : exact_backends()) {
         if (!backend.counts_box_tests) continue;
         INFO("backend " << backend.name);
-        const TraversalCost cost = cost_of(*backend.build(scene), rays);
+        const TraversalCost cost = cost_of(*backend.build(scene.geometry), rays);
         if (backend.name == "none") {
             CHECK(cost.box_tests == 0);
             continue;
@@ -71,7 +71,7 @@ TEST_CASE("Given many primitives, an accelerator tests far fewer of them", "[bac
 
 TEST_CASE("Given two heaps, a ray at one costs two boxes and the heap", "[backends]") {
     const Scene scene = two_heaps();
-    const auto bvh = backend_named("bvh").build(scene);
+    const auto bvh = backend_named("bvh").build(scene.geometry);
     TraversalCost cost;
     REQUIRE(bvh->closest({Vec3(-100, 0, 9), Vec3(0, 0, -1)}, cost));
     CHECK(cost.box_tests == 2);
@@ -83,8 +83,8 @@ TEST_CASE("Given two heaps, a ray at one costs two boxes and the heap", "[backen
 
 TEST_CASE("Given a plane, it is tested once more for every ray", "[backends]") {
     Scene scene = two_heaps();
-    scene.add(Plane{Vec3(0, 0, -9), Vec3(0, 0, 1)}, 0);
-    const auto bvh = backend_named("bvh").build(scene);
+    scene.geometry.add(Plane{Vec3(0, 0, -9), Vec3(0, 0, 1)}, 0);
+    const auto bvh = backend_named("bvh").build(scene.geometry);
     TraversalCost cost;
     REQUIRE(bvh->closest({Vec3(-100, 0, 9), Vec3(0, 0, -1)}, cost)->primitive == 4);
     CHECK(cost.primitive_tests == 9);

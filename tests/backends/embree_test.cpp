@@ -43,7 +43,7 @@ TEST_CASE("Given a limit of one thread, Embree builds on one", "[backends][embre
     for (const Backend& backend : embree_backends()) {
         INFO("backend " << backend.name);
         const ThreadLimit limit(1);
-        CHECK(share_of_others([&] { backend.build(scene); }) < 0.1);
+        CHECK(share_of_others([&] { backend.build(scene.geometry); }) < 0.1);
     }
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("Given an Embree build, the caller's arithmetic stays what it was",
           "[backends][embree]") {
     const Scene scene = make_scene("mix", 1000);
     for (const Backend& backend : embree_backends()) {
-        const auto intersector = backend.build(scene);
+        const auto intersector = backend.build(scene.geometry);
         CHECK(keeps_denormals());
         intersector->closest({Vec3(0), Vec3(1)});
         CHECK(keeps_denormals());
@@ -63,7 +63,7 @@ TEST_CASE("Given an Embree backend, it reports its memory and instruction set",
     const Scene scene = make_scene("triangles", 10000);
     for (const Backend& backend : embree_backends()) {
         INFO("backend " << backend.name);
-        const auto intersector = backend.build(scene);
+        const auto intersector = backend.build(scene.geometry);
         CHECK(intersector->memory_bytes() > 30 * 10000);
         CHECK(intersector->memory_bytes() < 300 * 10000);
         CHECK(!intersector->isa().empty());
@@ -74,7 +74,7 @@ TEST_CASE("Given triangles or spheres, the backend embree needs little memory fo
           "[backends][embree]") {
     const auto bytes = [](const char* family) {
         const Scene scene = make_scene(family, 20000);
-        const auto intersector = backend_named("embree").build(scene);
+        const auto intersector = backend_named("embree").build(scene.geometry);
         return static_cast<double>(intersector->memory_bytes()) / 20000;
     };
     CHECK(bytes("triangles") < 85);
@@ -85,8 +85,8 @@ TEST_CASE("Given rays of moderate length, Embree's own shapes hit nearly what th
           "[backends][embree]") {
     for (const char* family : {"spheres", "triangles", "polygons", "mix", "one_sided"}) {
         const Scene scene = make_scene(family, 300);
-        const auto exact = backend_named("none").build(scene);
-        const auto floats = backend_named("embree-builtin").build(scene);
+        const auto exact = backend_named("none").build(scene.geometry);
+        const auto floats = backend_named("embree-builtin").build(scene.geometry);
         Random random(5);
         int different = 0;
         constexpr int count = 20000;

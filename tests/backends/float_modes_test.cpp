@@ -35,7 +35,7 @@ TEST_CASE("Given a processor that flushes denormals, every exact backend gives t
         std::vector<std::optional<Hit>> expected;
         for (const Ray& ray : rays) expected.push_back(brute_force(scene, ray));
         for (const Backend& backend : exact_backends()) {
-            const auto intersector = backend.build(scene);
+            const auto intersector = backend.build(scene.geometry);
             std::size_t different = 0;
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 const FlushedDenormals flushed;

@@ -19,13 +19,13 @@ Scene lattice(int n, bool spheres) {
     for (int i = 0; i < n * n * n; ++i) {
         const Vec3 place(i % n, i / n % n, i / (n * n));
         if (spheres) {
-            scene.add(Sphere{place + Vec3(0.5), 0.5}, 0);
+            scene.geometry.add(Sphere{place + Vec3(0.5), 0.5}, 0);
         } else {
-            const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+            const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
             for (const Vec3& corner : {Vec3(0), Vec3(0.5, 0, 0), Vec3(0, 0.5, 0)}) {
-                scene.vertices.push_back(place + corner);
+                scene.geometry.vertices.push_back(place + corner);
             }
-            scene.add(Triangle{{first, first + 1, first + 2}}, 0);
+            scene.geometry.add(Triangle{{first, first + 1, first + 2}}, 0);
         }
     }
     return scene;
@@ -48,7 +48,7 @@ std::vector<Ray> rays_along_planes(int n, std::size_t count) {
 }
 
 void require_hits_of_brute_force(const Scene& scene, const std::vector<Ray>& rays) {
-    const Grid grid(scene);
+    const Grid grid(scene.geometry);
     std::size_t different = 0, hits = 0;
     std::string first;
     for (const Ray& ray : rays) {
@@ -67,18 +67,18 @@ Scene teapot_in_stadium(std::size_t count) {
     Scene scene = make_scene("closed_mesh", count);
     test::Random random(1);
     for (int i = 0; i < 40; ++i) {
-        const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+        const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
         for (int corner = 0; corner < 3; ++corner) {
-            scene.vertices.push_back(100.0 * Vec3(Vec3f(random.direction())));
+            scene.geometry.vertices.push_back(100.0 * Vec3(Vec3f(random.direction())));
         }
-        scene.add(Triangle{{first, first + 1, first + 2}}, 0);
+        scene.geometry.add(Triangle{{first, first + 1, first + 2}}, 0);
     }
     return scene;
 }
 
 std::vector<BoxItem> box_items(const Scene& scene) {
     std::vector<BoxItem> items;
-    for (const BoundedPrimitive& p : SceneBounds::of(scene).bounded)
+    for (const BoundedPrimitive& p : SceneBounds::of(scene.geometry).bounded)
         items.push_back({p.box(), p.id});
     return items;
 }
@@ -123,7 +123,7 @@ TEST_CASE("Given a dense mesh in a hundred times larger scene, the grid finds al
         rays.push_back({origin, random.in_cube(0.7) - origin});
     }
     require_hits_of_brute_force(scene, rays);
-    CHECK(Grid(scene).memory_bytes() < 400 * scene.primitives.size());
+    CHECK(Grid(scene.geometry).memory_bytes() < 400 * scene.geometry.primitives.size());
 }
 
 TEST_CASE("Given any scene, the grid lists no more references and cells than it says", "[grid]") {

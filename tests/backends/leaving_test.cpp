@@ -22,7 +22,7 @@ std::vector<Ray> leaving_rays(const Scene& scene, std::size_t count) {
     for (const Ray& ray : make_rays(scene, count, random)) {
         const auto hit = brute_force(scene, ray);
         if (!hit) continue;
-        const SurfacePoint p = surface_at(scene, ray, *hit);
+        const SurfacePoint p = surface_at(scene.geometry, ray, *hit);
         rays.push_back(ray_from(p, random.direction()));
         rays.push_back(ray_between(p, p.position + random.direction()));
     }
@@ -38,7 +38,7 @@ TEST_CASE("Given a ray that says what it left, it hits what one that does not sa
         const std::vector<Ray> rays = leaving_rays(scene, 400);
         for (const Backend& backend : exact_backends()) {
             INFO(backend.name << " on " << family.name);
-            const auto intersector = backend.build(scene);
+            const auto intersector = backend.build(scene.geometry);
             for (const Ray& ray : rays) {
                 const std::string found =
                     difference(*intersector, ray, brute_force(scene, without_hint(ray)));

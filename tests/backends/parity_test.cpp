@@ -41,7 +41,7 @@ std::vector<Question> questions_for(const Scene& scene, std::size_t count, std::
 void require_parity(const Scene& scene, const std::vector<Question>& questions) {
     for (const Backend& backend : exact_backends()) {
         INFO("backend " << backend.name);
-        const auto intersector = backend.build(scene);
+        const auto intersector = backend.build(scene.geometry);
         std::size_t different = 0;
         std::string first;
         for (const Question& q : questions) {
@@ -87,22 +87,22 @@ TEST_CASE("Given no primitives, nothing is hit", "[backends]") {
 
 TEST_CASE("Given only degenerate primitives, nothing is hit", "[backends]") {
     Scene scene;
-    scene.vertices.assign(3, Vec3(1));
-    scene.vertices.emplace_back(nan_value, 0, 0);
-    scene.vertices.emplace_back(infinity, 0, 0);
-    scene.add(Triangle{{0, 1, 2}}, 0);
-    scene.add(Triangle{{0, 1, 3}}, 0);
-    scene.add(Triangle{{0, 1, 4}}, 0);
-    scene.add(Polygon{0, 5}, 0);
-    scene.add(Sphere{Vec3(0), 0}, 0);
-    scene.add(Sphere{Vec3(0), nan_value}, 0);
-    scene.add(Box{Vec3(1), Vec3(-1)}, 0);
-    scene.add(Plane{Vec3(0), Vec3(0)}, 0);
-    scene.add(Cone{Vec3(1), Vec3(1), 1, 1}, 0);
+    scene.geometry.vertices.assign(3, Vec3(1));
+    scene.geometry.vertices.emplace_back(nan_value, 0, 0);
+    scene.geometry.vertices.emplace_back(infinity, 0, 0);
+    scene.geometry.add(Triangle{{0, 1, 2}}, 0);
+    scene.geometry.add(Triangle{{0, 1, 3}}, 0);
+    scene.geometry.add(Triangle{{0, 1, 4}}, 0);
+    scene.geometry.add(Polygon{0, 5}, 0);
+    scene.geometry.add(Sphere{Vec3(0), 0}, 0);
+    scene.geometry.add(Sphere{Vec3(0), nan_value}, 0);
+    scene.geometry.add(Box{Vec3(1), Vec3(-1)}, 0);
+    scene.geometry.add(Plane{Vec3(0), Vec3(0)}, 0);
+    scene.geometry.add(Cone{Vec3(1), Vec3(1), 1, 1}, 0);
     Random random(2);
     for (const Backend& backend : exact_backends()) {
         INFO("backend " << backend.name);
-        const auto intersector = backend.build(scene);
+        const auto intersector = backend.build(scene.geometry);
         for (const Ray& ray : make_rays(scene, 200, random)) {
             REQUIRE(difference(*intersector, ray, std::nullopt) == "");
         }
@@ -122,23 +122,23 @@ TEST_CASE("Given rays that are none, nothing is hit", "[backends]") {
     rays.push_back({Vec3(0), Vec3(1), 0, nan_value});
     for (const Backend& backend : exact_backends()) {
         INFO("backend " << backend.name);
-        const auto intersector = backend.build(scene);
+        const auto intersector = backend.build(scene.geometry);
         for (const Ray& ray : rays) CHECK(difference(*intersector, ray, std::nullopt) == "");
     }
 }
 
 TEST_CASE("Given 1e5 equal primitives, the first is hit and building ends", "[backends]") {
     Scene scene;
-    scene.vertices = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
+    scene.geometry.vertices = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
     for (int i = 0; i < 50000; ++i) {
-        scene.add(Triangle{{0, 1, 2}}, 0);
-        scene.add(Sphere{Vec3(0), 0.5}, 0);
+        scene.geometry.add(Triangle{{0, 1, 2}}, 0);
+        scene.geometry.add(Sphere{Vec3(0), 0.5}, 0);
     }
     const Ray at_sphere{Vec3(0, 0, 3), Vec3(0, 0, -1)},
         at_triangle{Vec3(0.5, -0.875, 3), Vec3(0, 0, -1)};
     for (const Backend& backend : exact_backends()) {
         INFO("backend " << backend.name);
-        const auto intersector = backend.build(scene);
+        const auto intersector = backend.build(scene.geometry);
         CHECK(difference(*intersector, at_sphere, Hit{2.5, 1}) == "");
         CHECK(difference(*intersector, at_triangle, Hit{3, 0}) == "");
     }

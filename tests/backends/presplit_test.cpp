@@ -22,15 +22,15 @@ constexpr std::size_t dense_triangles = 4000, needles = 400;
 using WorldCorners = std::array<Vec3, 3>;
 
 void add(Scene& scene, const WorldCorners& corners) {
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-    scene.vertices.insert(scene.vertices.end(), corners.begin(), corners.end());
-    scene.add(Triangle{{first, first + 1, first + 2}}, 0);
+    const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
+    scene.geometry.vertices.insert(scene.geometry.vertices.end(), corners.begin(), corners.end());
+    scene.geometry.add(Triangle{{first, first + 1, first + 2}}, 0);
 }
 
 /// Small triangles near the origin.
 Scene dense_scene() {
     Scene scene;
-    scene.materials = {Material()};
+    scene.look.materials = {Material()};
     scene.camera.eye = Vec3(0.3, 0.2, 0.4);
     test::Random random(1);
     for (std::size_t i = 0; i < dense_triangles; ++i) {
@@ -122,8 +122,8 @@ std::vector<Box3f> boxes_of(std::uint32_t id, const std::vector<BoundedPrimitive
 }
 
 BvhTree tree_of(const Scene& scene) {
-    SceneBounds bounds = SceneBounds::of(scene);
-    return build_scene_bvh(scene, bounds.frame, std::move(bounds.bounded));
+    SceneBounds bounds = SceneBounds::of(scene.geometry);
+    return build_scene_bvh(scene.geometry, bounds.frame, std::move(bounds.bounded));
 }
 
 }  // namespace
@@ -164,8 +164,8 @@ TEST_CASE("Given a needle across the frame, its pieces have far less surface") {
 
 TEST_CASE("Given needles, all primitives keep references whose boxes hold them") {
     const Scene scene = scene_of_needles();
-    const SceneBounds bounds = SceneBounds::of(scene);
-    const auto split = presplit(scene, bounds.frame, bounds.bounded);
+    const SceneBounds bounds = SceneBounds::of(scene.geometry);
+    const auto split = presplit(scene.geometry, bounds.frame, bounds.bounded);
     REQUIRE(split);
     const std::vector<BoundedPrimitive>& references = split->references;
     CHECK(references.size() > bounds.bounded.size() + needles);
@@ -173,11 +173,11 @@ TEST_CASE("Given needles, all primitives keep references whose boxes hold them")
     CHECK(static_cast<double>(references.size()) <= whole * (1 + PresplitConfig().budget));
     test::Random random(4);
     std::size_t lost = 0;
-    for (std::uint32_t id = 0; id < scene.primitives.size(); id += 7) {
+    for (std::uint32_t id = 0; id < scene.geometry.primitives.size(); id += 7) {
         const std::vector<Box3f> boxes = boxes_of(id, references);
-        const auto& v = scene.get<Triangle>(scene.primitives[id]).vertices;
-        const WorldCorners corners{scene.vertices[v[0]], scene.vertices[v[1]],
-                                   scene.vertices[v[2]]};
+        const auto& v = scene.geometry.get<Triangle>(scene.geometry.primitives[id]).vertices;
+        const WorldCorners corners{scene.geometry.vertices[v[0]], scene.geometry.vertices[v[1]],
+                                   scene.geometry.vertices[v[2]]};
         for (int k = 0; k < 50; ++k) {
             const Vec3 point = bounds.frame.point(point_of(corners, random));
             // The padding is 26 units of rounding; half of it must be left around the point.
@@ -199,21 +199,21 @@ TEST_CASE("Given needles, a tree of pieces is chosen, the same for any number of
         return tree_of(scene).ids;
     };
     const std::vector<std::uint32_t> alone = ids(1);
-    CHECK(alone.size() > scene.primitives.size());
+    CHECK(alone.size() > scene.geometry.primitives.size());
     CHECK(alone == ids(2));
     CHECK(alone == ids(7));
 }
 
 TEST_CASE("Given what is not carried by needles, the tree is of whole primitives") {
     for (const Scene& scene : {dense_scene(), scene_on_a_slope(), make_scene("spheres", 1000)}) {
-        CHECK(tree_of(scene).ids.size() == SceneBounds::of(scene).bounded.size());
+        CHECK(tree_of(scene).ids.size() == SceneBounds::of(scene.geometry).bounded.size());
     }
 }
 
 TEST_CASE("Given needles in pieces, every backend finds what the kernels find") {
     const Scene scene = scene_of_needles();
     std::vector<std::unique_ptr<Intersector>> intersectors;
-    for (const Backend& backend : exact_backends()) intersectors.push_back(backend.build(scene));
+    for (const Backend& backend : exact_backends()) intersectors.push_back(backend.build(scene.geometry));
     test::Random random(5);
     std::size_t hits = 0, different = 0;
     for (const Ray& ray : make_rays(scene, 200, random)) {

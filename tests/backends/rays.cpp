@@ -9,8 +9,8 @@ namespace {
 class RayMaker {
   public:
     RayMaker(const Scene& scene, Random& random) : scene_(scene), random_(random) {
-        for (std::uint32_t id = 0; id < scene.primitives.size(); ++id) {
-            const Box3 box = primitive_bounds(scene, id);
+        for (std::uint32_t id = 0; id < scene.geometry.primitives.size(); ++id) {
+            const Box3 box = primitive_bounds(scene.geometry, id);
             if (box.isEmpty() || !is_finite(box.min) || !is_finite(box.max)) continue;
             bounded_.push_back(box);
             all_.extendBy(box);
@@ -47,20 +47,20 @@ class RayMaker {
                 random_.one_in(2) ? box.min.z : box.max.z};
     }
 
-    const Vec3& vertex() { return scene_.vertices[random_.below(scene_.vertices.size())]; }
+    const Vec3& vertex() { return scene_.geometry.vertices[random_.below(scene_.geometry.vertices.size())]; }
 
     Vec3 on_edge() {
-        const auto& triangles = scene_.all<Triangle>();
+        const auto& triangles = scene_.geometry.all<Triangle>();
         if (triangles.empty()) return vertex();
-        const Triangle& t = triangles[random_.below(triangles.size())];
-        const Vec3& a = scene_.vertices[t.vertices[0]];
-        const Vec3& b = scene_.vertices[t.vertices[1]];
+        const TriangleIndices t = triangles[random_.below(triangles.size())];
+        const Vec3 a = scene_.geometry.vertex(t[0]);
+        const Vec3 b = scene_.geometry.vertex(t[1]);
         return a + (random_.one_in(4) ? 0.5 : random_.between(0, 1)) * (b - a);
     }
 
     /// Where a sphere ends, seen from about the middle of the scene, to about a double's precision.
     Vec3 on_silhouette() {
-        const auto& spheres = scene_.all<Sphere>();
+        const auto& spheres = scene_.geometry.all<Sphere>();
         if (spheres.empty()) return in(all_);
         const Sphere& s = spheres[random_.below(spheres.size())];
         Vec3 u, v;
@@ -71,7 +71,7 @@ class RayMaker {
     }
 
     Vec3 target() {
-        const bool has_vertices = !scene_.vertices.empty();
+        const bool has_vertices = !scene_.geometry.vertices.empty();
         switch (random_.below(6)) {
             case 0:
                 return has_vertices ? vertex() : on_silhouette();

@@ -24,7 +24,7 @@ std::optional<Ray> scaled(const Ray& ray, double factor) {
 std::size_t count_different(const Backend& backend, const Scene& scene,
                             const std::vector<Ray>& rays, double factor) {
     const Scene scaled_scene = transformed(scene, factor);
-    const auto before = backend.build(scene), after = backend.build(scaled_scene);
+    const auto before = backend.build(scene.geometry), after = backend.build(scaled_scene.geometry);
     std::size_t different = 0;
     for (const Ray& ray : rays) {
         const std::optional<Ray> other = scaled(ray, factor);

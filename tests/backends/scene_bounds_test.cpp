@@ -1,5 +1,6 @@
 // How a scene's primitives are sorted for accelerators.
 #include "core/intersect/bounded.h"
+#include "core/scene/scene.h"
 #include "core/parallel/parallel.h"
 #include "tests/backends/random.h"
 #include "tests/catch.h"
@@ -19,9 +20,9 @@ Scene scene_of_all_sorts() {
     for (std::uint32_t id = 0; id < count; ++id) {
         const Vec3 place = random.in_cube();
         if (id % 7 == 0) {
-            scene.add(Plane{place, random.direction()}, 0);
+            scene.geometry.add(Plane{place, random.direction()}, 0);
         } else {
-            scene.add(Sphere{id % 5 == 0 ? Vec3(nan_value) : place, 0.01}, 0);
+            scene.geometry.add(Sphere{id % 5 == 0 ? Vec3(nan_value) : place, 0.01}, 0);
         }
     }
     return scene;
@@ -33,7 +34,7 @@ TEST_CASE("Given any number of threads, primitives are sorted in the order of th
     const Scene scene = scene_of_all_sorts();
     for (const int threads : {1, 2, 7}) {
         const ThreadLimit limit(threads);
-        const SceneBounds found = SceneBounds::of(scene);
+        const SceneBounds found = SceneBounds::of(scene.geometry);
         std::vector<std::uint32_t> bounded, planes;
         for (std::uint32_t id = 0; id < count; ++id) {
             if (id % 7 == 0) planes.push_back(id);
@@ -45,7 +46,7 @@ TEST_CASE("Given any number of threads, primitives are sorted in the order of th
         for (std::size_t i = 0; i < bounded.size(); ++i) {
             const BoundedPrimitive& p = found.bounded[i];
             const Vec3 centre =
-                found.frame.point(scene.all<Sphere>()[scene.primitives[p.id].index].centre);
+                found.frame.point(scene.geometry.all<Sphere>()[scene.geometry.primitives[p.id].index].centre);
             const bool around = Box3(Vec3(p.min), Vec3(p.max)).intersects(centre);
             wrong += p.id != bounded[i] || p.kind != kind_of<Sphere>() || !around;
         }

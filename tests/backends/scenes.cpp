@@ -10,14 +10,14 @@ namespace etalon::test {
 namespace {
 
 std::uint32_t add_vertices(Scene& scene, std::initializer_list<Vec3> points) {
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-    scene.vertices.insert(scene.vertices.end(), points);
+    const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
+    scene.geometry.vertices.insert(scene.geometry.vertices.end(), points);
     return first;
 }
 
 void add_triangle(Scene& scene, const Vec3& a, const Vec3& b, const Vec3& c, Sides sides) {
     const std::uint32_t first = add_vertices(scene, {a, b, c});
-    scene.add(Triangle{{first, first + 1, first + 2}}, 0, sides);
+    scene.geometry.add(Triangle{{first, first + 1, first + 2}}, 0, sides);
 }
 
 /// A concave or convex outline of 4 to 7 corners around `place`.
@@ -25,13 +25,13 @@ void add_polygon(Scene& scene, Random& random, const Vec3& place, double size, S
     Vec3 u, v;
     orthonormal_basis(random.direction(), u, v);
     const std::uint32_t count = 4 + random.below(4);
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+    const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
     for (std::uint32_t i = 0; i < count; ++i) {
         const double angle = 2 * std::numbers::pi * i / count;
         const double r = size * random.between(0.3, 1);
-        scene.vertices.push_back(place + r * (std::cos(angle) * u + std::sin(angle) * v));
+        scene.geometry.vertices.push_back(place + r * (std::cos(angle) * u + std::sin(angle) * v));
     }
-    scene.add(Polygon{first, count}, 0, sides);
+    scene.geometry.add(Polygon{first, count}, 0, sides);
 }
 
 /// Of any kind, through its box's middle or near it.
@@ -41,7 +41,7 @@ void add_quadric(Scene& scene, Random& random, const Vec3& place, double size, S
     for (double& number : s.coefficients) number = random.between(-1, 1);
     s.coefficients[9] *= random.between(0, 1);
     s.coefficients = scaled(s.coefficients, size);
-    scene.add(s, 0, sides);
+    scene.geometry.add(s, 0, sides);
 }
 
 /// Sheared, and in half of all cases mirrored.
@@ -54,7 +54,7 @@ Affine any_map(const Vec3& place, double size, Random& random) {
 void add_shape(Scene& scene, Random& random, ShapeKind kind, double size, Sides sides) {
     const Vec3 place = random.in_cube();
     if (kind == kind_of<Sphere>()) {
-        scene.add(Sphere{place, size * random.between(0.1, 1)}, 0, sides);
+        scene.geometry.add(Sphere{place, size * random.between(0.1, 1)}, 0, sides);
     } else if (kind == kind_of<Triangle>()) {
         add_triangle(scene, place, place + random.in_cube(size), place + random.in_cube(size),
                      sides);
@@ -62,20 +62,20 @@ void add_shape(Scene& scene, Random& random, ShapeKind kind, double size, Sides 
         add_polygon(scene, random, place, size, sides);
     } else if (kind == kind_of<Box>()) {
         const Vec3 half = abs(random.in_cube(size));
-        scene.add(Box{place - half, place + half}, 0, sides);
+        scene.geometry.add(Box{place - half, place + half}, 0, sides);
     } else if (kind == kind_of<Plane>()) {
-        scene.add(Plane{3.0 * place, random.direction()}, 0, sides);
+        scene.geometry.add(Plane{3.0 * place, random.direction()}, 0, sides);
     } else if (kind == kind_of<Ring>()) {
         const double outer = size * random.between(0.1, 1);
-        scene.add(Ring{place, random.direction(), outer * random.between(0, 0.9), outer}, 0, sides);
+        scene.geometry.add(Ring{place, random.direction(), outer * random.between(0, 0.9), outer}, 0, sides);
     } else if (kind == kind_of<Quadric>()) {
         add_quadric(scene, random, place, size, sides);
     } else if (kind == kind_of<Ellipsoid>()) {
-        scene.add(Ellipsoid(any_map(place, size, random)), 0, sides);
+        scene.geometry.add(Ellipsoid(any_map(place, size, random)), 0, sides);
     } else if (kind == kind_of<ClosedCylinder>()) {
-        scene.add(ClosedCylinder(any_map(place, size, random)), 0, sides);
+        scene.geometry.add(ClosedCylinder(any_map(place, size, random)), 0, sides);
     } else {
-        scene.add(Cone{place, place + random.in_cube(size), size * random.between(0, 0.5),
+        scene.geometry.add(Cone{place, place + random.in_cube(size), size * random.between(0, 0.5),
                        size * random.between(0.1, 0.5)},
                   0, sides);
     }
@@ -124,14 +124,16 @@ Scene one_sided(std::size_t count) {
 /// Every shape eight times, the copies far apart in the numbering.
 Scene duplicates(std::size_t count) {
     Scene scene = mix(count / 8 + 1);
-    const std::vector<Primitive> once = scene.primitives;
+    const std::vector<Primitive> once = scene.geometry.primitives.list();
+    std::vector<Primitive> all = once;
     for (int copy = 1; copy < 8; ++copy) {
-        scene.primitives.insert(scene.primitives.end(), once.begin(), once.end());
+        all.insert(all.end(), once.begin(), once.end());
     }
     Random random(13);
-    for (std::size_t i = scene.primitives.size() - 1; i > 0; --i) {
-        std::swap(scene.primitives[i], scene.primitives[random.below(i + 1)]);
+    for (std::size_t i = all.size() - 1; i > 0; --i) {
+        std::swap(all[i], all[random.below(i + 1)]);
     }
+    scene.geometry.primitives = PrimitiveRuns(all);
     return scene;
 }
 
@@ -151,7 +153,7 @@ Scene coplanar(std::size_t count) {
         if (random.one_in(6)) {
             Box3 box(a);
             box.extendBy(b);
-            scene.add(Box{box.min, box.max}, 0);
+            scene.geometry.add(Box{box.min, box.max}, 0);
         } else {
             add_triangle(scene, a, b, c, Sides::both);
         }
@@ -194,7 +196,7 @@ Scene flat(std::size_t count) {
         const Vec3 a = in_square(1);
         if (random.one_in(3)) {
             const Vec3 half = abs(in_square(size));
-            scene.add(Box{a - half, a + half}, 0);
+            scene.geometry.add(Box{a - half, a + half}, 0);
         } else {
             add_triangle(scene, a, a + in_square(size), a + in_square(size), Sides::both);
         }
@@ -212,15 +214,15 @@ Scene closed_mesh(std::size_t count) {
             const double theta = std::numbers::pi * row / n,
                          phi = 2 * std::numbers::pi * column / n;
             const double ring = row == 0 || row == n ? 0 : std::sin(theta);
-            scene.vertices.emplace_back(
+            scene.geometry.vertices.emplace_back(
                 Vec3f(Vec3(ring * std::cos(phi), ring * std::sin(phi), std::cos(theta))));
         }
     }
     for (std::uint32_t row = 0; row < n; ++row) {
         for (std::uint32_t column = 0; column < n; ++column) {
             const std::uint32_t a = row * n + column, b = row * n + (column + 1) % n;
-            scene.add(Triangle{{a, b, a + n}}, 0);
-            scene.add(Triangle{{b, b + n, a + n}}, 0);
+            scene.geometry.add(Triangle{{a, b, a + n}}, 0);
+            scene.geometry.add(Triangle{{b, b + n, a + n}}, 0);
         }
     }
     return scene;

@@ -41,11 +41,11 @@ namespace {
 class Trial {
   public:
     explicit Trial(const Scene& scene) : scene_(scene) {
-        const SceneBounds bounds = SceneBounds::of(scene);
+        const SceneBounds bounds = SceneBounds::of(scene.geometry);
         frame_ = bounds.frame;
         for (const BoundedPrimitive& p : bounds.bounded) {
             if (static_cast<ShapeKind>(p.kind) != kind_of<Sphere>()) continue;
-            const Sphere& s = scene.get<Sphere>(scene.primitives[p.id]);
+            const Sphere& s = scene.geometry.get<Sphere>(scene.geometry.primitives[p.id]);
             const std::size_t lane = spheres_++ % cluster_lanes;
             if (lane == 0) packs_.emplace_back();
             packs_.back().set(lane,
@@ -64,7 +64,7 @@ class Trial {
             const bool passes = (lanes >> lane & 1) != 0;
             if (i >= spheres_) {
                 empty_and_passed += passes ? 1 : 0;
-            } else if (std::isnan(primitive_first_hit(scene_, pack.ids[lane], RayQuery(ray)))) {
+            } else if (std::isnan(primitive_first_hit(scene_.geometry, pack.ids[lane], RayQuery(ray)))) {
                 ++missed;
                 missed_and_passed += passes ? 1 : 0;
             } else {

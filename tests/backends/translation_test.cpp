@@ -21,7 +21,7 @@ Scene snapped(const Scene& scene) {
 std::size_t count_different(const Backend& backend, const Scene& scene,
                             const std::vector<Ray>& rays) {
     const Scene moved_scene = transformed(scene, 1, far_away);
-    const auto here = backend.build(scene), there = backend.build(moved_scene);
+    const auto here = backend.build(scene.geometry), there = backend.build(moved_scene.geometry);
     std::size_t different = 0;
     for (Ray ray : rays) {
         Ray moved = ray;

@@ -15,9 +15,9 @@ namespace {
 /// Two triangles one behind the other, seen along -z: the nearer is number 0.
 Scene two_layers() {
     Scene scene;
-    scene.vertices = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {-1, -1, -1}, {1, -1, -1}, {0, 1, -1}};
-    scene.add(Triangle{{0, 1, 2}}, 0);
-    scene.add(Triangle{{3, 4, 5}}, 0);
+    scene.geometry.vertices = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {-1, -1, -1}, {1, -1, -1}, {0, 1, -1}};
+    scene.geometry.add(Triangle{{0, 1, 2}}, 0);
+    scene.geometry.add(Triangle{{3, 4, 5}}, 0);
     return scene;
 }
 
@@ -34,7 +34,7 @@ const std::vector<Answer> right{{2, 0}, {2, 0}, {2, 0}, missed};
 Judgement judge(const std::vector<Answer>& answers, bool occlusion) {
     hard::Setting setting;
     setting.scene = two_layers();
-    const Oracle oracle(setting.scene);
+    const Oracle oracle(setting.scene.geometry);
     const RaySet set = four_rays(occlusion);
     return Truths(setting, oracle, set, scattered(set.rays.size()), 100).judge(answers, true);
 }
@@ -104,7 +104,7 @@ TEST_CASE("The oracle counts false shadows and missing ones") {
 TEST_CASE("Without time the oracle still judges one ray") {
     hard::Setting setting;
     setting.scene = two_layers();
-    const Oracle oracle(setting.scene);
+    const Oracle oracle(setting.scene.geometry);
     const RaySet set = four_rays(false);
     CHECK(Truths(setting, oracle, set, {3, 1}, 0).judge(right, true).rays == 1);
     CHECK(Truths(setting, oracle, set, {}, 0).judge(right, true).rays == 0);

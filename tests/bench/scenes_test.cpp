@@ -48,25 +48,25 @@ class Hash {
 
 std::uint64_t hash_of(const Scene& scene) {
     Hash hash;
-    hash.add(scene.vertices);
-    std::apply([&](const auto&... shapes) { (hash.add(shapes), ...); }, scene.shapes);
+    hash.add(scene.geometry.vertices);
+    std::apply([&](const auto&... shapes) { (hash.add(shapes), ...); }, scene.geometry.shapes);
     return hash.value();
 }
 
 /// 3 in a soup, 0.5 in a large mesh.
 double vertices_per_triangle(const Scene& scene) {
-    return static_cast<double>(scene.vertices.size()) /
-           static_cast<double>(scene.all<Triangle>().size());
+    return static_cast<double>(scene.geometry.vertices.size()) /
+           static_cast<double>(scene.geometry.all<Triangle>().size());
 }
 
-bool is_finite_triangle(const Scene& scene, const Triangle& t) {
-    return std::all_of(t.vertices.begin(), t.vertices.end(),
-                       [&](std::uint32_t v) { return is_finite(scene.vertices[v]); });
+bool is_finite_triangle(const Scene& scene, const TriangleIndices& t) {
+    return std::all_of(t.begin(), t.end(),
+                       [&](std::uint32_t v) { return is_finite(scene.geometry.vertex(v)); });
 }
 
-Vec3 sum_of_corners(const Scene& scene, const Triangle& t) {
-    return scene.vertices[t.vertices[0]] + scene.vertices[t.vertices[1]] +
-           scene.vertices[t.vertices[2]];
+Vec3 sum_of_corners(const Scene& scene, const TriangleIndices& t) {
+    return scene.geometry.vertex(t[0]) + scene.geometry.vertex(t[1]) +
+           scene.geometry.vertex(t[2]);
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ TEST_CASE("Every family of scenes has a line in the test's table") {
 TEST_CASE("Every scene has as many primitives as promised, within a tenth") {
     for (const Small& s : small_scenes) {
         INFO(s.family);
-        const auto promised = static_cast<double>(s.primitives);
+        const auto promised = static_cast<double>(s.geometry.primitives);
         CHECK(static_cast<double>(make(s).primitives.size()) == Approx(promised).epsilon(0.1));
     }
 }
@@ -98,7 +98,7 @@ TEST_CASE("The camera of every scene sees something, and something that the ligh
     for (const Small& s : small_scenes) {
         INFO(s.family);
         const Scene scene = make(s);
-        const auto bvh = find_backend("bvh")->build(scene);
+        const auto bvh = find_backend("bvh")->build(scene.geometry);
         const auto rays = make_ray_set("camera", scene, *bvh, 400).rays;
         const auto hits = std::count_if(rays.begin(), rays.end(),
                                         [&](const Ray& ray) { return bvh->occluded(ray); });
@@ -108,9 +108,9 @@ TEST_CASE("The camera of every scene sees something, and something that the ligh
 }
 
 TEST_CASE("A family's name alone is its usual size, as listed") {
-    CHECK(bench_scene("sphereflake").scene->primitives.size() == 7381);
-    CHECK(bench_scene("flake").scene->primitives.size() == 432'962);
-    CHECK(bench_scene("stadium").scene->primitives.size() == 268'000);
+    CHECK(bench_scene("sphereflake").scene->geometry.primitives.size() == 7381);
+    CHECK(bench_scene("flake").scene->geometry.primitives.size() == 432'962);
+    CHECK(bench_scene("stadium").scene->geometry.primitives.size() == 268'000);
     for (const Family& f : families()) {
         CHECK_THAT(list_of_scenes(), ContainsSubstring(std::string(f.name) + ":"));
     }
@@ -124,9 +124,9 @@ TEST_CASE("Meshes share their vertices") {
 
 TEST_CASE("Needles are as long and as wide as the names of their scenes say") {
     const Scene slivers = make({"slivers", 300, 0});
-    for (const Triangle& t : slivers.all<Triangle>()) {
-        const Vec3 &a = slivers.vertices[t.vertices[0]], &b = slivers.vertices[t.vertices[1]],
-                   &c = slivers.vertices[t.vertices[2]];
+    for (const TriangleIndices t : slivers.geometry.all<Triangle>()) {
+        const Vec3 a = slivers.geometry.vertex(t[0]), b = slivers.geometry.vertex(t[1]),
+                   c = slivers.geometry.vertex(t[2]);
         CHECK((a - b).length() == Approx(0.002));
         CHECK((c - (a + b) / 2).length() == Approx(0.24));
     }
@@ -134,10 +134,10 @@ TEST_CASE("Needles are as long and as wide as the names of their scenes say") {
 
 TEST_CASE("All triangles of equal have their centre in one point, and are no points themselves") {
     const Scene scene = make({"equal", 500, 0});
-    for (const Triangle& t : scene.all<Triangle>()) {
+    for (const TriangleIndices t : scene.geometry.all<Triangle>()) {
         CHECK(sum_of_corners(scene, t) == Vec3(0));
         Box3 box;
-        for (const std::uint32_t v : t.vertices) box.extendBy(scene.vertices[v]);
+        for (const std::uint32_t v : t) box.extendBy(scene.geometry.vertex(v));
         CHECK(box.center() == Vec3(0));
         CHECK(box.size().x > 0);
     }
@@ -145,20 +145,20 @@ TEST_CASE("All triangles of equal have their centre in one point, and are no poi
 
 TEST_CASE("Every tenth triangle of nan has a NaN, and no other") {
     const Scene scene = make({"nan", 3000, 0});
-    const auto& triangles = scene.all<Triangle>();
+    const auto& triangles = scene.geometry.all<Triangle>();
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         CHECK(is_finite_triangle(scene, triangles[i]) == (i % 10 != 9));
     }
 }
 
 TEST_CASE("All of flat is in one plane, and mixed has every bounded shape in equal shares") {
-    for (const Vec3& v : make({"flat", 300, 0}).vertices) CHECK(v.y == 0);
+    for (const Vec3& v : make({"flat", 300, 0}).geometry.vertices) CHECK(v.y == 0);
     const Scene mixed = make({"mixed", 1000, 0});
-    CHECK(mixed.all<Sphere>().size() == 200);
-    CHECK(mixed.all<Cone>().size() == 200);
-    CHECK(mixed.all<Box>().size() == 200);
-    CHECK(mixed.all<Triangle>().size() == 200);
-    CHECK(mixed.all<Polygon>().size() == 200);
+    CHECK(mixed.geometry.all<Sphere>().size() == 200);
+    CHECK(mixed.geometry.all<Cone>().size() == 200);
+    CHECK(mixed.geometry.all<Box>().size() == 200);
+    CHECK(mixed.geometry.all<Triangle>().size() == 200);
+    CHECK(mixed.geometry.all<Polygon>().size() == 200);
 }
 
 TEST_CASE("An unknown name or a size out of range is told with what was expected") {

@@ -57,14 +57,14 @@ TEST_CASE("a scene file is read") {
     const LoadResult r = load_scene(file.path);
     CHECK(messages(r).empty());
     REQUIRE(r.scene);
-    CHECK(r.scene->primitives.size() == 1);
+    CHECK(r.scene->geometry.primitives.size() == 1);
 }
 
 TEST_CASE("a file larger than one read comes whole") {
     std::string text = good_camera + good_material;
     for (int i = 0; i < 50000; ++i) text += "s 0 0 0 1\n";
     const ScratchFile file("large.p3f", text);
-    CHECK(load_scene(file.path).scene->primitives.size() == 50000);
+    CHECK(load_scene(file.path).scene->geometry.primitives.size() == 50000);
 }
 
 TEST_CASE("- is standard input") {
@@ -76,7 +76,7 @@ TEST_CASE("- is standard input") {
     options.format = "p3f";
     const LoadResult r = load_scene("-", options);
     REQUIRE(r.scene);
-    CHECK(r.scene->primitives.size() == 50000);
+    CHECK(r.scene->geometry.primitives.size() == 50000);
 }
 
 TEST_CASE("what is no readable file is an error") {

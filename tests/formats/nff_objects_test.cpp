@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "tests/catch.h"
+#include "tests/formats/corners.h"
 #include "tests/formats/nff_text.h"
 
 using namespace etalon;
@@ -21,8 +22,8 @@ Material material_of(const std::string& statement) {
     const LoadResult r = load_nff_text(statement);
     CAPTURE(statement);
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->materials.size() == 1);
-    return r.scene->materials[0];
+    REQUIRE(r.scene->look.materials.size() == 1);
+    return r.scene->look.materials[0];
 }
 
 /// A star of `points` points about the origin: concave.
@@ -71,7 +72,7 @@ TEST_CASE("an NFF surface that cannot be is left out") {
         const LoadResult r = load_nff_text(matt + "f " + numbers + "\ns 0 0 0 1");
         REQUIRE(r.diagnostics.size() == 1);
         CHECK(r.diagnostics[0].line == 2);
-        CHECK(r.scene->materials.size() == 1);
+        CHECK(r.scene->look.materials.size() == 1);
         return r.diagnostics[0].message;
     };
     CHECK(kept("1 1 1 1 1 1 1 0") == "the index of refraction of glass is 0; expected more than 0");
@@ -85,15 +86,15 @@ TEST_CASE("an NFF object before any surface gets a grey one, with a warning") {
     const LoadResult r = load_nff_text("s 0 0 0 1");
     CHECK(messages(r) ==
           Messages{"a.nff:1:1: warning: 's' before any material; it gets a default one"});
-    CHECK(r.scene->materials[0].diffuse == Color(0.5F));
+    CHECK(r.scene->look.materials[0].diffuse == Color(0.5F));
 }
 
 TEST_CASE("an NFF cone may stand on one line or on three") {
     for (const std::string text : {"c 1 2 3 0.5 4 5 6 0.25", "c\n1 2 3 0.5\n4 5 6 0.25"}) {
         const LoadResult r = load_nff_text(matt + text);
         CHECK(messages(r).empty());
-        REQUIRE(r.scene->all<Cone>().size() == 1);
-        const Cone& c = r.scene->all<Cone>()[0];
+        REQUIRE(r.scene->geometry.all<Cone>().size() == 1);
+        const Cone& c = r.scene->geometry.all<Cone>()[0];
         CHECK(c.base == Vec3(1, 2, 3));
         CHECK(c.base_radius == 0.5);
         CHECK(c.top == Vec3(4, 5, 6));
@@ -104,36 +105,36 @@ TEST_CASE("an NFF cone may stand on one line or on three") {
 TEST_CASE("an NFF polygon may have hundreds of corners and be concave") {
     const LoadResult r = load_nff_text(matt + star(72) + star(1000));
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->all<Polygon>().size() == 2);
-    CHECK(r.scene->all<Polygon>()[0].count == 144);
-    CHECK(r.scene->all<Polygon>()[1].first == 144);
-    CHECK(r.scene->all<Polygon>()[1].count == 2000);
+    REQUIRE(r.scene->geometry.all<Polygon>().size() == 2);
+    CHECK(r.scene->geometry.all<Polygon>()[0].count == 144);
+    CHECK(r.scene->geometry.all<Polygon>()[1].first == 144);
+    CHECK(r.scene->geometry.all<Polygon>()[1].count == 2000);
 }
 
 TEST_CASE("an NFF patch has a normal at each corner") {
     const LoadResult r =
         load_nff_text(matt + "pp 3\n0 0 0 0 0 2\n1 0 0 0 1 0\n0 1 0 1 0 0\ns 0 0 0 1");
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->all<Triangle>().size() == 1);
-    CHECK(r.scene->all<Triangle>()[0].normals == 0);
-    CHECK(r.scene->normals == std::vector{Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(1, 0, 0)});
+    REQUIRE(r.scene->geometry.all<Triangle>().size() == 1);
+    CHECK(corner_normals(*r.scene, 0) == r.scene->geometry.normals);
+    CHECK(r.scene->geometry.normals == std::vector{Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(1, 0, 0)});
 }
 
 TEST_CASE("an NFF shape is seen from both sides, by a negative radius from its inside") {
     const LoadResult r = load_nff_text(matt + "s 0 0 0 1\ns 0 0 0 -1\nc 0 0 0 -1 0 0 1 0");
     CHECK(messages(r).empty());
-    CHECK(r.scene->primitives[0].sides == Sides::both);
-    CHECK(r.scene->primitives[1].sides == Sides::back);
-    CHECK(r.scene->primitives[2].sides == Sides::back);
-    CHECK(r.scene->all<Sphere>()[1].radius == 1);
+    CHECK(r.scene->geometry.primitives[0].sides == Sides::both);
+    CHECK(r.scene->geometry.primitives[1].sides == Sides::back);
+    CHECK(r.scene->geometry.primitives[2].sides == Sides::back);
+    CHECK(r.scene->geometry.all<Sphere>()[1].radius == 1);
 }
 
 TEST_CASE("one-sided hides the back of opaque NFF shapes only") {
     const LoadResult r = load_nff_text(
         matt + "s 0 0 0 1\np 3 0 0 0 1 0 0 0 1 0\ns 0 0 0 -1\n" + glass + "s 0 0 0 1", one_sided());
     CHECK(messages(r).empty());
-    CHECK(r.scene->primitives[0].sides == Sides::front);
-    CHECK(r.scene->primitives[1].sides == Sides::front);
-    CHECK(r.scene->primitives[2].sides == Sides::back);
-    CHECK(r.scene->primitives[3].sides == Sides::both);
+    CHECK(r.scene->geometry.primitives[0].sides == Sides::front);
+    CHECK(r.scene->geometry.primitives[1].sides == Sides::front);
+    CHECK(r.scene->geometry.primitives[2].sides == Sides::back);
+    CHECK(r.scene->geometry.primitives[3].sides == Sides::both);
 }

@@ -51,7 +51,7 @@ TEST_CASE("the lines of a camera may have any order") {
         "v focal 2 resolution 4 3 aperture 1 angle 45 up 0 1 0 at 0 0 0 from 1 2 3\ns 0 0 0 1");
     CHECK(r.scene->camera.eye == Vec3(1, 2, 3));
     CHECK(r.scene->camera.focal == 2);
-    CHECK(r.scene->all<Sphere>().size() == 1);
+    CHECK(r.scene->geometry.all<Sphere>().size() == 1);
 }
 
 TEST_CASE("a wrong word in a camera is taken for the one that is due if the numbers fit") {

@@ -1,4 +1,5 @@
 #include "tests/catch.h"
+#include "tests/formats/corners.h"
 #include "tests/formats/p3f_text.h"
 
 using namespace etalon;
@@ -7,33 +8,33 @@ namespace {
 
 const std::string square = "\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";  // lines 3 to 6 of load_objects
 
-using Corners = std::array<std::uint32_t, 3>;
+const std::array corner = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)};
 
 }  // namespace
 
 TEST_CASE("a mesh is triangles of shared vertices, numbered from 1") {
     const LoadResult r = load_objects("mesh 4 2" + square + "1 2 3\n1 3 4");
     CHECK(messages(r).empty());
-    CHECK(r.scene->vertices.size() == 4);
-    REQUIRE(r.scene->all<Triangle>().size() == 2);
-    CHECK(r.scene->all<Triangle>()[0].vertices == Corners{0, 1, 2});
-    CHECK(r.scene->all<Triangle>()[1].vertices == Corners{0, 2, 3});
-    CHECK(r.scene->all<Triangle>()[1].normals == no_index);
-    CHECK(r.scene->primitives.size() == 2);
+    CHECK(vertex_count(*r.scene) == 4);
+    REQUIRE(r.scene->geometry.all<Triangle>().size() == 2);
+    CHECK(corners_of(*r.scene, 0) == std::vector{corner[0], corner[1], corner[2]});
+    CHECK(corners_of(*r.scene, 1) == std::vector{corner[0], corner[2], corner[3]});
+    CHECK(corner_normals(*r.scene, 1).empty());
+    CHECK(r.scene->geometry.primitives.size() == 2);
 }
 
 TEST_CASE("negative numbers count a mesh's vertices from the end, each for itself") {
     const LoadResult r = load_objects("mesh 4 2" + square + "-4 2 -2\n1 -2 -1");
     CHECK(messages(r).empty());
-    CHECK(r.scene->all<Triangle>()[0].vertices == Corners{0, 1, 2});
-    CHECK(r.scene->all<Triangle>()[1].vertices == Corners{0, 2, 3});
+    CHECK(corners_of(*r.scene, 0) == std::vector{corner[0], corner[1], corner[2]});
+    CHECK(corners_of(*r.scene, 1) == std::vector{corner[0], corner[2], corner[3]});
 }
 
 TEST_CASE("the vertices of a second mesh are its own") {
     const LoadResult r = load_objects("mesh 4 1" + square + "1 2 3\nmesh 4 1" + square + "1 2 -1");
     CHECK(messages(r).empty());
-    CHECK(r.scene->vertices.size() == 8);
-    CHECK(r.scene->all<Triangle>()[1].vertices == Corners{4, 5, 7});
+    CHECK(vertex_count(*r.scene) == 8);
+    CHECK(corners_of(*r.scene, 1) == std::vector{corner[0], corner[1], corner[3]});
 }
 
 TEST_CASE("a face that names no vertex is left out, and each wrong number told") {
@@ -45,15 +46,15 @@ TEST_CASE("a face that names no vertex is left out, and each wrong number told")
                    "a.p3f:9:3: warning: face left out: no vertex -5 in a mesh of 4 vertices",
                    "a.p3f:9:6: warning: face left out: no vertex 99999999999999 in a mesh of "
                    "4 vertices"});
-    REQUIRE(r.scene->all<Triangle>().size() == 1);
-    CHECK(r.scene->all<Triangle>()[0].vertices == Corners{0, 2, 3});
+    REQUIRE(r.scene->geometry.all<Triangle>().size() == 1);
+    CHECK(corners_of(*r.scene, 0) == std::vector{corner[0], corner[2], corner[3]});
 }
 
 TEST_CASE("faces that name a vertex twice are left out with one warning") {
     const LoadResult r = load_objects("mesh 4 3" + square + "1 1 2\n1 2 3\n3 4 -2");
     CHECK(messages(r) ==
           Messages{"a.p3f:2:1: warning: 2 faces left out: they name a vertex twice"});
-    CHECK(r.scene->all<Triangle>().size() == 1);
+    CHECK(r.scene->geometry.all<Triangle>().size() == 1);
 }
 
 TEST_CASE("a mesh that breaks off keeps the faces before") {
@@ -61,8 +62,8 @@ TEST_CASE("a mesh that breaks off keeps the faces before") {
     CHECK(messages(r) ==
           Messages{"a.p3f:9:1: warning: expected a whole number for the face of 'mesh', found "
                    "'s'"});
-    CHECK(r.scene->all<Triangle>().size() == 1);
-    CHECK(r.scene->all<Sphere>().size() == 1);
+    CHECK(r.scene->geometry.all<Triangle>().size() == 1);
+    CHECK(r.scene->geometry.all<Sphere>().size() == 1);
 }
 
 TEST_CASE("a mesh whose vertices break off has no faces") {
@@ -71,8 +72,8 @@ TEST_CASE("a mesh whose vertices break off has no faces") {
     CHECK(messages(r) ==
           Messages{"a.p3f:4:5: warning: expected a number for the vertex of 'mesh', found "
                    "'oops'"});
-    CHECK(r.scene->vertices.empty());
-    CHECK(r.scene->primitives.size() == 1);
+    CHECK(r.scene->geometry.vertices.empty());
+    CHECK(r.scene->geometry.primitives.size() == 1);
 }
 
 TEST_CASE("numbers after the last face are one warning") {
@@ -80,7 +81,7 @@ TEST_CASE("numbers after the last face are one warning") {
     CHECK(messages(r) ==
           Messages{"a.p3f:8:1: warning: expected a keyword after 'mesh', found '1' (words "
                    "skipped: 3)"});
-    CHECK(r.scene->primitives.size() == 2);
+    CHECK(r.scene->geometry.primitives.size() == 2);
 }
 
 TEST_CASE("a mesh that announces a billion vertices is left out at once") {
@@ -90,7 +91,7 @@ TEST_CASE("a mesh that announces a billion vertices is left out at once") {
           Messages{"a.p3f:11:6: warning: the number of vertices of 'mesh' is 1000000000, but "
                    "the rest of the file holds at most 3"});
     REQUIRE(r.scene);
-    CHECK(r.scene->vertices.capacity() == 0);
+    CHECK(r.scene->geometry.vertices.capacity() == 0);
     CHECK(memory_bytes(*r.scene) < 10000);
 }
 
@@ -101,7 +102,7 @@ TEST_CASE("a mesh that announces a billion faces has those that are there") {
           Messages{"a.p3f:16:6: warning: expected a whole number for the face of 'mesh', found "
                    "the end of the file"});
     REQUIRE(r.scene);
-    CHECK(r.scene->primitives.size() == 1);
+    CHECK(r.scene->geometry.primitives.size() == 1);
     CHECK(memory_bytes(*r.scene) < 10000);
 }
 
@@ -118,7 +119,7 @@ TEST_CASE("many small meshes cost what they hold") {
     std::string text;
     for (int i = 0; i < 2000; ++i) text += "mesh 4 1" + square + "1 2 3\n";
     const LoadResult r = load_objects(text);
-    CHECK(r.scene->primitives.size() == 2000);
+    CHECK(r.scene->geometry.primitives.size() == 2000);
     CHECK(memory_bytes(*r.scene) < 10 * text.size());
-    CHECK(r.scene->vertices.capacity() > r.scene->vertices.size());  // not enlarged for each
+    CHECK(r.scene->geometry.vertices.capacity() > vertex_count(*r.scene));  // not enlarged for each
 }

@@ -34,16 +34,16 @@ TEST_CASE("legacy shades as the course's programs of 2021 did") {
     CHECK(r.scene->whitted.clamp_each_ray);
     CHECK(r.scene->whitted.fixed_bias == 1e-3);
     CHECK(r.scene->whitted.max_depth == 6);
-    CHECK(r.scene->materials[0].specular.x == Approx(0.5 / 2.5));
-    CHECK(r.scene->materials[0].specular.y == Approx(0.25 / 2.5));
-    CHECK(r.scene->materials[0].reflection == Color(0.5F, 0.25F, 0.5F));
-    CHECK(r.scene->materials[1].absorption == Color(0.0F));
-    CHECK(load_statements(text).scene->materials[1].absorption == Color(1.0F));
+    CHECK(r.scene->look.materials[0].specular.x == Approx(0.5 / 2.5));
+    CHECK(r.scene->look.materials[0].specular.y == Approx(0.25 / 2.5));
+    CHECK(r.scene->look.materials[0].reflection == Color(0.5F, 0.25F, 0.5F));
+    CHECK(r.scene->look.materials[1].absorption == Color(0.0F));
+    CHECK(load_statements(text).scene->look.materials[1].absorption == Color(1.0F));
 }
 
 TEST_CASE("legacy without lights leaves the highlights alone") {
     const LoadResult r = load_statements("mat 0 0 0 1 1 1 1 0.5 10 0 1", legacy());
-    CHECK(r.scene->materials[0].specular == Color(0.5F));
+    CHECK(r.scene->look.materials[0].specular == Color(0.5F));
 }
 
 TEST_CASE("one-sided shows the front of every shape but those of negative radius") {
@@ -54,13 +54,13 @@ TEST_CASE("one-sided shows the front of every shape but those of negative radius
         "mesh 3 1 0 0 0 1 0 0 0 1 0 1 2 3\ns 0 0 0 -1\nc 0 0 0 -1 0 0 1 -1",
         one_sided());
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->primitives.size() == 11);
-    for (std::size_t i = 0; i < 9; ++i) CHECK(r.scene->primitives[i].sides == Sides::front);
-    CHECK(r.scene->primitives[9].sides == Sides::back);
-    CHECK(r.scene->primitives[10].sides == Sides::back);
+    REQUIRE(r.scene->geometry.primitives.size() == 11);
+    for (std::size_t i = 0; i < 9; ++i) CHECK(r.scene->geometry.primitives[i].sides == Sides::front);
+    CHECK(r.scene->geometry.primitives[9].sides == Sides::back);
+    CHECK(r.scene->geometry.primitives[10].sides == Sides::back);
 }
 
 TEST_CASE("one-sided leaves glass its two sides, so that rays leave it again") {
     const LoadResult r = load_statements("mat 0 0 0 1 1 1 1 0.5 10 1 1.5\ns 0 0 0 1", one_sided());
-    CHECK(r.scene->primitives[0].sides == Sides::both);
+    CHECK(r.scene->geometry.primitives[0].sides == Sides::both);
 }

@@ -8,8 +8,8 @@ TEST_CASE("comments and line ends stand anywhere") {
     const LoadResult r = load_objects(
         "#a comment\r\n##s 1 1 1 1\r\ns 0 #x\r\n1.5# y\r\n\t2 # z\r\n0.5 #main sphere\r\n#\r\n");
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->all<Sphere>().size() == 1);
-    CHECK(r.scene->all<Sphere>()[0].centre == Vec3(0, 1.5, 2));
+    REQUIRE(r.scene->geometry.all<Sphere>().size() == 1);
+    CHECK(r.scene->geometry.all<Sphere>()[0].centre == Vec3(0, 1.5, 2));
 }
 
 TEST_CASE("a comment may stand inside the camera and at the end without a line end") {
@@ -24,7 +24,7 @@ TEST_CASE("an unknown keyword is told once, with the nearest known one") {
           Messages{"a.p3f:2:1: warning: unknown keyword 'sphere' (words skipped: 9)",
                    "a.p3f:5:1: warning: unknown keyword 'box1' (words skipped: 7); did you "
                    "mean 'box'?"});
-    CHECK(r.scene->primitives.size() == 1);
+    CHECK(r.scene->geometry.primitives.size() == 1);
 }
 
 TEST_CASE("stray numbers after a statement are one warning") {
@@ -33,9 +33,9 @@ TEST_CASE("stray numbers after a statement are one warning") {
     CHECK(messages(r) ==
           Messages{"a.p3f:1:29: warning: expected a keyword after 'light', found '0' (words "
                    "skipped: 6)"});
-    CHECK(r.scene->lights.size() == 1);
-    CHECK(r.scene->materials.size() == 1);
-    CHECK(r.scene->primitives.size() == 1);
+    CHECK(r.scene->look.lights.size() == 1);
+    CHECK(r.scene->look.materials.size() == 1);
+    CHECK(r.scene->geometry.primitives.size() == 1);
 }
 
 TEST_CASE("numbers at the start of a file are one warning") {
@@ -49,15 +49,15 @@ TEST_CASE("a run of garbage after an error is no further warning") {
     const LoadResult r = load_objects("s 0 0 x 1 " + garbage + "\ns 0 0 0 1");
     CHECK(messages(r) ==
           Messages{"a.p3f:2:7: warning: expected a number for the centre of 's', found 'x'"});
-    CHECK(r.scene->primitives.size() == 1);
+    CHECK(r.scene->geometry.primitives.size() == 1);
 }
 
 TEST_CASE("a statement that lacks a number does not swallow the next one") {
     const LoadResult r = load_objects("s 0 0 0\ns 1 1 1 1");
     CHECK(messages(r) ==
           Messages{"a.p3f:3:1: warning: expected a number for the radius of 's', found 's'"});
-    REQUIRE(r.scene->all<Sphere>().size() == 1);
-    CHECK(r.scene->all<Sphere>()[0].centre == Vec3(1, 1, 1));
+    REQUIRE(r.scene->geometry.all<Sphere>().size() == 1);
+    CHECK(r.scene->geometry.all<Sphere>()[0].centre == Vec3(1, 1, 1));
 }
 
 TEST_CASE("a file that breaks off is told at its end") {
@@ -85,7 +85,7 @@ TEST_CASE("numbers that are not finite are told as such and skip the statement")
                    "which is too "
                    "large",
                    "a.p3f:5:3: warning: expected a number for the centre of 's', found '0x10'"});
-    CHECK(r.scene->primitives.size() == 1);
+    CHECK(r.scene->geometry.primitives.size() == 1);
 }
 
 TEST_CASE("private extensions of single programs are named") {
@@ -93,7 +93,7 @@ TEST_CASE("private extensions of single programs are named") {
         const LoadResult r = load_objects(word + " -0.5 -0.5 -0.5 0.5 0.5 0.5 0.5 0 3\ns 0 0 0 1");
         CHECK(messages(r) == Messages{"a.p3f:2:1: warning: '" + word +
                                       "' is a private extension of one program; it is left out"});
-        CHECK(r.scene->primitives.size() == 1);
+        CHECK(r.scene->geometry.primitives.size() == 1);
     }
 }
 

@@ -10,13 +10,13 @@ struct OnlyObject {
     explicit OnlyObject(const std::string& text) : result(load_objects(text)) {
         CAPTURE(text);
         CHECK(messages(result).empty());
-        REQUIRE(result.scene->primitives.size() == 1);
+        REQUIRE(result.scene->geometry.primitives.size() == 1);
     }
-    Sides sides() const { return result.scene->primitives[0].sides; }
+    Sides sides() const { return result.scene->geometry.primitives[0].sides; }
     template <class Shape>
     const Shape& as() const {
-        REQUIRE(result.scene->primitives[0].kind == kind_of<Shape>());
-        return result.scene->get<Shape>(result.scene->primitives[0]);
+        REQUIRE(result.scene->geometry.primitives[0].kind == kind_of<Shape>());
+        return result.scene->geometry.get<Shape>(result.scene->geometry.primitives[0]);
     }
     LoadResult result;
 };
@@ -30,7 +30,7 @@ std::string complaint(const std::string& text) {
     CHECK(r.diagnostics[0].column == 1);
     CHECK(r.diagnostics[0].severity == Severity::warning);
     REQUIRE(r.scene);
-    CHECK(r.scene->primitives.size() == 1);
+    CHECK(r.scene->geometry.primitives.size() == 1);
     return r.diagnostics[0].message;
 }
 
@@ -66,8 +66,8 @@ TEST_CASE("a box with its corners exchanged is put right") {
     CHECK(messages(r) ==
           Messages{"a.p3f:2:1: warning: the corners of 'box' are not the lower and the upper "
                    "one; exchanged"});
-    CHECK(r.scene->all<Box>()[0].min == Vec3(-1, -2, -3));
-    CHECK(r.scene->all<Box>()[0].max == Vec3(1, 2, 3));
+    CHECK(r.scene->geometry.all<Box>()[0].min == Vec3(-1, -2, -3));
+    CHECK(r.scene->geometry.all<Box>()[0].max == Vec3(1, 2, 3));
 }
 
 TEST_CASE("a box without area is left out") {

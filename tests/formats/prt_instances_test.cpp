@@ -8,8 +8,8 @@ namespace {
 /// The diffuse colours of the primitives, by letters.
 std::string colors(const LoadResult& r) {
     std::string letters;
-    for (const Primitive& p : r.scene->primitives) {
-        const Color& c = r.scene->materials[p.material].diffuse;
+    for (const Primitive p : r.scene->geometry.primitives) {
+        const Color& c = r.scene->look.materials[p.material].diffuse;
         letters += c.x == 1 ? 'r' : c.y == 1 ? 'g' : '?';
     }
     return letters;
@@ -26,22 +26,22 @@ TEST_CASE("an instance is nothing until it is referred to, then moved each time"
         "instance_of all 0 0 0\n");
     CHECK(messages(r).empty());
     const Scene& s = *r.scene;
-    REQUIRE(s.primitives.size() == 15);
+    REQUIRE(s.geometry.primitives.size() == 15);
     const Vec3 offset(10, 20, 30);
-    CHECK(s.all<Sphere>()[0].centre == Vec3(9));
-    CHECK(s.all<Sphere>()[1].centre == Vec3(11, 20, 30));
-    CHECK(s.all<Sphere>()[2].centre == offset);
-    CHECK(s.all<Sphere>()[3].centre == offset);
-    CHECK(s.all<Sphere>()[4].centre == Vec3(1, 0, 0));
-    CHECK(s.all<Cone>()[0].base == offset);
-    CHECK(s.all<Cone>()[0].top == Vec3(10, 20, 31));
-    CHECK(s.vertices[1] == Vec3(11, 20, 30));
-    CHECK(s.vertices[4] == Vec3(1, 0, 0));
-    CHECK(s.all<Ring>()[0].centre == offset);
-    CHECK(s.all<Ring>()[0].normal.x == 0);
-    CHECK(s.all<Quadric>()[0].centre == offset);
-    CHECK(s.all<Quadric>()[0].clip.min == Vec3(9, 19, 29));
-    CHECK(s.all<Quadric>()[0].clip.max == Vec3(11, 21, 31));
+    CHECK(s.geometry.all<Sphere>()[0].centre == Vec3(9));
+    CHECK(s.geometry.all<Sphere>()[1].centre == Vec3(11, 20, 30));
+    CHECK(s.geometry.all<Sphere>()[2].centre == offset);
+    CHECK(s.geometry.all<Sphere>()[3].centre == offset);
+    CHECK(s.geometry.all<Sphere>()[4].centre == Vec3(1, 0, 0));
+    CHECK(s.geometry.all<Cone>()[0].base == offset);
+    CHECK(s.geometry.all<Cone>()[0].top == Vec3(10, 20, 31));
+    CHECK(s.geometry.vertices[1] == Vec3(11, 20, 30));
+    CHECK(s.geometry.vertices[4] == Vec3(1, 0, 0));
+    CHECK(s.geometry.all<Ring>()[0].centre == offset);
+    CHECK(s.geometry.all<Ring>()[0].normal.x == 0);
+    CHECK(s.geometry.all<Quadric>()[0].centre == offset);
+    CHECK(s.geometry.all<Quadric>()[0].clip.min == Vec3(9, 19, 29));
+    CHECK(s.geometry.all<Quadric>()[0].clip.max == Vec3(11, 21, 31));
     CHECK(colors(r) == "rrrrrrrrrrrrrrr");
 }
 
@@ -49,10 +49,10 @@ TEST_CASE("an instance that is never referred to leaves nothing behind") {
     const LoadResult r =
         load_prt_text("instance a\n" + red + "polygon 4 0 0 0 1 0 0 1 1 0 0 1 0\nend_instance\n");
     CHECK(messages(r).empty());
-    CHECK(r.scene->primitives.empty());
-    CHECK(r.scene->vertices.empty());
-    CHECK(r.scene->materials.empty());
-    CHECK(r.scene->all<Polygon>().empty());
+    CHECK(r.scene->geometry.primitives.empty());
+    CHECK(r.scene->geometry.vertices.empty());
+    CHECK(r.scene->look.materials.empty());
+    CHECK(r.scene->geometry.all<Polygon>().empty());
 }
 
 TEST_CASE("objects of an instance take the surface that is current at the reference") {
@@ -75,7 +75,7 @@ TEST_CASE("a hollow in an instance is one in the surface of the reference") {
     const LoadResult r = load_prt_text("instance a\nhsphere 0 0 0 1 .5\nend_instance\n" + glass +
                                        "instance_of a 0 0 0\n" + red + "instance_of a 0 0 0\n");
     CHECK(messages(r).empty());
-    const auto ior = [&](int i) { return r.scene->materials[r.scene->primitives[i].material].ior; };
+    const auto ior = [&](int i) { return r.scene->look.materials[r.scene->geometry.primitives[i].material].ior; };
     CHECK(ior(0) == 1.5);
     CHECK(ior(1) == 1 / 1.5);
     CHECK(ior(2) == 1);
@@ -98,9 +98,9 @@ TEST_CASE("camera, lights and background in an instance count at once, and once"
     CHECK(messages(r) == Messages{"a.prt:9:1: warning: 'angle' after lights; PRT's document has it "
                                   "before them",
                                   "a.prt:9:1: warning: a second 'angle'; it replaces the first"});
-    CHECK(r.scene->lights.size() == 1);
+    CHECK(r.scene->look.lights.size() == 1);
     CHECK(r.scene->camera.fov_degrees == 50);
-    CHECK(r.scene->environment.background == Color(0, 0, 1));
+    CHECK(r.scene->look.environment.background == Color(0, 0, 1));
 }
 
 TEST_CASE("errors in an instance are told once, where it is defined") {
@@ -114,7 +114,7 @@ TEST_CASE("errors in an instance are told once, where it is defined") {
                  "a.prt:9:1: warning: 'sphere' left out: its radius is 0",
                  "a.prt:10:16: warning: expected a keyword after 'sphere', found '5' (words "
                  "skipped: 2)"});
-    CHECK(r.scene->primitives.size() == 2);
+    CHECK(r.scene->geometry.primitives.size() == 2);
 }
 
 TEST_CASE("what no instance may be is an error") {
@@ -139,7 +139,7 @@ TEST_CASE("a reference without an offset is left out") {
         load_prt_text(red + "instance a\nsphere 0 0 0 1\nend_instance\ninstance_of a 1 2\n");
     CHECK(messages(r) == Messages{"a.prt:11:1: warning: expected a number for the offset of "
                                   "'instance_of', found the end of the file"});
-    CHECK(r.scene->primitives.empty());
+    CHECK(r.scene->geometry.primitives.empty());
 }
 
 TEST_CASE("a second instance of a name does not replace the first") {
@@ -149,13 +149,13 @@ TEST_CASE("a second instance of a name does not replace the first") {
                       "end_instance\ninstance_of a 0 0 0\n");
     CHECK(messages(r) ==
           Messages{"a.prt:10:1: warning: a second instance 'a'; the first one stays"});
-    CHECK(r.scene->all<Sphere>()[0].radius == 1);
+    CHECK(r.scene->geometry.all<Sphere>()[0].radius == 1);
 }
 
 TEST_CASE("an instance without an end is left out") {
     const LoadResult r = load_prt_text(red + "sphere 1 1 1 1\ninstance a\nsphere 0 0 0 1\n");
     CHECK(messages(r) == Messages{"a.prt:8:1: warning: instance 'a' has no end; it is left out"});
-    CHECK(r.scene->primitives.size() == 1);
+    CHECK(r.scene->geometry.primitives.size() == 1);
 }
 
 TEST_CASE("an instance moved beyond all numbers is left out, its surface with it") {

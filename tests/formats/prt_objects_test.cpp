@@ -10,8 +10,8 @@ Material material_of(const std::string& statement) {
     const LoadResult r = load_prt_text(statement);
     CAPTURE(statement);
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->materials.size() == 1);
-    return r.scene->materials[0];
+    REQUIRE(r.scene->look.materials.size() == 1);
+    return r.scene->look.materials[0];
 }
 
 /// The message about an object in line 7, which is left out.
@@ -20,14 +20,14 @@ std::string complaint(const std::string& text) {
     CAPTURE(text);
     REQUIRE(r.diagnostics.size() == 1);
     CHECK(r.diagnostics[0].line == 7);
-    CHECK(r.scene->primitives.empty());
+    CHECK(r.scene->geometry.primitives.empty());
     return r.diagnostics[0].message;
 }
 
 Primitive only_primitive(const LoadResult& r) {
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->primitives.size() == 1);
-    return r.scene->primitives[0];
+    REQUIRE(r.scene->geometry.primitives.size() == 1);
+    return r.scene->geometry.primitives[0];
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ TEST_CASE("a PRT object before any surface gets a grey one, with a warning") {
     const LoadResult r = load_prt_text("sphere 0 0 0 1\n");
     CHECK(messages(r) ==
           Messages{"a.prt:6:1: warning: 'sphere' before any material; it gets a default one"});
-    CHECK(r.scene->materials[0].diffuse == Color(0.5F));
+    CHECK(r.scene->look.materials[0].diffuse == Color(0.5F));
 }
 
 TEST_CASE("PRT spheres, cones and polygons are read") {
@@ -69,12 +69,12 @@ TEST_CASE("PRT spheres, cones and polygons are read") {
         "sphere 1 2 3 .5\ncone\n1 2 3 .5\n4 5 6 .25\npolygon 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n" +
         "polygon 3 0 0 0 1 0 0 0 1 0");
     CHECK(messages(r).empty());
-    CHECK(r.scene->all<Sphere>()[0].centre == Vec3(1, 2, 3));
-    CHECK(r.scene->all<Cone>()[0].base_radius == 0.5);
-    CHECK(r.scene->all<Cone>()[0].top == Vec3(4, 5, 6));
-    CHECK(r.scene->all<Cone>()[0].top_radius == 0.25);
-    CHECK(r.scene->all<Polygon>()[0].count == 4);
-    CHECK(r.scene->all<Triangle>().size() == 1);
+    CHECK(r.scene->geometry.all<Sphere>()[0].centre == Vec3(1, 2, 3));
+    CHECK(r.scene->geometry.all<Cone>()[0].base_radius == 0.5);
+    CHECK(r.scene->geometry.all<Cone>()[0].top == Vec3(4, 5, 6));
+    CHECK(r.scene->geometry.all<Cone>()[0].top_radius == 0.25);
+    CHECK(r.scene->geometry.all<Polygon>()[0].count == 4);
+    CHECK(r.scene->geometry.all<Triangle>().size() == 1);
     CHECK(complaint("polygon 2 0 0 0 1 0 0") ==
           "'polygon' left out: 2 corners, expected at least 3");
 }
@@ -83,20 +83,20 @@ TEST_CASE("a sphere of five numbers is a sphere") {
     const LoadResult r = load_prt_text(red + "sphere 1 2 3 .5 .1\nsphere 0 0 0 1");
     CHECK(messages(r) ==
           Messages{"a.prt:7:17: warning: expected a keyword after 'sphere', found '.1'"});
-    CHECK(r.scene->all<Sphere>().size() == 2);
+    CHECK(r.scene->geometry.all<Sphere>().size() == 2);
 }
 
 TEST_CASE("an hsphere is a sphere of matter about one of nothing") {
     const LoadResult r = load_prt_text(glass + "hsphere 1 2 3 .5 .125\nsphere 0 0 0 1");
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->all<Sphere>().size() == 3);
-    const Sphere &outer = r.scene->all<Sphere>()[0], &inner = r.scene->all<Sphere>()[1];
+    REQUIRE(r.scene->geometry.all<Sphere>().size() == 3);
+    const Sphere &outer = r.scene->geometry.all<Sphere>()[0], &inner = r.scene->geometry.all<Sphere>()[1];
     CHECK(outer.centre == Vec3(1, 2, 3));
     CHECK(outer.radius == 0.5);
     CHECK(inner.centre == Vec3(1, 2, 3));
     CHECK(inner.radius == 0.375);
     const auto material = [&](int i) {
-        return r.scene->materials[r.scene->primitives[i].material];
+        return r.scene->look.materials[r.scene->geometry.primitives[i].material];
     };
     CHECK(material(0).ior == 1.5);
     CHECK(material(1).ior == 1 / 1.5);
@@ -120,8 +120,8 @@ TEST_CASE("an hsphere that cannot be is left out") {
 TEST_CASE("a ring has its outer radius first, then its inner one") {
     const LoadResult r = load_prt_text(red + "ring 1 2 3  2 2 3  1 4 3  5 4");
     only_primitive(r);
-    REQUIRE(r.scene->all<Ring>().size() == 1);
-    const Ring& ring = r.scene->all<Ring>()[0];
+    REQUIRE(r.scene->geometry.all<Ring>().size() == 1);
+    const Ring& ring = r.scene->geometry.all<Ring>()[0];
     CHECK(ring.centre == Vec3(1, 2, 3));
     CHECK(ring.outer == 5);
     CHECK(ring.inner == 4);
@@ -144,8 +144,8 @@ TEST_CASE("a quadric has its ten coefficients row by row, in a box of the world"
     const LoadResult r =
         load_prt_text(red + "quadric 1 2 3\n-4 -5 -6 4 5 6\n1 2 3 4 5\n6 7 8 9 10");
     only_primitive(r);
-    REQUIRE(r.scene->all<Quadric>().size() == 1);
-    const Quadric& q = r.scene->all<Quadric>()[0];
+    REQUIRE(r.scene->geometry.all<Quadric>().size() == 1);
+    const Quadric& q = r.scene->geometry.all<Quadric>()[0];
     CHECK(q.centre == Vec3(1, 2, 3));
     CHECK(q.coefficients == std::array<double, 10>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
     CHECK(q.clip.min == Vec3(-4, -5, -6));
@@ -158,8 +158,8 @@ TEST_CASE("a quadric of no extent is left out, one in an upturned box put right"
     const LoadResult r = load_prt_text(red + "quadric 0 0 0 1 -1 1 -1 1 -1 1 0 0 0 1 0 0 1 0 -1");
     CHECK(messages(r) == Messages{"a.prt:7:1: warning: the corners of the box are not the lower "
                                   "and the upper one; exchanged"});
-    CHECK(r.scene->all<Quadric>()[0].clip.min == Vec3(-1));
-    CHECK(r.scene->all<Quadric>()[0].clip.max == Vec3(1));
+    CHECK(r.scene->geometry.all<Quadric>()[0].clip.min == Vec3(-1));
+    CHECK(r.scene->geometry.all<Quadric>()[0].clip.max == Vec3(1));
 }
 
 TEST_CASE("legacy PRT forgets the centre of a quadric, but not where its box is") {
@@ -169,8 +169,8 @@ TEST_CASE("legacy PRT forgets the centre of a quadric, but not where its box is"
     const LoadResult r = load_prt_text(
         red + "instance q\n" + quadric + "end_instance\ninstance_of q 1 1 1\n", legacy);
     only_primitive(r);
-    CHECK(r.scene->all<Quadric>()[0].centre == Vec3(0));
-    CHECK(r.scene->all<Quadric>()[0].clip.min == Vec3(-3, -4, -5));
+    CHECK(r.scene->geometry.all<Quadric>()[0].centre == Vec3(0));
+    CHECK(r.scene->geometry.all<Quadric>()[0].clip.min == Vec3(-3, -4, -5));
 }
 
 TEST_CASE("one-sided hides the back of opaque PRT shapes, and the shell about an opaque hollow") {
@@ -179,9 +179,9 @@ TEST_CASE("one-sided hides the back of opaque PRT shapes, and the shell about an
     const LoadResult r = load_prt_text(
         red + "ring 0 0 0 1 0 0 0 1 0 2 1\nhsphere 0 0 0 1 .5\n" + glass + "hsphere 0 0 0 1 .5",
         options);
-    CHECK(r.scene->primitives[0].sides == Sides::front);
-    CHECK(r.scene->primitives[1].sides == Sides::front);
-    CHECK(r.scene->primitives[2].sides == Sides::back);
-    CHECK(r.scene->primitives[3].sides == Sides::both);
-    CHECK(r.scene->primitives[4].sides == Sides::both);
+    CHECK(r.scene->geometry.primitives[0].sides == Sides::front);
+    CHECK(r.scene->geometry.primitives[1].sides == Sides::front);
+    CHECK(r.scene->geometry.primitives[2].sides == Sides::back);
+    CHECK(r.scene->geometry.primitives[3].sides == Sides::both);
+    CHECK(r.scene->geometry.primitives[4].sides == Sides::both);
 }

@@ -40,7 +40,7 @@ TEST_CASE("the scenes to be damaged are whole") {
         REQUIRE(r.scene);
         CHECK(r.diagnostics.size() == scene.diagnostics);
         CHECK(insanity(*r.scene) == "");
-        CHECK(r.scene->primitives.size() == scene.primitives);
+        CHECK(r.scene->geometry.primitives.size() == scene.primitives);
     }
 }
 

@@ -54,14 +54,20 @@ auto fields(const Scene&, const ClosedCylinder& c) {
 }
 auto fields(const Scene& scene, std::span<const std::uint32_t> vertices, std::uint32_t normals) {
     std::vector<Vec3> values;
-    for (const std::uint32_t v : vertices) values.push_back(scene.vertices[v]);
+    for (const std::uint32_t v : vertices) values.push_back(scene.geometry.vertex(v));
     for (std::size_t k = 0; normals != no_index && k < vertices.size(); ++k) {
-        values.push_back(scene.normals[normals + k]);
+        values.push_back(scene.geometry.normals[normals + k]);
     }
     return values;
 }
 auto fields(const Scene& scene, const Triangle& t) {
-    return fields(scene, t.vertices, t.normals);
+    const Geometry& g = scene.geometry;
+    std::vector<Vec3> values;
+    for (const std::uint32_t v : t.vertices) values.push_back(g.vertex(v));
+    for (std::size_t k = 0; t.normal_offset != no_index && k < 3; ++k) {
+        values.push_back(g.normals[Geometry::normal_number(t, k)]);
+    }
+    return values;
 }
 auto fields(const Scene& scene, const Polygon& p) {
     std::vector<std::uint32_t> vertices;
@@ -80,10 +86,10 @@ bool same(const Light& a, const Light& b) {
 std::string difference(const Scene& a, const Primitive& p, const Scene& b, const Primitive& q) {
     if (p.kind != q.kind) return "kind";
     if (p.sides != q.sides) return "sides";
-    if (fields(a.materials[p.material]) != fields(b.materials[q.material])) return "material";
+    if (fields(a.look.materials[p.material]) != fields(b.look.materials[q.material])) return "material";
     return with_shape(p.kind, [&]<class Shape>() -> std::string {
         if constexpr (requires(const Shape& shape) { fields(a, shape); }) {
-            const bool same = fields(a, a.get<Shape>(p)) == fields(b, b.get<Shape>(q));
+            const bool same = fields(a, a.geometry.get<Shape>(p)) == fields(b, b.geometry.get<Shape>(q));
             return same ? "" : "shape";
         } else {
             return "shape of a kind that this test does not know";
@@ -95,17 +101,17 @@ std::string difference(const Scene& a, const Primitive& p, const Scene& b, const
 
 std::string difference(const Scene& a, const Scene& b) {
     if (fields(a.camera) != fields(b.camera)) return "camera";
-    if (fields(a.environment) != fields(b.environment)) return "environment";
+    if (fields(a.look.environment) != fields(b.look.environment)) return "environment";
     if (fields(a.whitted) != fields(b.whitted)) return "rules";
     if (a.samples_per_pixel != b.samples_per_pixel) return "samples";
     if (a.backend != b.backend) return "backend";
     if (a.display_colors != b.display_colors) return "display";
-    if (!std::equal(a.lights.begin(), a.lights.end(), b.lights.begin(), b.lights.end(), same)) {
+    if (!std::equal(a.look.lights.begin(), a.look.lights.end(), b.look.lights.begin(), b.look.lights.end(), same)) {
         return "lights";
     }
-    if (a.primitives.size() != b.primitives.size()) return "number of primitives";
-    for (std::size_t i = 0; i < a.primitives.size(); ++i) {
-        const std::string what = difference(a, a.primitives[i], b, b.primitives[i]);
+    if (a.geometry.primitives.size() != b.geometry.primitives.size()) return "number of primitives";
+    for (std::size_t i = 0; i < a.geometry.primitives.size(); ++i) {
+        const std::string what = difference(a, a.geometry.primitives[i], b, b.geometry.primitives[i]);
         if (!what.empty()) return what + " of primitive " + std::to_string(i);
     }
     return {};

@@ -25,14 +25,20 @@ bool fine(const Scene&, const Sphere& s) {
     return is_finite(s.centre) && s.radius > 0;
 }
 bool fine(const Scene& scene, const Triangle& t) {
-    for (const std::uint32_t v : t.vertices) {
-        if (v >= scene.vertices.size()) return false;
+    const Geometry& g = scene.geometry;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t v = t.vertices[k];
+        const bool is_decimal = (v & decimal_vertex) != 0;
+        if (is_decimal && (v & ~decimal_vertex) >= g.decimal_vertices.size()) return false;
+        if (!is_decimal && v >= g.vertices.size()) return false;
+        if (t.normal_offset == no_index) continue;
+        if (is_decimal || Geometry::normal_number(t, k) >= g.normals.size()) return false;
     }
-    return t.normals == no_index || t.normals + 3 <= scene.normals.size();
+    return true;
 }
 bool fine(const Scene& scene, const Polygon& p) {
-    return p.count > 3 && p.first + p.count <= scene.vertices.size() &&
-           (p.normals == no_index || p.normals + p.count <= scene.normals.size());
+    return p.count > 3 && p.first + p.count <= scene.geometry.vertices.size() &&
+           (p.normals == no_index || p.normals + p.count <= scene.geometry.normals.size());
 }
 bool fine(const Scene&, const Box& b) {
     return is_finite(b.min) && is_finite(b.max) && b.min.x <= b.max.x && b.min.y <= b.max.y &&
@@ -81,14 +87,14 @@ bool all_finite(const std::vector<Vec3>& list) {
 
 std::string insanity(const Scene& scene) {
     if (!fine(scene.camera)) return "camera";
-    if (!all_fine(scene.lights)) return "light";
-    if (!all_fine(scene.materials)) return "material";
-    if (!all_finite(scene.vertices)) return "vertex";
-    if (!all_finite(scene.normals)) return "normal";
-    for (const Primitive& p : scene.primitives) {
-        if (p.material >= scene.materials.size()) return "a primitive's material";
+    if (!all_fine(scene.look.lights)) return "light";
+    if (!all_fine(scene.look.materials)) return "material";
+    if (!all_finite(scene.geometry.vertices)) return "vertex";
+    if (!all_finite(scene.geometry.normals)) return "normal";
+    for (const Primitive p : scene.geometry.primitives) {
+        if (p.material >= scene.look.materials.size()) return "a primitive's material";
         const bool good = with_shape(p.kind, [&]<class Shape>() {
-            return p.index < scene.all<Shape>().size() && fine(scene, scene.get<Shape>(p));
+            return p.index < scene.geometry.all<Shape>().size() && fine(scene, scene.geometry.get<Shape>(p));
         });
         if (!good) return std::string(kind_name(p.kind));
     }

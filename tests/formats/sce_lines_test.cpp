@@ -11,7 +11,7 @@ TEST_CASE("an empty SCE scene has the course's defaults") {
     const Scene& s = *r.scene;
     CHECK(s.format == "sce");
     CHECK(s.display_colors);
-    CHECK(s.environment.background == Color(0, 0, 0.3F));
+    CHECK(s.look.environment.background == Color(0, 0, 0.3F));
     CHECK(s.whitted.max_depth == 7);
     CHECK(s.samples_per_pixel == 0);
     CHECK(s.camera.eye == Vec3(0));
@@ -50,9 +50,9 @@ TEST_CASE("a wrong number of values costs the line, of a state command too") {
         const LoadResult r = load_sce_text(line + "\n" + unit_triangle);
         CAPTURE(line);
         REQUIRE(r.diagnostics.size() == 1);
-        REQUIRE(r.scene->primitives.size() == 1);
-        CHECK(r.scene->materials[0].diffuse == Color(1.0F));
-        CHECK(r.scene->vertices[1] == Vec3(1, 0, 0));
+        REQUIRE(r.scene->geometry.primitives.size() == 1);
+        CHECK(r.scene->look.materials[0].diffuse == Color(1.0F));
+        CHECK(r.scene->geometry.vertices[1] == Vec3(1, 0, 0));
         return messages(r)[0];
     };
     const auto expected = [](const std::string& place, const std::string& numbers) {
@@ -72,7 +72,7 @@ TEST_CASE("a value that is no number costs the line") {
           Messages{"a.sce:1:11: warning: expected a number for the factors of 'scale', found '3x'",
                    "a.sce:2:13: warning: expected a number for the offset of 'translate', found "
                    "'nan', which is not finite"});
-    CHECK(r.scene->vertices[1] == Vec3(1, 0, 0));
+    CHECK(r.scene->geometry.vertices[1] == Vec3(1, 0, 0));
 }
 
 TEST_CASE("a keyword is a whole word") {
@@ -81,7 +81,7 @@ TEST_CASE("a keyword is a whole word") {
           Messages{"a.sce:1:1: warning: unknown command 'triangleX'; did you mean 'triangle'?",
                    "a.sce:2:1: warning: unknown command '{nx'; did you mean 'nx'?",
                    "a.sce:3:1: warning: unknown command 'NX'; did you mean 'nx'?"});
-    CHECK(r.scene->primitives.empty());
+    CHECK(r.scene->geometry.primitives.empty());
 }
 
 TEST_CASE("the commands of one private program are named as such") {

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "tests/catch.h"
+#include "tests/formats/corners.h"
 #include "tests/formats/sce_text.h"
 
 using namespace etalon;
@@ -35,8 +36,8 @@ bool is_along(const Vec3& a, const Vec3& b) {
 }
 
 Vec3 geometric_normal(const Scene& s) {
-    const auto& v = s.all<Triangle>()[0].vertices;
-    return (s.vertices[v[1]] - s.vertices[v[0]]).cross(s.vertices[v[2]] - s.vertices[v[0]]);
+    const std::vector<Vec3> c = corners_of(s, 0);
+    return (c[1] - c[0]).cross(c[2] - c[0]);
 }
 
 }  // namespace
@@ -44,9 +45,9 @@ Vec3 geometric_normal(const Scene& s) {
 TEST_CASE("a triangle is moved by the matrix") {
     const LoadResult r = load_sce_text("translate 1 2 3\nscale 2 2 2\n" + unit_triangle);
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->all<Triangle>().size() == 1);
-    CHECK(r.scene->vertices == std::vector{Vec3(1, 2, 3), Vec3(3, 2, 3), Vec3(1, 4, 3)});
-    CHECK(r.scene->primitives[0].sides == Sides::both);
+    REQUIRE(r.scene->geometry.all<Triangle>().size() == 1);
+    CHECK(corners_of(*r.scene, 0) == std::vector{Vec3(1, 2, 3), Vec3(3, 2, 3), Vec3(1, 4, 3)});
+    CHECK(r.scene->geometry.primitives[0].sides == Sides::both);
 }
 
 TEST_CASE("the front of a triangle stays its front where the matrix mirrors") {
@@ -54,7 +55,7 @@ TEST_CASE("the front of a triangle stays its front where the matrix mirrors") {
     options.one_sided = true;
     const LoadResult r = load_sce_text("scale -1 1 1\n" + unit_triangle, options);
     CHECK(geometric_normal(*r.scene).z > 0);
-    CHECK(r.scene->primitives[0].sides == Sides::front);
+    CHECK(r.scene->geometry.primitives[0].sides == Sides::front);
 }
 
 TEST_CASE("a triangle without area or under a singular matrix is left out") {
@@ -64,7 +65,7 @@ TEST_CASE("a triangle without area or under a singular matrix is left out") {
           Messages{"a.sce:1:1: warning: 'triangle' left out: it has no area",
                    "a.sce:3:1: warning: 'triangle' left out: its matrix is singular",
                    "a.sce:6:1: warning: 'triangle' left out: its matrix is beyond all numbers"});
-    CHECK(r.scene->primitives.empty());
+    CHECK(r.scene->geometry.primitives.empty());
 }
 
 TEST_CASE("a mesh lies beside the scene and is moved by the matrix") {
@@ -72,9 +73,9 @@ TEST_CASE("a mesh lies beside the scene and is moved by the matrix") {
     folder.write("half.obj", tilted);
     const LoadResult r = folder.load("translate 0 0 5\nobject_flat half.obj\n");
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->all<Triangle>().size() == 1);
-    CHECK(r.scene->vertices == std::vector{Vec3(0, 0, 5), Vec3(1, 0, 4), Vec3(0, 1, 5)});
-    CHECK(r.scene->all<Triangle>()[0].normals == no_index);
+    REQUIRE(r.scene->geometry.all<Triangle>().size() == 1);
+    CHECK(r.scene->geometry.vertices == std::vector{Vec3(0, 0, 5), Vec3(1, 0, 4), Vec3(0, 1, 5)});
+    CHECK(corner_normals(*r.scene, 0).empty());
 }
 
 TEST_CASE("a mesh used twice is read once and stands in both places") {
@@ -83,9 +84,8 @@ TEST_CASE("a mesh used twice is read once and stands in both places") {
     const LoadResult r =
         folder.load("object_flat half.obj\ntranslate 1 0 0\nobject_phong half.obj\n");
     CHECK(r.diagnostics.size() == 1);
-    CHECK(r.scene->all<Triangle>().size() == 2);
-    CHECK(r.scene->vertices[3] == Vec3(1, 0, 0));
-    CHECK(r.scene->all<Triangle>()[1].vertices[0] == 3);
+    CHECK(r.scene->geometry.all<Triangle>().size() == 2);
+    CHECK(corners_of(*r.scene, 1)[0] == Vec3(1, 0, 0));
 }
 
 TEST_CASE("normals of a smooth mesh stay perpendicular to it under an uneven matrix") {
@@ -95,8 +95,8 @@ TEST_CASE("normals of a smooth mesh stay perpendicular to it under an uneven mat
                                      "scale .1 .1 .1\nrotate 40 0 1 0\nscale 2 1 1"}) {
         const LoadResult r = folder.load(matrix + "\nobject_phong half.obj\n");
         CAPTURE(matrix);
-        REQUIRE(r.scene->normals.size() == 3);
-        for (const Vec3& n : r.scene->normals) CHECK(is_along(n, geometric_normal(*r.scene)));
+        REQUIRE(corner_normals(*r.scene, 0).size() == 3);
+        for (const Vec3& n : r.scene->geometry.normals) CHECK(is_along(n, geometric_normal(*r.scene)));
     }
 }
 
@@ -104,22 +104,22 @@ TEST_CASE("the normals of a file go with their corners, mirrored ones too") {
     const Meshes folder;
     folder.write("half.obj", tilted + "vn 1 0 0\nvn 0 1 0\nvn 0 0 1\n");
     const LoadResult plain = folder.load("object_phong half.obj\n");
-    CHECK(plain.scene->normals == std::vector{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)});
+    CHECK(plain.scene->geometry.normals == std::vector{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)});
     const LoadResult r = folder.load("scale 1 1 -1\nobject_phong half.obj\n");
-    const Triangle& t = r.scene->all<Triangle>()[0];
-    CHECK(t.vertices == std::array<std::uint32_t, 3>{0, 2, 1});
-    CHECK(is_along(r.scene->normals[t.normals], {1, 0, 0}));
-    CHECK(is_along(r.scene->normals[t.normals + 1], {0, 0, -1}));
-    CHECK(is_along(r.scene->normals[t.normals + 2], {0, 1, 0}));
+    CHECK(corners_of(*r.scene, 0) == std::vector{Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(1, 0, 1)});
+    const std::vector<Vec3> normals = corner_normals(*r.scene, 0);
+    CHECK(is_along(normals[0], {1, 0, 0}));
+    CHECK(is_along(normals[1], {0, 0, -1}));
+    CHECK(is_along(normals[2], {0, 1, 0}));
 }
 
 TEST_CASE("normals of one length are of unit length under a matrix that scales") {
     const Meshes folder;
     folder.write("half.obj", tilted);
     const LoadResult r = folder.load("rotate 20 1 2 3\nscale 7 7 7\nobject_phong half.obj\n");
-    for (const Vec3& n : r.scene->normals) CHECK(n.dot(n) == Approx(1).epsilon(1e-15));
+    for (const Vec3& n : r.scene->geometry.normals) CHECK(n.dot(n) == Approx(1).epsilon(1e-15));
     const LoadResult tiny = folder.load("scale 1e-300 1e-300 1e-300\nobject_phong half.obj\n");
-    CHECK(tiny.scene->normals == folder.load("object_phong half.obj\n").scene->normals);
+    CHECK(tiny.scene->geometry.normals == folder.load("object_phong half.obj\n").scene->geometry.normals);
 }
 
 TEST_CASE("a mesh that cannot be had is reported each time, and left out") {
@@ -135,7 +135,7 @@ TEST_CASE("a mesh that cannot be had is reported each time, and left out") {
                  at + "2:14: warning: 'object_phong' of 'empty.obj' left out: it holds no faces",
                  at + "3:13: warning: 'object_flat' of 'none.obj' left out: there is no such file",
                  at + "5:13: warning: 'object_flat' of '.' left out: there is no such file"});
-    CHECK(r.scene->primitives.size() == 1);
+    CHECK(r.scene->geometry.primitives.size() == 1);
 }
 
 TEST_CASE("what is wrong in a mesh is said of its own file") {
@@ -145,7 +145,7 @@ TEST_CASE("what is wrong in a mesh is said of its own file") {
     REQUIRE(r.diagnostics.size() == 3);
     CHECK(messages(r)[1] == (folder.path / "bad.obj").string() +
                                 ":5:1: warning: face left out: 2 corners, expected at least 3");
-    CHECK(r.scene->primitives.size() == 1);
+    CHECK(r.scene->geometry.primitives.size() == 1);
     LoadOptions strict;
     strict.strict = true;
     CHECK_FALSE(folder.load("object_flat bad.obj\n", strict).scene);

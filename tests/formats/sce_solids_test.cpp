@@ -11,16 +11,16 @@ Affine ball(const std::string& lines) {
     const LoadResult r = load_sce_text(lines);
     CAPTURE(lines, messages(r));
     CHECK(r.diagnostics.empty());
-    REQUIRE(r.scene->all<Ellipsoid>().size() == 1);
-    return r.scene->all<Ellipsoid>()[0].to_world;
+    REQUIRE(r.scene->geometry.all<Ellipsoid>().size() == 1);
+    return r.scene->geometry.all<Ellipsoid>()[0].to_world;
 }
 
 Sphere sphere(const std::string& lines) {
     const LoadResult r = load_sce_text(lines);
     CAPTURE(lines, messages(r));
     CHECK(r.diagnostics.empty());
-    REQUIRE(r.scene->all<Sphere>().size() == 1);
-    return r.scene->all<Sphere>()[0];
+    REQUIRE(r.scene->geometry.all<Sphere>().size() == 1);
+    return r.scene->geometry.all<Sphere>()[0];
 }
 
 }  // namespace
@@ -46,8 +46,8 @@ TEST_CASE("under any other matrix a ball is an ellipsoid") {
 TEST_CASE("a cylinder is closed, of radius 1 and height 1 under its matrix") {
     const LoadResult r = load_sce_text("translate 0 0 2\nscale 0.5 1 3\ncylinder\n");
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->all<ClosedCylinder>().size() == 1);
-    const Affine& map = r.scene->all<ClosedCylinder>()[0].to_world;
+    REQUIRE(r.scene->geometry.all<ClosedCylinder>().size() == 1);
+    const Affine& map = r.scene->geometry.all<ClosedCylinder>()[0].to_world;
     CHECK(map.x == Vec3(0.5, 0, 0));
     CHECK(map.z == Vec3(0, 0, 3));
     CHECK(map.origin == Vec3(0, 0, 2));
@@ -56,7 +56,7 @@ TEST_CASE("a cylinder is closed, of radius 1 and height 1 under its matrix") {
 TEST_CASE("a solid without volume is left out") {
     const auto said = [](const std::string& lines) {
         const LoadResult r = load_sce_text(lines);
-        CHECK(r.scene->primitives.empty());
+        CHECK(r.scene->geometry.primitives.empty());
         return messages(r);
     };
     CHECK(said("ball 0 1 2 3\n") ==
@@ -70,7 +70,7 @@ TEST_CASE("a solid without volume is left out") {
 
 TEST_CASE("a solid counts as one primitive of the current surface") {
     const LoadResult r = load_sce_text("cr 1 0 0\nball 1 0 0 0\ncr 0 1 0\ncylinder\n");
-    REQUIRE(r.scene->primitives.size() == 2);
-    CHECK(r.scene->primitives[1].material == 1);
-    CHECK(r.scene->primitives[1].sides == Sides::both);
+    REQUIRE(r.scene->geometry.primitives.size() == 2);
+    CHECK(r.scene->geometry.primitives[1].material == 1);
+    CHECK(r.scene->geometry.primitives[1].sides == Sides::both);
 }

@@ -41,15 +41,15 @@ TEST_CASE("every real P3F scene is read without a warning, but for the one with 
         CAPTURE(path);
         REQUIRE(r.scene);
         CHECK(insanity(*r.scene) == "");
-        CHECK(r.scene->primitives.size() >= 3);
+        CHECK(r.scene->geometry.primitives.size() >= 3);
         const bool stray = path.find("dragon_stray_numbers") != path.npos;
         CHECK(r.diagnostics.size() == (stray ? 1 : 0));
         if (!stray) continue;
         CHECK(r.diagnostics[0].line == 16);
         CHECK(r.diagnostics[0].column == 29);
-        CHECK(r.scene->all<Triangle>().size() == 100000);
-        CHECK(r.scene->vertices.size() == 50000);
-        CHECK(r.scene->lights.size() == 2);
+        CHECK(r.scene->geometry.all<Triangle>().size() == 100000);
+        CHECK(r.scene->geometry.vertices.size() == 50000);
+        CHECK(r.scene->look.lights.size() == 2);
     }
 }
 
@@ -74,13 +74,13 @@ TEST_CASE("every real SCE scene is read without a warning") {
         CHECK(r.diagnostics.empty());
         CHECK(r.scene->format == "sce");
         CHECK(insanity(*r.scene) == "");
-        CHECK(r.scene->primitives.size() >= 5);
-        CHECK_FALSE(r.scene->lights.empty());
+        CHECK(r.scene->geometry.primitives.size() >= 5);
+        CHECK_FALSE(r.scene->look.lights.empty());
     }
 }
 
 TEST_CASE("every real NFF scene is read without a warning") {
-    const auto count = [](const LoadResult& r) { return r.scene->primitives.size(); };
+    const auto count = [](const LoadResult& r) { return r.scene->geometry.primitives.size(); };
     const std::pair<const char*, std::size_t> primitives[] = {
         {"balls", 7382}, {"gears", 9345}, {"mount", 8196}, {"teapot_s12", 9264}, {"tetra", 4096}};
     for (const std::string& path : shared_scenes("nff", ".nff")) {
@@ -107,7 +107,7 @@ TEST_CASE("every real PRT scene is read without a warning") {
         CHECK(r.scene->format == "prt");
         CHECK(insanity(*r.scene) == "");
         for (const auto& [name, expected] : primitives) {
-            if (fs::path(path).stem() == name) CHECK(r.scene->primitives.size() == expected);
+            if (fs::path(path).stem() == name) CHECK(r.scene->geometry.primitives.size() == expected);
         }
     }
 }

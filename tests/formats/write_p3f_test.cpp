@@ -171,11 +171,13 @@ TEST_CASE("what P3F cannot say is listed, each kind once") {
     LoadResult r = load_objects("s 0 0 0 1\ns 1 0 0 1\n");
     Scene& s = *r.scene;
     CHECK(lost(s).empty());
-    s.materials.push_back(s.materials[0]);
-    s.primitives[1].material = 1;
-    for (Material& m : s.materials) m.ambient = Color(0.1F);
-    s.primitives[0].sides = Sides::front;
-    s.materials[0].reflection = Color(0.5F);
+    s.look.materials.push_back(s.look.materials[0]);
+    std::vector<Primitive> primitives = s.geometry.primitives.list();
+    primitives[1].material = 1;
+    primitives[0].sides = Sides::front;
+    s.geometry.primitives = PrimitiveRuns(primitives);
+    for (Material& m : s.look.materials) m.ambient = Color(0.1F);
+    s.look.materials[0].reflection = Color(0.5F);
     s.whitted.max_depth = 7;
     s.display_colors = false;
     CHECK(lost(s) == std::vector<std::string>{"depth of 7 rays, now 5 1", "sRGB curve of a PNG 1",
@@ -188,20 +190,20 @@ TEST_CASE("ellipsoids and closed cylinders become polygons on their surface, fac
     const Affine map = translation({1, 2, 3}) * rotation(30, {1, 2, 3}) * scaling({1, -2, 3});
     LoadResult r = load_objects("s 0 0 0 1\n");
     Scene scene = *r.scene;
-    scene.primitives.clear();
-    scene.add(Ellipsoid(map), 0);
-    scene.add(ClosedCylinder(map), 0);
+    scene.geometry.primitives = {};
+    scene.geometry.add(Ellipsoid(map), 0);
+    scene.geometry.add(ClosedCylinder(map), 0);
     CHECK(lost(scene) ==
           std::vector<std::string>{"ellipsoid, now polygons 1", "closed cylinder, now polygons 1"});
     const LoadResult read = load_p3f_text(write_p3f(scene, "").text);
     CHECK(messages(read).empty());
-    REQUIRE(read.scene->primitives.size() == 24 * 48 + 48 + 2);
-    const LocalFrame& frame = scene.all<Ellipsoid>()[0].frame;
+    REQUIRE(read.scene->geometry.primitives.size() == 24 * 48 + 48 + 2);
+    const LocalFrame& frame = scene.geometry.all<Ellipsoid>()[0].frame;
     const auto local = [&](const Vec3& p) { return frame.vector(p - map.origin); };
     constexpr std::size_t on_sphere = 22 * 48;  // and 2 * 48 triangles at the poles
-    const std::vector<Polygon>& polygons = read.scene->all<Polygon>();
+    const std::vector<Polygon>& polygons = read.scene->geometry.all<Polygon>();
     for (std::size_t i = 0; i < polygons.size(); ++i) {
-        const std::span corners(&read.scene->vertices[polygons[i].first], polygons[i].count);
+        const std::span corners(&read.scene->geometry.vertices[polygons[i].first], polygons[i].count);
         const Vec3 a = local(corners[0]), b = local(corners[1]), c = local(corners[2]);
         const double level = i < on_sphere ? a.z : 0;
         CHECK(a.x * a.x + a.y * a.y + level * level == Approx(1).epsilon(1e-12));
@@ -213,16 +215,16 @@ TEST_CASE("ellipsoids and closed cylinders become polygons on their surface, fac
 TEST_CASE("a ring becomes flat polygons that face where its normal points") {
     LoadResult r = load_objects("s 0 0 0 1\n");
     Scene scene = *r.scene;
-    scene.primitives.clear();
+    scene.geometry.primitives = {};
     const Ring ring{{1, 2, 3}, {0, -2, 0}, 1, 2};
-    scene.add(ring, 0);
+    scene.geometry.add(ring, 0);
     CHECK(lost(scene) == std::vector<std::string>{"ring, now polygons 1"});
     const LoadResult read = load_p3f_text(write_p3f(scene, "").text);
     CHECK(messages(read).empty());
-    REQUIRE(read.scene->primitives.size() == 48);
+    REQUIRE(read.scene->geometry.primitives.size() == 48);
     double area = 0;
-    for (const Polygon& p : read.scene->all<Polygon>()) {
-        const Vec3* corner = &read.scene->vertices[p.first];
+    for (const Polygon& p : read.scene->geometry.all<Polygon>()) {
+        const Vec3* corner = &read.scene->geometry.vertices[p.first];
         const Vec3 cross = (corner[2] - corner[0]).cross(corner[3] - corner[1]);
         CHECK(cross.dot(ring.normal) > 0);
         area += cross.length() / 2;
@@ -232,12 +234,12 @@ TEST_CASE("a ring becomes flat polygons that face where its normal points") {
 
 TEST_CASE("glass of constant weights becomes Fresnel's, and a Phong highlight Blinn's") {
     LoadResult r = load_objects("s 0 0 0 1\n");
-    Material& m = r.scene->materials[0];
+    Material& m = r.scene->look.materials[0];
     m.transmission = Color(0.5F);
     m.ior = 1.3;
     m.specular = Color(0.5F);
     m.highlight = Highlight::phong;
     const std::string fresnel = "constant weights of mirrored and refracted rays, now Fresnel's 1";
     CHECK(lost(*r.scene) == std::vector<std::string>{"Phong highlight, now Blinn's 1", fresnel});
-    CHECK(load_p3f_text(text_of(r)).scene->materials[0].ior == 1.3);
+    CHECK(load_p3f_text(text_of(r)).scene->look.materials[0].ior == 1.3);
 }

@@ -68,26 +68,26 @@ bool is_float(const Scene& scene) {
         return std::all_of(list.begin(), list.end(), test);
     };
     const auto is_float_point = [](const Vec3& v) { return is_float(v); };
-    return all(scene.vertices, is_float_point) &&
-           all(scene.all<Sphere>(),
+    return all(scene.geometry.vertices, is_float_point) &&
+           all(scene.geometry.all<Sphere>(),
                [](const Sphere& s) { return is_float(s.centre) && is_float(s.radius); }) &&
-           all(scene.all<Box>(), [](const Box& b) { return is_float(b.min) && is_float(b.max); }) &&
-           all(scene.all<Plane>(),
+           all(scene.geometry.all<Box>(), [](const Box& b) { return is_float(b.min) && is_float(b.max); }) &&
+           all(scene.geometry.all<Plane>(),
                [](const Plane& p) { return is_float(p.point) && is_float(p.normal); }) &&
-           all(scene.all<Ellipsoid>(), [](const Ellipsoid& e) { return is_float(e.to_world); }) &&
-           all(scene.all<ClosedCylinder>(),
+           all(scene.geometry.all<Ellipsoid>(), [](const Ellipsoid& e) { return is_float(e.to_world); }) &&
+           all(scene.geometry.all<ClosedCylinder>(),
                [](const ClosedCylinder& c) { return is_float(c.to_world); }) &&
-           all(scene.all<Cone>(),
+           all(scene.geometry.all<Cone>(),
                [](const Cone& c) {
                    return is_float(c.base) && is_float(c.top) && is_float(c.base_radius) &&
                           is_float(c.top_radius);
                }) &&
-           all(scene.all<Ring>(),
+           all(scene.geometry.all<Ring>(),
                [](const Ring& r) {
                    return is_float(r.centre) && is_float(r.normal) && is_float(r.inner) &&
                           is_float(r.outer);
                }) &&
-           all(scene.all<Quadric>(), [&](const Quadric& s) {
+           all(scene.geometry.all<Quadric>(), [&](const Quadric& s) {
                return is_float(s.centre) && is_float(s.clip.min) && is_float(s.clip.max) &&
                       all(s.coefficients, [](double x) { return is_float(x); });
            });
@@ -97,11 +97,11 @@ bool is_float(const Scene& scene) {
 double hit_share(const Setting& setting) {
     constexpr int rays = 2000;
     const auto backends = native_backends();
-    const bool is_small = setting.scene.primitives.size() < 100;
+    const bool is_small = setting.scene.geometry.primitives.size() < 100;
     const auto backend = std::find_if(backends.begin(), backends.end(), [&](const Backend& b) {
         return b.name == (is_small ? "none" : "bvh");
     });
-    const auto intersector = backend->build(setting.scene);
+    const auto intersector = backend->build(setting.scene.geometry);
     int hits = 0;
     for (int i = 0; i < rays; ++i) hits += intersector->closest(ray_number(setting, i)).has_value();
     return static_cast<double>(hits) / rays;
@@ -155,10 +155,10 @@ TEST_CASE("The catalogue: given a case, then its scene and rays are what its nam
         CAPTURE(name_of(c));
         const Setting setting = c.make();
         REQUIRE(setting.size > 0);
-        REQUIRE_FALSE(setting.scene.primitives.empty());
+        REQUIRE_FALSE(setting.scene.geometry.primitives.empty());
         if (c.shape != "scene") {
-            REQUIRE(setting.scene.primitives.size() == 1);
-            REQUIRE(kind_name(setting.scene.primitives[0].kind) == c.shape);
+            REQUIRE(setting.scene.geometry.primitives.size() == 1);
+            REQUIRE(kind_name(setting.scene.geometry.primitives[0].kind) == c.shape);
         }
         if (is_in_float(c)) REQUIRE(is_float(setting.scene));
         for (std::uint64_t i = 0; i < 2000; ++i) {

@@ -9,13 +9,15 @@ namespace {
 
 void require_right_answers(int rays_per_case) {
     for (ShapeCase& shape : shape_cases()) {
-        const Oracle oracle(shape.scene);
+        const Oracle oracle(shape.scene.geometry);
         Random random(1);
         int undecidable = 0, hits = 0;
         for (int i = 0; i < rays_per_case; ++i) {
-            shape.scene.primitives[0].sides = static_cast<Sides>(random.index(3));
+            std::vector<Primitive> primitives = shape.scene.geometry.primitives.list();
+            primitives[0].sides = static_cast<Sides>(random.index(3));
+            shape.scene.geometry.primitives = PrimitiveRuns(primitives);
             const AimedRay aimed = aimed_ray(shape, i, random);
-            const double t = primitive_first_hit(shape.scene, 0, RayQuery(aimed.ray));
+            const double t = primitive_first_hit(shape.scene.geometry, 0, RayQuery(aimed.ray));
             const Verdict verdict = judge(shape, oracle, aimed.ray, t);
             CAPTURE(shape.name, *aimed.target, aimed.approach, i, t);
             REQUIRE(verdict != Verdict::wrong);

@@ -10,7 +10,7 @@ namespace {
 
 template <class Shape>
 double hit(const Shape& shape, const Ray& ray, Sides sides = Sides::both) {
-    return first_hit(Scene{}, shape, sides, RayQuery(ray));
+    return first_hit(Geometry{}, shape, sides, RayQuery(ray));
 }
 
 Affine any_map(Random& random) {
@@ -87,15 +87,15 @@ TEMPLATE_TEST_CASE("Images: given a mirrored unit shape, then it is the same sha
         const Affine map = any_map(random);
         const TestType shape(map), mirrored(Affine{map.x, -map.y, map.z, map.origin});
         const RayQuery query(any_ray(map, random));
-        const double t = first_hit(Scene{}, shape, Sides::front, query);
-        const double same = first_hit(Scene{}, mirrored, Sides::front, query);
+        const double t = first_hit(Geometry{}, shape, Sides::front, query);
+        const double same = first_hit(Geometry{}, mirrored, Sides::front, query);
         CAPTURE(i, t, same);
         REQUIRE(std::isnan(t) == std::isnan(same));
         if (std::isnan(t)) continue;
         ++hits;
         REQUIRE(std::abs(t - same) <= t_tolerance * t);
-        const Vec3 normal = surface(Scene{}, shape, query, t).normal;
-        const Vec3 same_normal = surface(Scene{}, mirrored, query, t).normal;
+        const Vec3 normal = surface(Geometry{}, shape, query, t).normal;
+        const Vec3 same_normal = surface(Geometry{}, mirrored, query, t).normal;
         REQUIRE(normal.dot(query.ray.direction) < 0);
         REQUIRE((normal - same_normal).length() < 1e-6);
     }
@@ -107,8 +107,8 @@ TEMPLATE_TEST_CASE(
     Ellipsoid, ClosedCylinder) {
     int doubts = 0, hits = 0, rays = 0;
     for (const ShapeCase& shape : shape_cases()) {
-        if (shape.scene.primitives[0].kind != kind_of<TestType>()) continue;
-        const TestType& image = shape.scene.all<TestType>()[0];
+        if (shape.scene.geometry.primitives[0].kind != kind_of<TestType>()) continue;
+        const TestType& image = shape.scene.geometry.all<TestType>()[0];
         Random random(32);
         for (int i = 0; i < 10000; ++i) {
             const RayQuery query(aimed_ray(shape, i, random).ray);

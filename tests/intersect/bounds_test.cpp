@@ -6,11 +6,11 @@ using namespace etalon;
 
 TEST_CASE("bounds: given a hit, then its point is within them but for a few roundings") {
     for (const ShapeCase& shape : shape_cases()) {
-        const Box3 box = primitive_bounds(shape.scene, 0);
+        const Box3 box = primitive_bounds(shape.scene.geometry, 0);
         Random random(10);
         for (int i = 0; i < 3000; ++i) {
             const Ray ray = aimed_ray(shape, i, random).ray;
-            const double t = primitive_first_hit(shape.scene, 0, RayQuery(ray));
+            const double t = primitive_first_hit(shape.scene.geometry, 0, RayQuery(ray));
             if (!(t <= infinity)) continue;
             const Vec3 point = ray.origin + t * ray.direction;
             const double few = 32 * 0x1p-53;
@@ -27,14 +27,14 @@ TEST_CASE("bounds: given a hit, then its point is within them but for a few roun
 
 TEST_CASE("bounds: given points all over a bounded shape, then every face of the box is reached") {
     for (const ShapeCase& shape : shape_cases()) {
-        const Box3 box = primitive_bounds(shape.scene, 0);
+        const Box3 box = primitive_bounds(shape.scene.geometry, 0);
         if (!is_finite(box.min)) continue;
         Box3 seen;
         Random random(11);
         for (int i = 0; i < 20000; ++i) {
             const AimedRay aimed = aimed_ray(shape, i, random);
-            const double t = primitive_first_hit(shape.scene, 0, RayQuery(aimed.ray));
-            if (t <= infinity) seen.extendBy(surface_at(shape.scene, aimed.ray, {t, 0}).position);
+            const double t = primitive_first_hit(shape.scene.geometry, 0, RayQuery(aimed.ray));
+            if (t <= infinity) seen.extendBy(surface_at(shape.scene.geometry, aimed.ray, {t, 0}).position);
         }
         const double tolerance = 0.02 * shape.size;
         CAPTURE(shape.name, box.min, seen.min, box.max, seen.max);

@@ -1,3 +1,4 @@
+#include "core/scene/scene.h"
 #include "core/intersect/shapes/cone.h"
 
 #include "core/intersect/kernels.h"
@@ -10,7 +11,7 @@ using namespace etalon;
 namespace {
 
 double hit(const Cone& cone, const Ray& ray, Sides sides = Sides::both) {
-    return first_hit(Scene{}, cone, sides, RayQuery(ray));
+    return first_hit(Geometry{}, cone, sides, RayQuery(ray));
 }
 
 const Cone cylinder{{0, 0, 0}, {0, 0, 4}, 1, 1};
@@ -124,7 +125,7 @@ TEST_CASE("Cone: given radii that approach each other, then t approaches the cyl
             const double t = hit(cone, ray, Sides::front);
             if (std::isnan(t)) continue;  // through the rim
             const double cosine =
-                std::abs(surface(Scene{}, cone, RayQuery(ray), t).normal.dot(direction));
+                std::abs(surface(Geometry{}, cone, RayQuery(ray), t).normal.dot(direction));
             CAPTURE(i, j, t, limit);
             REQUIRE(std::abs(t - limit) <= 2 * (std::ldexp(1.0, -j) + 1e-14) / (cosine * cosine));
         }
@@ -145,7 +146,7 @@ TEST_CASE("Cone: given base and top exchanged, then the same points are hit") {
 
 TEST_CASE("Cone: given a hit, then the normal leans as the surface does") {
     const Ray ray{{-5, 0, 1}, {1, 0, 0}};
-    const SurfacePoint p = surface(Scene{}, pointed, RayQuery(ray), hit(pointed, ray));
+    const SurfacePoint p = surface(Geometry{}, pointed, RayQuery(ray), hit(pointed, ray));
     REQUIRE((p.position - Vec3(-0.5, 0, 1)).length() < 1e-15);
     REQUIRE((p.normal - Vec3(-2, 0, 1) / std::sqrt(5.0)).length() < 1e-15);
 }
@@ -294,7 +295,7 @@ TEST_CASE("Cone: given a cone and a ray of any size, then t is the same times th
         REQUIRE(std::isnan(t) == std::isnan(other_t));
         if (std::isnan(t)) continue;
         REQUIRE(std::abs(std::ldexp(other_t, speed - k) - t) <= 0x1p-39 * t);
-        const Box3 box = bounds(Scene{}, other);
+        const Box3 box = bounds(Geometry{}, other);
         const Vec3 p = moved.origin + other_t * moved.direction;
         const double slack = resized(1e-14 * (1e3 + ray.origin.length()));
         for (int axis = 0; axis < 3; ++axis) {
@@ -324,11 +325,11 @@ TEST_CASE("exact_passage: given any ray, then the oracle agrees") {
     for (int i = 0; i < 20000; ++i) {
         const Cone cone = random_cone(random);
         Scene scene;
-        scene.add(cone, 0);
+        scene.geometry.add(cone, 0);
         const Ray ray = random_ray(cone, random);
         const Passage x = exact_passage(cone, RayQuery(ray).ray);
         const double t = first_visible(x.entry, x.exit, Sides::both, 0);
-        const OracleAnswer answer = Oracle(scene).closest(ray);
+        const OracleAnswer answer = Oracle(scene.geometry).closest(ray);
         CAPTURE(i, t, answer.t);
         if (answer.kind == OracleAnswer::undecidable) continue;
         REQUIRE((t > 0) == (answer.kind == OracleAnswer::hit));

@@ -10,7 +10,7 @@ namespace {
 constexpr double hostile_numbers[] = {nan_value, infinity, -infinity};
 
 bool is_hit(const Scene& scene, const Ray& ray) {
-    const double t = primitive_first_hit(scene, 0, RayQuery(ray));
+    const double t = primitive_first_hit(scene.geometry, 0, RayQuery(ray));
     return t > ray.tmin || t == infinity;
 }
 
@@ -29,7 +29,7 @@ Ray probing_ray(int i, Random& random) {
 TEST_CASE("Kernels: given a degenerate shape, then nothing hits it") {
     for (const DegenerateCase& shape : degenerate_cases()) {
         CAPTURE(shape.name);
-        const Box3 box = primitive_bounds(shape.scene, 0);
+        const Box3 box = primitive_bounds(shape.scene.geometry, 0);
         REQUIRE((box.isEmpty() || !shape.empty_bounds));
         Random random(6);
         for (int i = 0; i < 2000; ++i) {
@@ -49,7 +49,7 @@ TEST_CASE("Kernels: given a shape with a number that is none, then nothing hits 
                 *number = hostile;
                 settle(scene);
                 CAPTURE(shape.name, hostile);
-                REQUIRE(primitive_bounds(scene, 0).isEmpty());
+                REQUIRE(primitive_bounds(scene.geometry, 0).isEmpty());
                 Random random(7);
                 for (int i = 0; i < 100; ++i) {
                     REQUIRE_FALSE(is_hit(scene, aimed_ray(shape, i, random).ray));
@@ -72,7 +72,7 @@ TEST_CASE(
                     Ray bad = ray;
                     (k < 3 ? bad.origin : bad.direction)[k % 3] = hostile;
                     CAPTURE(shape.name, i, k, hostile);
-                    REQUIRE(std::abs(primitive_first_hit(shape.scene, 0, RayQuery(bad))) !=
+                    REQUIRE(std::abs(primitive_first_hit(shape.scene.geometry, 0, RayQuery(bad))) !=
                             infinity);
                 }
             }
@@ -87,11 +87,11 @@ TEST_CASE("Kernels: given any hit, then t is finite and the point has all its nu
         Random random(9);
         for (int i = 0; i < 1000; ++i) {
             const Ray ray = aimed_ray(shape, i, random).ray;
-            const double t = primitive_first_hit(shape.scene, 0, RayQuery(ray));
+            const double t = primitive_first_hit(shape.scene.geometry, 0, RayQuery(ray));
             CAPTURE(shape.name, i, t);
             REQUIRE((std::isnan(t) || (t > ray.tmin && t < infinity)));
             if (std::isnan(t)) continue;
-            const SurfacePoint p = surface_at(shape.scene, ray, {t, 0});
+            const SurfacePoint p = surface_at(shape.scene.geometry, ray, {t, 0});
             REQUIRE(is_finite(p.position));
             REQUIRE(is_finite(p.error));
             REQUIRE(p.normal.length() == Approx(1).epsilon(1e-12));

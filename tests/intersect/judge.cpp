@@ -37,8 +37,8 @@ struct Branch {
 };
 
 struct Branches {
-    void add(const Scene& scene, const Ray& ray) {
-        const Crossings found = crossings(scene, 0, ray);
+    void add(const Geometry& geometry, const Ray& ray) {
+        const Crossings found = crossings(geometry, 0, ray);
         front.add(found, true);
         back.add(found, false);
     }
@@ -106,14 +106,14 @@ bool is_explained(const ShapeCase& shape, const Ray& ray, double t, double true_
     const double turn = roundings * unit_roundoff * length;
     Branches branches;
     for (const Ray& r : neighbours(ray, reach, turn, shape.exact ? 0 : count)) {
-        branches.add(shape.scene, r);
+        branches.add(shape.scene.geometry, r);
     }
     branches.join_tangents();
     // t moves by this much when the surface moves by `reach`.
-    const SurfacePoint point = surface_at(shape.scene, ray, {where, 0});
+    const SurfacePoint point = surface_at(shape.scene.geometry, ray, {where, 0});
     const double cosine = std::abs(point.normal.dot(ray.direction));
     if (cosine <= turn) branches.join_sides();
-    const Primitive& primitive = shape.scene.primitives[0];
+    const Primitive primitive = shape.scene.geometry.primitives[0];
     // A quadric's place may be less certain than any length about it: its form's terms cancel.
     const bool cancels = primitive.kind == kind_of<Quadric>();
     const double uncertain = cancels ? std::max(reach, max_abs(point.error) / 4) : reach;

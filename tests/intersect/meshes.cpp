@@ -21,12 +21,12 @@ struct Corners {
 
 void add_face(ClosedMesh& mesh, const std::vector<Vec3>& corners) {
     Scene& scene = mesh.scene;
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-    scene.vertices.insert(scene.vertices.end(), corners.begin(), corners.end());
+    const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
+    scene.geometry.vertices.insert(scene.geometry.vertices.end(), corners.begin(), corners.end());
     if (corners.size() == 3) {
-        scene.add(Triangle{{first, first + 1, first + 2}}, 0);
+        scene.geometry.add(Triangle{{first, first + 1, first + 2}}, 0);
     } else {
-        scene.add(Polygon{first, static_cast<std::uint32_t>(corners.size())}, 0);
+        scene.geometry.add(Polygon{first, static_cast<std::uint32_t>(corners.size())}, 0);
     }
     mesh.faces.push_back(corners);
 }

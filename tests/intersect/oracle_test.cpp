@@ -18,21 +18,21 @@ Scene mixed_scene(int copies) {
     Random random(20);
     for (int i = 0; i < copies; ++i) {
         const Vec3 p = 20.0 * random.in_cube();
-        scene.add(Sphere{p, random.uniform()}, 0);
-        scene.add(Cone{p, p + random.in_cube(), random.uniform(), random.uniform()}, 0,
+        scene.geometry.add(Sphere{p, random.uniform()}, 0);
+        scene.geometry.add(Cone{p, p + random.in_cube(), random.uniform(), random.uniform()}, 0,
                   Sides::back);
-        scene.add(Box{p, p + Vec3(0.5, 0.1, 1)}, 0, Sides::front);
-        scene.add(Ring{p, random.in_cube(), 0.25, 0.5}, 0);
+        scene.geometry.add(Box{p, p + Vec3(0.5, 0.1, 1)}, 0, Sides::front);
+        scene.geometry.add(Ring{p, random.in_cube(), 0.25, 0.5}, 0);
         const std::array<double, 10> saddle = {1, 0.5, 0, 0.1, -2, 0, 0, 0, 0.5, 0};
-        scene.add(Quadric{p, saddle, {p - Vec3(0.5), p + Vec3(0.5)}}, 0);
-        const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+        scene.geometry.add(Quadric{p, saddle, {p - Vec3(0.5), p + Vec3(0.5)}}, 0);
+        const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
         for (const Vec3& v : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}) {
-            scene.vertices.push_back(p + v);
+            scene.geometry.vertices.push_back(p + v);
         }
-        scene.add(Triangle{{first, first + 1, first + 3}}, 0);
-        scene.add(Polygon{first, 4}, 0);
+        scene.geometry.add(Triangle{{first, first + 1, first + 3}}, 0);
+        scene.geometry.add(Polygon{first, 4}, 0);
     }
-    scene.add(Plane{{0, 0, -15}, {0, 0.1, 1}}, 0);
+    scene.geometry.add(Plane{{0, 0, -15}, {0, 0.1, 1}}, 0);
     return scene;
 }
 
@@ -60,8 +60,8 @@ TEST_CASE("square_root: given any quad, then it is right to the last bits") {
 
 TEST_CASE("Oracle: given simple scenes, then the answers are known") {
     Scene scene;
-    scene.add(Sphere{{0, 0, 0}, 1}, 0);
-    const Oracle oracle(scene);
+    scene.geometry.add(Sphere{{0, 0, 0}, 1}, 0);
+    const Oracle oracle(scene.geometry);
     const OracleAnswer ahead = oracle.closest({{0, 0, -3}, {0, 0, 2}});
     REQUIRE(ahead.kind == OracleAnswer::hit);
     REQUIRE(ahead.t == 1);
@@ -77,8 +77,8 @@ TEST_CASE("Oracle: given simple scenes, then the answers are known") {
 TEST_CASE(
     "Oracle: given a tangent, then it is decided where the numbers are exact, and only there") {
     Scene scene;
-    scene.add(Sphere{{0, 0, 0}, 1}, 0);
-    const Oracle oracle(scene);
+    scene.geometry.add(Sphere{{0, 0, 0}, 1}, 0);
+    const Oracle oracle(scene.geometry);
     REQUIRE(oracle.closest({{1, 0, -3}, {0, 0, 1}}).t == 3);
     REQUIRE(oracle.closest({{1 + 0x1p-52, 0, -3}, {0, 0, 1}}).kind == OracleAnswer::miss);
     REQUIRE(oracle.closest({{1 - 0x1p-53, 0, -3}, {0, 0, 1}}).kind == OracleAnswer::hit);
@@ -86,11 +86,11 @@ TEST_CASE(
 
 TEST_CASE("Oracle: given equal distances, then all are named and the lowest number wins") {
     Scene scene;
-    scene.add(Sphere{{0, 0, 9}, 1}, 0);
-    scene.add(Plane{{0, 0, 1}, {0, 0, 1}}, 0);
-    scene.add(Box{{-1, -1, 1}, {1, 1, 2}}, 0);
-    scene.add(Sphere{{0, 0, 2}, 1}, 0);
-    const OracleAnswer answer = Oracle(scene).closest({{0, 0, 0}, {0, 0, 1}});
+    scene.geometry.add(Sphere{{0, 0, 9}, 1}, 0);
+    scene.geometry.add(Plane{{0, 0, 1}, {0, 0, 1}}, 0);
+    scene.geometry.add(Box{{-1, -1, 1}, {1, 1, 2}}, 0);
+    scene.geometry.add(Sphere{{0, 0, 2}, 1}, 0);
+    const OracleAnswer answer = Oracle(scene.geometry).closest({{0, 0, 0}, {0, 0, 1}});
     REQUIRE(answer.kind == OracleAnswer::hit);
     REQUIRE(answer.primitive == 1);
     REQUIRE(answer.tied == std::vector<std::uint32_t>{1, 2, 3});
@@ -98,7 +98,7 @@ TEST_CASE("Oracle: given equal distances, then all are named and the lowest numb
 
 TEST_CASE("Oracle: given many shapes, then the nearest of all single answers is the scene's") {
     const Scene scene = mixed_scene(20);
-    const Oracle all(scene);
+    const Oracle all(scene.geometry);
     Random random(21);
     int hits = 0;
     for (int i = 0; i < 200; ++i) {
@@ -106,10 +106,10 @@ TEST_CASE("Oracle: given many shapes, then the nearest of all single answers is 
         const OracleAnswer answer = all.closest(ray);
         if (answer.kind == OracleAnswer::undecidable) continue;
         double nearest = infinity;
-        for (const Primitive& p : scene.primitives) {
+        for (const Primitive p : scene.geometry.primitives) {
             Scene single = scene;
-            single.primitives = {p};
-            const OracleAnswer one = Oracle(single).closest(ray);
+            single.geometry.primitives = PrimitiveRuns({&p, 1});
+            const OracleAnswer one = Oracle(single.geometry).closest(ray);
             if (one.kind == OracleAnswer::hit) nearest = std::min(nearest, one.t);
         }
         hits += answer.kind == OracleAnswer::hit;
@@ -122,10 +122,10 @@ TEST_CASE("Oracle: given many shapes, then the nearest of all single answers is 
 TEST_CASE("Oracle: given one shape alone or far from everything, then its box hides nothing") {
     // The prefilter is the one thing the oracle shares with the kernels: their bounds.
     for (const ShapeCase& shape : shape_cases()) {
-        const Oracle near(shape.scene);
+        const Oracle near(shape.scene.geometry);
         Scene crowded = shape.scene;
-        crowded.add(Sphere{{1e9, 1e9, 1e9}, 1}, 0);  // a coarser margin, so more candidates
-        const Oracle far(crowded);
+        crowded.geometry.add(Sphere{{1e9, 1e9, 1e9}, 1}, 0);  // a coarser margin, so more candidates
+        const Oracle far(crowded.geometry);
         Random random(22);
         for (int i = 0; i < 200; ++i) {
             const Ray ray = aimed_ray(shape, i, random).ray;

@@ -1,3 +1,4 @@
+#include "core/scene/scene.h"
 #include "core/intersect/shapes/polygon.h"
 
 #include "core/intersect/kernels.h"
@@ -15,13 +16,13 @@ const std::vector<Vec3> plus_sign = {{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {3, 1, 0},
 
 Scene polygon_scene(const std::vector<Vec3>& corners) {
     Scene scene;
-    scene.vertices = corners;
-    scene.add(Polygon{0, static_cast<std::uint32_t>(corners.size())}, 0);
+    scene.geometry.vertices = corners;
+    scene.geometry.add(Polygon{0, static_cast<std::uint32_t>(corners.size())}, 0);
     return scene;
 }
 
 double hit(const Scene& scene, const Ray& ray, std::uint32_t id = 0) {
-    return primitive_first_hit(scene, id, RayQuery(ray));
+    return primitive_first_hit(scene.geometry, id, RayQuery(ray));
 }
 
 bool is_hit(const Scene& scene, const Ray& ray, std::uint32_t id = 0) {
@@ -71,13 +72,13 @@ TEST_CASE("Polygon: given one across an axis, then t is correctly rounded") {
 TEST_CASE("Polygon: given a quad or its two triangles, then the same rays hit") {
     Scene scene;
     Random random(14);
-    scene.vertices = {{0, 0, 0}, {2, 0.5, 0}, {2.5, 2, 0}, {0.5, 1.5, 0}};  // a parallelogram
-    scene.add(Polygon{0, 4}, 0);
-    scene.add(Triangle{{0, 1, 2}}, 0);
-    scene.add(Triangle{{0, 2, 3}}, 0);
+    scene.geometry.vertices = {{0, 0, 0}, {2, 0.5, 0}, {2.5, 2, 0}, {0.5, 1.5, 0}};  // a parallelogram
+    scene.geometry.add(Polygon{0, 4}, 0);
+    scene.geometry.add(Triangle{{0, 1, 2}}, 0);
+    scene.geometry.add(Triangle{{0, 2, 3}}, 0);
     for (int i = 0; i < 20000; ++i) {
         const auto k = static_cast<std::size_t>(random.index(4));
-        const Vec3 &a = scene.vertices[k], &b = scene.vertices[(k + 1 + i % 2) % 4];
+        const Vec3 &a = scene.geometry.vertices[k], &b = scene.geometry.vertices[(k + 1 + i % 2) % 4];
         const Vec3 origin = 3.0 * random.in_cube();
         const Ray ray{origin, a + random.uniform() * (b - a) - origin};
         CAPTURE(i, ray.origin, ray.direction);
@@ -97,7 +98,7 @@ TEST_CASE("Polygon: given corners a little off the plane, then the hit is on it,
         const Vec3 point = ray.origin + t * direction;
         CAPTURE(point);
         REQUIRE(std::abs(point.z) <= 1.000001e-6);
-        REQUIRE(surface_at(scene, ray, {t, 0}).normal.dot(Vec3(0, 0, 1)) > 0.999999);
+        REQUIRE(surface_at(scene.geometry, ray, {t, 0}).normal.dot(Vec3(0, 0, 1)) > 0.999999);
     }
 }
 
@@ -129,10 +130,10 @@ TEST_CASE("interpolated_normal: given normals that vary linearly, then they are 
 TEST_CASE(
     "Polygon: given corner normals that cancel, then the shading normal is the geometric one") {
     Scene scene = polygon_scene({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
-    scene.normals = {{1, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {-1, 0, 0}};
-    scene.all<Polygon>()[0].normals = 0;
+    scene.geometry.normals = {{1, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {-1, 0, 0}};
+    scene.geometry.all<Polygon>()[0].normals = 0;
     const Ray ray{{0, 0, 5}, {0, 0, -1}};
-    const SurfacePoint p = surface_at(scene, ray, {hit(scene, ray), 0});
+    const SurfacePoint p = surface_at(scene.geometry, ray, {hit(scene, ray), 0});
     REQUIRE(p.shading_normal == p.normal);
     REQUIRE(p.normal == Vec3(0, 0, 1));
 }

@@ -1,3 +1,4 @@
+#include "core/scene/scene.h"
 #include "core/intersect/kernels.h"
 #include "core/sampling/random.h"
 #include "tests/catch.h"
@@ -18,12 +19,12 @@ constexpr Coefficients unit_sphere = upright(1, 1, 1, 0, -1),
 
 Scene scene_of(const Quadric& s, Sides sides = Sides::both) {
     Scene scene;
-    scene.add(s, 0, sides);
+    scene.geometry.add(s, 0, sides);
     return scene;
 }
 
 double hit(const Quadric& s, const Ray& ray, Sides sides = Sides::both) {
-    return primitive_first_hit(scene_of(s, sides), 0, RayQuery(ray));
+    return primitive_first_hit(scene_of(s, sides).geometry, 0, RayQuery(ray));
 }
 
 bool is_one(double t) {
@@ -40,7 +41,7 @@ Quadric quadric(const Coefficients& c, double reach) {
 TEST_CASE("Quadric: given a sphere, then it is hit where a Sphere is") {
     const Vec3 centre(0.3, -0.7, 0.45);
     const Quadric s{centre, unit_sphere, {centre - Vec3(2), centre + Vec3(2)}};
-    Scene sphere;
+    Geometry sphere;
     sphere.add(Sphere{centre, 1}, 0);
     Random random(1);
     for (int i = 0; i < 20000; ++i) {
@@ -99,7 +100,7 @@ TEST_CASE("Quadric: given a side, then the front is where the form is positive")
         const Quadric s = quadric(upright(sign, sign, sign, 0, -sign), 1);
         CHECK(hit(s, ray, Sides::front) == (sign > 0 ? 2 : 4));
         CHECK(hit(s, ray, Sides::back) == (sign > 0 ? 4 : 2));
-        CHECK(surface_at(scene_of(s), ray, {2, 0}).normal.z == sign);
+        CHECK(surface_at(scene_of(s).geometry, ray, {2, 0}).normal.z == sign);
     }
 }
 
@@ -139,14 +140,14 @@ TEST_CASE("Quadric: given a plane twice, then it is met once, and not again by w
     Random random(3);
     for (int i = 0; i < 2000; ++i) {
         const Ray ray{3.0 * random.direction(), random.direction()};
-        const double t = primitive_first_hit(scene, 0, RayQuery(ray));
+        const double t = primitive_first_hit(scene.geometry, 0, RayQuery(ray));
         if (std::isnan(t)) continue;
         CAPTURE(i, t);
         REQUIRE(t == Approx((1.0 / 3 - n.dot(ray.origin)) / n.dot(ray.direction)));
-        const SurfacePoint p = surface_at(scene, ray, {t, 0});
+        const SurfacePoint p = surface_at(scene.geometry, ray, {t, 0});
         REQUIRE(std::abs(p.normal.dot(n)) == Approx(1));
         const Ray leaving = ray_from(p, random.direction());
-        REQUIRE(std::isnan(primitive_first_hit(scene, 0, RayQuery(leaving))));
+        REQUIRE(std::isnan(primitive_first_hit(scene.geometry, 0, RayQuery(leaving))));
     }
 }
 

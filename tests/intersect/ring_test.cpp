@@ -1,3 +1,4 @@
+#include "core/scene/scene.h"
 #include "core/intersect/kernels.h"
 #include "core/sampling/random.h"
 #include "tests/catch.h"
@@ -8,8 +9,8 @@ namespace {
 
 double hit(const Ring& ring, const Ray& ray, Sides sides = Sides::both) {
     Scene scene;
-    scene.add(ring, 0, sides);
-    return primitive_first_hit(scene, 0, RayQuery(ray));
+    scene.geometry.add(ring, 0, sides);
+    return primitive_first_hit(scene.geometry, 0, RayQuery(ray));
 }
 
 const Ring upright{{0, 0, 0}, {0, 0, 2}, 5, 10};

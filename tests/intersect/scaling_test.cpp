@@ -44,14 +44,14 @@ TEST_CASE("Kernels: given everything scaled by a power of two, then every bit is
             const Ray ray = aimed_ray(shape, i, random).ray;
             if (!is_normal(ray)) continue;
             const Ray moved{scaled(ray.origin, k), ray.direction};
-            const double t = primitive_first_hit(shape.scene, 0, RayQuery(ray));
-            const double moved_t = primitive_first_hit(other, 0, RayQuery(moved));
+            const double t = primitive_first_hit(shape.scene.geometry, 0, RayQuery(ray));
+            const double moved_t = primitive_first_hit(other.geometry, 0, RayQuery(moved));
             CAPTURE(shape.name, k, i, t, moved_t);
             REQUIRE(same_bits(std::ldexp(t, k), moved_t));
             if (!(t <= infinity)) continue;
             ++hits;
-            const SurfacePoint p = surface_at(shape.scene, ray, {t, 0});
-            const SurfacePoint q = surface_at(other, moved, {moved_t, 0});
+            const SurfacePoint p = surface_at(shape.scene.geometry, ray, {t, 0});
+            const SurfacePoint q = surface_at(other.geometry, moved, {moved_t, 0});
             REQUIRE(same_bits(scaled(p.position, k), q.position));
             REQUIRE(same_bits(scaled(p.error, k), q.error));
             REQUIRE(same_bits(p.normal, q.normal));
@@ -67,11 +67,11 @@ TEST_CASE("Kernels: given a direction scaled by a power of two, then t is scaled
         for (int i = 0; i < 1000; ++i) {
             const Ray ray = aimed_ray(shape, i, random).ray;
             if (!is_normal(ray)) continue;
-            const double t = primitive_first_hit(shape.scene, 0, RayQuery(ray));
+            const double t = primitive_first_hit(shape.scene.geometry, 0, RayQuery(ray));
             const Ray other{ray.origin, scaled(ray.direction, k)};
             CAPTURE(shape.name, k, i, t);
             REQUIRE(
-                same_bits(std::ldexp(t, -k), primitive_first_hit(shape.scene, 0, RayQuery(other))));
+                same_bits(std::ldexp(t, -k), primitive_first_hit(shape.scene.geometry, 0, RayQuery(other))));
         }
     }
 }

@@ -12,7 +12,10 @@ constexpr bool is_affine =
     std::is_same_v<Shape, Ellipsoid> || std::is_same_v<Shape, ClosedCylinder>;
 
 template <class Shape>
-void list_numbers(Shape& s, Scene& scene, std::vector<double*>& list) {
+constexpr bool is_face = std::is_same_v<Shape, Triangle> || std::is_same_v<Shape, Polygon>;
+
+template <class Shape>
+void list_numbers(Shape& s, std::vector<double*>& list) {
     const auto add = [&](Vec3& v) {
         for (int k = 0; k < 3; ++k) list.push_back(&v[k]);
     };
@@ -42,8 +45,6 @@ void list_numbers(Shape& s, Scene& scene, std::vector<double*>& list) {
         add(s.clip.min);
         add(s.clip.max);
         for (double& number : s.coefficients) list.push_back(&number);
-    } else {
-        for (Vec3& v : scene.vertices) add(v);
     }
 }
 
@@ -51,22 +52,30 @@ void list_numbers(Shape& s, Scene& scene, std::vector<double*>& list) {
 
 std::vector<double*> numbers_of(Scene& scene) {
     std::vector<double*> list;
-    with_shape(scene.primitives[0].kind,
-               [&]<class Shape>() { list_numbers(scene.all<Shape>()[0], scene, list); });
+    Geometry& geometry = scene.geometry;
+    with_shape(geometry.primitives[0].kind, [&]<class Shape>() {
+        if constexpr (is_face<Shape>) {
+            for (Vec3& v : geometry.vertices) list.insert(list.end(), {&v.x, &v.y, &v.z});
+        } else {
+            list_numbers(geometry.all<Shape>()[0], list);
+        }
+    });
     return list;
 }
 
 void settle(Scene& scene) {
-    with_shape(scene.primitives[0].kind, [&]<class Shape>() {
-        Shape& shape = scene.all<Shape>()[0];
-        if constexpr (is_affine<Shape>) shape = Shape(shape.to_world);
+    with_shape(scene.geometry.primitives[0].kind, [&]<class Shape>() {
+        if constexpr (is_affine<Shape>) {
+            Shape& shape = scene.geometry.all<Shape>()[0];
+            shape = Shape(shape.to_world);
+        }
     });
 }
 
 Scene scaled(Scene scene, int k) {
     for (double* number : numbers_of(scene)) *number = std::ldexp(*number, k);
     // A common factor changes nothing, and now they have one.
-    for (Quadric& s : scene.all<Quadric>()) {
+    for (Quadric& s : scene.geometry.all<Quadric>()) {
         s.coefficients = scaled(s.coefficients, std::ldexp(1.0, k));
     }
     settle(scene);

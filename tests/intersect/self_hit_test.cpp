@@ -24,9 +24,9 @@ struct Spawned {
 };
 
 std::optional<Spawned> spawn(const ShapeCase& shape, const Ray& ray, Random& random) {
-    const double t = primitive_first_hit(shape.scene, 0, RayQuery(ray));
+    const double t = primitive_first_hit(shape.scene.geometry, 0, RayQuery(ray));
     if (!(t <= infinity)) return std::nullopt;
-    const SurfacePoint p = surface_at(shape.scene, ray, {t, 0});
+    const SurfacePoint p = surface_at(shape.scene.geometry, ray, {t, 0});
     for (const Vec3& tip : shape.tips) {
         if ((p.position - tip).length() < 1e-9 * shape.size) return std::nullopt;
     }
@@ -37,26 +37,26 @@ std::optional<Spawned> spawn(const ShapeCase& shape, const Ray& ray, Random& ran
 
 /// Of a quadric only, whose other parts may be in any direction, but hardly so close.
 bool is_elsewhere(const ShapeCase& shape, const Spawned& s, double t) {
-    const bool is_curved = shape.scene.primitives[0].kind == kind_of<Quadric>();
+    const bool is_curved = shape.scene.geometry.primitives[0].kind == kind_of<Quadric>();
     return is_curved && t * s.ray.direction.length() > 1e-9 * shape.size;
 }
 
 /// No other shape of the table is met again from its outside. From the inside of a closed one the
 /// ray comes out elsewhere: it must be on its way out, and where the oracle says.
 bool hits_itself(const ShapeCase& shape, const Oracle& oracle, const Spawned& s) {
-    const double t = primitive_first_hit(shape.scene, 0, RayQuery(s.ray));
+    const double t = primitive_first_hit(shape.scene.geometry, 0, RayQuery(s.ray));
     const bool hit = t <= infinity;
     const OracleAnswer answer = oracle.closest(s.ray);
     const bool truly_hit = answer.kind == OracleAnswer::hit;
     if (hit && is_elsewhere(shape, s, t)) return judge(shape, oracle, s.ray, t) == Verdict::wrong;
     if (s.outward) return hit || truly_hit;
-    if (hit && surface_at(shape.scene, s.ray, {t, 0}).normal.dot(s.ray.direction) < 0) return true;
+    if (hit && surface_at(shape.scene.geometry, s.ray, {t, 0}).normal.dot(s.ray.direction) < 0) return true;
     return judge(shape, oracle, s.ray, t) == Verdict::wrong;
 }
 
 void require_no_self_hits(int rays_per_case) {
     for (const ShapeCase& shape : shape_cases()) {
-        const Oracle oracle(shape.scene);
+        const Oracle oracle(shape.scene.geometry);
         Random random(2);
         int spawned = 0;
         for (int i = 0; i < rays_per_case; ++i) {
@@ -90,9 +90,9 @@ TEST_CASE("spawn_origin: given shapes of unit size at the origin, then the shift
         Random random(3);
         for (int i = 0; i < 200; ++i) {
             const Ray ray = aimed_ray(shape, i, random).ray;
-            const double t = primitive_first_hit(shape.scene, 0, RayQuery(ray));
+            const double t = primitive_first_hit(shape.scene.geometry, 0, RayQuery(ray));
             if (!(t <= infinity)) continue;
-            const SurfacePoint p = surface_at(shape.scene, ray, {t, 0});
+            const SurfacePoint p = surface_at(shape.scene.geometry, ray, {t, 0});
             const double shift = (spawn_origin(p, p.normal) - p.position).length();
             const double extent = shape.size + max_abs(shape.centre) + max_abs(p.position);
             CAPTURE(shape.name, shift);

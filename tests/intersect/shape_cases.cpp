@@ -23,7 +23,7 @@ double nearly_one(Random& random) {
 
 ShapeCase sphere(const std::string& name, const Sphere& s) {
     ShapeCase c{name, {}, s.centre, s.radius, true, {}, {}};
-    c.scene.add(s, 0);
+    c.scene.geometry.add(s, 0);
     c.targets.push_back({"inside", [s](Random& random, const Vec3&) {
                              return s.centre + random.uniform() * s.radius * random.direction();
                          }});
@@ -51,7 +51,7 @@ ShapeCase cone(const std::string& name, const Cone& shape) {
     const double length = std::sqrt(h.dot(h));
     const double widest = std::max(shape.base_radius, shape.top_radius);
     ShapeCase c{name, {}, 0.5 * (shape.base + shape.top), length + widest, true, {}, {}};
-    c.scene.add(shape, 0);
+    c.scene.geometry.add(shape, 0);
     const auto on_circle = [shape, h, length](double s, double angle) {
         Vec3 u, v;
         orthonormal_basis(h / length, u, v);
@@ -122,11 +122,11 @@ ShapeCase flat(const std::string& name, const std::vector<Vec3>& p) {
     Box3 box;
     for (const Vec3& corner : p) box.extendBy(corner);
     ShapeCase c{name, {}, box.center(), box.size().length() / 2, true, {}, {}};
-    c.scene.vertices = p;
+    c.scene.geometry.vertices = p;
     if (p.size() == 3) {
-        c.scene.add(Triangle{{0, 1, 2}}, 0);
+        c.scene.geometry.add(Triangle{{0, 1, 2}}, 0);
     } else {
-        c.scene.add(Polygon{0, static_cast<std::uint32_t>(p.size())}, 0);
+        c.scene.geometry.add(Polygon{0, static_cast<std::uint32_t>(p.size())}, 0);
     }
     add_outline_targets(c, p);
     return c;
@@ -135,7 +135,7 @@ ShapeCase flat(const std::string& name, const std::vector<Vec3>& p) {
 ShapeCase box(const std::string& name, const Box& b) {
     const Vec3 size = b.max - b.min;
     ShapeCase c{name, {}, 0.5 * (b.min + b.max), size.length() / 2, true, {}, {}};
-    c.scene.add(b, 0);
+    c.scene.geometry.add(b, 0);
     // A point with `fixed` of its coordinates on faces: 1 a face, 2 an edge, 3 a corner.
     const auto on_faces = [b, size](Random& random, int fixed) {
         const int first = random.axis();
@@ -157,7 +157,7 @@ ShapeCase box(const std::string& name, const Box& b) {
 
 ShapeCase plane(const std::string& name, const Plane& p) {
     ShapeCase c{name, {}, p.point, 1, true, {}, {}};
-    c.scene.add(p, 0);
+    c.scene.geometry.add(p, 0);
     c.targets.push_back({"point", [p](Random& random, const Vec3&) {
                              const Vec3 v = random.in_cube();
                              return p.point + 10.0 * v -
@@ -173,7 +173,7 @@ ShapeCase plane(const std::string& name, const Plane& p) {
 
 ShapeCase ring(const std::string& name, const Ring& r) {
     ShapeCase c{name, {}, r.centre, r.outer, true, {}, {}};
-    c.scene.add(r, 0);
+    c.scene.geometry.add(r, 0);
     const auto at = [r](double radius, Random& random) {
         return r.centre + radius * across(r.normal.normalized(), random.uniform(0, 2 * pi));
     };
@@ -195,7 +195,7 @@ ShapeCase ring(const std::string& name, const Ring& r) {
 
 ShapeCase quadric(const std::string& name, const Quadric& s) {
     ShapeCase c{name, {}, s.clip.center(), s.clip.size().length() / 2, true, {}, {}};
-    c.scene.add(s, 0);
+    c.scene.geometry.add(s, 0);
     const QuadricPoints points(s);
     c.targets.push_back(
         {"inside", [=](Random& random, const Vec3&) { return points.in_clip(random); }});
@@ -215,7 +215,7 @@ ShapeCase affine(const std::string& name, const Affine& map, const ShapeCase& un
     const Shape shape(map);
     const double size = map.x.length() + map.y.length() + map.z.length();
     ShapeCase c{name, {}, map.point(unit.centre), size, true, {}, {}};
-    c.scene.add(shape, 0);
+    c.scene.geometry.add(shape, 0);
     for (const Target& target : unit.targets) {
         c.targets.push_back({target.name, [=](Random& random, const Vec3& from) {
                                  const Vec3 seen = shape.frame.vector(from - map.origin);
@@ -412,7 +412,7 @@ std::vector<DegenerateCase> degenerate_cases() {
     std::vector<DegenerateCase> cases;
     const auto add = [&]<class Shape>(const std::string& name, const Shape& shape) {
         cases.push_back({name, {}, true});
-        cases.back().scene.add(shape, 0);
+        cases.back().scene.geometry.add(shape, 0);
     };
     add("sphere of radius 0", Sphere{{0, 0, 0}, 0});
     add("sphere of negative radius", Sphere{{0, 0, 0}, -1});

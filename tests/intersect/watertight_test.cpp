@@ -10,8 +10,8 @@ namespace {
 class BruteForce {
   public:
     explicit BruteForce(const Scene& scene) : scene_(scene) {
-        for (std::uint32_t id = 0; id < scene.primitives.size(); ++id) {
-            const Box3 box = primitive_bounds(scene, id);
+        for (std::uint32_t id = 0; id < scene.geometry.primitives.size(); ++id) {
+            const Box3 box = primitive_bounds(scene.geometry, id);
             if (box.isEmpty()) continue;
             boxes_.push_back(box);
             ids_.push_back(id);
@@ -31,7 +31,7 @@ class BruteForce {
                 entry = std::max(entry, std::min(a, b) - slack[k]);
                 exit = std::min(exit, std::max(a, b) + slack[k]);
             }
-            if (entry <= exit && primitive_first_hit(scene_, ids_[i], query) <= infinity)
+            if (entry <= exit && primitive_first_hit(scene_.geometry, ids_[i], query) <= infinity)
                 return true;
         }
         return false;
@@ -66,6 +66,12 @@ std::vector<ClosedMesh> meshes() {
     };
 }
 
+void set_sides(Geometry& geometry, Sides sides) {
+    std::vector<Primitive> primitives = geometry.primitives.list();
+    for (Primitive& p : primitives) p.sides = sides;
+    geometry.primitives = PrimitiveRuns(primitives);
+}
+
 void require_no_leaks(int rays_per_mesh) {
     for (ClosedMesh& mesh : meshes()) {
         const BruteForce brute_force(mesh.scene);
@@ -76,7 +82,7 @@ void require_no_leaks(int rays_per_mesh) {
             const Ray ray{origin, target(mesh, i, random) - origin};
             // From inside all that is seen of a face is its back.
             const Sides sides = i % 2 == 0 ? Sides::both : Sides::back;
-            for (Primitive& p : mesh.scene.primitives) p.sides = sides;
+            set_sides(mesh.scene.geometry, sides);
             leaks += !brute_force.hits(ray);
         }
         CAPTURE(mesh.name, rays_per_mesh);

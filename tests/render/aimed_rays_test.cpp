@@ -31,7 +31,7 @@ bool same(const Ray& a, const Ray& b) {
 TEST_CASE("Rays at a sphere pass within 2^-20 of tangent on either side", "[render]") {
     Scene scene = empty_scene();
     const Sphere sphere{Vec3(0.3, 0.1, -7), 0.5};
-    scene.add(sphere, 0);
+    scene.geometry.add(sphere, 0);
     int inside = 0, outside = 0, from_eye = 0;
     for (const Ray& ray : rays_at_features(scene, cube, 600)) {
         const double off = passage(ray, sphere) - 1;
@@ -47,7 +47,7 @@ TEST_CASE("Rays at a sphere pass within 2^-20 of tangent on either side", "[rend
 TEST_CASE("Rays at a box go through its corners and edges to the bit", "[render]") {
     Scene scene = empty_scene();
     const Box box{Vec3(-0.25, -1, 0.5), Vec3(0.75, -0.5, 1)};
-    scene.add(box, 0);
+    scene.geometry.add(box, 0);
     int on_faces[4] = {};
     for (const Ray& ray : rays_at_features(scene, cube, 400)) {
         const Vec3 p = ray.origin + ray.direction;
@@ -61,8 +61,8 @@ TEST_CASE("Rays at a box go through its corners and edges to the bit", "[render]
 
 TEST_CASE("Every kind of shape is aimed at alike, however many there are of it", "[render]") {
     Scene scene = empty_scene();
-    scene.add(Sphere{Vec3(0, 0, -9), 0.001}, 0);
-    for (int i = 0; i < 1000; ++i) scene.add(Box{Vec3(2 * i, 0, 9), Vec3(2 * i + 1, 1, 10)}, 0);
+    scene.geometry.add(Sphere{Vec3(0, 0, -9), 0.001}, 0);
+    for (int i = 0; i < 1000; ++i) scene.geometry.add(Box{Vec3(2 * i, 0, 9), Vec3(2 * i + 1, 1, 10)}, 0);
     int at_sphere = 0;
     std::set<int> boxes;
     for (const Ray& ray : rays_at_features(scene, cube, 400)) {
@@ -81,7 +81,7 @@ TEST_CASE("Every kind of shape is aimed at alike, however many there are of it",
 TEST_CASE("Rays at borders come in pairs that are next to each other and see different things",
           "[render]") {
     const Scene scene = mixed_scene();
-    const auto exact = find_backend("bvh")->build(scene);
+    const auto exact = find_backend("bvh")->build(scene.geometry);
     std::vector<Ray> rays;
     std::vector<Vec2> pixels;
     for (int x = 0; x < 48; ++x) pixels.emplace_back(x + 0.5, 18.5);

@@ -12,26 +12,26 @@ using namespace etalon::test;
 namespace {
 
 CentreHits hits_of(const Scene& scene, const RenderOptions& options) {
-    const auto intersector = find_backend("bvh")->build(scene);
+    const auto intersector = find_backend("bvh")->build(scene.geometry);
     return centre_hits(scene, *intersector, options).value();
 }
 
 SurfaceMeans means_of(const Scene& scene, const RenderOptions& options) {
-    const auto intersector = find_backend("bvh")->build(scene);
+    const auto intersector = find_backend("bvh")->build(scene.geometry);
     return surface_means(scene, *intersector, options).value();
 }
 
 /// Materials that are nothing but their albedo, and before a black background.
 Scene without_light(Scene scene) {
-    for (Material& m : scene.materials) m = matte(m.diffuse);
-    scene.lights.clear();
-    scene.environment.background = Color(0.0F);
+    for (Material& m : scene.look.materials) m = matte(m.diffuse);
+    scene.look.lights.clear();
+    scene.look.environment.background = Color(0.0F);
     return scene;
 }
 
 /// The same where all surfaces glow in their albedo: its picture is a picture of that.
 Scene glowing(Scene scene) {
-    for (Material& m : scene.materials) std::swap(m.ambient, m.diffuse);
+    for (Material& m : scene.look.materials) std::swap(m.ambient, m.diffuse);
     return scene;
 }
 
@@ -39,9 +39,9 @@ Scene glowing(Scene scene) {
 
 TEST_CASE("A centre hit is where arithmetic has it; a miss is at infinity", "[features]") {
     Scene scene = empty_scene(3, 3);
-    scene.materials = {matte(Color(0.5F))};
-    scene.add(Plane{Vec3(0, -100, 0), Vec3(0, 1, 0)}, 0);
-    scene.add(Sphere{Vec3(0), 1}, 0);
+    scene.look.materials = {matte(Color(0.5F))};
+    scene.geometry.add(Plane{Vec3(0, -100, 0), Vec3(0, 1, 0)}, 0);
+    scene.geometry.add(Sphere{Vec3(0), 1}, 0);
     const CentreHits hits = hits_of(scene, whole(scene));
     REQUIRE(hits.depths.size() == 9);
     CHECK(hits.positions[4] == Vec3f(0, 0, 1));
@@ -71,10 +71,10 @@ TEST_CASE("Depth is along the axis of view, the position on the pixel's ray ther
 
 TEST_CASE("The cost of the backend none is every primitive for every ray", "[features]") {
     const Scene scene = mixed_scene(8, 6);
-    const auto intersector = find_backend("none")->build(scene);
+    const auto intersector = find_backend("none")->build(scene.geometry);
     const CentreHits hits = centre_hits(scene, *intersector, whole(scene)).value();
     for (const TraversalCost& cost : hits.costs) {
-        CHECK(cost.primitive_tests == scene.primitives.size());
+        CHECK(cost.primitive_tests == scene.geometry.primitives.size());
         CHECK(cost.box_tests == 0);
     }
 }
@@ -85,18 +85,18 @@ TEST_CASE("Albedo is what the material sends on by all its ways, at most all", "
     m.reflection = Color(0.25F, 0.0F, 0.0F);
     m.transmission = Color(0.5F, 0.25F, 0.0F);
     m.ambient = m.specular = Color(9.0F);
-    scene.materials = {m};
-    scene.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
+    scene.look.materials = {m};
+    scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
     CHECK(means_of(scene, whole(scene)).albedo.pixels()[0] == Color(1.0F, 0.5F, 0.0F));
 }
 
 TEST_CASE("Normals are those for shading and face who looks", "[features]") {
     Scene scene = empty_scene(1, 1);
-    scene.materials = {matte(Color(1.0F))};
-    scene.vertices = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 2, 0)};
+    scene.look.materials = {matte(Color(1.0F))};
+    scene.geometry.vertices = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 2, 0)};
     const Vec3 leaning = Vec3(-0.6, 0, 0.8);
-    scene.normals = {leaning, leaning, leaning};
-    scene.add(Triangle{{0, 1, 2}, 0}, 0);
+    scene.geometry.normals = {leaning, leaning, leaning};
+    scene.geometry.add(Triangle{{0, 1, 2}, 0}, 0);
     const Vec3 front(means_of(scene, whole(scene)).normal.pixels()[0]);
     CHECK((front - leaning).length() < 1e-6);
     scene.camera.eye.z = -5;
@@ -152,7 +152,7 @@ TEST_CASE("A stop leaves no features rather than parts of them", "[features]") {
     const std::atomic<bool> stop = true;
     RenderOptions options = whole(scene);
     options.stop = &stop;
-    const auto intersector = find_backend("bvh")->build(scene);
+    const auto intersector = find_backend("bvh")->build(scene.geometry);
     CHECK_FALSE(surface_means(scene, *intersector, options));
     CHECK_FALSE(centre_hits(scene, *intersector, options));
 }

@@ -23,10 +23,10 @@ bool denormals_live() {
 
 TEST_CASE("Building with any backend leaves denormals alone, on every thread", "[render]") {
     Scene scene = test::mixed_scene();
-    for (int i = 0; i < 20000; ++i) scene.add(Sphere{Vec3(i, 0, 0), 0.25}, 0);  // work for threads
+    for (int i = 0; i < 20000; ++i) scene.geometry.add(Sphere{Vec3(i, 0, 0), 0.25}, 0);  // work for threads
     for (const Backend& backend : all_backends()) {
         INFO(backend.name);
-        const auto intersector = backend.build(scene);
+        const auto intersector = backend.build(scene.geometry);
         CHECK(denormals_live());
         std::atomic<int> dead = 0;
         parallel_for(256, 1, [&](std::size_t, std::size_t) { dead += denormals_live() ? 0 : 1; });

@@ -3,13 +3,14 @@
 
 #include "app/backends.h"
 #include "core/render/renderer.h"
+#include "core/scene/scene.h"
 
 namespace etalon::test {
 
 inline Rendering render_with(const Scene& scene, const Backend& backend, RenderOptions options) {
     std::vector<std::string> problems;
-    const EnvironmentMap environment(scene.environment, problems);
-    const auto intersector = backend.build(scene);
+    const EnvironmentMap environment(scene.look.environment, problems);
+    const auto intersector = backend.build(scene.geometry);
     return render(scene, *intersector, environment, options);
 }
 

@@ -22,8 +22,8 @@ Scene scene_with(PixelRays rays) {
 /// What a ray through the point `pixel` of the picture sees.
 Color seen_through(const Scene& scene, const Vec2& pixel) {
     std::vector<std::string> problems;
-    const EnvironmentMap environment(scene.environment, problems);
-    const auto intersector = find_backend("none")->build(scene);
+    const EnvironmentMap environment(scene.look.environment, problems);
+    const auto intersector = find_backend("none")->build(scene.geometry);
     RayCounts counts;
     return Whitted(scene, *intersector, environment, 0, 5)
         .radiance(CameraRays(scene.camera).ray(pixel, Vec2(0.5)), SampleSource(0, 0, 0, 0), counts);
@@ -39,8 +39,8 @@ Scene clear_ball() {
     Material clear;
     clear.transmission = Color(0.5F);
     clear.ior = 1.25;
-    scene.materials = {clear};
-    scene.add(Sphere{Vec3(0), 1}, 0);
+    scene.look.materials = {clear};
+    scene.geometry.add(Sphere{Vec3(0), 1}, 0);
     return scene;
 }
 
@@ -99,11 +99,11 @@ TEST_CASE("where all glass mirrors, a mirrored ray of no weight is counted", "[r
 
 TEST_CASE("eyes' rays made to fit keep their hue", "[render]") {
     Scene scene = empty_scene();
-    scene.environment.background = Color(0.5F, 1.0F, 4.0F);
+    scene.look.environment.background = Color(0.5F, 1.0F, 4.0F);
     CHECK(centre(scene) == Color(0.5F, 1.0F, 4.0F));
     scene.whitted.fit_eye_rays = true;
     CHECK(centre(scene) == Color(0.125F, 0.25F, 1.0F));
-    scene.environment.background = Color(0.5F, 0.25F, 0.75F);
+    scene.look.environment.background = Color(0.5F, 0.25F, 0.75F);
     CHECK(centre(scene) == Color(0.5F, 0.25F, 0.75F));
 }
 

@@ -101,23 +101,23 @@ TEST_CASE("A stop before the start renders nothing and says so", "[render]") {
 
 TEST_CASE("A matte surface sends back diffuse times cosine of each light", "[shading]") {
     Scene scene = empty_scene();
-    scene.materials = {matte(Color(0.5F))};
-    scene.add(Plane{Vec3(0), Vec3(0, 0, -1)}, 0);  // two-sided: seen from its back
-    scene.lights = {PointLight{Vec3(3, 0, 4), Color(1.0F, 0.5F, 0.0F)}};
+    scene.look.materials = {matte(Color(0.5F))};
+    scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, -1)}, 0);  // two-sided: seen from its back
+    scene.look.lights = {PointLight{Vec3(3, 0, 4), Color(1.0F, 0.5F, 0.0F)}};
     CHECK(centre(scene).x == Approx(0.5 * 0.8));
     CHECK(centre(scene).y == Approx(0.25 * 0.8));
-    scene.lights.push_back(PointLight{Vec3(0, 0, -4), Color(1.0F)});  // on the other side
+    scene.look.lights.push_back(PointLight{Vec3(0, 0, -4), Color(1.0F)});  // on the other side
     CHECK(centre(scene).x == Approx(0.5 * 0.8));
-    scene.add(Sphere{Vec3(1.5, 0, 2), 0.1}, 0);  // in the way of the first
+    scene.geometry.add(Sphere{Vec3(1.5, 0, 2), 0.1}, 0);  // in the way of the first
     CHECK(centre(scene) == Color(0.0F));
 }
 
 TEST_CASE("A light that lies on a surface is not hidden by it", "[shading]") {
     Scene scene = empty_scene();
-    scene.materials = {matte(Color(1.0F))};
-    scene.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
-    scene.add(Plane{Vec3(0, 0, 10), Vec3(0, 0, 1)}, 0);  // behind the camera
-    scene.lights = {PointLight{Vec3(0, 0, 10), Color(1.0F)}};
+    scene.look.materials = {matte(Color(1.0F))};
+    scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
+    scene.geometry.add(Plane{Vec3(0, 0, 10), Vec3(0, 0, 1)}, 0);  // behind the camera
+    scene.look.lights = {PointLight{Vec3(0, 0, 10), Color(1.0F)}};
     CHECK(centre(scene).x == Approx(1));
 }
 
@@ -126,9 +126,9 @@ TEST_CASE("A highlight is specular times (N.H)^shininess", "[shading]") {
     Material shiny;
     shiny.specular = Color(0.5F);
     shiny.shininess = 10;
-    scene.materials = {shiny};
-    scene.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
-    scene.lights = {PointLight{Vec3(3, 0, 4), Color(1.0F)}};
+    scene.look.materials = {shiny};
+    scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
+    scene.look.lights = {PointLight{Vec3(3, 0, 4), Color(1.0F)}};
     const double cosine = std::sqrt((1 + 0.8) / 2);  // cosine of half the angle between L and V
     CHECK(centre(scene).x == Approx(0.5 * std::pow(cosine, 10)));
 }
@@ -136,13 +136,13 @@ TEST_CASE("A highlight is specular times (N.H)^shininess", "[shading]") {
 TEST_CASE("A corner normal that leans away from the eye does not turn the light around",
           "[shading]") {
     Scene scene = empty_scene();
-    scene.materials = {matte(Color(1.0F))};
-    scene.vertices = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 2, 0)};
+    scene.look.materials = {matte(Color(1.0F))};
+    scene.geometry.vertices = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 2, 0)};
     const Vec3 leaning = Vec3(-0.95, 0, 0.1).normalized();
-    scene.normals = {leaning, leaning, leaning};
-    scene.add(Triangle{{0, 1, 2}, 0}, 0);
+    scene.geometry.normals = {leaning, leaning, leaning};
+    scene.geometry.add(Triangle{{0, 1, 2}, 0}, 0);
     scene.camera.eye = Vec3(5, 0, 0.2);  // in front of the triangle, behind the normals' plane
-    scene.lights = {PointLight{Vec3(-3, 0, 4), Color(1.0F)}};
+    scene.look.lights = {PointLight{Vec3(-3, 0, 4), Color(1.0F)}};
     CHECK(centre(scene).x == Approx(leaning.dot(Vec3(-0.6, 0, 0.8))));
 }
 
@@ -150,20 +150,20 @@ TEST_CASE("A mirror shows what is behind the eye, as deep as allowed", "[shading
     Scene scene = empty_scene();
     Material mirror;
     mirror.reflection = Color(0.5F);
-    scene.materials = {mirror};
-    scene.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
+    scene.look.materials = {mirror};
+    scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
     CHECK(centre(scene).z == Approx(0.5));
     CHECK(centre(scene, 1) == Color(0.0F));
-    scene.add(Plane{Vec3(0, 0, 10), Vec3(0, 0, 1)}, 0);  // a second mirror: no light at all
+    scene.geometry.add(Plane{Vec3(0, 0, 10), Vec3(0, 0, 1)}, 0);  // a second mirror: no light at all
     CHECK(centre(scene, 1000) == Color(0.0F));
 }
 
 TEST_CASE("Glass of index 1 is not there; absorption goes with the distance inside", "[shading]") {
     Scene scene = empty_scene();
-    scene.materials = {glass(1)};
-    scene.add(Sphere{Vec3(0), 1.5}, 0);
+    scene.look.materials = {glass(1)};
+    scene.geometry.add(Sphere{Vec3(0), 1.5}, 0);
     CHECK(centre(scene).z == Approx(1));
-    scene.materials[0].absorption = Color(0.5F, 0.0F, 0.25F);
+    scene.look.materials[0].absorption = Color(0.5F, 0.0F, 0.25F);
     CHECK(centre(scene).x == Approx(0.25 * std::exp(-0.5 * 3)));
     CHECK(centre(scene).y == Approx(0.5));
     CHECK(centre(scene).z == Approx(std::exp(-0.25 * 3)));
@@ -171,9 +171,9 @@ TEST_CASE("Glass of index 1 is not there; absorption goes with the distance insi
 
 TEST_CASE("A glass plate in an even environment neither takes nor gives light", "[shading]") {
     Scene scene = empty_scene();
-    scene.environment.background = Color(1.0F);
-    scene.materials = {glass(1.5)};
-    scene.add(Box{Vec3(-9, -9, -1), Vec3(9, 9, 1)}, 0);
+    scene.look.environment.background = Color(1.0F);
+    scene.look.materials = {glass(1.5)};
+    scene.geometry.add(Box{Vec3(-9, -9, -1), Vec3(9, 9, 1)}, 0);
     const double lost = std::pow(0.04, 11);  // what is still in the plate after 12 rays
     CHECK(centre(scene, 12).x == Approx(1).margin(lost + 1e-6));
     CHECK(centre(scene, 2).x == Approx(0.04));  // reflected at the front; the rest is cut off
@@ -181,11 +181,11 @@ TEST_CASE("A glass plate in an even environment neither takes nor gives light", 
 
 TEST_CASE("Clamping each ray keeps highlights from glowing through a mirror", "[shading]") {
     Scene scene = empty_scene();
-    scene.environment.background = Color(4.0F);
+    scene.look.environment.background = Color(4.0F);
     Material mirror;
     mirror.reflection = Color(0.5F);
-    scene.materials = {mirror};
-    scene.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
+    scene.look.materials = {mirror};
+    scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
     CHECK(centre(scene).x == Approx(2));
     scene.whitted.clamp_each_ray = true;
     CHECK(centre(scene).x == Approx(0.5));
@@ -195,8 +195,8 @@ TEST_CASE("An ambient colour is seen without any light", "[render]") {
     Scene scene = empty_scene();
     Material glowing;
     glowing.ambient = Color(0.25F, 0.5F, 0.75F);
-    scene.materials = {glowing};
-    scene.add(Sphere{Vec3(0), 1}, 0);
+    scene.look.materials = {glowing};
+    scene.geometry.add(Sphere{Vec3(0), 1}, 0);
     CHECK(centre(scene) == glowing.ambient);
 }
 
@@ -205,11 +205,11 @@ TEST_CASE("A highlight is a power of Blinn's or of Phong's angle", "[render]") {
     Material shiny;
     shiny.specular = Color(1.0F);
     shiny.shininess = 3;
-    scene.materials = {shiny};
-    scene.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
+    scene.look.materials = {shiny};
+    scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
     // Seen along its normal, lit at 60 degrees from it.
-    scene.lights = {PointLight{Vec3(std::sqrt(3.0), 0, 1), Color(1.0F)}};
+    scene.look.lights = {PointLight{Vec3(std::sqrt(3.0), 0, 1), Color(1.0F)}};
     CHECK(centre(scene).x == Approx(std::pow(std::cos(std::numbers::pi / 6), 3)));
-    scene.materials[0].highlight = Highlight::phong;
+    scene.look.materials[0].highlight = Highlight::phong;
     CHECK(centre(scene).x == Approx(std::pow(0.5, 3)));
 }

@@ -24,7 +24,7 @@ inline Scene empty_scene(int width = 32, int height = 24) {
     Scene scene;
     scene.format = "test";
     scene.camera = {Vec3(0, 0, 5), Vec3(0), Vec3(0, 1, 0), 45, width, height, 0, 1};
-    scene.environment.background = Color(0.25F, 0.5F, 1.0F);
+    scene.look.environment.background = Color(0.25F, 0.5F, 1.0F);
     return scene;
 }
 
@@ -32,23 +32,23 @@ inline Scene empty_scene(int width = 32, int height = 24) {
 /// and a quad light; a lens.
 inline Scene mixed_scene(int width = 48, int height = 36) {
     Scene s = empty_scene(width, height);
-    s.lights = {PointLight{Vec3(3, 6, 4), Color(0.6F)},
+    s.look.lights = {PointLight{Vec3(3, 6, 4), Color(0.6F)},
                 QuadLight{Vec3(-3, 4, 1), Vec3(1, 0, 0), Vec3(0, 0, 1), Color(0.5F), 9}};
     Material mirror = matte(Color(0.2F));
     mirror.specular = mirror.reflection = Color(0.7F);
     mirror.shininess = 40;
-    s.materials = {matte(Color(0.8F, 0.6F, 0.3F)), mirror, glass(1.5)};
-    s.vertices = {Vec3(-2, -1, -1), Vec3(-1, 1.3, -1.5), Vec3(0.2, -1, -1), Vec3(1.7, 0.9, -2)};
-    s.add(Plane{Vec3(0, -1, 0), Vec3(0, 1, 0)}, 0);
-    s.add(Sphere{Vec3(-0.9, 0, 0), 0.7}, 2);
-    s.add(Sphere{Vec3(0.9, 0.2, -0.5), 0.8}, 1);
-    s.add(Triangle{{0, 1, 2}}, 0);
-    s.add(Triangle{{1, 2, 3}}, 1);
-    s.add(Box{Vec3(-0.2, -1, 0.8), Vec3(0.3, -0.4, 1.2)}, 0);
-    s.add(Cone{Vec3(1.2, -1, 1), Vec3(1.3, 0.1, 1.1), 0.3, 0.1}, 1);
+    s.look.materials = {matte(Color(0.8F, 0.6F, 0.3F)), mirror, glass(1.5)};
+    s.geometry.vertices = {Vec3(-2, -1, -1), Vec3(-1, 1.3, -1.5), Vec3(0.2, -1, -1), Vec3(1.7, 0.9, -2)};
+    s.geometry.add(Plane{Vec3(0, -1, 0), Vec3(0, 1, 0)}, 0);
+    s.geometry.add(Sphere{Vec3(-0.9, 0, 0), 0.7}, 2);
+    s.geometry.add(Sphere{Vec3(0.9, 0.2, -0.5), 0.8}, 1);
+    s.geometry.add(Triangle{{0, 1, 2}}, 0);
+    s.geometry.add(Triangle{{1, 2, 3}}, 1);
+    s.geometry.add(Box{Vec3(-0.2, -1, 0.8), Vec3(0.3, -0.4, 1.2)}, 0);
+    s.geometry.add(Cone{Vec3(1.2, -1, 1), Vec3(1.3, 0.1, 1.1), 0.3, 0.1}, 1);
     const Vec3 across(0.2, 0.1, 0), forth(0, 0.05, -0.3);
-    s.add(Ellipsoid({across, {-0.1, 0.4, 0}, forth, {0.2, 0.9, 0.3}}), 0);
-    s.add(ClosedCylinder({across, forth, {0.1, 0.5, 0.2}, {-1.6, -0.9, 0.5}}), 2);
+    s.geometry.add(Ellipsoid({across, {-0.1, 0.4, 0}, forth, {0.2, 0.9, 0.3}}), 0);
+    s.geometry.add(ClosedCylinder({across, forth, {0.1, 0.5, 0.2}, {-1.6, -0.9, 0.5}}), 2);
     s.camera.aperture = 3;
     s.samples_per_pixel = 5;
     return s;

@@ -19,8 +19,8 @@ std::ostream& operator<<(std::ostream& out, const Counts& c) {
 }
 
 Counts counts(const Scene& scene) {
-    return {scene.all<Sphere>().size(), scene.all<Triangle>().size(), scene.all<Polygon>().size(),
-            scene.all<Cone>().size()};
+    return {scene.geometry.all<Sphere>().size(), scene.geometry.all<Triangle>().size(), scene.geometry.all<Polygon>().size(),
+            scene.geometry.all<Cone>().size()};
 }
 
 struct Expected {
@@ -55,12 +55,12 @@ TEST_CASE("A family's size gives the number of primitives it promises", "[scenes
     INFO(expected.family << " " << expected.size);
     const Scene scene = family_scene(expected.family, expected.size);
     CHECK(counts(scene) == expected.counts);
-    CHECK_FALSE(scene.lights.empty());
+    CHECK_FALSE(scene.look.lights.empty());
 }
 
 TEST_CASE("The faces of a gear are polygons of 144 corners", "[scenes]") {
     const Scene scene = family_scene("gears", 2);
-    const auto& polygons = scene.all<Polygon>();
+    const auto& polygons = scene.geometry.all<Polygon>();
     const auto large = std::ranges::count(polygons, 144U, &Polygon::count);
     CHECK(large == 2 * 8);
 }

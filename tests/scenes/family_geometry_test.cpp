@@ -47,10 +47,10 @@ bool inside(const Vec2& p, const std::vector<Vec2>& polygon) {
 /// How often each edge of the scene's triangles is used.
 std::map<std::pair<Key, Key>, int> edge_uses(const Scene& scene) {
     std::map<std::pair<Key, Key>, int> uses;
-    for (const Triangle& t : scene.all<Triangle>()) {
+    for (const TriangleIndices t : scene.geometry.all<Triangle>()) {
         for (int k = 0; k < 3; ++k) {
-            const Key a = key(scene.vertices[t.vertices[k]]);
-            const Key b = key(scene.vertices[t.vertices[(k + 1) % 3]]);
+            const Key a = key(scene.geometry.vertex(t[k]));
+            const Key b = key(scene.geometry.vertex(t[(k + 1) % 3]));
             ++uses[std::minmax(a, b)];
         }
     }
@@ -59,8 +59,8 @@ std::map<std::pair<Key, Key>, int> edge_uses(const Scene& scene) {
 
 std::set<Key> corners(const Scene& scene) {
     std::set<Key> result;
-    for (const Triangle& t : scene.all<Triangle>()) {
-        for (const auto v : t.vertices) result.insert(key(scene.vertices[v]));
+    for (const TriangleIndices t : scene.geometry.all<Triangle>()) {
+        for (const auto v : t) result.insert(key(scene.geometry.vertex(v)));
     }
     return result;
 }
@@ -69,7 +69,7 @@ std::set<Key> corners(const Scene& scene) {
 
 TEST_CASE("Every sphere of a flake touches the one that bears it, and none overlap", "[scenes]") {
     const Scene scene = family_scene("sphereflake", 2);
-    const auto& spheres = scene.all<Sphere>();
+    const auto& spheres = scene.geometry.all<Sphere>();
     std::size_t touching = 0;
     double smallest_gap = infinity;
     for (std::size_t i = 0; i < spheres.size(); ++i) {
@@ -105,7 +105,7 @@ TEST_CASE("The parts of a tetrahedron are closed", "[scenes]") {
 
 TEST_CASE("The rings of a knot are linked without touching", "[scenes]") {
     const Scene scene = family_scene("rings", 1);
-    const auto& bars = scene.all<Cone>();
+    const auto& bars = scene.geometry.all<Cone>();
     double nearest = infinity;
     for (std::size_t i = 0; i < bars.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
@@ -121,12 +121,12 @@ TEST_CASE("The teeth of neighbouring gears are in each other's gaps", "[scenes]"
     const Scene scene = family_scene("gears", 2);
     std::vector<std::vector<Vec2>> outlines;
     std::vector<double> heights;
-    for (const Polygon& p : scene.all<Polygon>()) {
+    for (const Polygon& p : scene.geometry.all<Polygon>()) {
         if (p.count != 144) continue;
-        heights.push_back(scene.vertices[p.first].y);
+        heights.push_back(scene.geometry.vertices[p.first].y);
         std::vector<Vec2> outline;
         for (std::uint32_t k = 0; k < p.count; ++k) {
-            const Vec3& v = scene.vertices[p.first + k];
+            const Vec3& v = scene.geometry.vertices[p.first + k];
             outline.emplace_back(v.x, v.z);
         }
         outlines.push_back(outline);

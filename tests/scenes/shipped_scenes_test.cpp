@@ -29,7 +29,7 @@ std::set<std::string> keywords(const std::string& path) {
 
 /// Whether some corners of the polygon turn one way and some the other.
 bool is_concave(const Scene& scene, const Polygon& p) {
-    const auto corner = [&](std::uint32_t k) { return scene.vertices[p.first + k % p.count]; };
+    const auto corner = [&](std::uint32_t k) { return scene.geometry.vertices[p.first + k % p.count]; };
     const auto turn = [&](std::uint32_t k) {
         return (corner(k + 1) - corner(k)) % (corner(k + 2) - corner(k + 1));
     };
@@ -40,8 +40,8 @@ bool is_concave(const Scene& scene, const Polygon& p) {
 }
 
 bool has(const Scene& scene, auto condition) {
-    return std::ranges::any_of(scene.primitives, [&](const Primitive& p) {
-        return condition(p, scene.materials[p.material]);
+    return std::ranges::any_of(scene.geometry.primitives, [&](const Primitive& p) {
+        return condition(p, scene.look.materials[p.material]);
     });
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("The showcase uses what the words of P3F can mean", "[scenes]") {
 
     CHECK(scene.camera.aperture > 0);
     CHECK(scene.samples_per_pixel > 0);
-    CHECK(scene.environment.skybox.has_value());
+    CHECK(scene.look.environment.skybox.has_value());
 
     CHECK(
         has(scene, [&](auto, auto& m) { return m.reflection == none && m.transmission == none; }));
@@ -93,10 +93,10 @@ TEST_CASE("The showcase uses what the words of P3F can mean", "[scenes]") {
     CHECK(has(scene, [&](auto& p, auto) { return p.kind == sphere && p.sides == Sides::back; }));
     CHECK(has(scene, [&](auto& p, auto) { return p.kind == cone && p.sides == Sides::both; }));
 
-    const auto& cones = scene.all<Cone>();
+    const auto& cones = scene.geometry.all<Cone>();
     const auto is_cylinder = [](const Cone& c) { return c.base_radius == c.top_radius; };
     CHECK(std::ranges::any_of(cones, is_cylinder));
     CHECK_FALSE(std::ranges::all_of(cones, is_cylinder));
-    CHECK(std::ranges::any_of(scene.all<Polygon>(),
+    CHECK(std::ranges::any_of(scene.geometry.all<Polygon>(),
                               [&](const Polygon& p) { return is_concave(scene, p); }));
 }

@@ -14,7 +14,7 @@ struct TextbookPolygon {
     using RayForm = PlainRay<Real>;
 
     TextbookPolygon(const Scene& scene, const Polygon& polygon) {
-        const std::span<const Vec3> p = corners(scene, polygon);
+        const std::span<const Vec3> p = corners(scene.geometry, polygon);
         const Vec3 n = plane_of(p).normal;
         normal = Vec<Real>(n / std::sqrt(n.dot(n)));
         distance = normal.dot(Vec<Real>(p[0]));

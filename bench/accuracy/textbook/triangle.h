@@ -14,7 +14,7 @@ struct MollerTrumbore {
     using RayForm = PlainRay<Real>;
 
     MollerTrumbore(const Scene& scene, const Triangle& t) {
-        const auto p = corners(scene, t);
+        const auto p = corners(scene.geometry, t);
         corner = Vec<Real>(p[0]);
         edge1 = Vec<Real>(p[1]) - corner;
         edge2 = Vec<Real>(p[2]) - corner;
@@ -44,7 +44,7 @@ struct WatertightTriangle {
     using RayForm = PreparedRay;
 
     WatertightTriangle(const Scene& scene, const Triangle& t) {
-        const auto p = corners(scene, t);
+        const auto p = corners(scene.geometry, t);
         for (int k = 0; k < 3; ++k) corner[k] = Vec3f(p[k]);
     }
 

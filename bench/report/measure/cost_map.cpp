@@ -9,8 +9,8 @@ namespace etalon::bench_report {
 /// Rays are counted by the picture: so each pixel is a picture of its own.
 PixelPlane rays_of_samples(const Scene& scene, int samples_per_pixel, const Context& context) {
     std::vector<std::string> problems;
-    const EnvironmentMap environment(scene.environment, problems);
-    const auto intersector = find_backend("bvh")->build(scene);
+    const EnvironmentMap environment(scene.look.environment, problems);
+    const auto intersector = find_backend("bvh")->build(scene.geometry);
     RenderOptions options = options_for(scene, context);
     options.samples_per_pixel = samples_per_pixel;
     options.progress = nullptr;
@@ -26,7 +26,7 @@ PixelPlane rays_of_samples(const Scene& scene, int samples_per_pixel, const Cont
 
 std::optional<PixelPlane> tests_of_eye_rays(const Scene& scene, const std::string& backend,
                                             const Context& context) {
-    const auto intersector = find_backend(backend)->build(scene);
+    const auto intersector = find_backend(backend)->build(scene.geometry);
     RenderOptions options = options_for(scene, context);
     options.progress = nullptr;
     const std::optional<CentreHits> hits = centre_hits(scene, *intersector, options);

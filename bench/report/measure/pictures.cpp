@@ -60,7 +60,7 @@ void measure(const PictureRequest& request, Results& results, const Context& con
                            picture_command(request),
                            request.width,
                            request.height,
-                           scene->primitives.size(),
+                           scene->geometry.primitives.size(),
                            many.render,
                            {}};
     const std::vector<Color> picture = many.rendering.film.pixels();

@@ -45,9 +45,9 @@ RenderOptions options_for(const Scene& scene, const Context& context) {
 
 Rendered rendered(const Scene& scene, const std::string& backend, const RenderOptions& options) {
     std::vector<std::string> problems;  // what cannot be read is the background's colour
-    const EnvironmentMap environment(scene.environment, problems);
+    const EnvironmentMap environment(scene.look.environment, problems);
     Stopwatch watch;
-    const auto intersector = find_backend(backend)->build(scene);
+    const auto intersector = find_backend(backend)->build(scene.geometry);
     const Duration build = watch.lap();
     Rendering rendering = render(scene, *intersector, environment, options);
     return {std::move(rendering), build, watch.lap(), intersector->memory_bytes()};

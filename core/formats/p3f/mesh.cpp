@@ -14,51 +14,51 @@ void make_room(std::vector<T>& v, std::size_t extra) {
     if (needed > v.capacity()) v.reserve(std::max(needed, 2 * v.capacity()));
 }
 
-/// The vertices of the mesh being read, in the scene's array.
-struct Vertices {
-    std::uint32_t first;
-    std::int64_t count;
-};
+/// Numbers of the vertices of the mesh being read among those of the scene.
+using Vertices = std::vector<std::uint32_t>;
 
 Vertices read_vertices(Loader& loader, std::size_t count) {
-    std::vector<Vec3>& vertices = loader.scene.vertices;
-    const std::size_t first = vertices.size();
-    make_room(vertices, count);
+    std::vector<Vec3> positions;
+    positions.reserve(count);
     for (std::size_t i = 0; i < count && loader.in.ok(); ++i) {
-        vertices.push_back(loader.in.vector("vertex"));
+        positions.push_back(loader.in.vector("vertex"));
     }
-    if (!loader.in.ok()) vertices.resize(first);
-    return {static_cast<std::uint32_t>(first), static_cast<std::int64_t>(count)};
+    if (!loader.in.ok()) return {};
+    Geometry& geometry = loader.scene.geometry;
+    make_room(geometry.decimal_vertices, count);
+    Vertices numbers;
+    numbers.reserve(count);
+    for (const Vec3& p : positions) numbers.push_back(geometry.add_vertex(p));
+    return numbers;
 }
 
 /// A vertex is named by its number from 1, or from the end by -1, -2, ... Says which is wrong.
-bool read_face(Reader& in, const Vertices& vertices, std::array<std::uint32_t, 3>& corners) {
+bool read_face(Reader& in, const Vertices& vertices, TriangleIndices& corners) {
     bool good = true;
     for (std::uint32_t& corner : corners) {
         const std::size_t offset = in.tokens().offset();
         const std::int64_t number = in.integer("face");
         if (!in.ok()) return false;
-        const std::int64_t index = number > 0 ? number - 1 : number + vertices.count;
-        if (number != 0 && index >= 0 && index < vertices.count) {
-            corner = vertices.first + static_cast<std::uint32_t>(index);
+        const auto count = static_cast<std::int64_t>(vertices.size());
+        const std::int64_t index = number > 0 ? number - 1 : number + count;
+        if (number != 0 && index >= 0 && index < count) {
+            corner = vertices[static_cast<std::size_t>(index)];
         } else {
             in.warn_at(offset, "face", "face left out: no vertex {} in a mesh of {} vertices",
-                       number, vertices.count);
+                       number, count);
             good = false;
         }
     }
     return good;
 }
 
-bool is_line(const std::array<std::uint32_t, 3>& c) {
+bool is_line(const TriangleIndices& c) {
     return c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
 }
 
 void read_faces(Loader& loader, const Vertices& vertices, std::size_t count) {
     Reader& in = loader.in;
-    const std::size_t expected = std::min(count, in.room_for(3));
-    make_room(loader.scene.all<Triangle>(), expected);
-    make_room(loader.scene.primitives, expected);
+    loader.scene.geometry.all<Triangle>().reserve(std::min(count, in.room_for(3)));
     const std::uint32_t material = loader.current_material();
     const Sides sides = loader.sides();
     std::size_t lines = 0;
@@ -68,7 +68,7 @@ void read_faces(Loader& loader, const Vertices& vertices, std::size_t count) {
         if (is_line(face.vertices)) {
             ++lines;
         } else {
-            loader.scene.add(face, material, sides);
+            loader.scene.geometry.add(face, material, sides);
         }
     }
     if (lines > 0) in.warn("degenerate", "{} faces left out: they name a vertex twice", lines);

@@ -56,10 +56,10 @@ void apply_legacy(Scene& scene) {
     scene.whitted.fixed_bias = 1e-3;
     scene.whitted.schlick = true;
     scene.whitted.clamp_each_ray = true;
-    if (scene.environment.skybox) scene.environment.skybox->nearest = true;
-    if (scene.lights.empty()) return;
-    const float share = 1 / (1.25F * static_cast<float>(scene.lights.size()));
-    for (Material& m : scene.materials) m.specular *= share;
+    if (scene.look.environment.skybox) scene.look.environment.skybox->nearest = true;
+    if (scene.look.lights.empty()) return;
+    const float share = 1 / (1.25F * static_cast<float>(scene.look.lights.size()));
+    for (Material& m : scene.look.materials) m.specular *= share;
 }
 
 }  // namespace

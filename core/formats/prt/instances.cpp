@@ -1,9 +1,10 @@
 // instance, end_instance and instance_of. An instance is a piece of text: it is read once where it
 // is defined, so that its errors are told, and again for every reference, where its objects are
 // moved and its surfaces take effect, for what comes after the reference as well.
-#include <algorithm>
+#include <utility>
 
 #include "core/formats/prt/loader.h"
+#include "core/scene/transformed.h"
 
 namespace etalon::prt {
 namespace {
@@ -11,66 +12,21 @@ namespace {
 /// More text than that is not replayed: a small file could ask for any amount.
 constexpr std::size_t most_replayed = std::size_t{1} << 27;
 
-template <class T>
-void cut(std::vector<T>& v, std::size_t size) {
-    v.erase(v.begin() + static_cast<std::ptrdiff_t>(size), v.end());
-}
-
-void cut(Scene& scene, const SceneMark& mark) {
-    cut(scene.primitives, mark.primitives);
-    cut(scene.materials, mark.materials);
-    cut(scene.vertices, mark.vertices);
-    const auto cut_kinds = [&]<std::size_t... kind>(std::index_sequence<kind...>) {
-        (cut(std::get<kind>(scene.shapes), mark.shapes[kind]), ...);
-    };
-    cut_kinds(std::make_index_sequence<shape_kinds>());
-}
-
-/// Moves a shape that PRT has; false where that leads beyond all numbers. Corners are moved by
-/// themselves.
-template <class Shape>
-bool move(Shape& s, const Vec3& offset) {
-    bool finite = true;
-    const auto move_point = [&](Vec3& p) { finite = is_finite(p += offset) && finite; };
-    if constexpr (requires { s.centre; }) move_point(s.centre);
-    if constexpr (requires { s.base; }) move_point(s.base), move_point(s.top);
-    if constexpr (requires { s.clip; }) move_point(s.clip.min), move_point(s.clip.max);
-    return finite;
-}
-
-bool move_since(Scene& scene, const SceneMark& mark, const Vec3& offset) {
-    bool finite = true;
-    for (std::size_t i = mark.vertices; i < scene.vertices.size(); ++i) {
-        finite = is_finite(scene.vertices[i] += offset) && finite;
-    }
-    for (std::size_t i = mark.primitives; i < scene.primitives.size(); ++i) {
-        const Primitive& p = scene.primitives[i];
-        finite = with_shape(p.kind, [&]<class Shape>() {
-            return move(scene.all<Shape>()[p.index], offset) && finite;
-        });
-    }
-    return finite;
-}
-
-/// The end of the definition: its objects are no part of the scene yet.
-OpenDefinition close(Loader& loader) {
-    const OpenDefinition open = *loader.open;
-    cut(loader.scene, open.mark);
+/// The end of the definition: its objects are no part of the scene. Returns them.
+Geometry close(Loader& loader) {
+    OpenDefinition& open = *loader.open;
+    Geometry objects = std::exchange(loader.scene.geometry, std::move(open.outer_geometry));
+    loader.scene.look.materials.resize(open.outer_materials);
     loader.material = open.outer_material;
-    loader.open.reset();
-    return open;
-}
-
-/// Whether the definition has objects of the surface that stands in for that of a reference.
-bool inherits_surface(const Scene& scene, const SceneMark& mark) {
-    const auto first = scene.primitives.begin() + static_cast<std::ptrdiff_t>(mark.primitives);
-    return std::any_of(first, scene.primitives.end(),
-                       [&](const Primitive& p) { return p.material == mark.materials; });
+    loader.smooth_vertices = {};
+    return objects;
 }
 
 void close_definition(Loader& loader) {
-    const bool inherits = inherits_surface(loader.scene, loader.open->mark);
-    const OpenDefinition open = close(loader);
+    const Geometry objects = close(loader);
+    const OpenDefinition open = *std::exchange(loader.open, std::nullopt);
+    bool inherits = false;  // whether it has objects of what stands in for a reference's surface
+    for (const Primitive p : objects.primitives) inherits |= p.material == open.outer_materials;
     const std::size_t length = loader.in.start() - open.first;
     const Definition definition{loader.text.substr(open.first, length), inherits};
     if (!loader.definitions.emplace(open.name, definition).second) {
@@ -81,8 +37,9 @@ void close_definition(Loader& loader) {
 
 /// Reads the statements once more, silently.
 void replay(Loader& loader, const Definition& definition, const Vec3& offset) {
-    const SceneMark mark(loader.scene);
+    const std::size_t materials = loader.scene.look.materials.size();
     const std::optional<std::uint32_t> before = loader.material;
+    Geometry scene_geometry = std::exchange(loader.scene.geometry, {});
     DiagnosticLog silent({}, definition.statements, false);
     Loader again{{Reader(definition.statements, silent, object_names()), loader.options,
                   loader.directory, loader.default_material, std::move(loader.scene)},
@@ -91,20 +48,18 @@ void replay(Loader& loader, const Definition& definition, const Vec3& offset) {
     read_objects(again);
     loader.scene = std::move(again.scene);
     loader.material = again.material;
-    if (!move_since(loader.scene, mark, offset)) {
-        cut(loader.scene, mark);
+    const std::optional<Geometry> objects =
+        moved(std::exchange(loader.scene.geometry, std::move(scene_geometry)), offset);
+    if (objects) {
+        append(loader.scene.geometry, *objects);
+    } else {
+        loader.scene.look.materials.resize(materials);
         loader.material = before;
         loader.leave_out("it lies beyond all numbers");
     }
 }
 
 }  // namespace
-
-SceneMark::SceneMark(const Scene& scene)
-    : primitives(scene.primitives.size()),
-      materials(scene.materials.size()),
-      vertices(scene.vertices.size()),
-      shapes(std::apply([](const auto&... v) { return std::array{v.size()...}; }, scene.shapes)) {}
 
 void read_instance(Loader& loader) {
     Reader& in = loader.in;
@@ -114,8 +69,14 @@ void read_instance(Loader& loader) {
         ++loader.open->nested;
         return in.error("instance", "an instance inside instance {}", in_quotes(loader.open->name));
     }
-    loader.open = {name,           in.start(), in.tokens().offset(), 0, SceneMark(loader.scene),
+    loader.open = {name,
+                   in.start(),
+                   in.tokens().offset(),
+                   0,
+                   std::exchange(loader.scene.geometry, {}),
+                   loader.scene.look.materials.size(),
                    loader.material};
+    loader.smooth_vertices = {};
     loader.set_material(loader.default_material);  // stands in for that of a reference
 }
 
@@ -131,9 +92,10 @@ void read_end_instance(Loader& loader) {
 }
 
 void drop_open_definition(Loader& loader) {
-    const OpenDefinition open = close(loader);
-    loader.in.warn_at(open.keyword, "instance", "instance {} has no end; it is left out",
-                      in_quotes(open.name));
+    close(loader);
+    loader.in.warn_at(loader.open->keyword, "instance", "instance {} has no end; it is left out",
+                      in_quotes(loader.open->name));
+    loader.open.reset();
 }
 
 void read_instance_of(Loader& loader) {

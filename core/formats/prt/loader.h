@@ -14,21 +14,14 @@ struct Definition {
     bool inherits_surface = false;
 };
 
-/// Where the objects of a definition start in the scene's arrays.
-struct SceneMark {
-    explicit SceneMark(const Scene& scene);
-
-    std::size_t primitives, materials, vertices;
-    std::array<std::size_t, shape_kinds> shapes;
-};
-
 /// An instance whose end has not come yet.
 struct OpenDefinition {
     std::string_view name;
     std::size_t keyword;  ///< offset of the statement
     std::size_t first;    ///< offset of the statements
     int nested = 0;       ///< instances inside it, which are errors
-    SceneMark mark;
+    Geometry outer_geometry;      ///< the scene's, whose place that of the definition takes
+    std::size_t outer_materials;  ///< how many the scene had
     std::optional<std::uint32_t> outer_material;
 };
 

@@ -15,10 +15,10 @@ Color read_weighted(Reader& in, std::string_view color_name, std::string_view we
 
 /// The inner side of a shell: matter in front of it, nothing behind.
 std::uint32_t hollow(Loader& loader) {
-    Material inner = loader.scene.materials[loader.current_material()];
+    Material inner = loader.scene.look.materials[loader.current_material()];
     inner.ior = 1 / inner.ior;
-    loader.scene.materials.push_back(inner);
-    return static_cast<std::uint32_t>(loader.scene.materials.size() - 1);
+    loader.scene.look.materials.push_back(inner);
+    return static_cast<std::uint32_t>(loader.scene.look.materials.size() - 1);
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ void read_hollow_sphere(Loader& loader) {
     const Sides sides = loader.sides();
     loader.add(Sphere{centre, radius}, sides);
     if (!(radius - thickness > 0)) return;
-    loader.scene.add(Sphere{centre, radius - thickness}, hollow(loader),
+    loader.scene.geometry.add(Sphere{centre, radius - thickness}, hollow(loader),
                      sides == Sides::both ? Sides::both : Sides::back);
 }
 

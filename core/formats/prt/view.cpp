@@ -25,8 +25,8 @@ constexpr std::array camera_lines = {
 
 /// The document has the camera first, then lights, then objects; the program takes any order.
 void warn_of_order(Loader& loader, bool is_camera) {
-    const bool after_objects = !loader.scene.primitives.empty() || !loader.definitions.empty();
-    if (after_objects || (is_camera && !loader.scene.lights.empty())) {
+    const bool after_objects = !loader.scene.geometry.primitives.empty() || !loader.definitions.empty();
+    if (after_objects || (is_camera && !loader.scene.look.lights.empty())) {
         loader.in.warn("order", "'{}' after {}; PRT's document has it before them",
                        loader.in.keyword(), after_objects ? "objects" : "lights");
     }
@@ -70,7 +70,7 @@ void apply_legacy(Scene& scene) {
     camera.fov_degrees = legacy_fov(camera.fov_degrees);
     camera.pixel_rays = PixelRays::upper_left;
     scene.whitted.fit_eye_rays = true;
-    for (Quadric& q : scene.all<Quadric>()) q.centre = Vec3(0);
+    for (Quadric& q : scene.geometry.all<Quadric>()) q.centre = Vec3(0);
 }
 
 }  // namespace

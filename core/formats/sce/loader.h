@@ -10,6 +10,7 @@
 #include "core/formats/load.h"
 #include "core/formats/obj.h"
 #include "core/formats/reader.h"
+#include "core/formats/smooth_vertices.h"
 #include "core/numerics/affine.h"
 
 namespace etalon::sce {
@@ -50,6 +51,7 @@ struct Loader {
     DiagnosticLog& log;
     std::filesystem::path directory;  ///< of the scene file
     Scene scene{};
+    SmoothVertices smooth_vertices{};
     State state{};
     std::vector<Block> blocks{};
     View view{};
@@ -65,7 +67,7 @@ struct Loader {
 
     template <class Shape>
     void add(const Shape& shape) {
-        scene.add(shape, current_material(), sides());
+        scene.geometry.add(shape, current_material(), sides());
     }
 };
 

@@ -40,37 +40,61 @@ const ObjMesh* find_mesh(Loader& loader, Reader& in) {
     return nullptr;
 }
 
-/// Whether the scene's numbers of 32 bits can still count what the mesh brings.
-bool fits(const Scene& scene, const ObjMesh& mesh) {
-    return scene.vertices.size() + mesh.vertices.size() < no_index &&
-           scene.normals.size() + 3 * mesh.triangles.size() < no_index;
+/// Whether the vertices' numbers of 31 bits can still count what the mesh brings.
+bool fits(const Geometry& geometry, const ObjMesh& mesh) {
+    return geometry.vertices.size() + mesh.vertices.size() + 3 * mesh.triangles.size() <
+           decimal_vertex;
 }
 
-/// Appends the corners' normals, the longest of them at unit length: only the ratios of lengths
-/// matter, and those that a mesh has of one length stay so. None where one has overflowed.
-std::uint32_t add_normals(Scene& scene, const ObjMesh& mesh, const NormalMap& to_world,
-                          const std::array<ObjMesh::Corner, 3>& corners) {
+/// The corners' normals, the longest of them at unit length: only the ratios of lengths matter, and
+/// those that a mesh has of one length stay so. Nothing where one has overflowed.
+std::optional<std::array<Vec3, 3>> corner_normals(const ObjMesh& mesh, const NormalMap& to_world,
+                                                  const std::array<ObjMesh::Corner, 3>& corners) {
     std::array<Vec3, 3> normals;
     double longest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         const Vec3& n = normals[k] = to_world(mesh.normals[corners[k].normal]);
         longest = std::max(longest, is_finite(n) ? std::hypot(n.x, n.y, n.z) : infinity);
     }
-    if (longest == 0 || longest == infinity) return no_index;
-    for (const Vec3& n : normals) scene.normals.push_back(n / longest);
-    return static_cast<std::uint32_t>(scene.normals.size() - 3);
+    if (longest == 0 || longest == infinity) return std::nullopt;
+    for (Vec3& n : normals) n = n / longest;
+    return normals;
 }
 
-/// A map that mirrors turns the order of the corners round; the front stays the front.
-void add_faces(Loader& loader, const ObjMesh& mesh, std::uint32_t first, bool smooth) {
-    Scene& scene = loader.scene;
+using Order = std::array<ObjMesh::Corner, 3>;
+
+/// The order of a face's corners in the world: a map that mirrors turns it round, and the front
+/// stays the front.
+Order world_order(const Order& face, bool mirrored) {
+    return mirrored ? Order{face[0], face[2], face[1]} : face;
+}
+
+void add_flat_faces(Loader& loader, const ObjMesh& mesh, const std::vector<Vec3>& world) {
+    std::vector<Vec3>& vertices = loader.scene.geometry.vertices;
+    const auto first = static_cast<std::uint32_t>(vertices.size());
+    vertices.insert(vertices.end(), world.begin(), world.end());
+    const bool mirrored = mirrors(loader.state.matrix);
+    for (const Order& face : mesh.triangles) {
+        const auto [a, b, c] = world_order(face, mirrored);
+        loader.add(Triangle{{first + a.vertex, first + b.vertex, first + c.vertex}});
+    }
+}
+
+void add_smooth_faces(Loader& loader, const ObjMesh& mesh, const std::vector<Vec3>& world) {
+    Geometry& geometry = loader.scene.geometry;
     const bool mirrored = mirrors(loader.state.matrix);
     const NormalMap normal_map(loader.state.matrix);
-    for (const auto& [a, b, c] : mesh.triangles) {
-        const std::array order = {a, mirrored ? c : b, mirrored ? b : c};
+    for (const Order& face : mesh.triangles) {
+        const Order order = world_order(face, mirrored);
+        const auto normals = corner_normals(mesh, normal_map, order);
         Triangle triangle{};
-        for (std::size_t k = 0; k < 3; ++k) triangle.vertices[k] = first + order[k].vertex;
-        if (smooth) triangle.normals = add_normals(scene, mesh, normal_map, order);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3& position = world[order[k].vertex];
+            triangle.vertices[k] =
+                normals ? loader.smooth_vertices.number(geometry, position, (*normals)[k])
+                        : geometry.add_vertex(position);
+        }
+        if (normals) triangle.normal_offset = geometry.normal_offset();
         loader.add(triangle);
     }
 }
@@ -78,18 +102,16 @@ void add_faces(Loader& loader, const ObjMesh& mesh, std::uint32_t first, bool sm
 void read_object(Loader& loader, Reader& in, bool smooth) {
     const ObjMesh* const mesh = find_mesh(loader, in);
     if (!mesh || !loader.has_usable_matrix(in)) return;
-    Scene& scene = loader.scene;
-    if (!fits(scene, *mesh)) {
+    if (!fits(loader.scene.geometry, *mesh)) {
         return in.warn("mesh", "'{}' left out: too many vertices in all", in.keyword());
     }
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+    std::vector<Vec3> world;
     for (const Vec3& v : mesh->vertices) {
-        scene.vertices.push_back(loader.state.matrix.point(is_finite(v) ? v : Vec3(0)));
-        if (is_finite(scene.vertices.back())) continue;
-        scene.vertices.resize(first);
+        world.push_back(loader.state.matrix.point(is_finite(v) ? v : Vec3(0)));
+        if (is_finite(world.back())) continue;
         return in.warn("matrix", "'{}' left out: it lies beyond all numbers", in.keyword());
     }
-    add_faces(loader, *mesh, first, smooth);
+    smooth ? add_smooth_faces(loader, *mesh, world) : add_flat_faces(loader, *mesh, world);
 }
 
 }  // namespace
@@ -103,10 +125,10 @@ void read_triangle(Loader& loader, Reader& in) {
         return in.warn("degenerate", "'triangle' left out: it has no area");
     }
     if (mirrors(loader.state.matrix)) std::swap(corners[1], corners[2]);
-    std::vector<Vec3>& vertices = loader.scene.vertices;
-    const auto v = static_cast<std::uint32_t>(vertices.size());
-    vertices.insert(vertices.end(), corners.begin(), corners.end());
-    loader.add(Triangle{{v, v + 1, v + 2}});
+    Geometry& geometry = loader.scene.geometry;
+    Triangle triangle{};
+    for (std::size_t k = 0; k < 3; ++k) triangle.vertices[k] = geometry.add_vertex(corners[k]);
+    loader.add(triangle);
 }
 
 void read_flat_object(Loader& loader, Reader& in) {

@@ -117,7 +117,7 @@ LoadResult load_sce(std::string_view text, const std::string& path, const LoadOp
     Scene& scene = loader.scene;
     scene.format = "sce";
     scene.display_colors = true;
-    scene.environment.background = Color(0, 0, 0.3F);
+    scene.look.environment.background = Color(0, 0, 0.3F);
     scene.whitted.max_depth = 6 + 1;
     scene.camera.up = Vec3(0, 1, 0);
     scene.camera.width = scene.camera.height = 100;

@@ -6,19 +6,19 @@ namespace etalon {
 namespace {
 
 bool is_smooth(const Triangle& t) {
-    return t.normals != no_index;
+    return t.normal_offset != no_index;
 }
 
 std::vector<Triangle> run_from(const Scene& scene, std::size_t first) {
-    const Primitive& start = scene.primitives[first];
-    const bool smooth = is_smooth(scene.get<Triangle>(start));
+    const Primitive start = scene.geometry.primitives[first];
+    const bool smooth = is_smooth(scene.geometry.get<Triangle>(start));
     std::vector<Triangle> run;
-    for (std::size_t i = first; i < scene.primitives.size(); ++i) {
-        const Primitive& p = scene.primitives[i];
+    for (std::size_t i = first; i < scene.geometry.primitives.size(); ++i) {
+        const Primitive p = scene.geometry.primitives[i];
         const bool alike = p.kind == start.kind && p.material == start.material &&
-                           p.sides == start.sides && is_smooth(scene.get<Triangle>(p)) == smooth;
+                           p.sides == start.sides && is_smooth(scene.geometry.get<Triangle>(p)) == smooth;
         if (!alike) break;
-        run.push_back(scene.get<Triangle>(p));
+        run.push_back(scene.geometry.get<Triangle>(p));
     }
     return run;
 }
@@ -30,7 +30,7 @@ MeshRun flat_mesh(const Scene& scene, const std::vector<Triangle>& run) {
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
     MeshRun mesh;
-    for (const std::uint32_t v : used) mesh.vertices.push_back(scene.vertices[v]);
+    for (const std::uint32_t v : used) mesh.vertices.push_back(scene.geometry.vertex(v));
     for (const Triangle& t : run) {
         auto& face = mesh.faces.emplace_back(t.vertices);
         for (std::uint32_t& v : face) {
@@ -47,8 +47,8 @@ MeshRun smooth_mesh(const Scene& scene, const std::vector<Triangle>& run) {
         const auto v = static_cast<std::uint32_t>(mesh.vertices.size());
         mesh.faces.push_back({v, v + 1, v + 2});
         for (std::uint32_t k = 0; k < 3; ++k) {
-            mesh.vertices.push_back(scene.vertices[t.vertices[k]]);
-            mesh.normals.push_back(scene.normals[t.normals + k]);
+            mesh.vertices.push_back(scene.geometry.vertex(t.vertices[k]));
+            mesh.normals.push_back(scene.geometry.normals[Geometry::normal_number(t, k)]);
         }
     }
     return mesh;

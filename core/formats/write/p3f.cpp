@@ -18,10 +18,10 @@ class P3fScene {
 
     WrittenScene write() {
         write_settings();
-        for (const Light& light : scene_.lights) {
+        for (const Light& light : scene_.look.lights) {
             std::visit([&](const auto& l) { write_light(l); }, light);
         }
-        for (std::size_t i = 0; i < scene_.primitives.size();) i = write_primitives(i);
+        for (std::size_t i = 0; i < scene_.geometry.primitives.size();) i = write_primitives(i);
         out_.flush();
         return {std::move(text_), lost_.take()};
     }
@@ -30,8 +30,8 @@ class P3fScene {
     void write_settings() {
         if (!scene_.backend.empty()) out_.backend(scene_.backend);
         out_.samples(scene_.samples_per_pixel);
-        out_.background(scene_.environment.background);
-        if (scene_.environment.skybox) write_skybox(*scene_.environment.skybox);
+        out_.background(scene_.look.environment.background);
+        if (scene_.look.environment.skybox) write_skybox(*scene_.look.environment.skybox);
         out_.camera(scene_.camera);
         note_rules();
     }
@@ -42,7 +42,7 @@ class P3fScene {
         const auto sends_rays = [](const Material& m) {
             return m.reflection != Color(0.0F) || m.transmission != Color(0.0F);
         };
-        if (ours.max_depth != p3f.max_depth && std::ranges::any_of(scene_.materials, sends_rays)) {
+        if (ours.max_depth != p3f.max_depth && std::ranges::any_of(scene_.look.materials, sends_rays)) {
             lost_.add(fmt::format("depth of {} rays, now {}", ours.max_depth, p3f.max_depth));
         }
         if (ours.schlick || ours.clamp_each_ray || ours.fit_eye_rays || ours.fixed_bias != 0) {
@@ -82,7 +82,7 @@ class P3fScene {
     /// Writes number `first`, and those after it that go into one statement with it. Returns the
     /// number of the next.
     std::size_t write_primitives(std::size_t first) {
-        const Primitive& p = scene_.primitives[first];
+        const Primitive p = scene_.geometry.primitives[first];
         use_material(p.material);
         if (p.sides == Sides::front) lost_.add("shape seen from its front only");
         if (is_flat_triangle(p)) {
@@ -90,14 +90,14 @@ class P3fScene {
             out_.mesh(mesh.vertices, mesh.faces);
             return first + mesh.faces.size();
         }
-        with_shape(p.kind, [&]<class Shape>() { write_shape(scene_.get<Shape>(p), p.sides); });
+        with_shape(p.kind, [&]<class Shape>() { write_shape(scene_.geometry.get<Shape>(p), p.sides); });
         return first + 1;
     }
 
     void use_material(std::uint32_t material) {
         if (material == material_) return;
         material_ = material;
-        const P3fStatement s = to_p3f(scene_.materials[material], lost_);
+        const P3fStatement s = to_p3f(scene_.look.materials[material], lost_);
         out_.material(s.numbers, s.absorbs);
     }
 
@@ -125,12 +125,19 @@ class P3fScene {
 
     void write_shape(const Triangle& t, Sides) {
         std::array<Vec3, 3> corners;
-        for (std::size_t k = 0; k < 3; ++k) corners[k] = scene_.vertices[t.vertices[k]];
-        write_polygon(corners, t.normals);
+        std::vector<Vec3> normals;
+        for (std::size_t k = 0; k < 3; ++k) {
+            corners[k] = scene_.geometry.vertex(t.vertices[k]);
+            if (t.normal_offset == no_index) continue;
+            normals.push_back(scene_.geometry.normals[Geometry::normal_number(t, k)]);
+        }
+        write_polygon(corners, normals);
     }
 
     void write_shape(const Polygon& p, Sides) {
-        write_polygon(std::span(scene_.vertices).subspan(p.first, p.count), p.normals);
+        const auto corners = std::span(scene_.geometry.vertices).subspan(p.first, p.count);
+        if (p.normals == no_index) return out_.polygon(corners);
+        write_polygon(corners, std::span(scene_.geometry.normals).subspan(p.normals, p.count));
     }
 
     void write_shape(const Ellipsoid& e, Sides) {
@@ -156,12 +163,6 @@ class P3fScene {
         });
     }
 
-    void write_polygon(std::span<const Vec3> corners, std::uint32_t first_normal) {
-        const bool flat = first_normal == no_index;
-        const std::span<const Vec3> all = scene_.normals;
-        write_polygon(corners, flat ? all.first(0) : all.subspan(first_normal, corners.size()));
-    }
-
     void write_polygon(std::span<const Vec3> corners, std::span<const Vec3> normals) {
         if (normals.empty()) return out_.polygon(corners);
         if (std::ranges::find(normals, Vec3(0)) != normals.end()) {
@@ -173,7 +174,7 @@ class P3fScene {
     }
 
     bool is_flat_triangle(const Primitive& p) const {
-        return p.kind == kind_of<Triangle>() && scene_.get<Triangle>(p).normals == no_index;
+        return p.kind == kind_of<Triangle>() && p.normal_offset == no_index;
     }
 
     const Scene& scene_;

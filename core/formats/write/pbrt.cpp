@@ -25,10 +25,10 @@ class PbrtScene {
         write_sampling();
         out_.line("WorldBegin");
         write_environment();
-        for (const Light& light : scene_.lights) {
+        for (const Light& light : scene_.look.lights) {
             std::visit([&](const auto& l) { write_light(l); }, light);
         }
-        for (std::size_t i = 0; i < scene_.primitives.size();) i = write_primitives(i);
+        for (std::size_t i = 0; i < scene_.geometry.primitives.size();) i = write_primitives(i);
         out_.line("WorldEnd");
         out_.flush();
         return {std::move(text_), lost_.take()};
@@ -73,8 +73,8 @@ class PbrtScene {
     }
 
     void write_environment() {
-        if (scene_.environment.skybox) lost_.add("skybox, now one colour");
-        const Color& background = scene_.environment.background;
+        if (scene_.look.environment.skybox) lost_.add("skybox, now one colour");
+        const Color& background = scene_.look.environment.background;
         if (background == Color(0.0F)) return;
         lost_.add("background that lights nothing, now one that does");
         out_.line("LightSource \"infinite\" \"rgb L\" [ {} ]", background);
@@ -114,13 +114,13 @@ class PbrtScene {
         if (i == material_) return;
         material_ = i;
         const std::string name = fmt::format("m{}", i);
-        if (!known_[i]) out_.line("{}", to_pbrt(scene_.materials[i], name, lost_));
+        if (!known_[i]) out_.line("{}", to_pbrt(scene_.look.materials[i], name, lost_));
         known_[i] = true;
         out_.line("NamedMaterial \"{}\"", name);
     }
 
     std::size_t write_primitives(std::size_t first) {
-        const Primitive& p = scene_.primitives[first];
+        const Primitive p = scene_.geometry.primitives[first];
         use_material(p.material);
         if (p.sides != Sides::both) lost_.add("shape of which one side is seen");
         if (p.kind == kind_of<Triangle>()) {
@@ -128,7 +128,7 @@ class PbrtScene {
             write_mesh(mesh.vertices, mesh.normals, mesh.faces);
             return first + mesh.faces.size();
         }
-        with_shape(p.kind, [&]<class Shape>() { write_shape(scene_.get<Shape>(p)); });
+        with_shape(p.kind, [&]<class Shape>() { write_shape(scene_.geometry.get<Shape>(p)); });
         return first + 1;
     }
 
@@ -221,10 +221,10 @@ class PbrtScene {
     }
 
     void write_shape(const Polygon& p) {
-        const auto corners = std::span(scene_.vertices).subspan(p.first, p.count);
+        const auto corners = std::span(scene_.geometry.vertices).subspan(p.first, p.count);
         std::span<const Vec3> normals;
         if (p.normals != no_index) {
-            normals = std::span(scene_.normals).subspan(p.normals, p.count);
+            normals = std::span(scene_.geometry.normals).subspan(p.normals, p.count);
         }
         write_mesh(corners, normals, triangulate(corners));
     }
@@ -250,7 +250,7 @@ class PbrtScene {
     LineWriter out_{[this](std::string_view piece) { text_ += piece; }};
     Losses lost_;
     std::uint32_t material_ = no_index;
-    std::vector<bool> known_ = std::vector<bool>(scene_.materials.size());
+    std::vector<bool> known_ = std::vector<bool>(scene_.look.materials.size());
 };
 
 }  // namespace

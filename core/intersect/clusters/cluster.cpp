@@ -20,31 +20,21 @@ Ids spread(std::span<const std::uint32_t> all) {
     return ids;
 }
 
-/// Where they are in the scene, and brought into the caches all at once.
-std::array<const Primitive*, cluster_lanes> look_up(const Scene& scene, const Ids& ids) {
-    std::array<const Primitive*, cluster_lanes> primitives;
-    for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
-        primitives[lane] = &scene.primitives[ids[lane]];
-        __builtin_prefetch(primitives[lane]);
-    }
-    return primitives;
-}
-
 }  // namespace
 
 /// All lanes step by step, so that their cache misses on the way to the corners overlap: they are
 /// most of what building takes.
-void TriangleCluster::fill(const Scene& scene, const Frame& frame,
+void TriangleCluster::fill(const Geometry& geometry, const Frame& frame,
                            std::span<const std::uint32_t> all) {
     ids = spread(all);
-    const auto primitives = look_up(scene, ids);
     for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
-        vertices[lane] = scene.get<Triangle>(*primitives[lane]).vertices;
-        sides[lane] = primitives[lane]->sides;
+        const Primitive primitive = geometry.primitives[ids[lane]];
+        vertices[lane] = geometry.get<Triangle>(primitive).vertices;
+        sides[lane] = primitive.sides;
     }
     std::array<std::array<Vec3, 3>, cluster_lanes> exact;
     for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
-        exact[lane] = etalon::corners(scene, Triangle{vertices[lane]});
+        exact[lane] = etalon::corners(geometry, Triangle{vertices[lane]});
     }
     doubt = 0;
     for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
@@ -60,16 +50,16 @@ void TriangleCluster::fill(const Scene& scene, const Frame& frame,
     }
 }
 
-void SphereCluster::fill(const Scene& scene, const Frame& frame,
+void SphereCluster::fill(const Geometry& geometry, const Frame& frame,
                          std::span<const std::uint32_t> all) {
     ids = spread(all);
-    const auto primitives = look_up(scene, ids);
     for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
-        const Sphere& sphere = scene.get<Sphere>(*primitives[lane]);
+        const Primitive primitive = geometry.primitives[ids[lane]];
+        const Sphere& sphere = geometry.get<Sphere>(primitive);
         const Vec3 place = frame.point(sphere.centre);
         for (int k = 0; k < 3; ++k) centre[k][lane] = static_cast<float>(place[k]);
         radius[lane] = lane < all.size() ? enlarged_radius(sphere.radius * frame.scale()) : nothing;
-        sides[lane] = primitives[lane]->sides;
+        sides[lane] = primitive.sides;
         exact[lane] = sphere;
     }
 }

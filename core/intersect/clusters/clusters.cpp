@@ -7,13 +7,13 @@
 
 namespace etalon {
 
-Clusters::Clusters(const Scene& scene, const Frame& frame, std::span<const std::uint32_t> ids,
+Clusters::Clusters(const Geometry& geometry, const Frame& frame, std::span<const std::uint32_t> ids,
                    std::span<const Range> ranges, std::vector<ClusterRef>& refs) {
     std::array<std::size_t, 3> counts{};
     refs.clear();
     refs.reserve(ranges.size());
     for (const Range& range : ranges) {
-        const ClusterRef::Kind kind = cluster_kind(scene.primitives[ids[range.first]].kind);
+        const ClusterRef::Kind kind = cluster_kind(geometry.primitives[ids[range.first]].kind);
         refs.emplace_back(kind, counts[kind]++);
     }
     triangles_.resize(counts[ClusterRef::triangles]);
@@ -22,18 +22,18 @@ Clusters::Clusters(const Scene& scene, const Frame& frame, std::span<const std::
 
     parallel_for(ranges.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            fill(scene, frame, refs[i], ids.subspan(ranges[i].first, ranges[i].count));
+            fill(geometry, frame, refs[i], ids.subspan(ranges[i].first, ranges[i].count));
         }
     });
 }
 
-void Clusters::fill(const Scene& scene, const Frame& frame, ClusterRef ref,
+void Clusters::fill(const Geometry& geometry, const Frame& frame, ClusterRef ref,
                     std::span<const std::uint32_t> ids) {
     switch (ref.kind()) {
         case ClusterRef::triangles:
-            return triangles_[ref.index()].fill(scene, frame, ids);
+            return triangles_[ref.index()].fill(geometry, frame, ids);
         case ClusterRef::spheres:
-            return spheres_[ref.index()].fill(scene, frame, ids);
+            return spheres_[ref.index()].fill(geometry, frame, ids);
         default:
             lists_[ref.index()].fill(no_index);
             std::copy(ids.begin(), ids.end(), lists_[ref.index()].begin());

@@ -41,7 +41,7 @@ class Clusters {
 
     /// One for each of `ranges` of `ids`, of at most cluster_lanes primitives of one kind of
     /// cluster, and to refs[i] where the i-th is. As many threads as allowed.
-    Clusters(const Scene& scene, const Frame& frame, std::span<const std::uint32_t> ids,
+    Clusters(const Geometry& geometry, const Frame& frame, std::span<const std::uint32_t> ids,
              std::span<const Range> ranges, std::vector<ClusterRef>& refs);
 
     /// A primitive, and its kernel's answer.
@@ -51,7 +51,7 @@ class Clusters {
     };
 
     /// What is at a lane that is taken; of a list, at any, with no_index where none is.
-    Candidate ask(const Scene& scene, ClusterRef ref, std::size_t lane,
+    Candidate ask(const Geometry& geometry, ClusterRef ref, std::size_t lane,
                   const RayQuery& query) const;
 
     const TriangleCluster& triangles(ClusterRef ref) const { return triangles_[ref.index()]; }
@@ -68,7 +68,7 @@ class Clusters {
     /// Primitive numbers; after the last, no_index.
     using List = std::array<std::uint32_t, cluster_lanes>;
 
-    void fill(const Scene& scene, const Frame& frame, ClusterRef ref,
+    void fill(const Geometry& geometry, const Frame& frame, ClusterRef ref,
               std::span<const std::uint32_t> ids);
 
     std::vector<TriangleCluster, LargePages<TriangleCluster>> triangles_;
@@ -76,23 +76,23 @@ class Clusters {
     std::vector<List> lists_;
 };
 
-inline Clusters::Candidate Clusters::ask(const Scene& scene, ClusterRef ref, std::size_t lane,
+inline Clusters::Candidate Clusters::ask(const Geometry& geometry, ClusterRef ref, std::size_t lane,
                                          const RayQuery& query) const {
     switch (ref.kind()) {
         case ClusterRef::triangles: {
             const TriangleCluster& cluster = triangles(ref);
             const Triangle triangle{cluster.vertices[lane]};
             return {cluster.ids[lane],
-                    shape_first_hit(scene, triangle, cluster.sides[lane], query)};
+                    shape_first_hit(geometry, triangle, cluster.sides[lane], query)};
         }
         case ClusterRef::spheres: {
             const SphereCluster& cluster = spheres(ref);
             return {cluster.ids[lane],
-                    shape_first_hit(scene, cluster.exact[lane], cluster.sides[lane], query)};
+                    shape_first_hit(geometry, cluster.exact[lane], cluster.sides[lane], query)};
         }
         default: {
             const std::uint32_t id = lists_[ref.index()][lane];
-            return {id, id == no_index ? no_hit : primitive_first_hit(scene, id, query)};
+            return {id, id == no_index ? no_hit : primitive_first_hit(geometry, id, query)};
         }
     }
 }

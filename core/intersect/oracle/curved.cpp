@@ -6,7 +6,7 @@
 namespace etalon::definition {
 
 /// |o + t d - c| = r. The front is met where the distance shrinks.
-Crossings define(const Scene&, const Sphere& s, const Ray& ray) {
+Crossings define(const Geometry&, const Sphere& s, const Ray& ray) {
     Crossings found;
     if (!(s.radius > 0) || !std::isfinite(s.radius) || !is_finite(s.centre)) return found;
     const TrackedVec d = ray.direction, f = TrackedVec(ray.origin) - s.centre;
@@ -22,7 +22,7 @@ Crossings define(const Scene&, const Sphere& s, const Ray& ray) {
 /// Points w from the base, with h the axis, at distance r0 + (r1 - r0) z from the line along h at
 /// the height z = w.h / h.h, 0 <= z <= 1. Squared and freed of roots and quotients: hh (hh ww -
 /// (wh)^2) = (hh r0 + (r1 - r0) wh)^2.
-Crossings define(const Scene&, const Cone& c, const Ray& ray) {
+Crossings define(const Geometry&, const Cone& c, const Ray& ray) {
     Crossings found;
     if (!is_finite(c.base) || !is_finite(c.top) || c.base == c.top) return found;
     for (const double r : {c.base_radius, c.top_radius}) {
@@ -72,7 +72,7 @@ Truth is_within(const Box3& box, const Ray& ray, const Tracked& t, const Tracked
 }  // namespace
 
 /// The symmetric matrix of the coefficients, row by row, on (p - centre, 1).
-Crossings define(const Scene&, const Quadric& s, const Ray& ray) {
+Crossings define(const Geometry&, const Quadric& s, const Ray& ray) {
     Crossings found;
     if (!is_finite(s.centre) || !is_finite(s.clip.min) || !is_finite(s.clip.max)) return found;
     for (const double number : s.coefficients) {
@@ -102,7 +102,7 @@ Crossings define(const Scene&, const Quadric& s, const Ray& ray) {
 }
 
 /// |o + t d| = 1 in the map's coordinates.
-Crossings define(const Scene&, const Ellipsoid& e, const Ray& ray) {
+Crossings define(const Geometry&, const Ellipsoid& e, const Ray& ray) {
     Crossings found;
     if (!is_finite(e.to_world)) return found;
     const MappedRay r(e.to_world, ray);

@@ -5,15 +5,15 @@
 
 namespace etalon::definition {
 
-Crossings define(const Scene& scene, const Sphere& shape, const Ray& ray);
-Crossings define(const Scene& scene, const Triangle& shape, const Ray& ray);
-Crossings define(const Scene& scene, const Polygon& shape, const Ray& ray);
-Crossings define(const Scene& scene, const Box& shape, const Ray& ray);
-Crossings define(const Scene& scene, const Plane& shape, const Ray& ray);
-Crossings define(const Scene& scene, const Cone& shape, const Ray& ray);
-Crossings define(const Scene& scene, const Ring& shape, const Ray& ray);
-Crossings define(const Scene& scene, const Quadric& shape, const Ray& ray);
-Crossings define(const Scene& scene, const Ellipsoid& shape, const Ray& ray);
-Crossings define(const Scene& scene, const ClosedCylinder& shape, const Ray& ray);
+Crossings define(const Geometry& geometry, const Sphere& shape, const Ray& ray);
+Crossings define(const Geometry& geometry, const Triangle& shape, const Ray& ray);
+Crossings define(const Geometry& geometry, const Polygon& shape, const Ray& ray);
+Crossings define(const Geometry& geometry, const Box& shape, const Ray& ray);
+Crossings define(const Geometry& geometry, const Plane& shape, const Ray& ray);
+Crossings define(const Geometry& geometry, const Cone& shape, const Ray& ray);
+Crossings define(const Geometry& geometry, const Ring& shape, const Ray& ray);
+Crossings define(const Geometry& geometry, const Quadric& shape, const Ray& ray);
+Crossings define(const Geometry& geometry, const Ellipsoid& shape, const Ray& ray);
+Crossings define(const Geometry& geometry, const ClosedCylinder& shape, const Ray& ray);
 
 }  // namespace etalon::definition

@@ -4,11 +4,11 @@
 
 namespace etalon {
 
-Crossings crossings(const Scene& scene, std::uint32_t primitive, const Ray& ray) {
-    const Primitive& p = scene.primitives[primitive];
+Crossings crossings(const Geometry& geometry, std::uint32_t primitive, const Ray& ray) {
+    const Primitive p = geometry.primitives[primitive];
     const Ray meant = RayQuery(ray).ray;
     return with_shape(p.kind, [&]<class Shape>() {
-        return definition::define(scene, scene.get<Shape>(p), meant);
+        return definition::define(geometry, geometry.get<Shape>(p), meant);
     });
 }
 

@@ -6,7 +6,7 @@
 
 #include "core/intersect/oracle/tracked.h"
 #include "core/intersect/ray.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
@@ -37,6 +37,6 @@ class Crossings {
 
 /// Where the line of `ray`, whose direction is not zero, meets a primitive. As RayQuery has it, a
 /// component that is nothing against the largest is zero.
-Crossings crossings(const Scene& scene, std::uint32_t primitive, const Ray& ray);
+Crossings crossings(const Geometry& geometry, std::uint32_t primitive, const Ray& ray);
 
 }  // namespace etalon

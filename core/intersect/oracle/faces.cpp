@@ -62,11 +62,11 @@ Passage pass(const std::array<Tracked, 3>& volumes) {
 
 }  // namespace
 
-Crossings define(const Scene& scene, const Triangle& triangle, const Ray& ray) {
+Crossings define(const Geometry& geometry, const Triangle& triangle, const Ray& ray) {
     Crossings found;
     std::array<Corner, 3> c;
     for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3& corner = scene.vertices[triangle.vertices[i]];
+        const Vec3& corner = geometry.vertices[triangle.vertices[i]];
         if (!is_finite(corner)) return found;
         c[i] = Corner(TrackedVec(corner) - ray.origin);
     }
@@ -140,12 +140,12 @@ Truth is_inside(const Outline& outline) {
 
 /// The outline as the ray sees it, and the plane through the mean corner across Newell's normal,
 /// but never out of the corners' box.
-Crossings define(const Scene& scene, const Polygon& polygon, const Ray& ray) {
+Crossings define(const Geometry& geometry, const Polygon& polygon, const Ray& ray) {
     Crossings found;
     std::vector<Corner> corners;
     Box3 box;
     for (std::size_t i = 0; i < polygon.count; ++i) {
-        const Vec3& corner = scene.vertices[polygon.first + i];
+        const Vec3& corner = geometry.vertices[polygon.first + i];
         if (!is_finite(corner)) return found;
         box.extendBy(corner);
         corners.emplace_back(TrackedVec(corner) - ray.origin);

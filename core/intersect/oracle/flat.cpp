@@ -3,7 +3,7 @@
 namespace etalon::definition {
 
 /// n . (o + t d - p) = 0, and not a line in the plane.
-Crossings define(const Scene&, const Plane& p, const Ray& ray) {
+Crossings define(const Geometry&, const Plane& p, const Ray& ray) {
     Crossings found;
     if (!is_finite(p.point) || !is_finite(p.normal)) return found;
     const TrackedVec n = p.normal;
@@ -14,7 +14,7 @@ Crossings define(const Scene&, const Plane& p, const Ray& ray) {
 }
 
 /// The same, and inner <= |o + t d - c| <= outer, squared and freed of the quotient that t is.
-Crossings define(const Scene&, const Ring& r, const Ray& ray) {
+Crossings define(const Geometry&, const Ring& r, const Ray& ray) {
     Crossings found;
     if (!is_finite(r.centre) || !is_finite(r.normal)) return found;
     if (!(0 <= r.inner && r.inner <= r.outer && 0 < r.outer && r.outer < infinity)) return found;

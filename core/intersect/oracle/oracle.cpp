@@ -69,10 +69,10 @@ double OracleAnswer::relative_error(double t_measured) const {
     return static_cast<double>(magnitude(Quad(t_measured) - exact_t) / magnitude(exact_t));
 }
 
-Oracle::Oracle(const Scene& scene) : scene_(scene) {
+Oracle::Oracle(const Geometry& geometry) : geometry_(geometry) {
     const Box3 everywhere(Vec3(-infinity), Vec3(infinity));
-    for (std::uint32_t id = 0; id < scene.primitives.size(); ++id) {
-        const Box3 box = primitive_bounds(scene, id);
+    for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
+        const Box3 box = primitive_bounds(geometry, id);
         const bool finite = !box.isEmpty() && is_finite(box.min) && is_finite(box.max);
         boxes_.push_back(finite ? box : everywhere);
         if (finite) extent_ = std::max({extent_, max_abs(box.min), max_abs(box.max)});
@@ -113,8 +113,8 @@ OracleAnswer Oracle::closest(const Ray& ray, double tie) const {
     Meetings meetings;
     for (const Candidate& candidate : candidates(ray)) {
         if (meetings.nearest && Quad(candidate.entry) > meetings.nearest->t.value) break;
-        const Sides sides = scene_.primitives[candidate.primitive].sides;
-        for (const Crossing& c : crossings(scene_, candidate.primitive, ray)) {
+        const Sides sides = geometry_.primitives[candidate.primitive].sides;
+        for (const Crossing& c : crossings(geometry_, candidate.primitive, ray)) {
             const Truth exists = c.exists & is_visible(c, sides) & is_within(c, ray, tie);
             if (exists != Truth::no) meetings.add({c.t, exists, candidate.primitive});
         }

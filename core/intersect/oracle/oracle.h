@@ -6,7 +6,7 @@
 
 #include "core/intersect/oracle/quad.h"
 #include "core/intersect/ray.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
@@ -30,7 +30,7 @@ struct OracleAnswer {
 class Oracle {
   public:
     /// The scene must outlive the oracle.
-    explicit Oracle(const Scene& scene);
+    explicit Oracle(const Geometry& geometry);
 
     /// The nearest hit with tmin < t <= tmax. Hits whose distances differ by less than `tie` times
     /// t are taken for equally near: a kernel's rounding may put either first.
@@ -43,7 +43,7 @@ class Oracle {
     };
     std::vector<Candidate> candidates(const Ray& ray) const;
 
-    const Scene& scene_;
+    const Geometry& geometry_;
     std::vector<Box3> boxes_;
     double extent_ = 0;  ///< the largest coordinate of any finite box
 };

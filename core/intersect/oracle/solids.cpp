@@ -48,13 +48,13 @@ Stretch both(const Stretch& a, const Stretch& b) {
 
 }  // namespace
 
-Crossings define(const Scene&, const Box& b, const Ray& ray) {
+Crossings define(const Geometry&, const Box& b, const Ray& ray) {
     if (!is_finite(b.min) || !is_finite(b.max)) return {};
     return ends(within_box(b.min, b.max, ray));
 }
 
 /// x^2 + y^2 <= 1 and 0 <= z <= 1 in the map's coordinates.
-Crossings define(const Scene&, const ClosedCylinder& c, const Ray& ray) {
+Crossings define(const Geometry&, const ClosedCylinder& c, const Ray& ray) {
     if (!is_finite(c.to_world)) return {};
     const MappedRay r(c.to_world, ray);
     const Truth exists = !is_zero(r.unit);

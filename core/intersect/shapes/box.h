@@ -4,7 +4,7 @@
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
 #include "core/numerics/exact.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
@@ -12,7 +12,7 @@ inline bool is_degenerate(const Box& b) {
     return !is_finite(b.min) || !is_finite(b.max) || Box3(b.min, b.max).isEmpty();
 }
 
-inline Box3 bounds(const Scene&, const Box& b) {
+inline Box3 bounds(const Geometry&, const Box& b) {
     return is_degenerate(b) ? Box3() : Box3(b.min, b.max);
 }
 
@@ -60,7 +60,7 @@ inline bool meets_box(const Box& b, const Ray& ray) {
 
 /// A difference and a quotient put entry and exit off by at most 2u each: where they are closer
 /// than that, as for a ray at an edge, the decision is exact.
-inline double first_hit(const Scene&, const Box& b, Sides sides, const RayQuery& q) {
+inline double first_hit(const Geometry&, const Box& b, Sides sides, const RayQuery& q) {
     const SlabCrossing c = cross_slabs(b, q.ray);
     const double doubt = 3 * unit_roundoff * (std::abs(c.entry) + std::abs(c.exit));
     if (!(c.entry - c.exit <= doubt) || c.entry == infinity) return no_hit;
@@ -68,7 +68,7 @@ inline double first_hit(const Scene&, const Box& b, Sides sides, const RayQuery&
     return first_visible(c.entry, c.exit, sides, q.ray.tmin);
 }
 
-inline SurfacePoint surface(const Scene&, const Box& b, const RayQuery& q, double t) {
+inline SurfacePoint surface(const Geometry&, const Box& b, const RayQuery& q, double t) {
     const SlabCrossing c = cross_slabs(b, q.ray);
     const bool entering = std::abs(t - c.entry) <= std::abs(t - c.exit);
     const int axis = entering ? c.entry_axis : c.exit_axis;

@@ -4,12 +4,12 @@
 #include "core/intersect/shapes/affine_surface.h"
 #include "core/intersect/shapes/closed_cylinder_sieve.h"
 #include "core/intersect/surface.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
 /// The box of the two caps' circles.
-inline Box3 bounds(const Scene&, const ClosedCylinder& c) {
+inline Box3 bounds(const Geometry&, const ClosedCylinder& c) {
     if (!c.frame.exists()) return {};
     const Affine& m = c.to_world;
     Box3 centres;
@@ -24,7 +24,7 @@ inline double sieve(const ClosedCylinder& c, Sides sides, const RayQuery& q) {
 }
 
 /// Hit or miss is right for every ray, and t good to t_tolerance.
-inline double first_hit(const Scene&, const ClosedCylinder& c, Sides sides, const RayQuery& q) {
+inline double first_hit(const Geometry&, const ClosedCylinder& c, Sides sides, const RayQuery& q) {
     const double t = sieve(c, sides, q);
     if (t != in_doubt) return t;
     const Passage x = exact_passage(c, q.ray);
@@ -80,7 +80,7 @@ inline CylinderPoint nearest_on(const ClosedCylinder& c, const Vec3& seen, const
     return on_side(c, moved(sideways, off_side), error);
 }
 
-inline SurfacePoint surface(const Scene&, const ClosedCylinder& c, const RayQuery& q, double t) {
+inline SurfacePoint surface(const Geometry&, const ClosedCylinder& c, const RayQuery& q, double t) {
     const Affine& m = c.to_world;
     const Vec3 seen = q.ray.origin - m.origin + t * q.ray.direction;
     const Vec3 error = position_error(abs(m.origin) + reach(m.x, m.y) + abs(m.z), 0);

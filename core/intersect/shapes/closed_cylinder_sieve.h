@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/intersect/shapes/unit_line.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 

@@ -7,12 +7,12 @@
 #include "core/intersect/shapes/cone_sieve.h"
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
 /// The box of the two end circles.
-inline Box3 bounds(const Scene&, const Cone& c) {
+inline Box3 bounds(const Geometry&, const Cone& c) {
     Box3 box;
     if (is_degenerate(c)) return box;
     const Vec3 reach = reach_of_circle(c.top - c.base);
@@ -33,13 +33,13 @@ inline Box3 bounds(const Scene&, const Cone& c) {
 }
 
 /// Hit or miss is right for every ray, and t good to t_tolerance.
-inline double first_hit(const Scene&, const Cone& c, Sides sides, const RayQuery& q) {
+inline double first_hit(const Geometry&, const Cone& c, Sides sides, const RayQuery& q) {
     const double t = ConeSieve(c, q).first_hit(sides);
     return t == in_doubt ? careful_first_hit(c, sides, q) : t;
 }
 
 /// The position is moved onto the circle at its height. At the apex the normal is the axis'.
-inline SurfacePoint surface(const Scene&, const Cone& c, const RayQuery& q, double t) {
+inline SurfacePoint surface(const Geometry&, const Cone& c, const RayQuery& q, double t) {
     const Vec3 h = c.top - c.base;
     const double length = std::sqrt(h.dot(h));
     const Vec3 w = q.ray.origin - c.base + t * q.ray.direction;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/numerics/vec.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 

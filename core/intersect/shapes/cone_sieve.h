@@ -5,7 +5,7 @@
 #include "core/intersect/ray.h"
 #include "core/intersect/shapes/roots.h"
 #include "core/numerics/rounding.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 

@@ -4,7 +4,7 @@
 #include "core/intersect/shapes/affine_surface.h"
 #include "core/intersect/shapes/unit_line.h"
 #include "core/intersect/surface.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
@@ -13,7 +13,7 @@ inline Vec3 reach(const Ellipsoid& e) {
     return reach(e.to_world.x, e.to_world.y, e.to_world.z);
 }
 
-inline Box3 bounds(const Scene&, const Ellipsoid& e) {
+inline Box3 bounds(const Geometry&, const Ellipsoid& e) {
     if (!e.frame.exists()) return {};
     return box_around(e.to_world.origin, e.to_world.origin, reach(e));
 }
@@ -30,14 +30,14 @@ inline double sieve(const Ellipsoid& e, Sides sides, const RayQuery& q) {
 
 /// Hit or miss is right for every ray, and t good to t_tolerance. The ray's direction is not made
 /// a unit vector in local coordinates, so t is the world's.
-inline double first_hit(const Scene&, const Ellipsoid& e, Sides sides, const RayQuery& q) {
+inline double first_hit(const Geometry&, const Ellipsoid& e, Sides sides, const RayQuery& q) {
     const double t = sieve(e, sides, q);
     if (t != in_doubt) return t;
     const Passage x = exact_passage(e, q.ray);
     return first_visible(x.entry, x.exit, sides, q.ray.tmin);
 }
 
-inline SurfacePoint surface(const Scene&, const Ellipsoid& e, const RayQuery& q, double t) {
+inline SurfacePoint surface(const Geometry&, const Ellipsoid& e, const RayQuery& q, double t) {
     const Vec3 seen = q.ray.origin - e.to_world.origin + t * q.ray.direction;
     const Vec3 near = e.frame.vector(seen), gradient = e.frame.normal(unit_vector(near));
     const Vec3 on = moved_onto_surface(seen, gradient, near.length() - 1);

@@ -4,11 +4,11 @@
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
 #include "core/numerics/exact.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
-inline Box3 bounds(const Scene&, const Plane& p) {
+inline Box3 bounds(const Geometry&, const Plane& p) {
     if (!is_finite(p.point) || !is_finite(p.normal) || p.normal == Vec3(0)) return {};
     return {Vec3(-infinity), Vec3(infinity)};
 }
@@ -16,7 +16,7 @@ inline Box3 bounds(const Scene&, const Plane& p) {
 /// A ray in the plane, or parallel to it, misses. Either product is exact where its roundings could
 /// spoil its sign, or t by more than 2^-47 of itself; a plane that is certainly behind is not asked
 /// further.
-inline double first_hit(const Scene&, const Plane& p, Sides sides, const RayQuery& q) {
+inline double first_hit(const Geometry&, const Plane& p, Sides sides, const RayQuery& q) {
     constexpr double u = unit_roundoff, good = 0.25;  // its roundings are then 2^-49 at most
     const Vec3 &n = p.normal, &d = q.ray.direction, offset = p.point - q.ray.origin;
     double cosine = n.dot(d), distance = n.dot(offset);
@@ -32,7 +32,7 @@ inline double first_hit(const Scene&, const Plane& p, Sides sides, const RayQuer
     return is_ahead(t, q.ray.tmin) && faces(cosine, sides) ? t : no_hit;
 }
 
-inline SurfacePoint surface(const Scene&, const Plane& p, const RayQuery& q, double t) {
+inline SurfacePoint surface(const Geometry&, const Plane& p, const RayQuery& q, double t) {
     const Vec3 normal = p.normal / std::sqrt(p.normal.dot(p.normal));
     Vec3 position = q.ray.origin + t * q.ray.direction;
     position -= normal.dot(position - p.point) * normal;

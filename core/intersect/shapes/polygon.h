@@ -7,12 +7,12 @@
 #include "core/intersect/shapes/edges.h"
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
-inline std::span<const Vec3> corners(const Scene& scene, const Polygon& p) {
-    return {&scene.vertices[p.first], p.count};
+inline std::span<const Vec3> corners(const Geometry& geometry, const Polygon& p) {
+    return {&geometry.vertices[p.first], p.count};
 }
 
 /// The plane that a polygon is taken to lie in, even if its corners are a little off: through their
@@ -47,8 +47,8 @@ inline Box3 box_of(std::span<const Vec3> p) {
     return box;
 }
 
-inline Box3 bounds(const Scene& scene, const Polygon& polygon) {
-    const std::span<const Vec3> p = corners(scene, polygon);
+inline Box3 bounds(const Geometry& geometry, const Polygon& polygon) {
+    const std::span<const Vec3> p = corners(geometry, polygon);
     return is_degenerate(plane_of(p)) ? Box3() : box_of(p);
 }
 
@@ -107,9 +107,9 @@ inline PlanePassage passage(std::span<const Vec3> p, const Vec3& size, const Pol
 
 /// The plane is met at t, and the hit is there, but never outside the box of the corners: where
 /// they are a little off the plane, or the ray runs along it, the plane alone could carry it away.
-inline double first_hit(const Scene& scene, const Polygon& polygon, Sides sides,
+inline double first_hit(const Geometry& geometry, const Polygon& polygon, Sides sides,
                         const RayQuery& q) {
-    const std::span<const Vec3> p = corners(scene, polygon);
+    const std::span<const Vec3> p = corners(geometry, polygon);
     if (!covers(p, q)) return no_hit;
     const PolygonPlane plane = plane_of(p);
     if (is_degenerate(plane)) return no_hit;
@@ -145,9 +145,9 @@ inline Vec3 interpolated_normal(std::span<const Vec3> p, const Vec3* normals, co
     return weights < 0 ? -sum : sum;
 }
 
-inline SurfacePoint surface(const Scene& scene, const Polygon& polygon, const RayQuery& q,
+inline SurfacePoint surface(const Geometry& geometry, const Polygon& polygon, const RayQuery& q,
                             double t) {
-    const std::span<const Vec3> p = corners(scene, polygon);
+    const std::span<const Vec3> p = corners(geometry, polygon);
     const PolygonPlane plane = plane_of(p);
     const Vec3 normal = plane.normal / std::sqrt(plane.normal.dot(plane.normal));
     Vec3 position = q.ray.origin + t * q.ray.direction;
@@ -156,7 +156,7 @@ inline SurfacePoint surface(const Scene& scene, const Polygon& polygon, const Ra
 
     Vec3 shading = normal;
     if (polygon.normals != no_index) {
-        const Vec3 mean = interpolated_normal(p, &scene.normals[polygon.normals], normal, position);
+        const Vec3 mean = interpolated_normal(p, &geometry.normals[polygon.normals], normal, position);
         const double length2 = mean.dot(mean);
         if (length2 > 0 && length2 < infinity) shading = mean / std::sqrt(length2);
     }

@@ -59,7 +59,7 @@ Vec3 refined(const Quadric& s, Vec3 w) {
 /// rounding. So the surface is no further off than the doubt by the slope, which is half the
 /// gradient; where there is no slope to speak of, as on a double plane, the form grows with the
 /// square of the distance. Twice that, so that the kernel sees the difference.
-SurfacePoint surface(const Scene&, const Quadric& s, const RayQuery& q, double t) {
+SurfacePoint surface(const Geometry&, const Quadric& s, const RayQuery& q, double t) {
     const Vec3 w = refined(s, (q.ray.origin - s.centre) + t * q.ray.direction);
     const Evaluation at(s, w);
     const Vec3 row = steepest_row(RealForm(s.coefficients));

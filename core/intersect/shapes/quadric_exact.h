@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/intersect/ray.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 

@@ -14,7 +14,7 @@ inline Plane plane_of(const Ring& r) {
     return {r.centre, r.normal};
 }
 
-inline Box3 bounds(const Scene&, const Ring& r) {
+inline Box3 bounds(const Geometry&, const Ring& r) {
     if (is_degenerate(r)) return {};
     const Vec3 reach = r.outer * reach_of_circle(r.normal);
     return {r.centre - reach, r.centre + reach};
@@ -70,13 +70,13 @@ inline bool is_between(const Ring& r, const Ray& ray) {
 }
 
 /// Hit or miss is right for every ray, and t as good as the plane's.
-inline double first_hit(const Scene& scene, const Ring& r, Sides sides, const RayQuery& q) {
-    const double t = first_hit(scene, plane_of(r), sides, q);
+inline double first_hit(const Geometry& geometry, const Ring& r, Sides sides, const RayQuery& q) {
+    const double t = first_hit(geometry, plane_of(r), sides, q);
     return t < infinity && is_between(r, q.ray) ? t : no_hit;
 }
 
-inline SurfacePoint surface(const Scene& scene, const Ring& r, const RayQuery& q, double t) {
-    return surface(scene, plane_of(r), q, t);
+inline SurfacePoint surface(const Geometry& geometry, const Ring& r, const RayQuery& q, double t) {
+    return surface(geometry, plane_of(r), q, t);
 }
 
 }  // namespace etalon

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/intersect/ray.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 

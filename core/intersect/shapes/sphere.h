@@ -4,11 +4,11 @@
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
 #include "core/numerics/rounding.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
-inline Box3 bounds(const Scene&, const Sphere& s) {
+inline Box3 bounds(const Geometry&, const Sphere& s) {
     if (!is_finite(s.centre) || !(s.radius > 0) || !std::isfinite(s.radius)) return {};
     return {s.centre - Vec3(s.radius), s.centre + Vec3(s.radius)};
 }
@@ -38,7 +38,7 @@ double exact_first_hit(const Sphere& s, Sides sides, const RayQuery& q);
 /// Hit and miss are right for every ray, and t to t_tolerance: where the roundings of the fast
 /// path (Higham 2002, ch. 3) could spoil either, as they do at silhouettes, the exact one takes
 /// over.
-inline double first_hit(const Scene&, const Sphere& s, Sides sides, const RayQuery& q) {
+inline double first_hit(const Geometry&, const Sphere& s, Sides sides, const RayQuery& q) {
     constexpr double u = unit_roundoff, worst = t_tolerance / 2;
     const Vec3 f = q.ray.origin - s.centre;
     const Vec3& d = q.ray.direction;
@@ -67,7 +67,7 @@ inline double first_hit(const Scene&, const Sphere& s, Sides sides, const RayQue
     return first_root(a, b, c, sum, sides, q.ray.tmin);
 }
 
-inline SurfacePoint surface(const Scene&, const Sphere& s, const RayQuery& q, double t) {
+inline SurfacePoint surface(const Geometry&, const Sphere& s, const RayQuery& q, double t) {
     const Vec3 f = q.ray.origin - s.centre + t * q.ray.direction;
     const Vec3 normal = f / std::sqrt(f.dot(f));
     const Vec3 position = s.centre + s.radius * normal;

@@ -4,25 +4,35 @@
 #include "core/intersect/shapes/edges.h"
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
-/// Where they are in the scene: a copy would cost a kernel as much as an edge function.
+/// Corners where they are in the geometry: a copy would cost a kernel as much as an edge function.
+/// Decimal ones are decoded.
 class TriangleCorners {
   public:
-    TriangleCorners(const Scene& scene, const Triangle& t) {
-        for (std::size_t k = 0; k < 3; ++k) corners_[k] = &scene.vertices[t.vertices[k]];
+    TriangleCorners(const Geometry& geometry, const Triangle& t) {
+        const auto [a, b, c] = t.vertices;
+        if (((a | b | c) & decimal_vertex) == 0) {
+            corners_ = {&geometry.vertices[a], &geometry.vertices[b], &geometry.vertices[c]};
+        } else {
+            decoded_ = {geometry.vertex(a), geometry.vertex(b), geometry.vertex(c)};
+            corners_ = {&decoded_[0], &decoded_[1], &decoded_[2]};
+        }
     }
+    TriangleCorners(const TriangleCorners&) = delete;
+    TriangleCorners& operator=(const TriangleCorners&) = delete;
 
     const Vec3& operator[](std::size_t k) const { return *corners_[k]; }
 
   private:
     std::array<const Vec3*, 3> corners_;
+    std::array<Vec3, 3> decoded_;
 };
 
-inline std::array<Vec3, 3> corners(const Scene& scene, const Triangle& t) {
-    const TriangleCorners p(scene, t);
+inline std::array<Vec3, 3> corners(const Geometry& geometry, const Triangle& t) {
+    const TriangleCorners p(geometry, t);
     return {p[0], p[1], p[2]};
 }
 
@@ -30,9 +40,9 @@ inline Vec3 front_normal(const TriangleCorners& p) {
     return (p[1] - p[0]).cross(p[2] - p[0]);
 }
 
-inline Box3 bounds(const Scene& scene, const Triangle& t) {
+inline Box3 bounds(const Geometry& geometry, const Triangle& t) {
     Box3 box;
-    for (const Vec3& p : corners(scene, t)) {
+    for (const Vec3& p : corners(geometry, t)) {
         if (!is_finite(p)) return {};
         box.extendBy(p);
     }
@@ -120,8 +130,8 @@ inline double distance_of(const TriangleCrossing& c, const TriangleCorners& p, c
 }
 
 /// An edge belongs to the triangle; a ray in the triangle's plane misses.
-inline double first_hit(const Scene& scene, const Triangle& tri, Sides sides, const RayQuery& q) {
-    const TriangleCorners p(scene, tri);
+inline double first_hit(const Geometry& geometry, const Triangle& tri, Sides sides, const RayQuery& q) {
+    const TriangleCorners p(geometry, tri);
     const TriangleCrossing c = cross_triangle(p, q);
     if (!c.is_inside() || c.sum == 0 || !faces(c.sum / q.dz, sides)) return no_hit;
     const double t = distance_of(c, p, q);
@@ -129,8 +139,8 @@ inline double first_hit(const Scene& scene, const Triangle& tri, Sides sides, co
 }
 
 /// The position is built from the corners and so as exact as they are, however far the ray came.
-inline SurfacePoint surface(const Scene& scene, const Triangle& tri, const RayQuery& q, double) {
-    const TriangleCorners p(scene, tri);
+inline SurfacePoint surface(const Geometry& geometry, const Triangle& tri, const RayQuery& q, double) {
+    const TriangleCorners p(geometry, tri);
     TriangleCrossing c = cross_triangle(p, q);
     double sum = 0;
     for (double& w : c.weight) sum += w = std::max(0.0, c.sum < 0 ? -w : w);
@@ -141,9 +151,11 @@ inline SurfacePoint surface(const Scene& scene, const Triangle& tri, const RayQu
     const Vec3 n = front_normal(p);
     const Vec3 normal = n / std::sqrt(n.dot(n));
     Vec3 shading = normal;
-    if (tri.normals != no_index) {
-        const Vec3* corner = &scene.normals[tri.normals];
-        const Vec3 mean = u * corner[0] + v * corner[1] + w * corner[2];
+    if (tri.normal_offset != no_index) {
+        const auto corner = [&](std::size_t k) {
+            return geometry.normals[Geometry::normal_number(tri, k)];
+        };
+        const Vec3 mean = u * corner(0) + v * corner(1) + w * corner(2);
         if (mean.dot(mean) > 0) shading = mean / std::sqrt(mean.dot(mean));
     }
     Box3 box;

@@ -17,11 +17,11 @@ constexpr std::size_t sample_size = 4096;
 constexpr double no_limit = 0x1p40;
 
 /// Of every so many-th primitive.
-std::vector<Prospect> sample(const Scene& scene, const Frame& frame, Primitives primitives) {
+std::vector<Prospect> sample(const Geometry& geometry, const Frame& frame, Primitives primitives) {
     const std::size_t step = primitives.size() / sample_size + 1;
     std::vector<Prospect> result;
     for (std::size_t i = 0; i < primitives.size(); i += step) {
-        result.emplace_back(scene, frame, primitives[i]);
+        result.emplace_back(geometry, frame, primitives[i]);
     }
     return result;
 }
@@ -38,7 +38,7 @@ struct Candidates {
 };
 
 /// All that a factor up to `limit` might cut.
-Candidates find_candidates(const Scene& scene, const Frame& frame, Primitives primitives,
+Candidates find_candidates(const Geometry& geometry, const Frame& frame, Primitives primitives,
                            double limit) {
     const Chunks chunks(primitives.size(), chunk_size);
     std::vector<Candidates> of_chunk(chunks.number());
@@ -46,7 +46,7 @@ Candidates find_candidates(const Scene& scene, const Frame& frame, Primitives pr
         for (std::size_t i = begin; i < end; ++i) {
             if (!might_be_cut(primitives[i], limit)) continue;
             of_chunk[chunk].places.push_back(i);
-            of_chunk[chunk].prospects.emplace_back(scene, frame, primitives[i]);
+            of_chunk[chunk].prospects.emplace_back(geometry, frame, primitives[i]);
         }
     });
     Candidates all;
@@ -78,10 +78,10 @@ BoundedPrimitive padded(const Bounds& piece, const BoundedPrimitive& whole) {
 /// Replaces primitives by one of their pieces.
 class Cutter {
   public:
-    Cutter(const Scene& scene, const Frame& frame) : scene_(scene), frame_(frame) {}
+    Cutter(const Geometry& geometry, const Frame& frame) : geometry_(geometry), frame_(frame) {}
 
     void cut(BoundedPrimitive& p, int cuts) {
-        const Corners corners = corners_in(frame_, corners_of(scene_, p));
+        const Corners corners = corners_in(frame_, corners_of(geometry_, p));
         boxes_.clear();
         add_pieces(corners, bounds_of(corners), cuts, boxes_);
         whole.push_back(p);
@@ -93,7 +93,7 @@ class Cutter {
     References whole, others;
 
   private:
-    const Scene& scene_;
+    const Geometry& geometry_;
     const Frame& frame_;
     std::vector<Bounds> boxes_;
 };
@@ -101,21 +101,21 @@ class Cutter {
 }  // namespace
 
 /// The sample's factor does for all, unless it missed some that ask for many cuts.
-std::optional<Presplit> presplit(const Scene& scene, const Frame& frame, Primitives primitives,
+std::optional<Presplit> presplit(const Geometry& geometry, const Frame& frame, Primitives primitives,
                                  const PresplitConfig& config) {
     const auto budget = [&](std::size_t number) {
         return config.budget * static_cast<double>(number);
     };
-    const std::vector<Prospect> some = sample(scene, frame, primitives);
+    const std::vector<Prospect> some = sample(geometry, frame, primitives);
     const double limit = best_factor(some, budget(some.size()), no_limit);
     if (!(gain(some, limit) >= config.least_gain)) return std::nullopt;
 
-    const auto [places, prospects] = find_candidates(scene, frame, primitives, limit);
+    const auto [places, prospects] = find_candidates(geometry, frame, primitives, limit);
     const double most = budget(primitives.size());
     const double factor = best_factor(prospects, most, limit);
     Presplit result{copy(primitives, primitives.size() + static_cast<std::size_t>(most)), {}};
     const Chunks chunks(places.size(), chunk_size / 16);
-    std::vector<Cutter> of_chunk(chunks.number(), Cutter(scene, frame));
+    std::vector<Cutter> of_chunk(chunks.number(), Cutter(geometry, frame));
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const int cuts = prospects[i].cuts(factor);

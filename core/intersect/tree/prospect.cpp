@@ -22,14 +22,14 @@ double total_cuts(std::span<const Prospect> prospects, double factor) {
 
 }  // namespace
 
-std::array<Vec3, 3> corners_of(const Scene& scene, const BoundedPrimitive& triangle) {
-    return corners(scene, scene.get<Triangle>(scene.primitives[triangle.id]));
+std::array<Vec3, 3> corners_of(const Geometry& geometry, const BoundedPrimitive& triangle) {
+    return corners(geometry, geometry.get<Triangle>(geometry.primitives[triangle.id]));
 }
 
-Prospect::Prospect(const Scene& scene, const Frame& frame, const BoundedPrimitive& p)
+Prospect::Prospect(const Geometry& geometry, const Frame& frame, const BoundedPrimitive& p)
     : surface(box_surface(p)), least(surface) {
     if (p.kind != kind_of<Triangle>()) return;
-    const auto world = corners_of(scene, p);
+    const auto world = corners_of(geometry, p);
     const Vec3 a = frame.point(world[0]), b = frame.point(world[1]), c = frame.point(world[2]);
     const Vec3 normal = abs((b - a).cross(c - a));
     least = std::min(surface, normal.x + normal.y + normal.z);

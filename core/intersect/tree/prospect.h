@@ -11,7 +11,7 @@ namespace etalon {
 
 /// A primitive as something to cut.
 struct Prospect {
-    Prospect(const Scene& scene, const Frame& frame, const BoundedPrimitive& p);
+    Prospect(const Geometry& geometry, const Frame& frame, const BoundedPrimitive& p);
 
     /// For a factor that is the same for all.
     int cuts(double factor) const;
@@ -27,7 +27,7 @@ struct Prospect {
 /// False for those that a factor up to `limit` does not cut, by their boxes alone.
 bool might_be_cut(const BoundedPrimitive& p, double limit);
 
-std::array<Vec3, 3> corners_of(const Scene& scene, const BoundedPrimitive& triangle);
+std::array<Vec3, 3> corners_of(const Geometry& geometry, const BoundedPrimitive& triangle);
 
 /// The largest factor up to `limit` that makes no more cuts than may be.
 double best_factor(std::span<const Prospect> prospects, double cuts, double limit);

@@ -2,13 +2,13 @@
 
 #include "core/intersect/frame.h"
 #include "core/intersect/tree/builder.h"
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
 /// A scene's tree: of pieces of its triangles (presplit.h) where that makes it much cheaper, so
 /// that a primitive may be in several leaves.
-BvhTree build_scene_bvh(const Scene& scene, const Frame& frame,
+BvhTree build_scene_bvh(const Geometry& geometry, const Frame& frame,
                         std::vector<BoundedPrimitive> primitives, const BvhConfig& config = {});
 
 }  // namespace etalon

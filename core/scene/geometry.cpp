@@ -1,0 +1,93 @@
+#include "core/scene/geometry.h"
+
+namespace etalon {
+namespace {
+
+template <class T>
+std::size_t memory_bytes(const std::vector<T>& v) {
+    return v.capacity() * sizeof(T);
+}
+
+std::size_t memory_bytes(const TriangleList& triangles) {
+    return triangles.memory_bytes();
+}
+
+}  // namespace
+
+std::uint32_t Geometry::add_vertex(const Vec3& position) {
+    const auto x = Decimal::from(position.x), y = Decimal::from(position.y),
+               z = Decimal::from(position.z);
+    if (x && y && z) {
+        decimal_vertices.push_back({*x, *y, *z});
+        return static_cast<std::uint32_t>(decimal_vertices.size() - 1) | decimal_vertex;
+    }
+    vertices.push_back(position);
+    return static_cast<std::uint32_t>(vertices.size() - 1);
+}
+
+std::uint32_t Geometry::add_vertex(const Vec3& position, const Vec3& normal) {
+    vertices.push_back(position);
+    normals.push_back(normal);
+    return static_cast<std::uint32_t>(vertices.size() - 1);
+}
+
+namespace {
+
+/// Copies shapes from one geometry to the end of another.
+class Appender {
+  public:
+    explicit Appender(Geometry& to)
+        : to_(to),
+          vertices_(static_cast<std::uint32_t>(to.vertices.size())),
+          decimal_vertices_(static_cast<std::uint32_t>(to.decimal_vertices.size())),
+          normals_(static_cast<std::uint32_t>(to.normals.size())) {}
+
+    template <class Shape>
+    void operator()(Shape shape, const Primitive& p) const {
+        renumber(shape);
+        to_.add(shape, p.material, p.sides);
+    }
+
+  private:
+    void renumber(Triangle& t) const {
+        for (std::uint32_t& v : t.vertices) {
+            v += (v & decimal_vertex) != 0 ? decimal_vertices_ : vertices_;
+        }
+        if (t.normal_offset != no_index) t.normal_offset += vertices_ - normals_;
+    }
+    void renumber(Polygon& p) const {
+        p.first += vertices_;
+        if (p.normals != no_index) p.normals += normals_;
+    }
+    template <class Shape>
+    void renumber(Shape&) const {}
+
+    Geometry& to_;
+    std::uint32_t vertices_, decimal_vertices_, normals_;  ///< numbers of the first ones
+};
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+}
+
+}  // namespace
+
+void append(Geometry& geometry, const Geometry& other) {
+    const Appender add(geometry);
+    for (const Primitive p : other.primitives) {
+        with_shape(p.kind, [&]<class Shape>() { add(Shape(other.get<Shape>(p)), p); });
+    }
+    append(geometry.vertices, other.vertices);
+    append(geometry.decimal_vertices, other.decimal_vertices);
+    append(geometry.normals, other.normals);
+}
+
+std::size_t memory_bytes(const Geometry& g) {
+    const std::size_t shapes =
+        std::apply([](const auto&... v) { return (memory_bytes(v) + ...); }, g.shapes);
+    return shapes + g.primitives.memory_bytes() + memory_bytes(g.vertices) +
+           memory_bytes(g.normals) + memory_bytes(g.decimal_vertices);
+}
+
+}  // namespace etalon

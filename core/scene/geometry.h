@@ -1,0 +1,90 @@
+// What rays can hit: plain data, filled by a loader, then read by kernels and backends alone.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/numerics/decimal.h"
+#include "core/scene/primitive_runs.h"
+#include "core/scene/shapes.h"
+
+namespace etalon {
+
+/// A point whose coordinates have few digits.
+using DecimalVertex = std::array<Decimal, 3>;
+
+/// Set in the number of a vertex that is among the decimal ones.
+inline constexpr std::uint32_t decimal_vertex = 0x80000000U;
+
+/// The primitives are numbered in order of appearance; where two are hit at the same distance the
+/// lower number wins, in every backend.
+struct Geometry {
+    PrimitiveRuns primitives;
+    ShapeArrays shapes;
+    std::vector<Vec3> vertices, normals;
+    std::vector<DecimalVertex> decimal_vertices;
+
+    Vec3 vertex(std::uint32_t number) const {
+        if ((number & decimal_vertex) == 0) return vertices[number];
+        const auto& [x, y, z] = decimal_vertices[number & ~decimal_vertex];
+        return {x.value(), y.value(), z.value()};
+    }
+
+    /// Number of a corner's normal, of a triangle that has some.
+    static std::uint32_t normal_number(const Triangle& t, std::size_t corner) {
+        return t.vertices[corner] - t.normal_offset;
+    }
+
+    /// Appends a vertex for triangles, in as few bytes as hold it. Returns its number.
+    std::uint32_t add_vertex(const Vec3& position);
+
+    /// Appends a vertex with a normal. Returns its number; that of the normal is less by
+    /// normal_offset() as it is then.
+    std::uint32_t add_vertex(const Vec3& position, const Vec3& normal);
+
+    /// How many vertices have no normal.
+    std::uint32_t normal_offset() const {
+        return static_cast<std::uint32_t>(vertices.size() - normals.size());
+    }
+
+    template <class Shape>
+    auto& all() {
+        return std::get<kind_of<Shape>()>(shapes);
+    }
+    template <class Shape>
+    const auto& all() const {
+        return std::get<kind_of<Shape>()>(shapes);
+    }
+
+    /// The data of a primitive known to be a `Shape`.
+    template <class Shape>
+    decltype(auto) get(const Primitive& p) const {
+        if constexpr (std::is_same_v<Shape, Triangle>) {
+            return Triangle{all<Triangle>()[p.index], p.normal_offset};
+        } else {
+            return all<Shape>()[p.index];
+        }
+    }
+
+    template <class Shape>
+    void add(const Shape& shape, std::uint32_t material, Sides sides = Sides::both) {
+        Primitive primitive{kind_of<Shape>(), sides,
+                            static_cast<std::uint32_t>(all<Shape>().size()), material};
+        if constexpr (std::is_same_v<Shape, Triangle>) {
+            primitive.normal_offset = shape.normal_offset;
+            all<Triangle>().push_back(shape.vertices);
+        } else {
+            all<Shape>().push_back(shape);
+        }
+        primitives.push_back(primitive);
+    }
+};
+
+/// Adds the primitives of `other` after those that there are. Materials keep their numbers.
+void append(Geometry& geometry, const Geometry& other);
+
+/// Bytes held by the arrays.
+std::size_t memory_bytes(const Geometry& geometry);
+
+}  // namespace etalon

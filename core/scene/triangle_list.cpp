@@ -1,0 +1,55 @@
+#include "core/scene/triangle_list.h"
+
+#include <algorithm>
+
+namespace etalon {
+namespace {
+
+template <class T>
+std::size_t bytes(const std::vector<T>& v) {
+    return v.capacity() * sizeof(T);
+}
+
+template <class Difference>
+void append_differences(const std::vector<TriangleIndices>& triangles, std::uint32_t base,
+                        std::vector<std::array<Difference, 3>>& to) {
+    for (const auto& [a, b, c] : triangles) {
+        to.push_back({static_cast<Difference>(a - base), static_cast<Difference>(b - base),
+                      static_cast<Difference>(c - base)});
+    }
+}
+
+}  // namespace
+
+void TriangleList::reserve(std::size_t more) {
+    const std::size_t needed = narrow_.size() + more;
+    if (needed > narrow_.capacity()) narrow_.reserve(std::max(needed, 2 * narrow_.capacity()));
+}
+
+void TriangleList::push_back(const TriangleIndices& triangle) {
+    open_.push_back(triangle);
+    if (open_.size() == block_size) close_block();
+}
+
+void TriangleList::close_block() {
+    std::uint32_t lowest = open_[0][0], highest = lowest;
+    for (const TriangleIndices& t : open_) {
+        lowest = std::min({lowest, t[0], t[1], t[2]});
+        highest = std::max({highest, t[0], t[1], t[2]});
+    }
+    const bool is_wide = highest - lowest > 0xFFFF;
+    const std::size_t before = is_wide ? wide_.size() : narrow_.size();
+    blocks_.push_back({lowest, static_cast<std::uint32_t>(before / block_size), is_wide});
+    if (is_wide) {
+        append_differences(open_, lowest, wide_);
+    } else {
+        append_differences(open_, lowest, narrow_);
+    }
+    open_.clear();
+}
+
+std::size_t TriangleList::memory_bytes() const {
+    return bytes(blocks_) + bytes(narrow_) + bytes(wide_) + bytes(open_);
+}
+
+}  // namespace etalon

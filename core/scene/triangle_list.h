@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/scene/value_iterator.h"
+
+namespace etalon {
+
+/// The numbers of a triangle's corners.
+using TriangleIndices = std::array<std::uint32_t, 3>;
+
+/// Many triples of vertex numbers, in blocks that hold differences to the smallest number among
+/// them: 16 bits each where that is enough, as in a mesh of up to 65 536 vertices.
+class TriangleList {
+  public:
+    using value_type = TriangleIndices;
+
+    std::size_t size() const { return blocks_.size() * block_size + open_.size(); }
+    bool empty() const { return size() == 0; }
+    /// Makes room for so many more, if they need 16 bits a number.
+    void reserve(std::size_t more);
+    void push_back(const TriangleIndices& triangle);
+
+    TriangleIndices operator[](std::size_t i) const {
+        const std::size_t number = i / block_size, place = i % block_size;
+        if (number == blocks_.size()) return open_[place];
+        const Block& block = blocks_[number];
+        return block.is_wide ? decoded(wide_, block, place) : decoded(narrow_, block, place);
+    }
+
+    ValueIterator<TriangleList> begin() const { return {*this, 0}; }
+    ValueIterator<TriangleList> end() const { return {*this, size()}; }
+
+    std::size_t memory_bytes() const;
+
+  private:
+    static constexpr std::size_t block_size = 64;
+
+    struct Block {
+        std::uint32_t base;     ///< the smallest number
+        std::uint32_t first;    ///< block of `narrow_` or `wide_`
+        bool is_wide;
+    };
+
+    template <class Difference>
+    static TriangleIndices decoded(const std::vector<std::array<Difference, 3>>& differences,
+                                   const Block& block, std::size_t place) {
+        const auto& d = differences[block.first * block_size + place];
+        return {block.base + d[0], block.base + d[1], block.base + d[2]};
+    }
+
+    void close_block();
+
+    std::vector<Block> blocks_;
+    std::vector<std::array<std::uint16_t, 3>> narrow_;
+    std::vector<std::array<std::uint32_t, 3>> wide_;
+    std::vector<TriangleIndices> open_;  ///< of the last block, as long as it is not full
+};
+
+}  // namespace etalon

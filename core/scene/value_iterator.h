@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+
+namespace etalon {
+
+/// Goes through a container whose elements are made when they are asked for.
+template <class Container>
+class ValueIterator {
+  public:
+    ValueIterator(const Container& container, std::size_t place)
+        : container_(&container), place_(place) {}
+
+    auto operator*() const { return (*container_)[place_]; }
+    ValueIterator& operator++() { return ++place_, *this; }
+    bool operator==(const ValueIterator& other) const { return place_ == other.place_; }
+
+  private:
+    const Container* container_;
+    std::size_t place_;
+};
+
+}  // namespace etalon
