@@ -5,11 +5,11 @@
 
 namespace etalon {
 
-Run declare_render(CLI::App& app);
-Run declare_info(CLI::App& app);
-Run declare_trace(CLI::App& app);
-Run declare_crosscheck(CLI::App& app);
-Run declare_compare(CLI::App& app);
-Run declare_convert(CLI::App& app);
+Run declare_render(Options& options);
+Run declare_info(Options& options);
+Run declare_trace(Options& options);
+Run declare_crosscheck(Options& options);
+Run declare_compare(Options& options);
+Run declare_convert(Options& options);
 
 }  // namespace etalon

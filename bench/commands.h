@@ -5,9 +5,9 @@
 
 namespace etalon {
 
-Run declare_speed(CLI::App& app);
-Run declare_accuracy(CLI::App& app);
-Run declare_convergence(CLI::App& app);
-Run declare_report(CLI::App& app);
+Run declare_speed(Options& options);
+Run declare_accuracy(Options& options);
+Run declare_convergence(Options& options);
+Run declare_report(Options& options);
 
 }  // namespace etalon
