@@ -5,11 +5,11 @@
 
 namespace etalon {
 
-Action declare_render(CLI::App& app);
-Action declare_info(CLI::App& app);
-Action declare_trace(CLI::App& app);
-Action declare_crosscheck(CLI::App& app);
-Action declare_compare(CLI::App& app);
-Action declare_convert(CLI::App& app);
+Action declare_render(Options& options);
+Action declare_info(Options& options);
+Action declare_trace(Options& options);
+Action declare_crosscheck(Options& options);
+Action declare_compare(Options& options);
+Action declare_convert(Options& options);
 
 }  // namespace etalon

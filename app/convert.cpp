@@ -39,11 +39,11 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Action declare_convert(CLI::App& app) {
+Action declare_convert(Options& options) {
     auto a = std::make_shared<Arguments>();
-    declare_scene(app, a->scene);
-    app.add_option("-o,--output", a->output, "The new file; its extension names the format")
-        ->required();
+    declare_scene(options, a->scene);
+    options.add("-o,--output", a->output, "The new file; its extension names the format")
+        .required();
     return [a] { return run(*a); };
 }
 

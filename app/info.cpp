@@ -127,10 +127,10 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Action declare_info(CLI::App& app) {
+Action declare_info(Options& options) {
     auto a = std::make_shared<Arguments>();
-    declare_scene(app, a->scene);
-    app.add_flag("--json", a->json, "As JSON");
+    declare_scene(options, a->scene);
+    options.add_flag("--json", a->json, "As JSON");
     return [a] { return run(*a); };
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <new>
 #include <vector>
 
@@ -18,7 +19,8 @@ int parse_and_run(CLI::App& app, std::span<const Command> commands, int argc, ch
     std::vector<std::pair<CLI::App*, Action>> runs;
     for (const Command& command : commands) {
         CLI::App* sub = app.add_subcommand(command.name, command.summary);
-        runs.emplace_back(sub, command.declare(*sub));
+        Options options(*sub);
+        runs.emplace_back(sub, command.declare(options));
     }
     try {
         app.parse(argc, argv);

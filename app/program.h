@@ -1,9 +1,10 @@
 // What the two programs have in common: a table of subcommands, and how they end.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <span>
+
+#include "app/options.h"
 
 namespace etalon {
 
@@ -13,7 +14,7 @@ using Action = std::function<int()>;
 struct Command {
     const char* name;
     const char* summary;
-    Action (*declare)(CLI::App&);  ///< declares the subcommand's options
+    Action (*declare)(Options&);  ///< declares the subcommand's options
 };
 
 /// Parses the command line and runs what it asks for. No exception escapes.

@@ -13,20 +13,23 @@ std::vector<std::string> strings(std::span<const std::string_view> names) {
 
 }  // namespace
 
-void declare_scene(CLI::App& app, SceneArguments& a) {
-    app.add_option("SCENE", a.path, "Scene file; - is standard input")->required();
+void declare_scene(Options& options, SceneArguments& a) {
+    options.add("SCENE", a.path, "Scene file; - is standard input").required();
     const char* group = "Scene";
-    app.add_option("--format", a.options.format,
-                   "Format of the scene (default: told from its content, then its extension)")
-        ->check(CLI::IsMember(strings(format_names())))
-        ->group(group);
-    app.add_flag("--strict", a.options.strict, "Warnings about the scene are errors")->group(group);
-    app.add_option("--legacy", a.legacy, "Shade as the old programs of this format did")
-        ->check(CLI::IsMember(strings(legacy_names())))
-        ->group(group);
-    app.add_flag("--one-sided", a.options.one_sided,
-                 "Opaque surfaces are seen from their front only")
-        ->group(group);
+    options
+        .add("--format", a.options.format,
+             "Format of the scene (default: told from its content, then its extension)")
+        .one_of(strings(format_names()))
+        .group(group);
+    options.add_flag("--strict", a.options.strict, "Warnings about the scene are errors")
+        .group(group);
+    options.add("--legacy", a.legacy, "Shade as the old programs of this format did")
+        .one_of(strings(legacy_names()))
+        .group(group);
+    options
+        .add_flag("--one-sided", a.options.one_sided,
+                  "Opaque surfaces are seen from their front only")
+        .group(group);
 }
 
 LoadedScene load(SceneArguments a) {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/options.h"
 #include "core/formats/load.h"
 #include "core/scene/scene.h"
 
@@ -17,7 +17,7 @@ struct SceneArguments {
     LoadOptions options;
 };
 
-void declare_scene(CLI::App& app, SceneArguments& arguments);
+void declare_scene(Options& options, SceneArguments& arguments);
 
 struct LoadedScene {
     std::optional<Scene> scene;  ///< nothing: give up with `status`

@@ -94,18 +94,17 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Action declare_trace(CLI::App& app) {
+Action declare_trace(Options& options) {
     auto a = std::make_shared<Arguments>();
-    declare_scene(app, a->scene);
-    app.add_option("--rays", a->rays,
-                   "One ray a line, 'ox oy oz dx dy dz [tmin tmax]', decimal or hexadecimal floats;"
-                   " - is standard input")
-        ->required();
-    app.add_option("-o,--output", a->output,
-                   "Hits, a line for each ray (default: standard output)");
-    app.add_option("-b,--backend", a->backend,
-                   "How hits are found (default: the scene's, else bvh)")
-        ->check(CLI::IsMember(backend_names()));
+    declare_scene(options, a->scene);
+    options
+        .add("--rays", a->rays,
+             "One ray a line, 'ox oy oz dx dy dz [tmin tmax]', decimal or hexadecimal floats;"
+             " - is standard input")
+        .required();
+    options.add("-o,--output", a->output, "Hits, a line for each ray (default: standard output)");
+    options.add("-b,--backend", a->backend, "How hits are found (default: the scene's, else bvh)")
+        .one_of(backend_names());
     return [a] { return run(*a); };
 }
 

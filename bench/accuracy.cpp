@@ -103,25 +103,26 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Action declare_accuracy(CLI::App& app) {
+Action declare_accuracy(Options& options) {
     auto a = std::make_shared<Arguments>();
-    app.add_option("--case", a->cases,
-                   "Which, by commas: SPH, SPH-1, or \"SPH-1/1e3 radii\"; --list shows all")
-        ->delimiter(',');
-    app.add_option("--backends", a->backends, "Which, by commas")
-        ->delimiter(',')
-        ->check(CLI::IsMember(backend_names()))
-        ->capture_default_str();
-    app.add_option("--rays", a->rays, "For each case; 1e7 is a number too")
-        ->check(CLI::Range(1.0, 1e12))
-        ->capture_default_str();
-    app.add_option("--limit", a->seconds, "Seconds for each case, which may then get fewer rays")
-        ->check(CLI::PositiveNumber);
-    app.add_flag("--only-backends", a->only_backends, "Leave out kernels by themselves");
-    app.add_flag("--list", a->list, "Only say which cases there are");
-    app.add_option("--json", a->json, "Write the figures to this file; - is standard output");
-    app.add_option("--markdown", a->markdown, "Write the table of docs/accuracy.md to this file");
-    app.add_option("--plots", a->plots, "Write error against cost, SHAPE.svg, to this directory");
+    options
+        .add("--case", a->cases,
+             "Which, by commas: SPH, SPH-1, or \"SPH-1/1e3 radii\"; --list shows all")
+        .by_commas();
+    options.add("--backends", a->backends, "Which, by commas")
+        .by_commas()
+        .one_of(backend_names())
+        .show_default();
+    options.add("--rays", a->rays, "For each case; 1e7 is a number too")
+        .within(1.0, 1e12)
+        .show_default();
+    options.add("--limit", a->seconds, "Seconds for each case, which may then get fewer rays")
+        .positive();
+    options.add_flag("--only-backends", a->only_backends, "Leave out kernels by themselves");
+    options.add_flag("--list", a->list, "Only say which cases there are");
+    options.add("--json", a->json, "Write the figures to this file; - is standard output");
+    options.add("--markdown", a->markdown, "Write the table of docs/accuracy.md to this file");
+    options.add("--plots", a->plots, "Write error against cost, SHAPE.svg, to this directory");
     return [a] { return run(*a); };
 }
 

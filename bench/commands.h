@@ -5,9 +5,9 @@
 
 namespace etalon {
 
-Action declare_speed(CLI::App& app);
-Action declare_accuracy(CLI::App& app);
-Action declare_convergence(CLI::App& app);
-Action declare_report(CLI::App& app);
+Action declare_speed(Options& options);
+Action declare_accuracy(Options& options);
+Action declare_convergence(Options& options);
+Action declare_report(Options& options);
 
 }  // namespace etalon

@@ -80,21 +80,21 @@ int run(const Arguments& a) {
 
 namespace etalon {
 
-Action declare_compare(CLI::App& app) {
+Action declare_compare(Options& options) {
     auto a = std::make_shared<compare::Arguments>();
-    app.add_option("A", a->a, "A picture: EXR, PFM and HDR are linear, PNG and JPEG sRGB")
-        ->required();
-    app.add_option("B", a->b, "What it should be: the reference")->required();
-    app.add_option("--json", a->json, "Write the figures to this file; - is standard output");
-    app.add_option("--heatmap", a->heatmap, "FILE.png: the map of FLIP, black where A is B")
-        ->check([](const std::string& path) {
+    options.add("A", a->a, "A picture: EXR, PFM and HDR are linear, PNG and JPEG sRGB").required();
+    options.add("B", a->b, "What it should be: the reference").required();
+    options.add("--json", a->json, "Write the figures to this file; - is standard output");
+    options.add("--heatmap", a->heatmap, "FILE.png: the map of FLIP, black where A is B")
+        .check([](const std::string& path) {
             return path.ends_with(".png") ? "" : path + ": expected a name ending in .png";
         });
-    app.add_option("--fail-above", a->limits,
-                   "METRIC=VALUE: exit with 1 if it is worse, that is larger, but smaller for psnr "
-                   "and ssim; may be repeated")
-        ->check([](const std::string& text) { return compare::parse_limit(text).error; })
-        ->allow_extra_args(false);
+    options
+        .add("--fail-above", a->limits,
+             "METRIC=VALUE: exit with 1 if it is worse, that is larger, but smaller for psnr "
+             "and ssim; may be repeated")
+        .check([](const std::string& text) { return compare::parse_limit(text).error; })
+        .one_value_each();
     return [a] { return compare::run(*a); };
 }
 

@@ -43,24 +43,25 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Action declare_crosscheck(CLI::App& app) {
+Action declare_crosscheck(Options& options) {
     auto a = std::make_shared<Arguments>();
-    declare_scene(app, a->scene);
-    app.add_option("-b,--backend", a->backends,
-                   "Which, by commas; an error of embree-builtin is "
-                   "shown but does not count")
-        ->delimiter(',')
-        ->check(CLI::IsMember(backend_names()))
-        ->capture_default_str();
-    app.add_option("--rays", a->rays, "Of each kind: camera, bounce, shadow, aimed")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 24))
-        ->capture_default_str();
-    app.add_option("--worst", a->worst, "How many of each backend's worst rays to list")
-        ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 24))
-        ->capture_default_str();
-    app.add_option("--json", a->json, "Write the figures to this file; - is standard output");
-    app.add_option("--rays-out", a->rays_out,
-                   "Write the worst rays to this file, for trace --rays; - is standard output");
+    declare_scene(options, a->scene);
+    options
+        .add("-b,--backend", a->backends,
+             "Which, by commas; an error of embree-builtin is "
+             "shown but does not count")
+        .by_commas()
+        .one_of(backend_names())
+        .show_default();
+    options.add("--rays", a->rays, "Of each kind: camera, bounce, shadow, aimed")
+        .within(std::size_t{1}, std::size_t{1} << 24)
+        .show_default();
+    options.add("--worst", a->worst, "How many of each backend's worst rays to list")
+        .within(std::size_t{0}, std::size_t{1} << 24)
+        .show_default();
+    options.add("--json", a->json, "Write the figures to this file; - is standard output");
+    options.add("--rays-out", a->rays_out,
+                "Write the worst rays to this file, for trace --rays; - is standard output");
     return [a] { return run(*a); };
 }
 

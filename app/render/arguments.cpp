@@ -7,84 +7,84 @@
 namespace etalon {
 namespace {
 
-void declare_picture(CLI::App& app, RenderArguments& a) {
+void declare_picture(Options& options, RenderArguments& a) {
     const char* group = "Picture";
-    app.add_option("-o,--output", a.outputs,
-                   "FILE.exr or FILE.png; may be repeated "
-                   "(default: the scene's name with .exr, in this folder)")
-        ->check([](const std::string& path) {
+    options
+        .add("-o,--output", a.outputs,
+             "FILE.exr or FILE.png; may be repeated "
+             "(default: the scene's name with .exr, in this folder)")
+        .check([](const std::string& path) {
             return can_write(path) ? "" : path + ": expected a name ending in .exr or .png";
         })
-        ->allow_extra_args(false)
-        ->group(group);
-    app.add_option("--resolution", a.resolution, "WIDTHxHEIGHT instead of the scene's")
-        ->group(group);
-    app.add_option("--crop", a.crop, "X0,Y0,X1,Y1: only these pixels, half open")->group(group);
-    app.add_option("--aov", a.aovs,
-                   "NAME,...: channels of the EXR beside the colours: " + aov_names())
-        ->delimiter(',')
-        ->check(check_aov)
-        ->group(group);
-    app.add_option("--exposure", a.exposure, "Stops, for PNG only")->group(group);
+        .one_value_each()
+        .group(group);
+    options.add("--resolution", a.resolution, "WIDTHxHEIGHT instead of the scene's").group(group);
+    options.add("--crop", a.crop, "X0,Y0,X1,Y1: only these pixels, half open").group(group);
+    options.add("--aov", a.aovs, "NAME,...: channels of the EXR beside the colours: " + aov_names())
+        .by_commas()
+        .check(check_aov)
+        .group(group);
+    options.add("--exposure", a.exposure, "Stops, for PNG only").group(group);
 }
 
-void declare_samples(CLI::App& app, RenderArguments& a) {
+void declare_samples(Options& options, RenderArguments& a) {
     const char* group = "Samples";
-    app.add_option("--spp", a.samples,
-                   "Samples per pixel, at most; 0: one ray through each pixel's centre "
-                   "(default: the scene's, but 65536 with --target-error or --time-limit)")
-        ->check(CLI::Range(0, 1 << 24))
-        ->group(group);
-    app.add_option(
-           "--target-error", a.target_error,
-           "relMSE, as `etalon compare` has it, at which the picture is good enough; samples "
-           "go where they help most")
-        ->check(CLI::PositiveNumber)
-        ->group(group);
-    app.add_option("--time-limit", a.time_limit, "Seconds of rendering after which it ends")
-        ->check(CLI::PositiveNumber)
-        ->group(group);
-    app.add_option("--reference", a.reference,
-                   "A picture of the same size: say how far from it this one is, and at what time")
-        ->group(group);
-    app.add_option("--sampler", a.sampler, "sobol, or random to compare with")
-        ->check(CLI::IsMember({"sobol", "random"}))
-        ->group(group);
-    app.add_option("--seed", a.seed, "Of the sample points")->group(group);
-    app.add_flag("--spd", a.spd,
-                 "Count rays by the rules of the Standard Procedural Databases: one through each "
-                 "pixel corner, a mirrored one from all glass")
-        ->excludes("--spp")
-        ->excludes("--target-error")
-        ->group(group);
+    options
+        .add("--spp", a.samples,
+             "Samples per pixel, at most; 0: one ray through each pixel's centre "
+             "(default: the scene's, but 65536 with --target-error or --time-limit)")
+        .within(0, 1 << 24)
+        .group(group);
+    options
+        .add("--target-error", a.target_error,
+             "relMSE, as `etalon compare` has it, at which the picture is good enough; samples "
+             "go where they help most")
+        .positive()
+        .group(group);
+    options.add("--time-limit", a.time_limit, "Seconds of rendering after which it ends")
+        .positive()
+        .group(group);
+    options
+        .add("--reference", a.reference,
+             "A picture of the same size: say how far from it this one is, and at what time")
+        .group(group);
+    options.add("--sampler", a.sampler, "sobol, or random to compare with")
+        .one_of({"sobol", "random"})
+        .group(group);
+    options.add("--seed", a.seed, "Of the sample points").group(group);
+    options
+        .add_flag("--spd", a.spd,
+                  "Count rays by the rules of the Standard Procedural Databases: one through each "
+                  "pixel corner, a mirrored one from all glass")
+        .excludes("--spp")
+        .excludes("--target-error")
+        .group(group);
 }
 
-void declare_rendering(CLI::App& app, RenderArguments& a) {
+void declare_rendering(Options& options, RenderArguments& a) {
     const char* group = "Rendering";
-    app.add_option("-b,--backend", a.backend, "How hits are found (default: the scene's, else bvh)")
-        ->check(CLI::IsMember(backend_names()))
-        ->group(group);
-    app.add_option("--integrator", a.integrator, "auto: what the scene's format asks for")
-        ->check(CLI::IsMember({"auto", "whitted"}))
-        ->group(group);
-    app.add_option("--max-depth", a.max_depth, "Rays in a row, the eye's ray included")
-        ->check(CLI::Range(1, 1000))
-        ->group(group);
-    app.add_option("-t,--threads", a.threads, "Default: all there are")
-        ->check(CLI::Range(1, 4096))
-        ->group(group);
+    options.add("-b,--backend", a.backend, "How hits are found (default: the scene's, else bvh)")
+        .one_of(backend_names())
+        .group(group);
+    options.add("--integrator", a.integrator, "auto: what the scene's format asks for")
+        .one_of({"auto", "whitted"})
+        .group(group);
+    options.add("--max-depth", a.max_depth, "Rays in a row, the eye's ray included")
+        .within(1, 1000)
+        .group(group);
+    options.add("-t,--threads", a.threads, "Default: all there are").within(1, 4096).group(group);
 }
 
 }  // namespace
 
-void declare_render_options(CLI::App& app, RenderArguments& a) {
-    declare_scene(app, a.scene);
-    declare_picture(app, a);
-    declare_samples(app, a);
-    declare_rendering(app, a);
-    app.add_option("--stats", a.stats,
-                   "Write counts, times, sizes and errors as JSON; - is standard output");
-    app.add_flag("-q,--quiet", a.quiet, "No progress and no summary");
+void declare_render_options(Options& options, RenderArguments& a) {
+    declare_scene(options, a.scene);
+    declare_picture(options, a);
+    declare_samples(options, a);
+    declare_rendering(options, a);
+    options.add("--stats", a.stats,
+                "Write counts, times, sizes and errors as JSON; - is standard output");
+    options.add_flag("-q,--quiet", a.quiet, "No progress and no summary");
 }
 
 }  // namespace etalon

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
+#include "app/options.h"
 #include "app/scene_arguments.h"
 #include "core/render/renderer.h"
 
@@ -20,7 +20,7 @@ struct RenderArguments {
     bool spd = false, quiet = false;
 };
 
-void declare_render_options(CLI::App& app, RenderArguments& a);
+void declare_render_options(Options& options, RenderArguments& a);
 
 /// The command line's wishes put into the scene, and the pixels it asks for; returns the reason why
 /// they cannot be had, or nothing.

@@ -189,9 +189,9 @@ class Render {
 
 }  // namespace
 
-Action declare_render(CLI::App& app) {
+Action declare_render(Options& options) {
     auto arguments = std::make_shared<RenderArguments>();
-    declare_render_options(app, *arguments);
+    declare_render_options(options, *arguments);
     return [arguments] { return Render(*arguments).run(); };
 }
 

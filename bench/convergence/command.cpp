@@ -90,35 +90,34 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Action declare_convergence(CLI::App& app) {
+Action declare_convergence(Options& options) {
     auto a = std::make_shared<Arguments>();
-    app.add_option("SCENE", a->scene, "A file, or a name as `etalon-bench speed --list` has them")
-        ->required();
-    app.add_option("--reference", a->reference,
-                   "The picture as it should be (default: rendered, with 32 times the samples)");
-    app.add_option("--samplers", a->plan.samplers, "Which, by commas; the first backend's curves")
-        ->delimiter(',')
-        ->check(CLI::IsMember(sampler_names()))
-        ->capture_default_str();
-    app.add_option("--integrators", a->plan.integrators, "Which, by commas")
-        ->delimiter(',')
-        ->check(CLI::IsMember({"whitted"}))
-        ->capture_default_str();
-    app.add_option("--backends", a->plan.backends,
-                   "Which, by commas; those after the first take "
-                   "the last sampler")
-        ->delimiter(',')
-        ->check(CLI::IsMember(backend_names()))
-        ->capture_default_str();
-    app.add_option("--spp", a->plan.samples, "Samples per pixel at the end of a curve")
-        ->check(CLI::Range(4, 1 << 16))
-        ->capture_default_str();
-    app.add_option("--seeds", a->plan.seeds, "Pictures for each curve")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    app.add_option("--width", a->width, "Of the picture; its height follows (default: the scene's)")
-        ->check(CLI::Range(1, 65536));
-    app.add_option("--json", a->json, "Write the figures to this file; - is standard output");
+    options.add("SCENE", a->scene, "A file, or a name as `etalon-bench speed --list` has them")
+        .required();
+    options.add("--reference", a->reference,
+                "The picture as it should be (default: rendered, with 32 times the samples)");
+    options.add("--samplers", a->plan.samplers, "Which, by commas; the first backend's curves")
+        .by_commas()
+        .one_of(sampler_names())
+        .show_default();
+    options.add("--integrators", a->plan.integrators, "Which, by commas")
+        .by_commas()
+        .one_of({"whitted"})
+        .show_default();
+    options
+        .add("--backends", a->plan.backends,
+             "Which, by commas; those after the first take "
+             "the last sampler")
+        .by_commas()
+        .one_of(backend_names())
+        .show_default();
+    options.add("--spp", a->plan.samples, "Samples per pixel at the end of a curve")
+        .within(4, 1 << 16)
+        .show_default();
+    options.add("--seeds", a->plan.seeds, "Pictures for each curve").within(1, 1000).show_default();
+    options.add("--width", a->width, "Of the picture; its height follows (default: the scene's)")
+        .within(1, 65536);
+    options.add("--json", a->json, "Write the figures to this file; - is standard output");
     return [a] { return run(*a); };
 }
 

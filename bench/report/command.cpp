@@ -125,11 +125,11 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-Action declare_report(CLI::App& app) {
+Action declare_report(Options& options) {
     auto a = std::make_shared<Arguments>();
-    app.add_option("-o,--output", a->folder, "Folder for index.html, made if it is not there")
-        ->capture_default_str();
-    app.add_flag("--quick", a->quick, "Two minutes; else it says beforehand how long");
+    options.add("-o,--output", a->folder, "Folder for index.html, made if it is not there")
+        .show_default();
+    options.add_flag("--quick", a->quick, "Two minutes; else it says beforehand how long");
     return [a] { return run(*a); };
 }
 

@@ -112,50 +112,52 @@ int run(const Arguments& a) {
     return exit_done;
 }
 
-void declare_what(CLI::App& app, Arguments& a) {
-    app.add_option("--scene", a.scenes,
-                   "Names as --list has them, with or without :SIZE, or files; several by commas")
-        ->delimiter(',')
-        ->capture_default_str();
-    app.add_option("--backends", a.backends,
-                   "Which, by commas; those that all are compared with take part always")
-        ->delimiter(',')
-        ->check(CLI::IsMember(contender_names()))
-        ->capture_default_str();
-    app.add_option("--rays", a.kinds, "Kinds of rays, by commas")
-        ->delimiter(',')
-        ->check(CLI::IsMember(std::vector<std::string>(ray_kinds.begin(), ray_kinds.end())))
-        ->capture_default_str();
-    app.add_flag("--list", a.list, "Only say which scenes there are by name");
-    app.add_flag("--only-build", a.only_build, "Shoot no rays");
+void declare_what(Options& options, Arguments& a) {
+    options
+        .add("--scene", a.scenes,
+             "Names as --list has them, with or without :SIZE, or files; several by commas")
+        .by_commas()
+        .show_default();
+    options
+        .add("--backends", a.backends,
+             "Which, by commas; those that all are compared with take part always")
+        .by_commas()
+        .one_of(contender_names())
+        .show_default();
+    options.add("--rays", a.kinds, "Kinds of rays, by commas")
+        .by_commas()
+        .one_of(std::vector<std::string>(ray_kinds.begin(), ray_kinds.end()))
+        .show_default();
+    options.add_flag("--list", a.list, "Only say which scenes there are by name");
+    options.add_flag("--only-build", a.only_build, "Shoot no rays");
 }
 
-void declare_how(CLI::App& app, Arguments& a) {
-    app.add_option("--threads", a.threads, "How many, by commas; 1 is measured always")
-        ->delimiter(',')
-        ->check(CLI::Range(1, usable_cores()))
-        ->capture_default_str();
-    app.add_option("--repeat", a.repeats, "Alternating repeats; medians count")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    app.add_option("--max-rays", a.max_rays, "Of each kind, about")
-        ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
-        ->capture_default_str();
-    app.add_option(
-           "--oracle", a.oracle_seconds,
-           "CPU seconds in which the oracle judges a sample of each kind of ray, and as many "
-           "again for rays in dispute")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    app.add_option("--json", a.json, "Write the figures to this file; - is standard output");
+void declare_how(Options& options, Arguments& a) {
+    options.add("--threads", a.threads, "How many, by commas; 1 is measured always")
+        .by_commas()
+        .within(1, usable_cores())
+        .show_default();
+    options.add("--repeat", a.repeats, "Alternating repeats; medians count")
+        .within(1, 1000)
+        .show_default();
+    options.add("--max-rays", a.max_rays, "Of each kind, about")
+        .within(std::size_t{1}, std::size_t{1} << 28)
+        .show_default();
+    options
+        .add("--oracle", a.oracle_seconds,
+             "CPU seconds in which the oracle judges a sample of each kind of ray, and as many "
+             "again for rays in dispute")
+        .not_negative()
+        .show_default();
+    options.add("--json", a.json, "Write the figures to this file; - is standard output");
 }
 
 }  // namespace
 
-Action declare_speed(CLI::App& app) {
+Action declare_speed(Options& options) {
     auto a = std::make_shared<Arguments>();
-    declare_what(app, *a);
-    declare_how(app, *a);
+    declare_what(options, *a);
+    declare_how(options, *a);
     return [a] { return run(*a); };
 }
 

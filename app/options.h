@@ -1,0 +1,62 @@
+// Declaring the options of a command. CLI11 does the work, out of sight: it is several thousand
+// lines of templates, and each file that includes it takes ten seconds longer to compile.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace etalon {
+
+/// An option just declared. Each function adds a rule to it and returns it, for the next one.
+class Option {
+  public:
+    explicit Option(CLI::Option& option) : option_(&option) {}
+
+    Option& required();
+    /// Several values, with commas between them.
+    Option& by_commas();
+    /// May be repeated, and takes one value each time.
+    Option& one_value_each();
+    Option& excludes(const std::string& other);
+    /// Shows in the help the value that the variable has now.
+    Option& show_default();
+    /// The heading in the help below which it stands.
+    Option& group(const std::string& heading);
+
+    Option& one_of(const std::vector<std::string>& values);
+    Option& within(int least, int most);
+    Option& within(std::size_t least, std::size_t most);
+    Option& within(double least, double most);
+    Option& positive();
+    Option& not_negative();
+    /// `find_fault` returns a text without a fault empty, and else what is wrong with it.
+    Option& check(std::function<std::string(const std::string&)> find_fault);
+
+  private:
+    CLI::Option* option_;
+};
+
+/// The options of one command.
+class Options {
+  public:
+    explicit Options(CLI::App& app) : app_(app) {}
+
+    /// Declares an option by its names, "-o,--output", or a positional argument by its bare name.
+    /// Parsing writes to `value`, which must live until then: an int, unsigned, std::size_t, double
+    /// or std::string, or a vector of int or std::string.
+    template <class T>
+    Option add(const std::string& names, T& value, const std::string& help);
+
+    Option add_flag(const std::string& names, bool& value, const std::string& help);
+
+  private:
+    CLI::App& app_;
+};
+
+}  // namespace etalon
