@@ -70,8 +70,8 @@ std::string describe(const Scene& scene, const Ray& ray, const std::optional<Hit
     if (!hit) return "miss\n";
     const Vec3 n = surface_at(scene.geometry, ray, *hit).normal;
     return fmt::format("hit {:.17g} {} {} {:.17g} {:.17g} {:.17g}\n", hit->t,
-                       kind_name(scene.geometry.primitives[hit->primitive].kind), hit->primitive, n.x, n.y,
-                       n.z);
+                       kind_name(scene.geometry.primitives[hit->primitive].kind), hit->primitive,
+                       n.x, n.y, n.z);
 }
 
 int run(const Arguments& a) {

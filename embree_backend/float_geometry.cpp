@@ -45,7 +45,8 @@ Item* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std
 
 }  // namespace
 
-FloatGeometry::FloatGeometry(const EmbreeDevice& device, const Geometry& geometry, const Frame& frame)
+FloatGeometry::FloatGeometry(const EmbreeDevice& device, const Geometry& geometry,
+                             const Frame& frame)
     : device_(device),
       geometry_(geometry),
       frame_(frame),
@@ -104,7 +105,8 @@ void FloatGeometry::fill_triangles(RTCGeometry geometry,
     device_.check();
     for (const std::uint32_t id : ids) {
         const auto [a, b, c] = get<Triangle>(id).vertices;
-        *to++ = {buffer_index(geometry_, a), buffer_index(geometry_, b), buffer_index(geometry_, c)};
+        *to++ = {buffer_index(geometry_, a), buffer_index(geometry_, b),
+                 buffer_index(geometry_, c)};
     }
 }
 

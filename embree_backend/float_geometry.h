@@ -28,7 +28,7 @@ class FloatGeometry {
     void fill_spheres(RTCGeometry geometry, const std::vector<std::uint32_t>& ids) const;
 
     template <class Shape>
-    const Shape& get(std::uint32_t id) const {
+    decltype(auto) get(std::uint32_t id) const {
         return geometry_.get<Shape>(geometry_.primitives[id]);
     }
 

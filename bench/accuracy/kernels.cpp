@@ -71,15 +71,16 @@ std::unique_ptr<Contender> kernel_contender(const Scene& scene) {
     if (scene.geometry.primitives.size() != 1) return nullptr;
     const Primitive& p = scene.geometry.primitives.front();
     return with_shape(p.kind, [&]<class Shape>() {
-        return contender("kernel", ProjectKernel<Shape>{scene, scene.geometry.get<Shape>(p), p.sides});
+        return contender("kernel",
+                         ProjectKernel<Shape>{scene, scene.geometry.get<Shape>(p), p.sides});
     });
 }
 
 std::vector<std::unique_ptr<Contender>> textbook_contenders(const Scene& scene) {
     if (scene.geometry.primitives.size() != 1) return {};
     const Primitive& p = scene.geometry.primitives.front();
-    return with_shape(p.kind,
-                      [&]<class Shape>() { return textbooks_of(scene, scene.geometry.get<Shape>(p)); });
+    return with_shape(
+        p.kind, [&]<class Shape>() { return textbooks_of(scene, scene.geometry.get<Shape>(p)); });
 }
 
 }  // namespace etalon::accuracy

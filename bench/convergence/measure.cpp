@@ -45,7 +45,7 @@ class Studio {
 class Action {
   public:
     Action(const Studio& studio, const Truth& truth, const Plan& plan, const std::string& sampler,
-        const std::atomic<bool>& stop)
+           const std::atomic<bool>& stop)
         : studio_(studio), truth_(truth), plan_(plan), sampler_(sampler), stop_(stop) {}
 
     /// Empty if it was stopped.

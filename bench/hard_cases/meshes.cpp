@@ -20,7 +20,8 @@ Setting seen_from_inside(const Ellipsoid& e, Feature feature) {
     const auto mesh = std::make_shared<const Scene>(uv_sphere(e.centre, e.radius, e.faces));
     return {*mesh, max_abs(e.radius), [=](Random& random) {
                 const Vec3 origin = e.centre + 0.5 * e.radius * in_ball(random);
-                const auto face = static_cast<std::uint32_t>(random.index(mesh->geometry.primitives.size()));
+                const auto face =
+                    static_cast<std::uint32_t>(random.index(mesh->geometry.primitives.size()));
                 return towards(origin, point_of(Outline(mesh->geometry, face), feature, random));
             }};
 }

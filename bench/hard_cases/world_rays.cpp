@@ -26,8 +26,8 @@ class Surroundings {
         for (std::uint32_t id = 0; id < scene_->geometry.primitives.size(); ++id) {
             if (boxes[id].isEmpty()) continue;
             const bool bounded = is_finite(boxes[id].size());
-            things_.push_back(
-                {bounded ? middle_of(boxes[id]) : whole_, targets_of(scene_->geometry, id, finest)});
+            things_.push_back({bounded ? middle_of(boxes[id]) : whole_,
+                               targets_of(scene_->geometry, id, finest)});
         }
     }
 

@@ -36,7 +36,8 @@ void add_sheet(Scene& scene, const Sheet& sheet, const Point& point) {
     const std::uint32_t height = sheet.rows + !sheet.closes;
     for (std::uint32_t j = 0; j < height; ++j) {
         for (std::uint32_t i = 0; i < width; ++i) {
-            scene.geometry.vertices.push_back(point(i / double(sheet.columns), j / double(sheet.rows)));
+            scene.geometry.vertices.push_back(
+                point(i / double(sheet.columns), j / double(sheet.rows)));
         }
     }
     const auto vertex = [&](std::uint32_t i, std::uint32_t j) {

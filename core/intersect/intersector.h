@@ -18,7 +18,8 @@ namespace etalon {
 /// The scene must outlive the intersector.
 class Intersector {
   public:
-    explicit Intersector(const Geometry& geometry) : Intersector(geometry, SceneBounds::of(geometry)) {}
+    explicit Intersector(const Geometry& geometry)
+        : Intersector(geometry, SceneBounds::of(geometry)) {}
     Intersector(const Geometry& geometry, SceneBounds bounds);
     virtual ~Intersector() = default;
     Intersector(const Intersector&) = delete;

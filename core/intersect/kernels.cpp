@@ -6,10 +6,12 @@ namespace etalon {
 
 Box3 primitive_bounds(const Geometry& geometry, std::uint32_t primitive) {
     const Primitive p = geometry.primitives[primitive];
-    return with_shape(p.kind, [&]<class Shape>() { return bounds(geometry, geometry.get<Shape>(p)); });
+    return with_shape(p.kind,
+                      [&]<class Shape>() { return bounds(geometry, geometry.get<Shape>(p)); });
 }
 
-double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive, const RayQuery& query) {
+double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive,
+                           const RayQuery& query) {
     if (primitive == query.ray.left) return no_hit;
     const Primitive p = geometry.primitives[primitive];
     return with_shape(p.kind, [&]<class Shape>() {
@@ -18,7 +20,8 @@ double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive, co
 }
 
 template <class Shape>
-double shape_first_hit(const Geometry& geometry, const Shape& shape, Sides sides, const RayQuery& query) {
+double shape_first_hit(const Geometry& geometry, const Shape& shape, Sides sides,
+                       const RayQuery& query) {
     return first_hit(geometry, shape, sides, query);
 }
 template double shape_first_hit(const Geometry&, const Triangle&, Sides, const RayQuery&);

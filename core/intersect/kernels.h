@@ -10,12 +10,14 @@ namespace etalon {
 
 /// See core/intersect/shapes/all.h for what these promise.
 Box3 primitive_bounds(const Geometry& geometry, std::uint32_t primitive);
-double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive, const RayQuery& query);
+double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive,
+                           const RayQuery& query);
 
 /// The same for whoever has the shape at hand: a primitive's number leads to it over two cache
 /// misses. Triangles only need their corners.
 template <class Shape>
-double shape_first_hit(const Geometry& geometry, const Shape& shape, Sides sides, const RayQuery& query);
+double shape_first_hit(const Geometry& geometry, const Shape& shape, Sides sides,
+                       const RayQuery& query);
 extern template double shape_first_hit(const Geometry&, const Triangle&, Sides, const RayQuery&);
 extern template double shape_first_hit(const Geometry&, const Sphere&, Sides, const RayQuery&);
 

@@ -16,7 +16,8 @@ constexpr double finest = -15;
 std::vector<std::vector<std::uint32_t>> primitives_by_kind(const Scene& scene) {
     std::vector<std::vector<std::uint32_t>> kinds(shape_kinds);
     for (std::uint32_t id = 0; id < scene.geometry.primitives.size(); ++id) {
-        if (!primitive_bounds(scene.geometry, id).isEmpty()) kinds[scene.geometry.primitives[id].kind].push_back(id);
+        if (!primitive_bounds(scene.geometry, id).isEmpty())
+            kinds[scene.geometry.primitives[id].kind].push_back(id);
     }
     std::erase_if(kinds, [](const auto& ids) { return ids.empty(); });
     return kinds;

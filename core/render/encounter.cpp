@@ -5,7 +5,8 @@
 namespace etalon {
 
 Encounter encounter(const Scene& scene, const Ray& ray, const Hit& hit) {
-    const Material& material = scene.look.materials[scene.geometry.primitives[hit.primitive].material];
+    const Material& material =
+        scene.look.materials[scene.geometry.primitives[hit.primitive].material];
     Encounter at{surface_at(scene.geometry, ray, hit), material, false, Vec3(0), Vec3(0)};
     const SurfacePoint& p = at.surface;
     at.entering = ray.direction.dot(p.normal) < 0;

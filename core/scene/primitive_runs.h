@@ -45,7 +45,8 @@ class PrimitiveRuns {
         if (runs_.empty() || !continues(runs_.back(), primitive)) {
             runs_.push_back({static_cast<std::uint32_t>(size_), primitive});
         }
-        if (size_++ % stride == 0) of_strides_.push_back(static_cast<std::uint32_t>(runs_.size()) - 1);
+        if (size_++ % stride == 0)
+            of_strides_.push_back(static_cast<std::uint32_t>(runs_.size()) - 1);
     }
 
     Primitive operator[](std::size_t primitive) const {
@@ -77,8 +78,7 @@ class PrimitiveRuns {
     bool continues(const Run& run, const Primitive& p) const {
         const Primitive& start = run.start;
         return p.kind == start.kind && p.sides == start.sides && p.material == start.material &&
-               p.normal_offset == start.normal_offset &&
-               p.index - start.index == size_ - run.first;
+               p.normal_offset == start.normal_offset && p.index - start.index == size_ - run.first;
     }
 
     /// Number of the run that a primitive belongs to: between those of the first primitives of its

@@ -39,8 +39,8 @@ class TriangleList {
     static constexpr std::size_t block_size = 64;
 
     struct Block {
-        std::uint32_t base;     ///< the smallest number
-        std::uint32_t first;    ///< block of `narrow_` or `wide_`
+        std::uint32_t base;   ///< the smallest number
+        std::uint32_t first;  ///< block of `narrow_` or `wide_`
         bool is_wide;
     };
 

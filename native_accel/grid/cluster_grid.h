@@ -14,7 +14,8 @@ class ClusterGrid {
 
     /// Clusters are the leaves of the hierarchy that `bvh` is built from: as compact as can be had,
     /// and of pieces of triangles where that pays.
-    ClusterGrid(const Geometry& geometry, const Frame& frame, std::vector<BoundedPrimitive> primitives);
+    ClusterGrid(const Geometry& geometry, const Frame& frame,
+                std::vector<BoundedPrimitive> primitives);
 
     const PackedGrid<BoxPack>& boxes() const { return boxes_; }
     const Clusters& clusters() const { return clusters_; }

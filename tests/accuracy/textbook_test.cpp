@@ -148,7 +148,7 @@ TEST_CASE("A kernel finds a ray occluded exactly where it finds a hit") {
 
 TEST_CASE("A scene that is not one primitive has no kernel by itself") {
     Scene two = scenes().front();
-    two.add(Sphere{Vec3(0), 2}, 0);
+    two.geometry.add(Sphere{Vec3(0), 2}, 0);
     for (const Scene& scene : {Scene(), two}) {
         CHECK(kernel_contender(scene) == nullptr);
         CHECK(textbook_contenders(scene).empty());

@@ -137,7 +137,8 @@ Scene hostile_triangles(const Vec3& eye, std::size_t count) {
     scene.camera.eye = eye;
     test::Random random(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        for (const Vec3& corner : hostile_triangle(eye, random)) scene.geometry.vertices.push_back(corner);
+        for (const Vec3& corner : hostile_triangle(eye, random))
+            scene.geometry.vertices.push_back(corner);
         scene.geometry.add(Triangle{{3 * i, 3 * i + 1, 3 * i + 2}}, 0);
     }
     return scene;
@@ -155,7 +156,7 @@ Scene hostile_spheres(const Vec3& eye, std::size_t count) {
 }
 
 std::size_t different_hits(const Scene& scene) {
-    const Bvh bvh(scene);
+    const Bvh bvh(scene.geometry);
     test::Random random(7);
     const std::vector<Ray> rays = make_rays(scene, 1000, random);
     return static_cast<std::size_t>(std::count_if(rays.begin(), rays.end(), [&](const Ray& ray) {

@@ -176,8 +176,8 @@ TEST_CASE("Given needles, all primitives keep references whose boxes hold them")
     for (std::uint32_t id = 0; id < scene.geometry.primitives.size(); id += 7) {
         const std::vector<Box3f> boxes = boxes_of(id, references);
         const auto& v = scene.geometry.get<Triangle>(scene.geometry.primitives[id]).vertices;
-        const WorldCorners corners{scene.geometry.vertices[v[0]], scene.geometry.vertices[v[1]],
-                                   scene.geometry.vertices[v[2]]};
+        const WorldCorners corners{scene.geometry.vertex(v[0]), scene.geometry.vertex(v[1]),
+                                   scene.geometry.vertex(v[2])};
         for (int k = 0; k < 50; ++k) {
             const Vec3 point = bounds.frame.point(point_of(corners, random));
             // The padding is 26 units of rounding; half of it must be left around the point.
@@ -213,7 +213,8 @@ TEST_CASE("Given what is not carried by needles, the tree is of whole primitives
 TEST_CASE("Given needles in pieces, every backend finds what the kernels find") {
     const Scene scene = scene_of_needles();
     std::vector<std::unique_ptr<Intersector>> intersectors;
-    for (const Backend& backend : exact_backends()) intersectors.push_back(backend.build(scene.geometry));
+    for (const Backend& backend : exact_backends())
+        intersectors.push_back(backend.build(scene.geometry));
     test::Random random(5);
     std::size_t hits = 0, different = 0;
     for (const Ray& ray : make_rays(scene, 200, random)) {

@@ -47,7 +47,9 @@ class RayMaker {
                 random_.one_in(2) ? box.min.z : box.max.z};
     }
 
-    const Vec3& vertex() { return scene_.geometry.vertices[random_.below(scene_.geometry.vertices.size())]; }
+    const Vec3& vertex() {
+        return scene_.geometry.vertices[random_.below(scene_.geometry.vertices.size())];
+    }
 
     Vec3 on_edge() {
         const auto& triangles = scene_.geometry.all<Triangle>();

@@ -1,7 +1,7 @@
 // How a scene's primitives are sorted for accelerators.
 #include "core/intersect/bounded.h"
-#include "core/scene/scene.h"
 #include "core/parallel/parallel.h"
+#include "core/scene/scene.h"
 #include "tests/backends/random.h"
 #include "tests/catch.h"
 
@@ -45,8 +45,8 @@ TEST_CASE("Given any number of threads, primitives are sorted in the order of th
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < bounded.size(); ++i) {
             const BoundedPrimitive& p = found.bounded[i];
-            const Vec3 centre =
-                found.frame.point(scene.geometry.all<Sphere>()[scene.geometry.primitives[p.id].index].centre);
+            const Vec3 centre = found.frame.point(
+                scene.geometry.all<Sphere>()[scene.geometry.primitives[p.id].index].centre);
             const bool around = Box3(Vec3(p.min), Vec3(p.max)).intersects(centre);
             wrong += p.id != bounded[i] || p.kind != kind_of<Sphere>() || !around;
         }

@@ -67,7 +67,8 @@ void add_shape(Scene& scene, Random& random, ShapeKind kind, double size, Sides 
         scene.geometry.add(Plane{3.0 * place, random.direction()}, 0, sides);
     } else if (kind == kind_of<Ring>()) {
         const double outer = size * random.between(0.1, 1);
-        scene.geometry.add(Ring{place, random.direction(), outer * random.between(0, 0.9), outer}, 0, sides);
+        scene.geometry.add(Ring{place, random.direction(), outer * random.between(0, 0.9), outer},
+                           0, sides);
     } else if (kind == kind_of<Quadric>()) {
         add_quadric(scene, random, place, size, sides);
     } else if (kind == kind_of<Ellipsoid>()) {
@@ -76,8 +77,8 @@ void add_shape(Scene& scene, Random& random, ShapeKind kind, double size, Sides 
         scene.geometry.add(ClosedCylinder(any_map(place, size, random)), 0, sides);
     } else {
         scene.geometry.add(Cone{place, place + random.in_cube(size), size * random.between(0, 0.5),
-                       size * random.between(0.1, 0.5)},
-                  0, sides);
+                                size * random.between(0.1, 0.5)},
+                           0, sides);
     }
 }
 

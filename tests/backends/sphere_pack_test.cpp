@@ -64,7 +64,8 @@ class Trial {
             const bool passes = (lanes >> lane & 1) != 0;
             if (i >= spheres_) {
                 empty_and_passed += passes ? 1 : 0;
-            } else if (std::isnan(primitive_first_hit(scene_.geometry, pack.ids[lane], RayQuery(ray)))) {
+            } else if (std::isnan(
+                           primitive_first_hit(scene_.geometry, pack.ids[lane], RayQuery(ray)))) {
                 ++missed;
                 missed_and_passed += passes ? 1 : 0;
             } else {

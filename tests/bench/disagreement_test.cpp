@@ -15,7 +15,8 @@ namespace {
 /// Two triangles one behind the other, seen along -z: the nearer is number 0.
 Scene two_layers() {
     Scene scene;
-    scene.geometry.vertices = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {-1, -1, -1}, {1, -1, -1}, {0, 1, -1}};
+    scene.geometry.vertices = {{-1, -1, 0},  {1, -1, 0},  {0, 1, 0},
+                               {-1, -1, -1}, {1, -1, -1}, {0, 1, -1}};
     scene.geometry.add(Triangle{{0, 1, 2}}, 0);
     scene.geometry.add(Triangle{{3, 4, 5}}, 0);
     return scene;

@@ -35,7 +35,8 @@ TEST_CASE("an NFF camera has no lens, and needs its lines by their names") {
 }
 
 TEST_CASE("an NFF background may stand before the camera and after it") {
-    CHECK(load_nff_text("b 0.25 0.5 1").scene->look.environment.background == Color(0.25F, 0.5F, 1));
+    CHECK(load_nff_text("b 0.25 0.5 1").scene->look.environment.background ==
+          Color(0.25F, 0.5F, 1));
     const LoadResult r = load_text("nff", good_view + "b 0.25 0.5 1");
     CHECK(messages(r).empty());
     CHECK(r.scene->look.environment.background == Color(0.25F, 0.5F, 1));

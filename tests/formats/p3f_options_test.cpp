@@ -55,7 +55,8 @@ TEST_CASE("one-sided shows the front of every shape but those of negative radius
         one_sided());
     CHECK(messages(r).empty());
     REQUIRE(r.scene->geometry.primitives.size() == 11);
-    for (std::size_t i = 0; i < 9; ++i) CHECK(r.scene->geometry.primitives[i].sides == Sides::front);
+    for (std::size_t i = 0; i < 9; ++i)
+        CHECK(r.scene->geometry.primitives[i].sides == Sides::front);
     CHECK(r.scene->geometry.primitives[9].sides == Sides::back);
     CHECK(r.scene->geometry.primitives[10].sides == Sides::back);
 }

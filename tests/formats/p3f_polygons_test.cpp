@@ -91,7 +91,8 @@ TEST_CASE("a polygon that announces more corners than the file can hold is left 
 }
 
 TEST_CASE("corners of patches that agree in position and normal are one vertex") {
-    const std::string a = "0 0 0 0 0 1 ", b = "1 0 0 0 0 1 ", c = "0 1 0 0 0 1 ", d = "1 1 0 0 0 1 ";
+    const std::string a = "0 0 0 0 0 1 ", b = "1 0 0 0 0 1 ", c = "0 1 0 0 0 1 ",
+                      d = "1 1 0 0 0 1 ";
     const LoadResult r = load_objects("pp 3 " + a + b + c + "\npp 3 " + b + d + c);
     CHECK(vertex_count(*r.scene) == 4);
     CHECK(corners_of(*r.scene, 1) == std::vector{Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)});

@@ -75,7 +75,9 @@ TEST_CASE("a hollow in an instance is one in the surface of the reference") {
     const LoadResult r = load_prt_text("instance a\nhsphere 0 0 0 1 .5\nend_instance\n" + glass +
                                        "instance_of a 0 0 0\n" + red + "instance_of a 0 0 0\n");
     CHECK(messages(r).empty());
-    const auto ior = [&](int i) { return r.scene->look.materials[r.scene->geometry.primitives[i].material].ior; };
+    const auto ior = [&](int i) {
+        return r.scene->look.materials[r.scene->geometry.primitives[i].material].ior;
+    };
     CHECK(ior(0) == 1.5);
     CHECK(ior(1) == 1 / 1.5);
     CHECK(ior(2) == 1);

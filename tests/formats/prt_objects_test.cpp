@@ -90,7 +90,8 @@ TEST_CASE("an hsphere is a sphere of matter about one of nothing") {
     const LoadResult r = load_prt_text(glass + "hsphere 1 2 3 .5 .125\nsphere 0 0 0 1");
     CHECK(messages(r).empty());
     REQUIRE(r.scene->geometry.all<Sphere>().size() == 3);
-    const Sphere &outer = r.scene->geometry.all<Sphere>()[0], &inner = r.scene->geometry.all<Sphere>()[1];
+    const Sphere &outer = r.scene->geometry.all<Sphere>()[0],
+                 &inner = r.scene->geometry.all<Sphere>()[1];
     CHECK(outer.centre == Vec3(1, 2, 3));
     CHECK(outer.radius == 0.5);
     CHECK(inner.centre == Vec3(1, 2, 3));

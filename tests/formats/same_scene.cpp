@@ -86,10 +86,12 @@ bool same(const Light& a, const Light& b) {
 std::string difference(const Scene& a, const Primitive& p, const Scene& b, const Primitive& q) {
     if (p.kind != q.kind) return "kind";
     if (p.sides != q.sides) return "sides";
-    if (fields(a.look.materials[p.material]) != fields(b.look.materials[q.material])) return "material";
+    if (fields(a.look.materials[p.material]) != fields(b.look.materials[q.material]))
+        return "material";
     return with_shape(p.kind, [&]<class Shape>() -> std::string {
         if constexpr (requires(const Shape& shape) { fields(a, shape); }) {
-            const bool same = fields(a, a.geometry.get<Shape>(p)) == fields(b, b.geometry.get<Shape>(q));
+            const bool same =
+                fields(a, a.geometry.get<Shape>(p)) == fields(b, b.geometry.get<Shape>(q));
             return same ? "" : "shape";
         } else {
             return "shape of a kind that this test does not know";
@@ -106,12 +108,14 @@ std::string difference(const Scene& a, const Scene& b) {
     if (a.samples_per_pixel != b.samples_per_pixel) return "samples";
     if (a.backend != b.backend) return "backend";
     if (a.display_colors != b.display_colors) return "display";
-    if (!std::equal(a.look.lights.begin(), a.look.lights.end(), b.look.lights.begin(), b.look.lights.end(), same)) {
+    if (!std::equal(a.look.lights.begin(), a.look.lights.end(), b.look.lights.begin(),
+                    b.look.lights.end(), same)) {
         return "lights";
     }
     if (a.geometry.primitives.size() != b.geometry.primitives.size()) return "number of primitives";
     for (std::size_t i = 0; i < a.geometry.primitives.size(); ++i) {
-        const std::string what = difference(a, a.geometry.primitives[i], b, b.geometry.primitives[i]);
+        const std::string what =
+            difference(a, a.geometry.primitives[i], b, b.geometry.primitives[i]);
         if (!what.empty()) return what + " of primitive " + std::to_string(i);
     }
     return {};

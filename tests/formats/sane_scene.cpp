@@ -94,7 +94,8 @@ std::string insanity(const Scene& scene) {
     for (const Primitive p : scene.geometry.primitives) {
         if (p.material >= scene.look.materials.size()) return "a primitive's material";
         const bool good = with_shape(p.kind, [&]<class Shape>() {
-            return p.index < scene.geometry.all<Shape>().size() && fine(scene, scene.geometry.get<Shape>(p));
+            return p.index < scene.geometry.all<Shape>().size() &&
+                   fine(scene, scene.geometry.get<Shape>(p));
         });
         if (!good) return std::string(kind_name(p.kind));
     }

@@ -1,5 +1,6 @@
 // What a line of an SCE file may look like.
 #include "tests/catch.h"
+#include "tests/formats/corners.h"
 #include "tests/formats/sce_text.h"
 
 using namespace etalon;
@@ -52,7 +53,7 @@ TEST_CASE("a wrong number of values costs the line, of a state command too") {
         REQUIRE(r.diagnostics.size() == 1);
         REQUIRE(r.scene->geometry.primitives.size() == 1);
         CHECK(r.scene->look.materials[0].diffuse == Color(1.0F));
-        CHECK(r.scene->geometry.vertices[1] == Vec3(1, 0, 0));
+        CHECK(corners_of(*r.scene, 0)[1] == Vec3(1, 0, 0));
         return messages(r)[0];
     };
     const auto expected = [](const std::string& place, const std::string& numbers) {
@@ -72,7 +73,7 @@ TEST_CASE("a value that is no number costs the line") {
           Messages{"a.sce:1:11: warning: expected a number for the factors of 'scale', found '3x'",
                    "a.sce:2:13: warning: expected a number for the offset of 'translate', found "
                    "'nan', which is not finite"});
-    CHECK(r.scene->geometry.vertices[1] == Vec3(1, 0, 0));
+    CHECK(corners_of(*r.scene, 0)[1] == Vec3(1, 0, 0));
 }
 
 TEST_CASE("a keyword is a whole word") {

@@ -96,7 +96,8 @@ TEST_CASE("normals of a smooth mesh stay perpendicular to it under an uneven mat
         const LoadResult r = folder.load(matrix + "\nobject_phong half.obj\n");
         CAPTURE(matrix);
         REQUIRE(corner_normals(*r.scene, 0).size() == 3);
-        for (const Vec3& n : r.scene->geometry.normals) CHECK(is_along(n, geometric_normal(*r.scene)));
+        for (const Vec3& n : r.scene->geometry.normals)
+            CHECK(is_along(n, geometric_normal(*r.scene)));
     }
 }
 
@@ -104,7 +105,8 @@ TEST_CASE("the normals of a file go with their corners, mirrored ones too") {
     const Meshes folder;
     folder.write("half.obj", tilted + "vn 1 0 0\nvn 0 1 0\nvn 0 0 1\n");
     const LoadResult plain = folder.load("object_phong half.obj\n");
-    CHECK(plain.scene->geometry.normals == std::vector{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)});
+    CHECK(plain.scene->geometry.normals ==
+          std::vector{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)});
     const LoadResult r = folder.load("scale 1 1 -1\nobject_phong half.obj\n");
     CHECK(corners_of(*r.scene, 0) == std::vector{Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(1, 0, 1)});
     const std::vector<Vec3> normals = corner_normals(*r.scene, 0);
@@ -119,7 +121,8 @@ TEST_CASE("normals of one length are of unit length under a matrix that scales")
     const LoadResult r = folder.load("rotate 20 1 2 3\nscale 7 7 7\nobject_phong half.obj\n");
     for (const Vec3& n : r.scene->geometry.normals) CHECK(n.dot(n) == Approx(1).epsilon(1e-15));
     const LoadResult tiny = folder.load("scale 1e-300 1e-300 1e-300\nobject_phong half.obj\n");
-    CHECK(tiny.scene->geometry.normals == folder.load("object_phong half.obj\n").scene->geometry.normals);
+    CHECK(tiny.scene->geometry.normals ==
+          folder.load("object_phong half.obj\n").scene->geometry.normals);
 }
 
 TEST_CASE("a mesh that cannot be had is reported each time, and left out") {

@@ -2,6 +2,7 @@
 #include <variant>
 
 #include "tests/catch.h"
+#include "tests/formats/corners.h"
 #include "tests/formats/sce_text.h"
 
 using namespace etalon;
@@ -69,11 +70,11 @@ TEST_CASE("braces save matrix and surface, push_matrix the matrix alone") {
     const auto diffuse = [&](std::size_t i) {
         return s.look.materials[s.geometry.primitives[i].material].diffuse;
     };
-    CHECK(s.geometry.vertices[0] == Vec3(1, 0, 0));
+    CHECK(corners_of(s, 0)[0] == Vec3(1, 0, 0));
     CHECK(diffuse(0) == Color(0, 1, 0));
-    CHECK(s.geometry.vertices[3] == Vec3(0));
+    CHECK(corners_of(s, 1)[0] == Vec3(0));
     CHECK(diffuse(1) == Color(1, 0, 0));
-    CHECK(s.geometry.vertices[6] == Vec3(0));
+    CHECK(corners_of(s, 2)[0] == Vec3(0));
     CHECK(diffuse(2) == Color(0, 0, 1));
 }
 

@@ -107,7 +107,8 @@ TEST_CASE("every real PRT scene is read without a warning") {
         CHECK(r.scene->format == "prt");
         CHECK(insanity(*r.scene) == "");
         for (const auto& [name, expected] : primitives) {
-            if (fs::path(path).stem() == name) CHECK(r.scene->geometry.primitives.size() == expected);
+            if (fs::path(path).stem() == name)
+                CHECK(r.scene->geometry.primitives.size() == expected);
         }
     }
 }

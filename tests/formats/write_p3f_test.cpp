@@ -203,7 +203,8 @@ TEST_CASE("ellipsoids and closed cylinders become polygons on their surface, fac
     constexpr std::size_t on_sphere = 22 * 48;  // and 2 * 48 triangles at the poles
     const std::vector<Polygon>& polygons = read.scene->geometry.all<Polygon>();
     for (std::size_t i = 0; i < polygons.size(); ++i) {
-        const std::span corners(&read.scene->geometry.vertices[polygons[i].first], polygons[i].count);
+        const std::span corners(&read.scene->geometry.vertices[polygons[i].first],
+                                polygons[i].count);
         const Vec3 a = local(corners[0]), b = local(corners[1]), c = local(corners[2]);
         const double level = i < on_sphere ? a.z : 0;
         CHECK(a.x * a.x + a.y * a.y + level * level == Approx(1).epsilon(1e-12));

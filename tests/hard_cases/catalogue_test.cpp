@@ -71,10 +71,12 @@ bool is_float(const Scene& scene) {
     return all(scene.geometry.vertices, is_float_point) &&
            all(scene.geometry.all<Sphere>(),
                [](const Sphere& s) { return is_float(s.centre) && is_float(s.radius); }) &&
-           all(scene.geometry.all<Box>(), [](const Box& b) { return is_float(b.min) && is_float(b.max); }) &&
+           all(scene.geometry.all<Box>(),
+               [](const Box& b) { return is_float(b.min) && is_float(b.max); }) &&
            all(scene.geometry.all<Plane>(),
                [](const Plane& p) { return is_float(p.point) && is_float(p.normal); }) &&
-           all(scene.geometry.all<Ellipsoid>(), [](const Ellipsoid& e) { return is_float(e.to_world); }) &&
+           all(scene.geometry.all<Ellipsoid>(),
+               [](const Ellipsoid& e) { return is_float(e.to_world); }) &&
            all(scene.geometry.all<ClosedCylinder>(),
                [](const ClosedCylinder& c) { return is_float(c.to_world); }) &&
            all(scene.geometry.all<Cone>(),

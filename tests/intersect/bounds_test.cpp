@@ -34,7 +34,8 @@ TEST_CASE("bounds: given points all over a bounded shape, then every face of the
         for (int i = 0; i < 20000; ++i) {
             const AimedRay aimed = aimed_ray(shape, i, random);
             const double t = primitive_first_hit(shape.scene.geometry, 0, RayQuery(aimed.ray));
-            if (t <= infinity) seen.extendBy(surface_at(shape.scene.geometry, aimed.ray, {t, 0}).position);
+            if (t <= infinity)
+                seen.extendBy(surface_at(shape.scene.geometry, aimed.ray, {t, 0}).position);
         }
         const double tolerance = 0.02 * shape.size;
         CAPTURE(shape.name, box.min, seen.min, box.max, seen.max);

@@ -1,5 +1,5 @@
-#include "core/scene/scene.h"
 #include "core/intersect/shapes/cone.h"
+#include "core/scene/scene.h"
 
 #include "core/intersect/kernels.h"
 #include "core/intersect/oracle/oracle.h"

@@ -20,7 +20,7 @@ Scene mixed_scene(int copies) {
         const Vec3 p = 20.0 * random.in_cube();
         scene.geometry.add(Sphere{p, random.uniform()}, 0);
         scene.geometry.add(Cone{p, p + random.in_cube(), random.uniform(), random.uniform()}, 0,
-                  Sides::back);
+                           Sides::back);
         scene.geometry.add(Box{p, p + Vec3(0.5, 0.1, 1)}, 0, Sides::front);
         scene.geometry.add(Ring{p, random.in_cube(), 0.25, 0.5}, 0);
         const std::array<double, 10> saddle = {1, 0.5, 0, 0.1, -2, 0, 0, 0, 0.5, 0};
@@ -124,7 +124,8 @@ TEST_CASE("Oracle: given one shape alone or far from everything, then its box hi
     for (const ShapeCase& shape : shape_cases()) {
         const Oracle near(shape.scene.geometry);
         Scene crowded = shape.scene;
-        crowded.geometry.add(Sphere{{1e9, 1e9, 1e9}, 1}, 0);  // a coarser margin, so more candidates
+        crowded.geometry.add(Sphere{{1e9, 1e9, 1e9}, 1},
+                             0);  // a coarser margin, so more candidates
         const Oracle far(crowded.geometry);
         Random random(22);
         for (int i = 0; i < 200; ++i) {

@@ -1,5 +1,5 @@
-#include "core/scene/scene.h"
 #include "core/intersect/shapes/polygon.h"
+#include "core/scene/scene.h"
 
 #include "core/intersect/kernels.h"
 #include "core/sampling/random.h"
@@ -72,13 +72,15 @@ TEST_CASE("Polygon: given one across an axis, then t is correctly rounded") {
 TEST_CASE("Polygon: given a quad or its two triangles, then the same rays hit") {
     Scene scene;
     Random random(14);
-    scene.geometry.vertices = {{0, 0, 0}, {2, 0.5, 0}, {2.5, 2, 0}, {0.5, 1.5, 0}};  // a parallelogram
+    scene.geometry.vertices = {
+        {0, 0, 0}, {2, 0.5, 0}, {2.5, 2, 0}, {0.5, 1.5, 0}};  // a parallelogram
     scene.geometry.add(Polygon{0, 4}, 0);
     scene.geometry.add(Triangle{{0, 1, 2}}, 0);
     scene.geometry.add(Triangle{{0, 2, 3}}, 0);
     for (int i = 0; i < 20000; ++i) {
         const auto k = static_cast<std::size_t>(random.index(4));
-        const Vec3 &a = scene.geometry.vertices[k], &b = scene.geometry.vertices[(k + 1 + i % 2) % 4];
+        const Vec3 &a = scene.geometry.vertices[k],
+                   &b = scene.geometry.vertices[(k + 1 + i % 2) % 4];
         const Vec3 origin = 3.0 * random.in_cube();
         const Ray ray{origin, a + random.uniform() * (b - a) - origin};
         CAPTURE(i, ray.origin, ray.direction);

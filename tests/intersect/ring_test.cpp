@@ -1,6 +1,6 @@
-#include "core/scene/scene.h"
 #include "core/intersect/kernels.h"
 #include "core/sampling/random.h"
+#include "core/scene/scene.h"
 #include "tests/catch.h"
 
 using namespace etalon;

@@ -70,8 +70,8 @@ TEST_CASE("Kernels: given a direction scaled by a power of two, then t is scaled
             const double t = primitive_first_hit(shape.scene.geometry, 0, RayQuery(ray));
             const Ray other{ray.origin, scaled(ray.direction, k)};
             CAPTURE(shape.name, k, i, t);
-            REQUIRE(
-                same_bits(std::ldexp(t, -k), primitive_first_hit(shape.scene.geometry, 0, RayQuery(other))));
+            REQUIRE(same_bits(std::ldexp(t, -k),
+                              primitive_first_hit(shape.scene.geometry, 0, RayQuery(other))));
         }
     }
 }

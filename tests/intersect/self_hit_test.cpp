@@ -50,7 +50,8 @@ bool hits_itself(const ShapeCase& shape, const Oracle& oracle, const Spawned& s)
     const bool truly_hit = answer.kind == OracleAnswer::hit;
     if (hit && is_elsewhere(shape, s, t)) return judge(shape, oracle, s.ray, t) == Verdict::wrong;
     if (s.outward) return hit || truly_hit;
-    if (hit && surface_at(shape.scene.geometry, s.ray, {t, 0}).normal.dot(s.ray.direction) < 0) return true;
+    if (hit && surface_at(shape.scene.geometry, s.ray, {t, 0}).normal.dot(s.ray.direction) < 0)
+        return true;
     return judge(shape, oracle, s.ray, t) == Verdict::wrong;
 }
 

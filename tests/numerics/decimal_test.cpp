@@ -43,7 +43,8 @@ TEST_CASE("Decimal: given any double, then it is kept to the bit or refused") {
     Random random(2, 0);
     int refused = 0;
     for (int i = 0; i < 300'000; ++i) {
-        const double x = random.uniform(-1, 1) * std::exp2(static_cast<double>(random.index(80)) - 50);
+        const double x =
+            random.uniform(-1, 1) * std::exp2(static_cast<double>(random.index(80)) - 50);
         refused += Decimal::from(x).has_value() ? 0 : 1;
         if (Decimal::from(x)) REQUIRE(is_kept(x));
     }
@@ -52,8 +53,9 @@ TEST_CASE("Decimal: given any double, then it is kept to the bit or refused") {
 
 TEST_CASE("Decimal: given what it has no form for, then it is refused") {
     const double most = std::numeric_limits<double>::max();
-    for (const double x : {-0.0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), most, 0x1p26, -0x1p26, 1e-30,
-                           std::numeric_limits<double>::quiet_NaN()}) {
+    for (const double x :
+         {-0.0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+          most, 0x1p26, -0x1p26, 1e-30, std::numeric_limits<double>::quiet_NaN()}) {
         CAPTURE(x);
         CHECK_FALSE(Decimal::from(x));
     }

@@ -62,7 +62,8 @@ TEST_CASE("Rays at a box go through its corners and edges to the bit", "[render]
 TEST_CASE("Every kind of shape is aimed at alike, however many there are of it", "[render]") {
     Scene scene = empty_scene();
     scene.geometry.add(Sphere{Vec3(0, 0, -9), 0.001}, 0);
-    for (int i = 0; i < 1000; ++i) scene.geometry.add(Box{Vec3(2 * i, 0, 9), Vec3(2 * i + 1, 1, 10)}, 0);
+    for (int i = 0; i < 1000; ++i)
+        scene.geometry.add(Box{Vec3(2 * i, 0, 9), Vec3(2 * i + 1, 1, 10)}, 0);
     int at_sphere = 0;
     std::set<int> boxes;
     for (const Ray& ray : rays_at_features(scene, cube, 400)) {

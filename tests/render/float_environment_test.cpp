@@ -23,7 +23,8 @@ bool denormals_live() {
 
 TEST_CASE("Building with any backend leaves denormals alone, on every thread", "[render]") {
     Scene scene = test::mixed_scene();
-    for (int i = 0; i < 20000; ++i) scene.geometry.add(Sphere{Vec3(i, 0, 0), 0.25}, 0);  // work for threads
+    for (int i = 0; i < 20000; ++i)
+        scene.geometry.add(Sphere{Vec3(i, 0, 0), 0.25}, 0);  // work for threads
     for (const Backend& backend : all_backends()) {
         INFO(backend.name);
         const auto intersector = backend.build(scene.geometry);

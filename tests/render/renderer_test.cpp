@@ -154,7 +154,8 @@ TEST_CASE("A mirror shows what is behind the eye, as deep as allowed", "[shading
     scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
     CHECK(centre(scene).z == Approx(0.5));
     CHECK(centre(scene, 1) == Color(0.0F));
-    scene.geometry.add(Plane{Vec3(0, 0, 10), Vec3(0, 0, 1)}, 0);  // a second mirror: no light at all
+    scene.geometry.add(Plane{Vec3(0, 0, 10), Vec3(0, 0, 1)},
+                       0);  // a second mirror: no light at all
     CHECK(centre(scene, 1000) == Color(0.0F));
 }
 

@@ -19,8 +19,8 @@ std::ostream& operator<<(std::ostream& out, const Counts& c) {
 }
 
 Counts counts(const Scene& scene) {
-    return {scene.geometry.all<Sphere>().size(), scene.geometry.all<Triangle>().size(), scene.geometry.all<Polygon>().size(),
-            scene.geometry.all<Cone>().size()};
+    return {scene.geometry.all<Sphere>().size(), scene.geometry.all<Triangle>().size(),
+            scene.geometry.all<Polygon>().size(), scene.geometry.all<Cone>().size()};
 }
 
 struct Expected {

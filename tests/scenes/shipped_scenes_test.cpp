@@ -29,7 +29,9 @@ std::set<std::string> keywords(const std::string& path) {
 
 /// Whether some corners of the polygon turn one way and some the other.
 bool is_concave(const Scene& scene, const Polygon& p) {
-    const auto corner = [&](std::uint32_t k) { return scene.geometry.vertices[p.first + k % p.count]; };
+    const auto corner = [&](std::uint32_t k) {
+        return scene.geometry.vertices[p.first + k % p.count];
+    };
     const auto turn = [&](std::uint32_t k) {
         return (corner(k + 1) - corner(k)) % (corner(k + 2) - corner(k + 1));
     };
@@ -40,7 +42,7 @@ bool is_concave(const Scene& scene, const Polygon& p) {
 }
 
 bool has(const Scene& scene, auto condition) {
-    return std::ranges::any_of(scene.geometry.primitives, [&](const Primitive& p) {
+    return std::ranges::any_of(scene.geometry.primitives.list(), [&](const Primitive& p) {
         return condition(p, scene.look.materials[p.material]);
     });
 }

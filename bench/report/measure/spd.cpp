@@ -23,7 +23,8 @@ void measure(const SpdScene& wanted, Results& results, const Context& context) {
     if (!loaded.scene) return;
     Scene scene = std::move(*loaded.scene);
     apply_spd_rules(scene);
-    SpdFigures figures{wanted.family, wanted.size, scene.geometry.primitives.size(), watch.lap().cpu, {}};
+    SpdFigures figures{
+        wanted.family, wanted.size, scene.geometry.primitives.size(), watch.lap().cpu, {}};
     for (const std::string& backend : results.settings.spd_backends) {
         const Rendered r = rendered(scene, backend, options_for(scene, context));
         if (!r.rendering.complete) return;

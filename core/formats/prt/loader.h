@@ -17,9 +17,9 @@ struct Definition {
 /// An instance whose end has not come yet.
 struct OpenDefinition {
     std::string_view name;
-    std::size_t keyword;  ///< offset of the statement
-    std::size_t first;    ///< offset of the statements
-    int nested = 0;       ///< instances inside it, which are errors
+    std::size_t keyword;          ///< offset of the statement
+    std::size_t first;            ///< offset of the statements
+    int nested = 0;               ///< instances inside it, which are errors
     Geometry outer_geometry;      ///< the scene's, whose place that of the definition takes
     std::size_t outer_materials;  ///< how many the scene had
     std::optional<std::uint32_t> outer_material;

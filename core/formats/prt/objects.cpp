@@ -54,7 +54,7 @@ void read_hollow_sphere(Loader& loader) {
     loader.add(Sphere{centre, radius}, sides);
     if (!(radius - thickness > 0)) return;
     loader.scene.geometry.add(Sphere{centre, radius - thickness}, hollow(loader),
-                     sides == Sides::both ? Sides::both : Sides::back);
+                              sides == Sides::both ? Sides::both : Sides::back);
 }
 
 /// Of the two points about the centre only the plane matters. (The document's text has the inner

@@ -16,7 +16,8 @@ std::vector<Triangle> run_from(const Scene& scene, std::size_t first) {
     for (std::size_t i = first; i < scene.geometry.primitives.size(); ++i) {
         const Primitive p = scene.geometry.primitives[i];
         const bool alike = p.kind == start.kind && p.material == start.material &&
-                           p.sides == start.sides && is_smooth(scene.geometry.get<Triangle>(p)) == smooth;
+                           p.sides == start.sides &&
+                           is_smooth(scene.geometry.get<Triangle>(p)) == smooth;
         if (!alike) break;
         run.push_back(scene.geometry.get<Triangle>(p));
     }

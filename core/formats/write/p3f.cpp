@@ -42,7 +42,8 @@ class P3fScene {
         const auto sends_rays = [](const Material& m) {
             return m.reflection != Color(0.0F) || m.transmission != Color(0.0F);
         };
-        if (ours.max_depth != p3f.max_depth && std::ranges::any_of(scene_.look.materials, sends_rays)) {
+        if (ours.max_depth != p3f.max_depth &&
+            std::ranges::any_of(scene_.look.materials, sends_rays)) {
             lost_.add(fmt::format("depth of {} rays, now {}", ours.max_depth, p3f.max_depth));
         }
         if (ours.schlick || ours.clamp_each_ray || ours.fit_eye_rays || ours.fixed_bias != 0) {
@@ -90,7 +91,8 @@ class P3fScene {
             out_.mesh(mesh.vertices, mesh.faces);
             return first + mesh.faces.size();
         }
-        with_shape(p.kind, [&]<class Shape>() { write_shape(scene_.geometry.get<Shape>(p), p.sides); });
+        with_shape(p.kind,
+                   [&]<class Shape>() { write_shape(scene_.geometry.get<Shape>(p), p.sides); });
         return first + 1;
     }
 

@@ -66,7 +66,7 @@ Crossings define(const Geometry& geometry, const Triangle& triangle, const Ray& 
     Crossings found;
     std::array<Corner, 3> c;
     for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3& corner = geometry.vertices[triangle.vertices[i]];
+        const Vec3 corner = geometry.vertex(triangle.vertices[i]);
         if (!is_finite(corner)) return found;
         c[i] = Corner(TrackedVec(corner) - ray.origin);
     }

@@ -156,7 +156,8 @@ inline SurfacePoint surface(const Geometry& geometry, const Polygon& polygon, co
 
     Vec3 shading = normal;
     if (polygon.normals != no_index) {
-        const Vec3 mean = interpolated_normal(p, &geometry.normals[polygon.normals], normal, position);
+        const Vec3 mean =
+            interpolated_normal(p, &geometry.normals[polygon.normals], normal, position);
         const double length2 = mean.dot(mean);
         if (length2 > 0 && length2 < infinity) shading = mean / std::sqrt(length2);
     }

@@ -130,7 +130,8 @@ inline double distance_of(const TriangleCrossing& c, const TriangleCorners& p, c
 }
 
 /// An edge belongs to the triangle; a ray in the triangle's plane misses.
-inline double first_hit(const Geometry& geometry, const Triangle& tri, Sides sides, const RayQuery& q) {
+inline double first_hit(const Geometry& geometry, const Triangle& tri, Sides sides,
+                        const RayQuery& q) {
     const TriangleCorners p(geometry, tri);
     const TriangleCrossing c = cross_triangle(p, q);
     if (!c.is_inside() || c.sum == 0 || !faces(c.sum / q.dz, sides)) return no_hit;
@@ -139,7 +140,8 @@ inline double first_hit(const Geometry& geometry, const Triangle& tri, Sides sid
 }
 
 /// The position is built from the corners and so as exact as they are, however far the ray came.
-inline SurfacePoint surface(const Geometry& geometry, const Triangle& tri, const RayQuery& q, double) {
+inline SurfacePoint surface(const Geometry& geometry, const Triangle& tri, const RayQuery& q,
+                            double) {
     const TriangleCorners p(geometry, tri);
     TriangleCrossing c = cross_triangle(p, q);
     double sum = 0;

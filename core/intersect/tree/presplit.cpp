@@ -101,8 +101,8 @@ class Cutter {
 }  // namespace
 
 /// The sample's factor does for all, unless it missed some that ask for many cuts.
-std::optional<Presplit> presplit(const Geometry& geometry, const Frame& frame, Primitives primitives,
-                                 const PresplitConfig& config) {
+std::optional<Presplit> presplit(const Geometry& geometry, const Frame& frame,
+                                 Primitives primitives, const PresplitConfig& config) {
     const auto budget = [&](std::size_t number) {
         return config.budget * static_cast<double>(number);
     };
