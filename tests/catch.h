@@ -1,4 +1,4 @@
-// Catch2 2.13 (Debian 12) and 3 (Debian 13) from one source.
+// Catch2 2.13 (Debian 12) and 3 (Debian 13) from one source, and skipping for both.
 #pragma once
 
 #if __has_include(<catch2/catch_all.hpp>)
@@ -11,3 +11,22 @@ inline auto ContainsSubstring(const std::string& part) {
     return Catch::Matchers::Contains(part);
 }
 #endif
+
+namespace etalon::test {
+
+/// Number of test cases of this process that were skipped; main() turns it into an exit status.
+inline int skipped_cases = 0;
+
+}  // namespace etalon::test
+
+/// Ends a test case, as skipped, on a machine that does not meet `condition`. The case has the tag
+/// [needs_...], by which it is a test of its own for ctest, which reports it as skipped. What has
+/// failed before in the same run stays a failure.
+#define SKIP_UNLESS(condition, reason)     \
+    do {                                   \
+        if (!(condition)) {                \
+            ++etalon::test::skipped_cases; \
+            WARN("skipped: " << reason);   \
+            return;                        \
+        }                                  \
+    } while (false)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <exception>
 #include <system_error>
 #include <thread>
@@ -12,8 +13,6 @@
 
 namespace etalon::speed {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 std::vector<int> cores() {
     cpu_set_t set;
@@ -32,6 +31,11 @@ void pin_to(int core) {
     CPU_SET(core, &set);
     const int error = pthread_setaffinity_np(pthread_self(), sizeof set, &set);
     if (error != 0) throw std::system_error(error, std::generic_category(), "pinning a thread");
+}
+
+double wall_seconds() {
+    using Seconds = std::chrono::duration<double>;
+    return Seconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 double thread_cpu_seconds() {
@@ -58,8 +62,7 @@ class StartLine {
 
 /// One thread's share of the work.
 struct Shift {
-    Clock::time_point begin, end;
-    double cpu = 0;
+    double begin = 0, end = 0, cpu = 0;
     std::exception_ptr failure;
 
     /// Keeps the first failure, so that threads still meet.
@@ -73,25 +76,24 @@ struct Shift {
         }
     }
 
-    void run(const std::function<void()>& work) {
-        begin = Clock::now();
-        const double start = thread_cpu_seconds();
+    void run(const std::function<void()>& work, const Clocks& clocks) {
+        begin = clocks.wall();
+        const double start = clocks.thread_cpu();
         work();
-        cpu = thread_cpu_seconds() - start;
-        end = Clock::now();
+        cpu = clocks.thread_cpu() - start;
+        end = clocks.wall();
     }
 };
 
 Duration total(const std::vector<Shift>& shifts) {
-    Clock::time_point begin = shifts.front().begin, end = shifts.front().end;
-    double cpu = 0;
+    double begin = shifts.front().begin, end = shifts.front().end, cpu = 0;
     for (const Shift& s : shifts) {
         if (s.failure) std::rethrow_exception(s.failure);
         begin = std::min(begin, s.begin);
         end = std::max(end, s.end);
         cpu += s.cpu;
     }
-    return {std::chrono::duration<double>(end - begin).count(), cpu};
+    return {end - begin, cpu};
 }
 
 }  // namespace
@@ -100,7 +102,9 @@ int usable_cores() {
     return static_cast<int>(cores().size());
 }
 
-Duration run_pinned(int threads, const std::function<void()>& work) {
+const Clocks system_clocks{wall_seconds, thread_cpu_seconds};
+
+Duration run_pinned(int threads, const std::function<void()>& work, const Clocks& clocks) {
     const std::vector<int> places = cores();
     std::vector<Shift> shifts(static_cast<std::size_t>(threads));
     StartLine line(threads);
@@ -110,7 +114,7 @@ Duration run_pinned(int threads, const std::function<void()>& work) {
             Shift& shift = shifts[k];
             shift.attempt([&] { pin_to(places.at(k)); });
             line.arrive_and_wait();
-            shift.attempt([&] { shift.run(work); });
+            shift.attempt([&] { shift.run(work, clocks); });
         });
     }
     crew.clear();  // joins

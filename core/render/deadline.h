@@ -5,24 +5,32 @@
 
 namespace etalon {
 
-/// So many seconds on the wall, from now on. Made without a limit it never comes.
+/// A number of seconds on the wall, from now on. Without a limit it never comes.
 class Deadline {
   public:
+    using Clock = double (*)();  ///< seconds since any fixed moment, from any thread
+
     Deadline() = default;
-    explicit Deadline(double seconds) : seconds_(seconds) {}
+    explicit Deadline(double seconds, Clock clock = wall_seconds)
+        : seconds_(seconds), clock_(clock), start_(clock()) {}
 
     /// In [0, 1]; always 0 without a limit.
     double part_over() const {
         if (seconds_ <= 0) return 0;
-        const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - start_;
-        return std::min(gone.count() / seconds_, 1.0);
+        return std::min((clock_() - start_) / seconds_, 1.0);
     }
 
     bool is_over() const { return part_over() >= 1; }
 
   private:
+    static double wall_seconds() {
+        using Seconds = std::chrono::duration<double>;
+        return Seconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+    }
+
     double seconds_ = 0;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    Clock clock_ = wall_seconds;
+    double start_ = 0;
 };
 
 }  // namespace etalon

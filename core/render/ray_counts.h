@@ -13,6 +13,7 @@ struct RayCounts {
 
     std::uint64_t total() const { return camera + shadow + reflected + refracted; }
     RayCounts& operator+=(const RayCounts& other);
+    bool operator==(const RayCounts&) const = default;
 };
 
 }  // namespace etalon

@@ -20,6 +20,7 @@ Row row(std::string id, std::string shape, std::string contender, double ulps, s
         r.tally.double_ulps.add(share * std::ldexp(ulps, 29));
         r.tally.conditioned.add(share * 3.1e10);
         r.tally.position.add(share * 5.123e-10);
+        r.tally.shift.add(share * 2.5e-12);
     }
     r.cost = cost;
     r.nanoseconds = 10.0 / 3 * (cost > 0 ? cost : 1);

@@ -3,6 +3,20 @@
 
 using namespace etalon::accuracy;
 
+namespace {
+
+constexpr std::uint64_t Tally::*counts[] = {
+    &Tally::rays,           &Tally::undecidable,      &Tally::false_hits, &Tally::false_misses,
+    &Tally::wrong_roots,    &Tally::wrong_primitives, &Tally::leaks,      &Tally::self_hits,
+    &Tally::contradictions, &Tally::deviations};
+constexpr Distribution Tally::*distributions[] = {
+    &Tally::float_ulps, &Tally::double_ulps, &Tally::conditioned, &Tally::position, &Tally::shift};
+static_assert(sizeof(Tally) == std::size(counts) * sizeof(std::uint64_t) +
+                                   std::size(distributions) * sizeof(Distribution),
+              "a member of Tally is not in these lists");
+
+}  // namespace
+
 TEST_CASE("A quantile is right to within a sixteenth of an octave, and the maximum exact") {
     Distribution d;
     for (int i = 1; i <= 1000; ++i) d.add(1e-9 * i);
@@ -30,19 +44,43 @@ TEST_CASE("Values beyond the buckets' range are kept at its ends") {
     CHECK(d.max() == 1e300);
 }
 
-TEST_CASE("The sum of tallies is the tally of all rays") {
-    Tally sum;
-    for (const Row& r : sample_rows()) sum += r.tally;
-    std::uint64_t rays = 0, errors = 0, ulps = 0;
-    double worst = 0;
-    for (const Row& r : sample_rows()) {
-        rays += r.tally.rays;
-        errors += r.tally.errors();
-        ulps += r.tally.float_ulps.count();
-        worst = std::max(worst, r.tally.float_ulps.max());
+TEST_CASE("The sum of tallies is the sum of each of their counts") {
+    Tally a, b;
+    for (std::size_t i = 0; i < std::size(counts); ++i) {
+        a.*counts[i] = i + 1;
+        b.*counts[i] = 100 * (i + 1);
     }
-    CHECK(sum.rays == rays);
-    CHECK(sum.errors() == errors);
-    CHECK(sum.float_ulps.count() == ulps);
-    CHECK(sum.float_ulps.max() == worst);
+    a += b;
+    for (std::size_t i = 0; i < std::size(counts); ++i) {
+        CAPTURE(i);
+        CHECK(a.*counts[i] == 101 * (i + 1));
+    }
+}
+
+TEST_CASE("The distributions of a sum of tallies are of the values of both") {
+    Tally a, b;
+    for (std::size_t i = 0; i < std::size(distributions); ++i) {
+        const double value = std::exp2(static_cast<double>(i));
+        for (const double part : {1, 2}) (a.*distributions[i]).add(part * value);
+        (b.*distributions[i]).add(1000 * value);
+    }
+    a += b;
+    for (std::size_t i = 0; i < std::size(distributions); ++i) {
+        CAPTURE(i);
+        const double value = std::exp2(static_cast<double>(i));
+        const Distribution& sum = a.*distributions[i];
+        CHECK(sum.count() == 3);
+        CHECK(sum.max() == 1000 * value);
+        CHECK(sum.quantile(0.6) == Approx(2 * value).epsilon(0.05));
+    }
+}
+
+TEST_CASE("Every kind of error is an error, and a ray is none") {
+    std::uint64_t errors = 0;
+    for (const auto count : counts) {
+        Tally t;
+        t.*count = 1;
+        errors += t.errors();
+    }
+    CHECK(errors == std::size(counts) - 2);  // all but `rays` and `undecidable`
 }

@@ -16,6 +16,12 @@ std::vector<float> pixels(const std::string& path) {
     return std::get<std::vector<float>>(image.value.pixels);
 }
 
+/// Waits until the process $pid has used a second of processor time: in the middle of its work,
+/// however long it has waited for a processor.
+const std::string until_it_has_worked =
+    "while kill -0 $pid && test $(cut -d ' ' -f 14 /proc/$pid/stat) -lt $(getconf CLK_TCK); do "
+    "sleep 0.05; done; ";
+
 }  // namespace
 
 TEST_CASE("render writes SCENE's name with .exr beside the caller by default", "[app]") {
@@ -167,9 +173,8 @@ TEST_CASE("An interrupted render writes what there is", "[app]") {
     f.write("ball.p3f", small_scene);
     for (const auto& [signal, status] : {std::pair{"INT", 130}, std::pair{"TERM", 143}}) {
         const auto r = f.shell(std::string(ETALON_BINARY_DIR) +
-                               "/bin/etalon render ball.p3f --spp 10000000 -o cut.exr & pid=$!; "
-                               "sleep 1; kill -" +
-                               signal + " $pid; wait $pid");
+                               "/bin/etalon render ball.p3f --spp 10000000 -o cut.exr & pid=$!; " +
+                               until_it_has_worked + "kill -" + signal + " $pid; wait $pid");
         CHECK(r.status == status);
         CHECK(pixels(f.path("cut.exr")).size() == 32 * 24 * 3);
     }

@@ -29,14 +29,15 @@ TEST_CASE("render --reference says how the error falls, and what compare says of
                 .status == 0);
     const json s = f.stats();
     REQUIRE(s["convergence"].size() == 5);
-    double last = 1e9, seconds = 0;
+    double last = 1e9;
+    int samples = 1;
     for (const json& point : s["convergence"]) {
         CHECK(point["relmse"] < last);
-        CHECK(point["cpu_seconds"] >= seconds);
+        CHECK(point["spp"] == samples);
+        CHECK(point["cpu_seconds"].is_number());
         last = point["relmse"];
-        seconds = point["cpu_seconds"];
+        samples *= 2;
     }
-    CHECK(s["convergence"][4]["spp"] == 16);
     REQUIRE(f.etalon("compare a.exr reference.exr --json c.json").status == 0);
     CHECK(s["error"] == json::parse(f.read("c.json")));
 }
@@ -81,17 +82,19 @@ TEST_CASE("what cannot be an error, a time or a sampler is wrong usage", "[app]"
 
 TEST_CASE("render --time-limit ends a picture without end, whole", "[app]") {
     const Converging f;
-    const auto r = f.etalon("render ball.p3f --time-limit 0.2 -q -o a.exr --stats s.json");
+    constexpr int endless = 1 << 24;
+    const auto r = f.etalon("render ball.p3f --time-limit 0.2 --spp " + std::to_string(endless) +
+                            " -q -o a.exr --stats s.json");
     CHECK(r.status == 0);
-    CHECK(r.cpu_seconds < 10);
     CHECK(f.stats()["image"]["spp"] >= 1);
+    CHECK(f.stats()["image"]["spp"] < endless);
     CHECK(f.etalon("compare a.exr reference.exr --fail-above relmse=0.2").status == 0);
 }
 
 TEST_CASE("a time too short for anything is a picture of one sample a pixel", "[app]") {
     const Converging f;
     const auto r = f.etalon(
-        "render ball.p3f --time-limit 1e-6 --reference reference.exr -o a.exr "
+        "render ball.p3f --time-limit 1e-300 --reference reference.exr -o a.exr "
         "--stats s.json");
     CHECK(r.status == 0);
     CHECK_THAT(r.err, ContainsSubstring("relMSE"));

@@ -56,8 +56,18 @@ TEST_CASE("A tally leaves out what is undecidable and orders the errors of t", "
     CHECK(t.occlusion_errors == 1);
     CHECK(t.t_quantile(0.5) == 0);
     CHECK(t.t_quantile(1) == 4);
-    CHECK(sum({t, t}).class_errors == 2);
-    CHECK(sum({t, t}).t_ulp == std::vector<double>{0, 0, 4, 4});
+}
+
+TEST_CASE("The sum of tallies is the sum of each of their numbers", "[crosscheck]") {
+    const Tally a{1, 2, 4, 8, 16, {0, 4}, 0.5}, b{100, 200, 400, 800, 1600, {2}, 0.25};
+    const Tally both = sum({a, b});
+    CHECK(both.rays == 101);
+    CHECK(both.undecidable == 202);
+    CHECK(both.class_errors == 404);
+    CHECK(both.primitive_errors == 808);
+    CHECK(both.occlusion_errors == 1616);
+    CHECK(both.t_ulp == std::vector<double>{0, 2, 4});
+    CHECK(both.seconds == 0.75);
 }
 
 TEST_CASE("A contingency table counts decided rays by who is right", "[crosscheck]") {

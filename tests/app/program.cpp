@@ -58,12 +58,8 @@ Outcome Folder::shell(const std::string& command, const std::string& input) cons
     int status = 0;
     rusage usage = {};
     wait4(child, &status, 0, &usage);
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
     return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), io.read("out"),
-            io.read("err"), seconds(usage.ru_utime) + seconds(usage.ru_stime),
-            static_cast<std::size_t>(usage.ru_maxrss) * 1024};
+            io.read("err"), static_cast<std::size_t>(usage.ru_maxrss) * 1024};
 }
 
 }  // namespace etalon::test

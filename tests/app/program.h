@@ -10,7 +10,6 @@ namespace etalon::test {
 struct Outcome {
     int status;  ///< exit status; 128 + n where signal n ended it
     std::string out, err;
-    double cpu_seconds;
     std::size_t peak_bytes;
 };
 

@@ -204,7 +204,8 @@ TEST_CASE("Given any limits, a tree keeps them") {
     }
 }
 
-TEST_CASE("Given another number of threads, the tree is the same") {
+TEST_CASE("Given another number of threads, the tree is the same", "[needs_two_cores]") {
+    SKIP_UNLESS(max_threads() >= 2, "a single core");
     for (const Cast& cast : casts) {
         const Primitives primitives = cast(50'000);
         const auto built = [&](int threads) {

@@ -155,7 +155,8 @@ TEST_CASE("Given a hull a thousand times as long as wide, a ray along it is spar
     CHECK(cut[1] >= 8);
 }
 
-TEST_CASE("Given one thread or several, the grid is the same", "[grid]") {
+TEST_CASE("Given one thread or several, the grid is the same", "[grid][needs_two_cores]") {
+    SKIP_UNLESS(max_threads() >= 2, "a single core");
     for (const char* family : {"spheres", "triangles", "closed_mesh", "slivers"}) {
         INFO(family);
         const std::vector<BoxItem> items = box_items(make_scene(family, 60000));

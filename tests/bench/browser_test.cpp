@@ -53,13 +53,11 @@ std::string shown(const Folder& folder, const std::string& browser, const std::s
 
 }  // namespace
 
-TEST_CASE("Chromium shows a report without errors, from the width of a phone, light and dark") {
+TEST_CASE("Chromium shows a report without errors, from the width of a phone, light and dark",
+          "[needs_chromium]") {
     const Folder f;
     const std::string browser = chromium(f);
-    if (browser.empty()) {
-        WARN("no Chromium here: not looked at");
-        return;
-    }
+    SKIP_UNLESS(!browser.empty(), "no Chromium that runs");
     f.write("index.html",
             etalon::bench_report::html(etalon::bench_report::page_of(sample_results())));
     f.write("probe.html", probe);

@@ -12,7 +12,18 @@
 using namespace etalon;
 using namespace etalon::speed;
 
-TEST_CASE("Pinned threads have a core each, and leave the caller its own") {
+namespace {
+
+std::atomic<int> ticks = 0;
+thread_local int work_done = 0;
+
+/// A wall clock that ticks whenever it is read, and one of each thread that its work moves.
+const Clocks fake_clocks{[] { return double(++ticks); }, [] { return double(work_done); }};
+
+}  // namespace
+
+TEST_CASE("Pinned threads have a core each, and leave the caller its own", "[needs_two_cores]") {
+    SKIP_UNLESS(usable_cores() >= 2, "a single core");
     cpu_set_t before, after;
     sched_getaffinity(0, sizeof before, &before);
     std::mutex mutex;
@@ -31,16 +42,29 @@ TEST_CASE("Pinned threads have a core each, and leave the caller its own") {
     CHECK(CPU_EQUAL(&before, &after));
 }
 
-TEST_CASE("Only the work counts, in CPU seconds of all threads") {
-    const auto burn = [] {
-        std::atomic<std::uint64_t> sum{0};
-        for (int i = 0; i < 2'000'000; ++i) sum += i;
-    };
-    const Duration one = run_pinned(1, burn);
-    CHECK(one.cpu > 0);
-    CHECK(one.cpu <= one.wall * 1.01);
-    const Duration nothing = run_pinned(1, [] {});
-    CHECK(nothing.cpu < one.cpu);
+TEST_CASE("Only the work counts") {
+    const Duration d = run_pinned(
+        1,
+        [] {
+            work_done += 3;
+            ticks += 10;
+        },
+        fake_clocks);
+    CHECK(d.cpu == 3);
+    CHECK(d.wall == 11);
+    const Duration nothing = run_pinned(
+        1, [] {}, fake_clocks);
+    CHECK(nothing.cpu == 0);
+    CHECK(nothing.wall == 1);
+}
+
+TEST_CASE("CPU seconds are of all threads, wall seconds from the first begin to the last end",
+          "[needs_two_cores]") {
+    SKIP_UNLESS(usable_cores() >= 2, "a single core");
+    const Duration d = run_pinned(
+        2, [] { work_done += 3; }, fake_clocks);
+    CHECK(d.cpu == 6);
+    CHECK(d.wall == 3);  // two begin, two end: whatever their order, the clock ticks thrice between
 }
 
 TEST_CASE("What goes wrong in a pinned thread reaches the caller") {

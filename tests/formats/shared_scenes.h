@@ -14,6 +14,11 @@ inline std::filesystem::path shared_scenes_folder() {
                  : std::filesystem::path(ETALON_SOURCE_DIR) / "../shared/scenes";
 }
 
+/// The file NAME.FORMAT in the format's folder, whether it is there or not.
+inline std::string shared_scene(const std::string& format, const std::string& name) {
+    return shared_scenes_folder() / format / (name + "." + format);
+}
+
 /// All files of an extension in a folder of the scenes; none where the folder is not there.
 inline std::vector<std::string> shared_scenes(const std::string& folder,
                                               const std::string& extension) {

@@ -35,8 +35,11 @@ std::string content(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("every real P3F scene is read without a warning, but for the one with stray numbers") {
-    for (const std::string& path : shared_scenes("p3f", ".p3f")) {
+TEST_CASE("every real P3F scene is read without a warning, but for the one with stray numbers",
+          "[needs_shared_scenes]") {
+    const std::vector<std::string> paths = shared_scenes("p3f", ".p3f");
+    SKIP_UNLESS(!paths.empty(), "no scenes in " << shared_scenes_folder() / "p3f");
+    for (const std::string& path : paths) {
         const LoadResult r = load_scene(path);
         CAPTURE(path);
         REQUIRE(r.scene);
@@ -53,8 +56,11 @@ TEST_CASE("every real P3F scene is read without a warning, but for the one with 
     }
 }
 
-TEST_CASE("every real P3F scene is the same when it is written and read again") {
-    for (const std::string& path : shared_scenes("p3f", ".p3f")) {
+TEST_CASE("every real P3F scene is the same when it is written and read again",
+          "[needs_shared_scenes]") {
+    const std::vector<std::string> paths = shared_scenes("p3f", ".p3f");
+    SKIP_UNLESS(!paths.empty(), "no scenes in " << shared_scenes_folder() / "p3f");
+    for (const std::string& path : paths) {
         CAPTURE(path);
         const LoadResult r = load_scene(path);
         const WrittenScene written = write_p3f(*r.scene, fs::path(path).parent_path());
@@ -66,8 +72,10 @@ TEST_CASE("every real P3F scene is the same when it is written and read again") 
     }
 }
 
-TEST_CASE("every real SCE scene is read without a warning") {
-    for (const std::string& path : shared_scenes("sce", ".sce")) {
+TEST_CASE("every real SCE scene is read without a warning", "[needs_shared_scenes]") {
+    const std::vector<std::string> paths = shared_scenes("sce", ".sce");
+    SKIP_UNLESS(!paths.empty(), "no scenes in " << shared_scenes_folder() / "sce");
+    for (const std::string& path : paths) {
         const LoadResult r = load_scene(path);
         CAPTURE(path, messages(r));
         REQUIRE(r.scene);
@@ -79,10 +87,14 @@ TEST_CASE("every real SCE scene is read without a warning") {
     }
 }
 
-TEST_CASE("every real NFF scene is read without a warning") {
+TEST_CASE("every real NFF scene is read without a warning", "[needs_shared_scenes]") {
     const auto count = [](const LoadResult& r) { return r.scene->geometry.primitives.size(); };
     const std::pair<const char*, std::size_t> primitives[] = {
         {"balls", 7382}, {"gears", 9345}, {"mount", 8196}, {"teapot_s12", 9264}, {"tetra", 4096}};
+    for (const auto& [name, expected] : primitives) {
+        const std::string path = shared_scene("nff", name);
+        SKIP_UNLESS(fs::exists(path), path << " does not exist");
+    }
     for (const std::string& path : shared_scenes("nff", ".nff")) {
         const LoadResult r = load_scene(path);
         CAPTURE(path);
@@ -96,9 +108,13 @@ TEST_CASE("every real NFF scene is read without a warning") {
     }
 }
 
-TEST_CASE("every real PRT scene is read without a warning") {
+TEST_CASE("every real PRT scene is read without a warning", "[needs_shared_scenes]") {
     const std::pair<const char*, std::size_t> primitives[] = {
         {"balls", 7382}, {"example1", 13}, {"example2", 388}, {"tetra", 4096}};
+    for (const auto& [name, expected] : primitives) {
+        const std::string path = shared_scene("prt", name);
+        SKIP_UNLESS(fs::exists(path), path << " does not exist");
+    }
     for (const std::string& path : shared_scenes("prt", ".prt")) {
         const LoadResult r = load_scene(path);
         CAPTURE(path);
@@ -113,9 +129,11 @@ TEST_CASE("every real PRT scene is read without a warning") {
     }
 }
 
-TEST_CASE("damaged real scenes give a scene or an error") {
+TEST_CASE("damaged real scenes give a scene or an error", "[needs_shared_scenes]") {
     std::mt19937 random(7);
-    for (const std::string& path : small_files()) {
+    const std::vector<std::string> paths = small_files();
+    SKIP_UNLESS(!paths.empty(), "no scenes in " << shared_scenes_folder());
+    for (const std::string& path : paths) {
         const std::string text = content(path);
         CAPTURE(path);
         for (int i = 0; i < 100; ++i) {

@@ -1,8 +1,8 @@
-#include <cstdlib>
 #include <random>
 
 #include "core/image/io.h"
 #include "tests/catch.h"
+#include "tests/formats/shared_scenes.h"
 #include "tests/image/pictures.h"
 #include "tests/temporary_folder.h"
 
@@ -144,14 +144,9 @@ TEST_CASE("a picture whose pixels do not fill its window is refused") {
     CHECK(folder.names().empty());
 }
 
-TEST_CASE("a large JPEG is bytes, and refused if it ends early") {
-    const char* scenes = std::getenv("ETALON_SHARED_SCENES");
-    const std::string skybox = (scenes ? scenes : ETALON_SOURCE_DIR "/../shared/scenes") +
-                               std::string("/p3f/skybox/top.jpg");
-    if (!std::filesystem::exists(skybox)) {
-        WARN(skybox << " does not exist: not tested");
-        return;
-    }
+TEST_CASE("a large JPEG is bytes, and refused if it ends early", "[needs_shared_scenes]") {
+    const std::string skybox = shared_scenes_folder() / "p3f/skybox/top.jpg";
+    SKIP_UNLESS(std::filesystem::exists(skybox), skybox << " does not exist");
     const Outcome<Image> read = read_image(skybox);
     REQUIRE(read.error == "");
     CHECK(read.value.width == 2048);

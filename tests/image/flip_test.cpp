@@ -59,7 +59,8 @@ TEST_CASE("FLIP sees what a display shows: NaN as black, infinities as black and
     CHECK(flip_of(wild, other, 10) == flip_of(shown, other, 10));
 }
 
-TEST_CASE("the map of FLIP has the same bits on one thread and on several") {
+TEST_CASE("the map of FLIP has the same bits on one thread and on several", "[needs_two_cores]") {
+    SKIP_UNLESS(max_threads() >= 2, "a single core");
     const std::vector<Color> a = stripes(311, 173), b = rings(311, 173);
     const PixelPlane several = flip_map(a, b, 311);
     const ThreadLimit one(1);

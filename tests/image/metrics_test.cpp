@@ -61,7 +61,8 @@ TEST_CASE("the largest floats have a finite error") {
     CHECK(mse(a, b) == 4.0 * most * most);
 }
 
-TEST_CASE("metrics have the same bits on one thread and on several") {
+TEST_CASE("metrics have the same bits on one thread and on several", "[needs_two_cores]") {
+    SKIP_UNLESS(max_threads() >= 2, "a single core");
     const List a = stripes(311, 173), b = rings(311, 173);
     const auto all = [&] {
         const Vec3 m = mean(a);

@@ -34,7 +34,8 @@ TEST_CASE("SSIM of two flat pictures compares their means alone") {
     CHECK(ssim(a, b, 20) == Approx((2 * 0.5 * 0.25 + 1e-4) / (0.25 + 0.0625 + 1e-4)).epsilon(1e-6));
 }
 
-TEST_CASE("SSIM has the same bits on one thread and on several") {
+TEST_CASE("SSIM has the same bits on one thread and on several", "[needs_two_cores]") {
+    SKIP_UNLESS(max_threads() >= 2, "a single core");
     const std::vector<Color> a = stripes(311, 173), b = rings(311, 173);
     const double several = ssim(a, b, 311);
     const ThreadLimit one(1);

@@ -20,9 +20,7 @@ TEST_CASE("Every exact backend and any thread count give the same bits", "[rende
             const ThreadLimit limit(threads);
             const Rendering other = render_with(scene, backend, whole(scene));
             CHECK(other.film.pixels() == reference.film.pixels());
-            CHECK(other.counts.total() == reference.counts.total());
-            CHECK(other.counts.secondary_hits == reference.counts.secondary_hits);
-            CHECK(other.counts.shadow_blocked == reference.counts.shadow_blocked);
+            CHECK(other.counts == reference.counts);
         }
     }
 }
