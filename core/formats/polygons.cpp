@@ -3,15 +3,15 @@
 
 #include "core/formats/degenerate.h"
 #include "core/formats/scene_loader.h"
+#include "core/numerics/rounding.h"
 
 namespace etalon {
 namespace {
 
-/// One that is normalised stays as it is, so that a scene can be written and read again.
-Vec3 normalized(const Vec3& v) {
-    if (is_of_unit_length(v)) return v;
-    const Vec3 n = to_unit_magnitude(v);
-    return n / std::sqrt(n.dot(n));
+/// A vector that is of unit length already stays as it is, so that a scene can be written and read
+/// again.
+Vec3 made_unit_vector(const Vec3& v) {
+    return is_of_unit_length(v) ? v : unit_vector(v);
 }
 
 /// Where the corners and normals of the polygon being read begin in the scene's arrays.
@@ -41,7 +41,7 @@ bool is_visible(SceneLoader& loader, const Place& first) {
 std::uint32_t usable_normals(SceneLoader& loader, const Place& first) {
     std::vector<Vec3>& normals = loader.scene.normals;
     for (std::size_t i = first.normal; i < normals.size(); ++i) {
-        normals[i] = normalized(normals[i]);
+        normals[i] = made_unit_vector(normals[i]);
         if (is_finite(normals[i])) continue;
         loader.in.warn("degenerate", "'{}' shaded flat: a corner normal is zero",
                        loader.in.keyword());
