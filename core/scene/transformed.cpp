@@ -36,8 +36,14 @@ class Similarity {
         for (T& item : list) (*this)(item);
     }
 
+    /// Whether all points so far are within the range of doubles.
+    bool stayed_finite() const { return finite_; }
+
   private:
-    void move(Vec3& p) const { p = factor_ * p + offset_; }
+    void move(Vec3& p) const {
+        p = factor_ * p + offset_;
+        finite_ = is_finite(p) && finite_;
+    }
     void scale(double& length) const { length *= factor_; }
     Affine after(const Affine& map) const {
         return {factor_ * map.x, factor_ * map.y, factor_ * map.z, factor_ * map.origin + offset_};
@@ -45,9 +51,21 @@ class Similarity {
 
     double factor_;
     Vec3 offset_;
+    mutable bool finite_ = true;
 };
 
 }  // namespace
+
+bool move_since(Scene& scene, std::size_t first_primitive, std::size_t first_vertex,
+                const Vec3& offset) {
+    const Similarity place(1, offset);
+    for (std::size_t i = first_vertex; i < scene.vertices.size(); ++i) place(scene.vertices[i]);
+    for (std::size_t i = first_primitive; i < scene.primitives.size(); ++i) {
+        const Primitive& p = scene.primitives[i];
+        with_shape(p.kind, [&]<class Shape>() { place(scene.all<Shape>()[p.index]); });
+    }
+    return place.stayed_finite();
+}
 
 Scene transformed(Scene scene, double factor, const Vec3& offset) {
     const Similarity place(factor, offset);

@@ -1,3 +1,4 @@
+#include "core/scene/transformed.h"
 #include "tests/catch.h"
 #include "tests/formats/prt_text.h"
 
@@ -43,6 +44,33 @@ TEST_CASE("an instance is nothing until it is referred to, then moved each time"
     CHECK(s.all<Quadric>()[0].clip.min == Vec3(9, 19, 29));
     CHECK(s.all<Quadric>()[0].clip.max == Vec3(11, 21, 31));
     CHECK(colors(r) == "rrrrrrrrrrrrrrr");
+}
+
+TEST_CASE("a shape of any kind moves with its instance, of those before it none") {
+    const Vec3 offset(10, 20, 30);
+    const Affine map{{2, 0, 0}, {0, 3, 0}, {0, 0, 4}, {1, 1, 1}};
+    Scene s;
+    const auto add_all = [&] {
+        s.add(Box{Vec3(0), Vec3(1)}, 0);
+        s.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
+        s.add(Ellipsoid(map), 0);
+        s.add(ClosedCylinder(map), 0);
+    };
+    add_all();
+    const std::size_t before = s.primitives.size();
+    add_all();
+    REQUIRE(move_since(s, before, 0, offset));
+    for (const int k : {0, 1}) {
+        const Vec3 moved = k == 0 ? Vec3(0) : offset;
+        CAPTURE(k);
+        CHECK(s.all<Box>()[k].min == moved);
+        CHECK(s.all<Box>()[k].max == Vec3(1) + moved);
+        CHECK(s.all<Plane>()[k].point == moved);
+        CHECK(s.all<Ellipsoid>()[k].to_world.origin == Vec3(1) + moved);
+        CHECK(s.all<Ellipsoid>()[k].frame.point(Vec3(0)) == Vec3(1) + moved);
+        CHECK(s.all<ClosedCylinder>()[k].to_world.origin == Vec3(1) + moved);
+        CHECK(s.all<ClosedCylinder>()[k].frame.point(Vec3(0)) == Vec3(1) + moved);
+    }
 }
 
 TEST_CASE("an instance that is never referred to leaves nothing behind") {

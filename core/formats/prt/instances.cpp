@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/formats/prt/loader.h"
+#include "core/scene/transformed.h"
 
 namespace etalon::prt {
 namespace {
@@ -24,32 +25,6 @@ void cut(Scene& scene, const SceneMark& mark) {
         (cut(std::get<kind>(scene.shapes), mark.shapes[kind]), ...);
     };
     cut_kinds(std::make_index_sequence<shape_kinds>());
-}
-
-/// Moves a shape that PRT has; false where that leads beyond all numbers. Corners are moved by
-/// themselves.
-template <class Shape>
-bool move(Shape& s, const Vec3& offset) {
-    bool finite = true;
-    const auto move_point = [&](Vec3& p) { finite = is_finite(p += offset) && finite; };
-    if constexpr (requires { s.centre; }) move_point(s.centre);
-    if constexpr (requires { s.base; }) move_point(s.base), move_point(s.top);
-    if constexpr (requires { s.clip; }) move_point(s.clip.min), move_point(s.clip.max);
-    return finite;
-}
-
-bool move_since(Scene& scene, const SceneMark& mark, const Vec3& offset) {
-    bool finite = true;
-    for (std::size_t i = mark.vertices; i < scene.vertices.size(); ++i) {
-        finite = is_finite(scene.vertices[i] += offset) && finite;
-    }
-    for (std::size_t i = mark.primitives; i < scene.primitives.size(); ++i) {
-        const Primitive& p = scene.primitives[i];
-        finite = with_shape(p.kind, [&]<class Shape>() {
-            return move(scene.all<Shape>()[p.index], offset) && finite;
-        });
-    }
-    return finite;
 }
 
 /// The end of the definition: its objects are no part of the scene yet.
@@ -91,7 +66,7 @@ void replay(Loader& loader, const Definition& definition, const Vec3& offset) {
     read_objects(again);
     loader.scene = std::move(again.scene);
     loader.material = again.material;
-    if (!move_since(loader.scene, mark, offset)) {
+    if (!move_since(loader.scene, mark.primitives, mark.vertices, offset)) {
         cut(loader.scene, mark);
         loader.material = before;
         loader.leave_out("it lies beyond all numbers");
