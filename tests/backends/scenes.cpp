@@ -50,35 +50,42 @@ Affine any_map(const Vec3& place, double size, Random& random) {
     return {x, y, random.in_cube(size), place};
 }
 
-/// Adds a shape of number `kind` in the order of ShapeArrays.
-void add_shape(Scene& scene, Random& random, ShapeKind kind, double size, Sides sides) {
+/// Adds a random shape of one kind.
+template <class Shape>
+void add_shape(Scene& scene, Random& random, double size, Sides sides) {
     const Vec3 place = random.in_cube();
-    if (kind == kind_of<Sphere>()) {
+    if constexpr (std::is_same_v<Shape, Sphere>) {
         scene.add(Sphere{place, size * random.uniform(0.1, 1)}, 0, sides);
-    } else if (kind == kind_of<Triangle>()) {
+    } else if constexpr (std::is_same_v<Shape, Triangle>) {
         add_triangle(scene, place, place + random.in_cube(size), place + random.in_cube(size),
                      sides);
-    } else if (kind == kind_of<Polygon>()) {
+    } else if constexpr (std::is_same_v<Shape, Polygon>) {
         add_polygon(scene, random, place, size, sides);
-    } else if (kind == kind_of<Box>()) {
+    } else if constexpr (std::is_same_v<Shape, Box>) {
         const Vec3 half = abs(random.in_cube(size));
         scene.add(Box{place - half, place + half}, 0, sides);
-    } else if (kind == kind_of<Plane>()) {
+    } else if constexpr (std::is_same_v<Shape, Plane>) {
         scene.add(Plane{3.0 * place, random.direction()}, 0, sides);
-    } else if (kind == kind_of<Ring>()) {
+    } else if constexpr (std::is_same_v<Shape, Ring>) {
         const double outer = size * random.uniform(0.1, 1);
         scene.add(Ring{place, random.direction(), outer * random.uniform(0, 0.9), outer}, 0, sides);
-    } else if (kind == kind_of<Quadric>()) {
+    } else if constexpr (std::is_same_v<Shape, Quadric>) {
         add_quadric(scene, random, place, size, sides);
-    } else if (kind == kind_of<Ellipsoid>()) {
+    } else if constexpr (std::is_same_v<Shape, Ellipsoid>) {
         scene.add(Ellipsoid(any_map(place, size, random)), 0, sides);
-    } else if (kind == kind_of<ClosedCylinder>()) {
+    } else if constexpr (std::is_same_v<Shape, ClosedCylinder>) {
         scene.add(ClosedCylinder(any_map(place, size, random)), 0, sides);
     } else {
+        static_assert(std::is_same_v<Shape, Cone>);
         scene.add(Cone{place, place + random.in_cube(size), size * random.uniform(0, 0.5),
                        size * random.uniform(0.1, 0.5)},
                   0, sides);
     }
+}
+
+/// Adds a shape of number `kind` in the order of ShapeArrays.
+void add_shape(Scene& scene, Random& random, ShapeKind kind, double size, Sides sides) {
+    with_shape(kind, [&]<class Shape>() { add_shape<Shape>(scene, random, size, sides); });
 }
 
 double usual_size(std::size_t count) {
@@ -90,7 +97,7 @@ Scene only(std::size_t count) {
     Scene scene;
     Random random(kind_of<Shape>() + 1);
     for (std::size_t i = 0; i < count; ++i) {
-        add_shape(scene, random, kind_of<Shape>(), usual_size(count), Sides::both);
+        add_shape<Shape>(scene, random, usual_size(count), Sides::both);
     }
     return scene;
 }

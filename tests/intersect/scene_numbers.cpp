@@ -43,6 +43,7 @@ void list_numbers(Shape& s, Scene& scene, std::vector<double*>& list) {
         add(s.clip.max);
         for (double& number : s.coefficients) list.push_back(&number);
     } else {
+        static_assert(std::is_same_v<Shape, Triangle> || std::is_same_v<Shape, Polygon>);
         for (Vec3& v : scene.vertices) add(v);
     }
 }
