@@ -8,6 +8,7 @@
 
 #include "core/formats/degenerate.h"
 #include "core/formats/nearest_name.h"
+#include "core/numerics/rounding.h"
 
 namespace etalon {
 namespace {

@@ -4,10 +4,6 @@
 
 namespace etalon {
 
-Vec3 to_unit_magnitude(const Vec3& v) {
-    return v * power_of_two_reciprocal(max_abs(v));
-}
-
 bool is_of_unit_length(const Vec3& v) {
     return std::abs(v.dot(v) - 1) <= 8 * unit_roundoff;
 }

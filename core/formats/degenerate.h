@@ -8,10 +8,6 @@
 
 namespace etalon {
 
-/// `v` times the power of two that brings its largest component to [1, 2): products of such vectors
-/// neither overflow nor vanish.
-Vec3 to_unit_magnitude(const Vec3& v);
-
 /// Whether a vector has been normalised, as far as roundings let one see: a step of 2^-53 in each
 /// of its numbers, and those of the product.
 bool is_of_unit_length(const Vec3& v);

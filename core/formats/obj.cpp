@@ -137,8 +137,8 @@ std::vector<Vec3> vertex_normals(const ObjMesh& mesh) {
         for (const Corner& corner : {a, b, c}) sums[corner.vertex] += edge1.cross(edge2);
     }
     for (Vec3& n : sums) {
-        n *= power_of_two_reciprocal(max_abs(n));
-        if (n != Vec3(0)) n /= std::sqrt(n.dot(n));
+        n = to_unit_magnitude(n);
+        if (n != Vec3(0)) n = normalized(n);
     }
     return sums;
 }

@@ -4,15 +4,15 @@
 
 #include "core/formats/degenerate.h"
 #include "core/formats/scene_loader.h"
+#include "core/numerics/rounding.h"
 
 namespace etalon {
 namespace {
 
-/// One that is normalised stays as it is, so that a scene can be written and read again.
-Vec3 normalized(const Vec3& v) {
-    if (is_of_unit_length(v)) return v;
-    const Vec3 n = to_unit_magnitude(v);
-    return n / std::sqrt(n.dot(n));
+/// A vector that is of unit length already stays as it is, so that a scene can be written and read
+/// again.
+Vec3 made_unit_vector(const Vec3& v) {
+    return is_of_unit_length(v) ? v : unit_vector(v);
 }
 
 void read_corners(SceneLoader& loader, std::size_t count, bool with_normals) {
@@ -37,7 +37,7 @@ bool is_visible(SceneLoader& loader) {
 /// Brings the normals to unit length. A zero one leaves the polygon without any.
 void normalize_normals(SceneLoader& loader) {
     std::vector<Vec3>& normals = loader.corners.normals;
-    for (Vec3& n : normals) n = normalized(n);
+    for (Vec3& n : normals) n = made_unit_vector(n);
     if (std::ranges::all_of(normals, [](const Vec3& n) { return is_finite(n); })) return;
     loader.in.warn("degenerate", "'{}' shaded flat: a corner normal is zero", loader.in.keyword());
     normals.clear();

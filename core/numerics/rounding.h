@@ -76,4 +76,15 @@ inline double power_of_two_reciprocal(double x) {
     return std::ldexp(1.0, std::min(-std::ilogb(x), 1023));
 }
 
+/// `v` times the power of two that makes its largest component one of [1, 2), so that no square
+/// leaves the range of doubles. Zero stays zero.
+inline Vec3 to_unit_magnitude(const Vec3& v) {
+    return v * power_of_two_reciprocal(max_abs(v));
+}
+
+/// `v` divided by its length, whose square may be out of range; `v` is not zero.
+inline Vec3 unit_vector(const Vec3& v) {
+    return normalized(to_unit_magnitude(v));
+}
+
 }  // namespace etalon

@@ -29,13 +29,9 @@ Turn turn_of(double degrees) {
     }
 }
 
-Vec3 scaled(const Vec3& v) {
-    return v * power_of_two_reciprocal(max_abs(v));
-}
-
 /// Each column times the power of two that makes its largest number one of [1, 2).
 Affine with_scaled_columns(const Affine& m) {
-    return {scaled(m.x), scaled(m.y), scaled(m.z)};
+    return {to_unit_magnitude(m.x), to_unit_magnitude(m.y), to_unit_magnitude(m.z)};
 }
 
 }  // namespace
@@ -53,8 +49,7 @@ Affine scaling(const Vec3& factors) {
 /// Rodrigues' formula, column by column.
 Affine rotation(double degrees, const Vec3& axis) {
     const auto [s, c] = turn_of(degrees);
-    const Vec3 along = axis * power_of_two_reciprocal(max_abs(axis));
-    const Vec3 n = along / std::sqrt(along.dot(along));
+    const Vec3 n = unit_vector(axis);
     const auto image = [&](const Vec3& v) {
         return c * v + s * n.cross(v) + (1 - c) * n.dot(v) * n;
     };
@@ -63,8 +58,7 @@ Affine rotation(double degrees, const Vec3& axis) {
 
 Affine about_axis(const Vec3& origin, const Vec3& axis) {
     Affine m = translation(origin);
-    const Vec3 along = scaled(axis);
-    m.z = along / std::sqrt(along.dot(along));
+    m.z = unit_vector(axis);
     orthonormal_basis(m.z, m.x, m.y);
     return m;
 }

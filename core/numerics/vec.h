@@ -43,6 +43,11 @@ inline bool is_finite(const Color& c) {
     return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
 }
 
+/// `v` divided by its length, whose square must be in the range of doubles and not zero.
+inline Vec3 normalized(const Vec3& v) {
+    return v / std::sqrt(v.dot(v));
+}
+
 /// The index (0, 1, 2) of the component of largest magnitude; the lower index on a tie.
 inline int dominant_axis(const Vec3& v) {
     const Vec3 a = abs(v);

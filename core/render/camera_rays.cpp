@@ -48,7 +48,7 @@ Ray CameraRays::ray(const Vec2& pixel, const Vec2& lens) const {
         origin += offset;
         direction = direction * focal_ - offset;
     }
-    return {origin, direction / std::sqrt(direction.dot(direction))};
+    return {origin, normalized(direction)};
 }
 
 Imath::M44d CameraRays::world_to_camera() const {

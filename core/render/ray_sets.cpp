@@ -33,10 +33,6 @@ std::vector<Vec2> pixel_centres(const Camera& camera, std::size_t limit) {
     return centres;
 }
 
-Vec3 normalized(const Vec3& v) {
-    return v / std::sqrt(v.dot(v));
-}
-
 Vec3 cosine_direction(const Vec3& normal, const Vec2& uv) {
     Vec3 u, v;
     orthonormal_basis(normal, u, v);

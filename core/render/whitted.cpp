@@ -31,10 +31,6 @@ Color transmittance(const Color& absorption, double distance) {
     return {along(absorption.x), along(absorption.y), along(absorption.z)};
 }
 
-Vec3 normalized(const Vec3& v) {
-    return v / std::sqrt(v.dot(v));
-}
-
 /// For unit vectors; `normal` on the light's side.
 double highlight_of(const Material& m, const Vec3& direction, const Vec3& normal,
                     const Vec3& towards) {

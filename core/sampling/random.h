@@ -1,5 +1,5 @@
-// Random numbers for rays by the million: a generator so small that every ray has its own, so any
-// one of them can be made again from its number alone.
+// The random generator of tests, cross-checks and benches: so small that every ray of millions has
+// its own, and any one of them can be made again from its number alone.
 #pragma once
 
 #include <cmath>
@@ -9,26 +9,39 @@
 
 namespace etalon {
 
-/// SplitMix64 (Steele, Lea & Flood 2014, "Fast Splittable Pseudorandom Number Generators").
+/// SplitMix64 (Steele, Lea & Flood 2014, "Fast Splittable Pseudorandom Number Generators"): the
+/// same numbers with every standard library.
 class Random {
   public:
     explicit Random(std::uint64_t seed, std::uint64_t number = 0)
         : state_(seed + number * 0xd1342543de82ef95U) {
-        next();
+        bits();
+    }
+
+    /// The next 64 random bits.
+    std::uint64_t bits() {
+        std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+        return z ^ (z >> 31);
     }
 
     double uniform(double low = 0, double high = 1) {
-        return low + (high - low) * std::ldexp(static_cast<double>(next() >> 11), -53);
+        return low + (high - low) * std::ldexp(static_cast<double>(bits() >> 11), -53);
     }
-    std::size_t index(std::size_t count) { return static_cast<std::size_t>(next() % count); }
+
+    /// In [0, count), where 0 < count <= 2^32.
+    std::uint32_t index(std::size_t count) { return static_cast<std::uint32_t>(bits() % count); }
+    bool one_in(std::size_t count) { return index(count) == 0; }
     int axis() { return static_cast<int>(index(3)); }
-    double sign() { return (next() & 1) != 0 ? 1 : -1; }
+    double sign() { return (bits() & 1) != 0 ? 1 : -1; }
 
     /// From 10^low to 10^high, evenly in the exponent.
     double magnitude(double low, double high) { return std::pow(10.0, uniform(low, high)); }
 
-    Vec3 in_cube() {
-        const double x = uniform(-1, 1), y = uniform(-1, 1), z = uniform(-1, 1);
+    /// A point of the cube [-half, half]^3.
+    Vec3 in_cube(double half = 1) {
+        const double x = uniform(-half, half), y = uniform(-half, half), z = uniform(-half, half);
         return {x, y, z};
     }
 
@@ -42,13 +55,6 @@ class Random {
     }
 
   private:
-    std::uint64_t next() {
-        std::uint64_t z = state_ += 0x9e3779b97f4a7c15U;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-        return z ^ (z >> 31);
-    }
-
     std::uint64_t state_;
 };
 

@@ -1,10 +1,5 @@
 // The shapes a scene file can ask for: plain data, in world coordinates.
-//
-// To add a shape:
-//   1. its struct here, with its name and form, and its place at the end of ShapeArrays;
-//   2. its kernel, core/intersect/shapes/<shape>.{h,cpp}, listed in core/intersect/shapes/all.h
-//      (the compiler asks for what is missing);
-//   3. its rows in tests/intersect/shape_cases.cpp, from which every kernel test is generated.
+// CONTRIBUTING.md lists what a new shape takes; most of it the compiler asks for.
 #pragma once
 
 #include <array>
@@ -41,7 +36,7 @@ struct Triangle {
     std::uint32_t normal_offset = no_index;  ///< see Primitive
 };
 
-/// A planar polygon with count >= 4 corners, concave or not: scene.vertices[first ... first+count).
+/// A planar polygon with count >= 4 corners, concave or not: geometry.vertices[first ... first+count).
 struct Polygon {
     static constexpr std::string_view name = "polygon";
     static constexpr Form form = Form::any;  // corners may lie off their plane

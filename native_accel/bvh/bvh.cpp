@@ -1,6 +1,7 @@
 #include "native_accel/bvh/bvh.h"
 
 #include "core/intersect/tree/scene_tree.h"
+#include "native_accel/common/isa.h"
 
 namespace etalon {
 namespace {
@@ -32,7 +33,7 @@ std::size_t Bvh::memory_bytes() const {
 }
 
 std::string Bvh::isa() const {
-    return walk_isa();
+    return traversal_isa();
 }
 
 void Bvh::closest_bounded(const RayQuery& query, const FrameRay& local, NearestHit& nearest) const {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "native_accel/bvh/wide_node.h"
+#include "native_accel/bvh/wide_tree.h"
 
 namespace etalon {
 

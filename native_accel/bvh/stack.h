@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "core/intersect/tree/builder.h"
-#include "native_accel/bvh/wide_node.h"
+#include "native_accel/common/wide_node.h"
 
 namespace etalon {
 

@@ -6,8 +6,8 @@
 #define ETALON_BVH_WALK_INL_H
 #endif
 
-#include "native_accel/bvh/slabs-inl.h"
 #include "native_accel/bvh/stack.h"
+#include "native_accel/common/slabs-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {

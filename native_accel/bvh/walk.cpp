@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 
 #include "core/intersect/clusters/targets.h"
 #include "native_accel/bvh/lowest_lane.h"
-#include "native_accel/tally.h"
+#include "native_accel/common/tally.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "native_accel/bvh/walk.cpp"
@@ -104,14 +103,6 @@ HWY_EXPORT(bvh_walk);
 
 BvhWalk bvh_walk() {
     return HWY_DYNAMIC_DISPATCH(bvh_walk)();
-}
-
-std::string walk_isa() {
-    const std::int64_t supported = hwy::SupportedTargets() & HWY_TARGETS;
-    std::string name = hwy::TargetName(supported & -supported);
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    return name;
 }
 
 }  // namespace etalon

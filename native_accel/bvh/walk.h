@@ -2,11 +2,9 @@
 // machine has is taken.
 #pragma once
 
-#include <string>
-
 #include "core/intersect/ray.h"
 #include "core/intersect/traversal_cost.h"
-#include "native_accel/bvh/wide_node.h"
+#include "native_accel/bvh/wide_tree.h"
 
 namespace etalon {
 
@@ -37,8 +35,5 @@ struct BvhWalk {
 
 /// For the instruction set in use now.
 BvhWalk bvh_walk();
-
-/// "avx2", "sse4", "neon", ...
-std::string walk_isa();
 
 }  // namespace etalon

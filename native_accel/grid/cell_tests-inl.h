@@ -11,7 +11,7 @@
 #include <span>
 
 #include "core/intersect/clusters/filter-inl.h"
-#include "native_accel/bvh/slabs-inl.h"
+#include "native_accel/common/slabs-inl.h"
 #include "native_accel/grid/cluster_grid.h"
 #include "native_accel/grid/sphere_pack_filter-inl.h"
 

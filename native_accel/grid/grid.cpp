@@ -1,6 +1,6 @@
 #include "native_accel/grid/grid.h"
 
-#include "native_accel/bvh/walk.h"
+#include "native_accel/common/isa.h"
 
 namespace etalon {
 namespace {
@@ -35,7 +35,7 @@ std::size_t Grid::memory_bytes() const {
 }
 
 std::string Grid::isa() const {
-    return walk_isa();
+    return traversal_isa();
 }
 
 void Grid::closest_bounded(const RayQuery& query, const FrameRay& local,

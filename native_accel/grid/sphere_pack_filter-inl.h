@@ -19,7 +19,7 @@ class SpherePackFilter {
     HWY_INLINE explicit SpherePackFilter(const FrameRay& ray) {
         const Vec3 d(ray.direction), o(ray.origin);
         Vec3 u, v;
-        orthonormal_basis(d / std::sqrt(d.dot(d)), u, v);
+        orthonormal_basis(normalized(d), u, v);
         u_ = Axis(u, o);
         v_ = Axis(v, o);
     }

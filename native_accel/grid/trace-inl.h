@@ -6,10 +6,10 @@
 #define ETALON_GRID_TRACE_INL_H
 #endif
 
+#include "native_accel/common/tally.h"
 #include "native_accel/grid/cell_tests-inl.h"
 #include "native_accel/grid/trace.h"
 #include "native_accel/grid/visit-inl.h"
-#include "native_accel/tally.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {

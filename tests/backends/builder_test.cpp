@@ -6,11 +6,10 @@
 
 #include "core/intersect/tree/binning.h"
 #include "core/parallel/parallel.h"
-#include "tests/backends/random.h"
+#include "core/sampling/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;
-using namespace etalon::test;
 
 namespace {
 
@@ -28,54 +27,54 @@ BoundedPrimitive primitive(const Vec3& centre, const Vec3& half, std::size_t id,
 /// Primitives of which make(random, id) gives each.
 template <class Make>
 Primitives generate(std::size_t count, const Make& make) {
-    test::Random random(count);
+    Random random(count);
     Primitives list;
     for (std::size_t id = 0; id < count; ++id) list.push_back(make(random, id));
     return list;
 }
 
-Vec3 small_box(test::Random& random) {
-    return Vec3(random.between(0, 0.01), random.between(0, 0.01), random.between(0, 0.01));
+Vec3 small_box(Random& random) {
+    return Vec3(random.uniform(0, 0.01), random.uniform(0, 0.01), random.uniform(0, 0.01));
 }
 
 Primitives scattered(std::size_t count) {
-    return generate(count, [](test::Random& random, std::size_t id) {
+    return generate(count, [](Random& random, std::size_t id) {
         const Vec3 centre = random.in_cube();
         return primitive(centre, small_box(random), id, triangle);
     });
 }
 
 Primitives of_all_kinds(std::size_t count) {
-    return generate(count, [](test::Random& random, std::size_t id) {
+    return generate(count, [](Random& random, std::size_t id) {
         const Vec3 centre = random.in_cube();
-        const auto kind = static_cast<ShapeKind>(random.below(shape_kinds));
+        const auto kind = static_cast<ShapeKind>(random.index(shape_kinds));
         return primitive(centre, small_box(random), id, kind);
     });
 }
 
 /// Two kinds in the same places.
 Primitives in_pairs(std::size_t count) {
-    return generate(count, [](test::Random& random, std::size_t id) {
+    return generate(count, [](Random& random, std::size_t id) {
         const Vec3 place = random.in_cube();
         return primitive(Vec3(place.x > 0 ? 0.5 : -0.5), Vec3(0.1), id, id % 2 ? sphere : box_kind);
     });
 }
 
 Primitives identical(std::size_t count) {
-    return generate(count, [](test::Random&, std::size_t id) {
+    return generate(count, [](Random&, std::size_t id) {
         return primitive(Vec3(0.25), Vec3(0.5), id, triangle);
     });
 }
 
 Primitives concentric(std::size_t count) {
-    return generate(count, [](test::Random& random, std::size_t id) {
+    return generate(count, [](Random& random, std::size_t id) {
         const double half = random.magnitude(-6, 0);
         return primitive(Vec3(0), Vec3(half), id, sphere);
     });
 }
 
 Primitives in_a_plane(std::size_t count) {
-    return generate(count, [](test::Random& random, std::size_t id) {
+    return generate(count, [](Random& random, std::size_t id) {
         const Vec3 place = random.in_cube();
         return primitive(Vec3(place.x, 0.5, place.z), Vec3(0.01, 0, 0.01), id, triangle);
     });
@@ -83,7 +82,7 @@ Primitives in_a_plane(std::size_t count) {
 
 /// Each half as far from the corner as the one before: bins tell only a few apart.
 Primitives ever_closer(std::size_t count) {
-    return generate(count, [](test::Random& random, std::size_t id) {
+    return generate(count, [](Random& random, std::size_t id) {
         const double distance = random.magnitude(-30, 0);
         return primitive(Vec3(distance), Vec3(distance / 100), id, triangle);
     });
@@ -91,7 +90,7 @@ Primitives ever_closer(std::size_t count) {
 
 /// Too close together for the width of a bin to be a float's reciprocal.
 Primitives denormal(std::size_t count) {
-    return generate(count, [](test::Random& random, std::size_t id) {
+    return generate(count, [](Random& random, std::size_t id) {
         return primitive(1e-41 * random.in_cube(), Vec3(1e-42), id, triangle);
     });
 }

@@ -106,7 +106,7 @@ class Trial {
 
 void require_no_hit_dropped(const Scene& scene, std::size_t rays) {
     Trial trial(scene);
-    test::Random random(rays);
+    Random random(rays);
     for (const Ray& ray : make_rays(scene, rays, random)) trial.shoot(ray);
     const Box3 around(scene.camera.eye - Vec3(2), scene.camera.eye + Vec3(2));
     for (const Ray& ray : rays_at_features(scene, around, rays)) trial.shoot(ray);
@@ -116,18 +116,18 @@ void require_no_hit_dropped(const Scene& scene, std::size_t rays) {
 
 /// A triangle of any size anywhere in the frame, or of corners that nearly fall together, or whose
 /// plane nearly contains `eye`.
-std::array<Vec3, 3> hostile_triangle(const Vec3& eye, test::Random& random) {
+std::array<Vec3, 3> hostile_triangle(const Vec3& eye, Random& random) {
     const Vec3 place = random.in_cube(), along = random.magnitude(-8, 0) * random.direction();
     const Vec3 aside = random.magnitude(-8, 0) * random.direction();
     const Vec3 dust = random.magnitude(-16, -6) * random.direction();
-    switch (random.below(3)) {
+    switch (random.index(3)) {
         case 0:
             return {place, place + along, place + aside};
         case 1:
-            return {place, place + along, place + random.between(0, 1) * along + dust};
+            return {place, place + along, place + random.uniform(0, 1) * along + dust};
         default: {
             const Vec3 sight = (place - eye) / max_abs(place - eye);
-            return {place, place + along, place + random.between(-1, 1) * sight + dust};
+            return {place, place + along, place + random.uniform(-1, 1) * sight + dust};
         }
     }
 }
@@ -135,7 +135,7 @@ std::array<Vec3, 3> hostile_triangle(const Vec3& eye, test::Random& random) {
 Scene hostile_triangles(const Vec3& eye, std::size_t count) {
     Scene scene;
     scene.camera.eye = eye;
-    test::Random random(count);
+    Random random(count);
     for (std::uint32_t i = 0; i < count; ++i) {
         for (const Vec3& corner : hostile_triangle(eye, random))
             scene.geometry.vertices.push_back(corner);
@@ -148,7 +148,7 @@ Scene hostile_triangles(const Vec3& eye, std::size_t count) {
 Scene hostile_spheres(const Vec3& eye, std::size_t count) {
     Scene scene;
     scene.camera.eye = eye;
-    test::Random random(count);
+    Random random(count);
     for (std::size_t i = 0; i < count; ++i) {
         scene.geometry.add(Sphere{random.in_cube(), random.magnitude(-9, 0)}, 0);
     }
@@ -157,7 +157,7 @@ Scene hostile_spheres(const Vec3& eye, std::size_t count) {
 
 std::size_t different_hits(const Scene& scene) {
     const Bvh bvh(scene.geometry);
-    test::Random random(7);
+    Random random(7);
     const std::vector<Ray> rays = make_rays(scene, 1000, random);
     return static_cast<std::size_t>(std::count_if(rays.begin(), rays.end(), [&](const Ray& ray) {
         return !difference(bvh, ray, brute_force(scene, ray)).empty();
@@ -205,7 +205,7 @@ TEST_CASE("Given random rays, the filters drop nearly all that they miss or hit 
         CAPTURE(family);
         const Scene scene = make_scene(family, 300);
         Trial trial(scene);
-        test::Random random(1);
+        Random random(1);
         for (int i = 0; i < 20000; ++i) {
             const Vec3 origin = random.in_cube(2);
             trial.shoot({origin, random.in_cube() - origin});

@@ -1,6 +1,6 @@
 // Rays that are said to follow each other are walked by other code: it must find the same.
 #include "native_accel/bvh/lowest_lane.h"
-#include "native_accel/bvh/wide_node.h"
+#include "native_accel/bvh/wide_tree.h"
 #include "tests/backends/contenders.h"
 #include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"

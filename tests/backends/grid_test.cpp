@@ -33,10 +33,10 @@ Scene lattice(int n, bool spheres) {
 
 /// Along planes, diagonals of faces and of cubes, through corners, from inside, beside and afar.
 std::vector<Ray> rays_along_planes(int n, std::size_t count) {
-    test::Random random(count);
+    Random random(count);
     std::vector<Ray> rays;
     while (rays.size() < count) {
-        const auto whole = [&](int below) { return static_cast<double>(random.below(below)); };
+        const auto whole = [&](int below) { return static_cast<double>(random.index(below)); };
         const Vec3 direction(whole(3) - 1, whole(3) - 1, whole(3) - 1);
         if (max_abs(direction) == 0) continue;
         const Vec3 through(whole(2 * n + 1) / 2, whole(2 * n + 1) / 2, whole(2 * n + 1) / 2);
@@ -65,7 +65,7 @@ void require_hits_of_brute_force(const Scene& scene, const std::vector<Ray>& ray
 /// A mesh of the sphere of radius 1, in a floor and walls of triangles 100 times as large.
 Scene teapot_in_stadium(std::size_t count) {
     Scene scene = make_scene("closed_mesh", count);
-    test::Random random(1);
+    Random random(1);
     for (int i = 0; i < 40; ++i) {
         const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
         for (int corner = 0; corner < 3; ++corner) {
@@ -116,7 +116,7 @@ TEST_CASE("Given rays along planes, diagonals and corners of cells, the grid los
 TEST_CASE("Given a dense mesh in a hundred times larger scene, the grid finds all in little memory",
           "[grid]") {
     const Scene scene = teapot_in_stadium(20000);
-    test::Random random(2);
+    Random random(2);
     std::vector<Ray> rays = make_rays(scene, 300, random);
     for (int i = 0; i < 300; ++i) {
         const Vec3 origin = 100.0 * random.direction();

@@ -17,7 +17,7 @@ Ray without_hint(Ray ray) {
 
 /// Rays from where others hit a scene, to both sides.
 std::vector<Ray> leaving_rays(const Scene& scene, std::size_t count) {
-    test::Random random(count);
+    Random random(count);
     std::vector<Ray> rays;
     for (const Ray& ray : make_rays(scene, count, random)) {
         const auto hit = brute_force(scene, ray);

@@ -32,7 +32,7 @@ Scene dense_scene() {
     Scene scene;
     scene.look.materials = {Material()};
     scene.camera.eye = Vec3(0.3, 0.2, 0.4);
-    test::Random random(1);
+    Random random(1);
     for (std::size_t i = 0; i < dense_triangles; ++i) {
         const Vec3 place = 0.05 * random.direction();
         add(scene, {place, place + 0.003 * random.in_cube(), place + 0.003 * random.in_cube()});
@@ -43,7 +43,7 @@ Scene dense_scene() {
 /// The same among needles in all directions.
 Scene scene_of_needles() {
     Scene scene = dense_scene();
-    test::Random random(2);
+    Random random(2);
     for (std::size_t i = 0; i < needles; ++i) {
         const Vec3 along = 3.0 * random.direction(), from = random.in_cube() - along / 2;
         add(scene, {from, from + along, from + 0.01 * random.in_cube()});
@@ -61,14 +61,14 @@ Scene scene_on_a_slope() {
 }
 
 /// A point of a triangle whose corners are whole numbers below 2^40: exact.
-Vec3 point_of(const WorldCorners& corners, test::Random& random) {
-    const std::uint32_t a = random.below(65), b = random.below(65 - a);
+Vec3 point_of(const WorldCorners& corners, Random& random) {
+    const std::uint32_t a = random.index(65), b = random.index(65 - a);
     const double u = a / 64.0, v = b / 64.0;
     return corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]);
 }
 
 /// Whole numbers around a place, of a needle more often than not.
-WorldCorners whole_corners(const Vec3& place, test::Random& random) {
+WorldCorners whole_corners(const Vec3& place, Random& random) {
     const auto whole = [](Vec3 v) {
         for (int k = 0; k < 3; ++k) v[k] = std::round(v[k]);
         return v;
@@ -130,7 +130,7 @@ BvhTree tree_of(const Scene& scene) {
 
 TEST_CASE(
     "Given a triangle anywhere, the boxes of its pieces hold all of it and are within its own") {
-    test::Random random(3);
+    Random random(3);
     int outside = 0, lost = 0, too_many = 0;
     for (int i = 0; i < 2000; ++i) {
         const Vec3 place = std::round(random.magnitude(0, 12)) * Vec3(1, -1, 0);
@@ -140,7 +140,7 @@ TEST_CASE(
         const double around = random.magnitude(0, 6);
         const Frame frame(Box3(box.min - Vec3(around), box.max + Vec3(10 * around)));
         const Corners corners = corners_in(frame, world);
-        const int cuts = random.below(40);
+        const int cuts = random.index(40);
         const std::vector<Bounds> pieces = pieces_of(corners, cuts);
         too_many += pieces.size() > static_cast<std::size_t>(cuts) + 1;
         for (const Bounds& piece : pieces) outside += !is_within(piece, bounds_of(corners));
@@ -171,7 +171,7 @@ TEST_CASE("Given needles, all primitives keep references whose boxes hold them")
     CHECK(references.size() > bounds.bounded.size() + needles);
     const auto whole = static_cast<double>(bounds.bounded.size());
     CHECK(static_cast<double>(references.size()) <= whole * (1 + PresplitConfig().budget));
-    test::Random random(4);
+    Random random(4);
     std::size_t lost = 0;
     for (std::uint32_t id = 0; id < scene.geometry.primitives.size(); id += 7) {
         const std::vector<Box3f> boxes = boxes_of(id, references);
@@ -215,7 +215,7 @@ TEST_CASE("Given needles in pieces, every backend finds what the kernels find") 
     std::vector<std::unique_ptr<Intersector>> intersectors;
     for (const Backend& backend : exact_backends())
         intersectors.push_back(backend.build(scene.geometry));
-    test::Random random(5);
+    Random random(5);
     std::size_t hits = 0, different = 0;
     for (const Ray& ray : make_rays(scene, 200, random)) {
         if (max_abs(ray.direction) == 0 || !(ray.tmin < ray.tmax)) continue;

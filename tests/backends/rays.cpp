@@ -37,8 +37,8 @@ class RayMaker {
   private:
     Vec3 in(const Box3& box) {
         const Vec3 s = box.size();
-        return box.min + Vec3(s.x * random_.between(0, 1), s.y * random_.between(0, 1),
-                              s.z * random_.between(0, 1));
+        return box.min + Vec3(s.x * random_.uniform(0, 1), s.y * random_.uniform(0, 1),
+                              s.z * random_.uniform(0, 1));
     }
 
     Vec3 corner_of(const Box3& box) {
@@ -48,23 +48,23 @@ class RayMaker {
     }
 
     const Vec3& vertex() {
-        return scene_.geometry.vertices[random_.below(scene_.geometry.vertices.size())];
+        return scene_.geometry.vertices[random_.index(scene_.geometry.vertices.size())];
     }
 
     Vec3 on_edge() {
         const auto& triangles = scene_.geometry.all<Triangle>();
         if (triangles.empty()) return vertex();
-        const TriangleIndices t = triangles[random_.below(triangles.size())];
+        const TriangleIndices t = triangles[random_.index(triangles.size())];
         const Vec3 a = scene_.geometry.vertex(t[0]);
         const Vec3 b = scene_.geometry.vertex(t[1]);
-        return a + (random_.one_in(4) ? 0.5 : random_.between(0, 1)) * (b - a);
+        return a + (random_.one_in(4) ? 0.5 : random_.uniform(0, 1)) * (b - a);
     }
 
     /// Where a sphere ends, seen from about the middle of the scene, to about a double's precision.
     Vec3 on_silhouette() {
         const auto& spheres = scene_.geometry.all<Sphere>();
         if (spheres.empty()) return in(all_);
-        const Sphere& s = spheres[random_.below(spheres.size())];
+        const Sphere& s = spheres[random_.index(spheres.size())];
         Vec3 u, v;
         const Vec3 towards = s.centre - all_.center();
         const double length = std::sqrt(towards.dot(towards));
@@ -74,7 +74,7 @@ class RayMaker {
 
     Vec3 target() {
         const bool has_vertices = !scene_.geometry.vertices.empty();
-        switch (random_.below(6)) {
+        switch (random_.index(6)) {
             case 0:
                 return has_vertices ? vertex() : on_silhouette();
             case 1:
@@ -90,11 +90,11 @@ class RayMaker {
         }
     }
 
-    const Box3& random_box() { return bounded_[random_.below(bounded_.size())]; }
+    const Box3& random_box() { return bounded_[random_.index(bounded_.size())]; }
 
     Vec3 origin() {
         const Vec3 centre = all_.center();
-        switch (random_.below(8)) {
+        switch (random_.index(8)) {
             case 0:
                 return centre + 1e5 * radius_ * random_.direction();
             case 1:
@@ -113,7 +113,7 @@ class RayMaker {
     }
 
     void make_axis_parallel(Ray& ray, const Vec3& to) {
-        const int axis = static_cast<int>(random_.below(3));
+        const int axis = static_cast<int>(random_.index(3));
         ray.direction = Vec3(0);
         ray.direction[axis] = random_.one_in(2) ? 1 : -1;
         if (random_.one_in(2)) ray.direction = -ray.direction;  // which makes the zeros negative
@@ -121,13 +121,13 @@ class RayMaker {
     }
 
     void add_denormal(Ray& ray) {
-        ray.direction[static_cast<int>(random_.below(3))] = random_.one_in(2) ? 5e-324 : -1e-310;
+        ray.direction[static_cast<int>(random_.index(3))] = random_.one_in(2) ? 5e-324 : -1e-310;
     }
 
     void add_range(Ray& ray, const Vec3& to) {
         const double t = (to - ray.origin).dot(ray.direction) / ray.direction.dot(ray.direction);
-        ray.tmin = random_.one_in(4) ? -std::abs(t) : random_.between(0, 1) * t;
-        if (random_.one_in(2)) ray.tmax = ray.tmin + std::abs(t) * random_.between(0, 2);
+        ray.tmin = random_.one_in(4) ? -std::abs(t) : random_.uniform(0, 1) * t;
+        if (random_.one_in(2)) ray.tmax = ray.tmin + std::abs(t) * random_.uniform(0, 2);
     }
 
     const Scene& scene_;

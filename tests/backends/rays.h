@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/intersect/ray.h"
+#include "core/sampling/random.h"
 #include "core/scene/scene.h"
-#include "tests/backends/random.h"
 
 namespace etalon::test {
 

@@ -1,12 +1,11 @@
 // How a scene's primitives are sorted for accelerators.
 #include "core/intersect/bounded.h"
 #include "core/parallel/parallel.h"
+#include "core/sampling/random.h"
 #include "core/scene/scene.h"
-#include "tests/backends/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;
-using namespace etalon::test;
 
 namespace {
 
@@ -16,7 +15,7 @@ constexpr std::uint32_t count = 20'000;
 /// there.
 Scene scene_of_all_sorts() {
     Scene scene;
-    test::Random random(1);
+    Random random(1);
     for (std::uint32_t id = 0; id < count; ++id) {
         const Vec3 place = random.in_cube();
         if (id % 7 == 0) {

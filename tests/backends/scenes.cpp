@@ -2,8 +2,8 @@
 
 #include <numbers>
 
+#include "core/sampling/random.h"
 #include "core/scene/quadric_form.h"
-#include "tests/backends/random.h"
 #include "tests/catch.h"
 
 namespace etalon::test {
@@ -24,11 +24,11 @@ void add_triangle(Scene& scene, const Vec3& a, const Vec3& b, const Vec3& c, Sid
 void add_polygon(Scene& scene, Random& random, const Vec3& place, double size, Sides sides) {
     Vec3 u, v;
     orthonormal_basis(random.direction(), u, v);
-    const std::uint32_t count = 4 + random.below(4);
+    const std::uint32_t count = 4 + random.index(4);
     const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
     for (std::uint32_t i = 0; i < count; ++i) {
         const double angle = 2 * std::numbers::pi * i / count;
-        const double r = size * random.between(0.3, 1);
+        const double r = size * random.uniform(0.3, 1);
         scene.geometry.vertices.push_back(place + r * (std::cos(angle) * u + std::sin(angle) * v));
     }
     scene.geometry.add(Polygon{first, count}, 0, sides);
@@ -38,8 +38,8 @@ void add_polygon(Scene& scene, Random& random, const Vec3& place, double size, S
 void add_quadric(Scene& scene, Random& random, const Vec3& place, double size, Sides sides) {
     const Vec3 half = abs(random.in_cube(size));
     Quadric s{place, {}, {place - half, place + half}};
-    for (double& number : s.coefficients) number = random.between(-1, 1);
-    s.coefficients[9] *= random.between(0, 1);
+    for (double& number : s.coefficients) number = random.uniform(-1, 1);
+    s.coefficients[9] *= random.uniform(0, 1);
     s.coefficients = scaled(s.coefficients, size);
     scene.geometry.add(s, 0, sides);
 }
@@ -50,36 +50,42 @@ Affine any_map(const Vec3& place, double size, Random& random) {
     return {x, y, random.in_cube(size), place};
 }
 
-/// Adds a shape of number `kind` in the order of ShapeArrays.
-void add_shape(Scene& scene, Random& random, ShapeKind kind, double size, Sides sides) {
+/// Adds a random shape of one kind.
+template <class Shape>
+void add_shape(Scene& scene, Random& random, double size, Sides sides) {
     const Vec3 place = random.in_cube();
-    if (kind == kind_of<Sphere>()) {
-        scene.geometry.add(Sphere{place, size * random.between(0.1, 1)}, 0, sides);
-    } else if (kind == kind_of<Triangle>()) {
+    if constexpr (std::is_same_v<Shape, Sphere>) {
+        scene.geometry.add(Sphere{place, size * random.uniform(0.1, 1)}, 0, sides);
+    } else if constexpr (std::is_same_v<Shape, Triangle>) {
         add_triangle(scene, place, place + random.in_cube(size), place + random.in_cube(size),
                      sides);
-    } else if (kind == kind_of<Polygon>()) {
+    } else if constexpr (std::is_same_v<Shape, Polygon>) {
         add_polygon(scene, random, place, size, sides);
-    } else if (kind == kind_of<Box>()) {
+    } else if constexpr (std::is_same_v<Shape, Box>) {
         const Vec3 half = abs(random.in_cube(size));
         scene.geometry.add(Box{place - half, place + half}, 0, sides);
-    } else if (kind == kind_of<Plane>()) {
+    } else if constexpr (std::is_same_v<Shape, Plane>) {
         scene.geometry.add(Plane{3.0 * place, random.direction()}, 0, sides);
-    } else if (kind == kind_of<Ring>()) {
-        const double outer = size * random.between(0.1, 1);
-        scene.geometry.add(Ring{place, random.direction(), outer * random.between(0, 0.9), outer},
-                           0, sides);
-    } else if (kind == kind_of<Quadric>()) {
+    } else if constexpr (std::is_same_v<Shape, Ring>) {
+        const double outer = size * random.uniform(0.1, 1);
+        scene.geometry.add(Ring{place, random.direction(), outer * random.uniform(0, 0.9), outer}, 0, sides);
+    } else if constexpr (std::is_same_v<Shape, Quadric>) {
         add_quadric(scene, random, place, size, sides);
-    } else if (kind == kind_of<Ellipsoid>()) {
+    } else if constexpr (std::is_same_v<Shape, Ellipsoid>) {
         scene.geometry.add(Ellipsoid(any_map(place, size, random)), 0, sides);
-    } else if (kind == kind_of<ClosedCylinder>()) {
+    } else if constexpr (std::is_same_v<Shape, ClosedCylinder>) {
         scene.geometry.add(ClosedCylinder(any_map(place, size, random)), 0, sides);
     } else {
-        scene.geometry.add(Cone{place, place + random.in_cube(size), size * random.between(0, 0.5),
-                                size * random.between(0.1, 0.5)},
-                           0, sides);
+        static_assert(std::is_same_v<Shape, Cone>);
+        scene.geometry.add(Cone{place, place + random.in_cube(size), size * random.uniform(0, 0.5),
+                       size * random.uniform(0.1, 0.5)},
+                  0, sides);
     }
+}
+
+/// Adds a shape of number `kind` in the order of ShapeArrays.
+void add_shape(Scene& scene, Random& random, ShapeKind kind, double size, Sides sides) {
+    with_shape(kind, [&]<class Shape>() { add_shape<Shape>(scene, random, size, sides); });
 }
 
 double usual_size(std::size_t count) {
@@ -91,14 +97,14 @@ Scene only(std::size_t count) {
     Scene scene;
     Random random(kind_of<Shape>() + 1);
     for (std::size_t i = 0; i < count; ++i) {
-        add_shape(scene, random, kind_of<Shape>(), usual_size(count), Sides::both);
+        add_shape<Shape>(scene, random, usual_size(count), Sides::both);
     }
     return scene;
 }
 
 /// One in fifty is a plane, or they would hide the rest.
 ShapeKind any_kind(Random& random) {
-    const auto kind = static_cast<ShapeKind>(random.below(shape_kinds));
+    const auto kind = static_cast<ShapeKind>(random.index(shape_kinds));
     const bool keep = kind != kind_of<Plane>() || random.one_in(8);
     return keep ? kind : kind_of<Sphere>();
 }
@@ -116,7 +122,7 @@ Scene one_sided(std::size_t count) {
     Scene scene;
     Random random(12);
     for (std::size_t i = 0; i < count; ++i) {
-        const auto sides = static_cast<Sides>(random.below(3));
+        const auto sides = static_cast<Sides>(random.index(3));
         add_shape(scene, random, any_kind(random), usual_size(count), sides);
     }
     return scene;
@@ -132,7 +138,7 @@ Scene duplicates(std::size_t count) {
     }
     Random random(13);
     for (std::size_t i = all.size() - 1; i > 0; --i) {
-        std::swap(all[i], all[random.below(i + 1)]);
+        std::swap(all[i], all[random.index(i + 1)]);
     }
     scene.geometry.primitives = PrimitiveRuns(all);
     return scene;
@@ -143,12 +149,12 @@ Scene coplanar(std::size_t count) {
     Scene scene;
     Random random(14);
     const auto corner = [&](int axis, double level) {
-        Vec3 p(random.below(9), random.below(9), random.below(9));
+        Vec3 p(random.index(9), random.index(9), random.index(9));
         p[axis] = level;
         return p;
     };
     for (std::size_t i = 0; i < count; ++i) {
-        const int axis = static_cast<int>(random.below(3));
+        const int axis = static_cast<int>(random.index(3));
         const double level = 4;
         const Vec3 a = corner(axis, level), b = corner(axis, level), c = corner(axis, level);
         if (random.one_in(6)) {
@@ -178,7 +184,7 @@ Scene slivers(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3 a = random.in_cube(), along = random.in_cube();
         const Vec3 across = random.in_cube(random.magnitude(-8, -2));
-        add_triangle(scene, a, a + along, a + random.between(0, 1) * along + across, Sides::both);
+        add_triangle(scene, a, a + along, a + random.uniform(0, 1) * along + across, Sides::both);
     }
     return scene;
 }

@@ -95,7 +95,7 @@ TEST_CASE("Given any scene, the filter of the grid's packs drops no sphere that 
                  {family.make(101),
                   transformed(family.make(50), 1e-3, Vec3(148376, 1234, -223423))}) {
                 Trial trial(scene);
-                test::Random random(3);
+                Random random(3);
                 for (const Ray& ray : make_rays(scene, 500, random)) trial.shoot(ray);
                 CHECK(trial.hit_and_dropped == 0);
                 CHECK(trial.empty_and_passed == 0);
@@ -108,7 +108,7 @@ TEST_CASE("Given random rays, the filter of the grid's packs drops nearly all th
           "[grid]") {
     const Scene scene = make_scene("spheres", 300);
     Trial trial(scene);
-    test::Random random(1);
+    Random random(1);
     for (int i = 0; i < 10000; ++i) {
         const Vec3 origin = random.in_cube(2);
         trial.shoot({origin, random.in_cube() - origin});

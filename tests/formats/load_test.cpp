@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <random>
 
+#include "core/sampling/random.h"
 #include "tests/catch.h"
 #include "tests/formats/nff_text.h"
 #include "tests/formats/p3f_text.h"
@@ -138,9 +138,9 @@ TEST_CASE("a scene of another format is named by its extension where it shows no
 }
 
 TEST_CASE("a binary file is named so") {
-    std::mt19937 random(6);
+    Random random(6);
     std::string text(5000, ' ');
-    for (char& c : text) c = static_cast<char>(random());
+    for (char& c : text) c = static_cast<char>(random.bits());
     CHECK(foreign(text) == looks_like("a binary file"));
     CHECK(foreign(std::string("\x76\x2f\x31\x01\x02\0\0\0channels\0chlist\0", 24)) ==
           looks_like("a binary file"));

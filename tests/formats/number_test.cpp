@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <random>
 #include <string>
 
+#include "core/sampling/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;
@@ -97,8 +97,8 @@ TEST_CASE("a number too large for double is out of range, one too small is zero"
 }
 
 TEST_CASE("the double read is the nearest one, whichever way it was found") {
-    std::mt19937 random(20);
-    const auto below = [&](unsigned n) { return static_cast<int>(random() % n); };
+    Random random(20);
+    const auto below = [&](unsigned n) { return static_cast<int>(random.index(n)); };
     for (int i = 0; i < 100000; ++i) {
         std::string text(static_cast<std::size_t>(1 + below(22)), '0');
         for (char& c : text) c = static_cast<char>('0' + below(10));

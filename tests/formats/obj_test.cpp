@@ -1,7 +1,6 @@
 #include "core/formats/obj.h"
 
-#include <random>
-
+#include "core/sampling/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;
@@ -154,11 +153,12 @@ TEST_CASE("computed normals do not depend on the size of a mesh") {
 TEST_CASE("a mesh of damaged bytes gives indices that exist") {
     std::string text = square + "vn 0 0 1\nvn 0 1 0\n";
     for (int i = 0; i < 20; ++i) text += "v 1 2 3.5\nf -1 2//2 3/1/1 -4//-1\n";
-    std::mt19937 random(11);
+    Random random(11);
     for (int i = 0; i < 1000; ++i) {
-        std::string damaged = text.substr(0, i % 4 == 0 ? random() % text.size() + 1 : text.size());
-        for (unsigned k = 0; k <= random() % 8; ++k) {
-            damaged[random() % damaged.size()] ^= static_cast<char>(1U << (random() % 8));
+        std::string damaged =
+            text.substr(0, i % 4 == 0 ? random.index(text.size()) + 1 : text.size());
+        for (unsigned k = 0; k <= random.index(8); ++k) {
+            damaged[random.index(damaged.size())] ^= static_cast<char>(1U << random.index(8));
         }
         ObjMesh mesh = read(damaged).mesh;
         complete_normals(mesh);

@@ -1,3 +1,4 @@
+#include "core/scene/transformed.h"
 #include "tests/catch.h"
 #include "tests/formats/prt_text.h"
 
@@ -43,6 +44,25 @@ TEST_CASE("an instance is nothing until it is referred to, then moved each time"
     CHECK(s.geometry.all<Quadric>()[0].clip.min == Vec3(9, 19, 29));
     CHECK(s.geometry.all<Quadric>()[0].clip.max == Vec3(11, 21, 31));
     CHECK(colors(r) == "rrrrrrrrrrrrrrr");
+}
+
+TEST_CASE("a shape of any kind moves with its instance") {
+    const Vec3 offset(10, 20, 30);
+    const Affine map{{2, 0, 0}, {0, 3, 0}, {0, 0, 4}, {1, 1, 1}};
+    Geometry g;
+    g.add(Box{Vec3(0), Vec3(1)}, 0);
+    g.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
+    g.add(Ellipsoid(map), 0);
+    g.add(ClosedCylinder(map), 0);
+    const std::optional<Geometry> m = moved(g, offset);
+    REQUIRE(m);
+    CHECK(m->all<Box>()[0].min == offset);
+    CHECK(m->all<Box>()[0].max == Vec3(1) + offset);
+    CHECK(m->all<Plane>()[0].point == offset);
+    CHECK(m->all<Ellipsoid>()[0].to_world.origin == Vec3(1) + offset);
+    CHECK(m->all<Ellipsoid>()[0].frame.point(Vec3(0)) == Vec3(1) + offset);
+    CHECK(m->all<ClosedCylinder>()[0].to_world.origin == Vec3(1) + offset);
+    CHECK(m->all<ClosedCylinder>()[0].frame.point(Vec3(0)) == Vec3(1) + offset);
 }
 
 TEST_CASE("an instance that is never referred to leaves nothing behind") {

@@ -1,9 +1,9 @@
 // Damaged files of every format: whatever the damage, a sane scene or an error, at a cost in
 // proportion to the file.
 #include <algorithm>
-#include <random>
 
 #include "core/formats/write/write.h"
+#include "core/sampling/random.h"
 #include "tests/catch.h"
 #include "tests/formats/messages.h"
 #include "tests/formats/sane_scene.h"
@@ -45,31 +45,31 @@ TEST_CASE("the scenes to be damaged are whole") {
 }
 
 TEST_CASE("a scene cut anywhere gives a scene or an error") {
-    std::mt19937 random(1);
+    Random random(1);
     for (const WholeScene& scene : whole_scenes()) {
         for (int i = 0; i < 100; ++i) {
-            check_survives(scene, scene.text.substr(0, random() % scene.text.size()));
+            check_survives(scene, scene.text.substr(0, random.index(scene.text.size())));
         }
     }
 }
 
 TEST_CASE("a scene with any byte flipped gives a scene or an error") {
-    std::mt19937 random(2);
+    Random random(2);
     for (const WholeScene& scene : whole_scenes()) {
         for (int i = 0; i < 1000; ++i) {
             std::string damaged = scene.text;
-            damaged[random() % damaged.size()] ^= static_cast<char>(1U << (random() % 8));
+            damaged[random.index(damaged.size())] ^= static_cast<char>(1U << random.index(8));
             check_survives(scene, damaged);
         }
     }
 }
 
 TEST_CASE("what is left of a damaged scene can be written, and is then sane") {
-    std::mt19937 random(6);
+    Random random(6);
     for (const WholeScene& scene : whole_scenes()) {
         for (int i = 0; i < 50; ++i) {
             std::string damaged = scene.text.substr(0, scene.text.size() * (i % 2 + 1) / 4);
-            damaged[random() % damaged.size()] ^= static_cast<char>(1U << (random() % 8));
+            damaged[random.index(damaged.size())] ^= static_cast<char>(1U << random.index(8));
             CAPTURE(scene.format, damaged);
             const LoadResult r = load_text(scene.format, damaged);
             if (!r.scene) continue;
@@ -82,12 +82,12 @@ TEST_CASE("what is left of a damaged scene can be written, and is then sane") {
 }
 
 TEST_CASE("a scene with many bytes of chance gives a scene or an error") {
-    std::mt19937 random(4);
+    Random random(4);
     for (const WholeScene& scene : whole_scenes()) {
         for (int i = 0; i < 300; ++i) {
             std::string damaged = scene.text;
             for (int k = 0; k < 100; ++k) {
-                damaged[random() % damaged.size()] = static_cast<char>(random());
+                damaged[random.index(damaged.size())] = static_cast<char>(random.bits());
             }
             check_survives(scene, damaged);
         }
@@ -95,11 +95,12 @@ TEST_CASE("a scene with many bytes of chance gives a scene or an error") {
 }
 
 TEST_CASE("words of a format in any order give a scene or an error") {
-    std::mt19937 random(5);
+    Random random(5);
     for (const WholeScene& scene : whole_scenes()) {
         for (int i = 0; i < 2000; ++i) {
             std::string text = i % 2 == 0 ? scene.camera : "";
-            for (int k = 0; k < 200; ++k) text += scene.words[random() % scene.words.size()] + " ";
+            for (int k = 0; k < 200; ++k)
+                text += scene.words[random.index(scene.words.size())] + " ";
             check_survives(scene, text);
         }
     }

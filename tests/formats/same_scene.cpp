@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "core/formats/degenerate.h"
+#include "core/numerics/rounding.h"
 
 namespace etalon {
 namespace {

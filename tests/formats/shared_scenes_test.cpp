@@ -2,9 +2,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <random>
 
 #include "core/formats/write/write.h"
+#include "core/sampling/random.h"
 #include "tests/catch.h"
 #include "tests/formats/p3f_text.h"
 #include "tests/formats/same_scene.h"
@@ -130,7 +130,7 @@ TEST_CASE("every real PRT scene is read without a warning", "[needs_shared_scene
 }
 
 TEST_CASE("damaged real scenes give a scene or an error", "[needs_shared_scenes]") {
-    std::mt19937 random(7);
+    Random random(7);
     const std::vector<std::string> paths = small_files();
     SKIP_UNLESS(!paths.empty(), "no scenes in " << shared_scenes_folder());
     for (const std::string& path : paths) {
@@ -138,9 +138,9 @@ TEST_CASE("damaged real scenes give a scene or an error", "[needs_shared_scenes]
         CAPTURE(path);
         for (int i = 0; i < 100; ++i) {
             std::string damaged =
-                text.substr(0, i % 10 == 0 ? random() % text.size() : text.size());
+                text.substr(0, i % 10 == 0 ? random.index(text.size()) : text.size());
             if (!damaged.empty())
-                damaged[random() % damaged.size()] ^= static_cast<char>(1U << (random() % 8));
+                damaged[random.index(damaged.size())] ^= static_cast<char>(1U << random.index(8));
             const LoadResult r = load_scene_text(damaged, path);
             CHECK((r.scene ? insanity(*r.scene).empty() : !r.diagnostics.empty()));
         }

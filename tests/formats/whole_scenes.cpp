@@ -1,12 +1,12 @@
 #include "tests/formats/whole_scenes.h"
 
-#include <random>
+#include "core/sampling/random.h"
 
 namespace etalon {
 namespace {
 
-std::string number(std::mt19937& random) {
-    return std::to_string(static_cast<double>(random() % 1000) * 1e-3) + " ";
+std::string number(Random& random) {
+    return std::to_string(static_cast<double>(random.index(1000)) * 1e-3) + " ";
 }
 
 /// Both dialects.
@@ -18,7 +18,7 @@ std::string p3f_text(const std::string& camera) {
         "npl 0 0 1 3 #floor\nf 0 0.5 0 0 1 1 1 0.2 30.1 1 1.15\nbox 0 0 0 1 1 1.5\n"
         "c 1 2 3 0.5\n3 2 1 0\ns 0 0 0 -9\np 5\n0 0 0\n1 0 0\n1 1 0\n.5 .25 0\n0 1 0\n"
         "pp 3\n0 0 0 0 0 1\n1 0 0 0 0.1 1\n0 1 0 0.1 0 1\n";
-    std::mt19937 random(3);
+    Random random(3);
     for (int i = 0; i < 60; ++i) text += "s " + number(random) + "-1.5e-2 +7. .25\n";
     text += "mesh 40 60\n";
     for (int i = 0; i < 40; ++i) {
@@ -26,7 +26,7 @@ std::string p3f_text(const std::string& camera) {
         text += "\n";
     }
     for (int i = 0; i < 60; ++i) {
-        const auto v = random() % 38;
+        const auto v = random.index(38);
         text += std::to_string(v + 1) + " " + std::to_string(v + 2) + " -1\n";
     }
     return text;
@@ -59,7 +59,7 @@ WholeScene nff() {
                        "pp 3\n0 0 0 0 0 1\n1 0 0 0 0.1 1\n0 1 0 0.1 0 1\n"
                        "f 1 0.6 0.4 0.2 0.5 3.0827 0.8 1.1\nc 1 2 3 .5 1 2 4 .25\n"
                        "s 0 0 0 -9\n";
-    std::mt19937 random(3);
+    Random random(3);
     for (int i = 0; i < 100; ++i) text += "s " + number(random) + "-1.5e-2 +7. .25\n";
     return {
         "nff", text, 0, 104, camera, "s x\n", "v ", {"s",          "p",   "pp", "f",      "c",
@@ -80,7 +80,7 @@ WholeScene prt() {
         "hsphere 1 2 3 .5 .1\ninstance_of pair 1 2 3\ninstance_of pair -1 2 3\n"
         "cone\n1 2 3 .5\n1 2 4 .25\nring 0 0 0 1 0 0 0 1 0 2 1\n"
         "quadric 0 0 0\n-1 -1 -1 1 1 1\n1 0 0 0 1\n0 0 1 0 -1\n";
-    std::mt19937 random(3);
+    Random random(3);
     for (int i = 0; i < 100; ++i) text += "sphere " + number(random) + "-1.5e-2 +7. .25\n";
     return {"prt",
             text,
@@ -105,7 +105,7 @@ WholeScene sce() {
                        "rotate 60 1 1 0\ntranslate 1 2 3 # there\nscale 1 1 -1.6\n"
                        "pointlight 3 0 4 .8 .8 .6\narealight 0.3 0.8 0.8 0.6\n"
                        "object_flat nothing.obj\n}\n";
-    std::mt19937 random(12);
+    Random random(12);
     for (int i = 0; i < 40; ++i) {
         text += "push_matrix\n\tscale " + number(random) + "1e-1 -2\n\tcr 1 0 0\n\tcp .5 .5 .5\n";
         text += "\tshininess 30\n\tball .5 1 2 3\n\tcylinder\n\ttriangle 0 0 0 1 0 " +

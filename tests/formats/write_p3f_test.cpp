@@ -1,6 +1,5 @@
 // Scenes written as P3F, and read again.
 #include <filesystem>
-#include <random>
 
 #include <fmt/core.h>
 
@@ -8,6 +7,7 @@
 #include "core/formats/write/p3f_material.h"
 #include "core/formats/write/write.h"
 #include "core/numerics/transforms.h"
+#include "core/sampling/random.h"
 #include "tests/catch.h"
 #include "tests/formats/p3f_text.h"
 #include "tests/formats/same_scene.h"
@@ -46,19 +46,18 @@ void check_round_trip(const LoadResult& first, const std::string& path) {
 }
 
 /// A number as a file might have it, now and then with all its digits.
-double some_number(std::mt19937& random) {
-    std::uniform_real_distribution<double> any(-10, 10);
-    const auto digits = static_cast<double>(random() % 2001) - 1000;
-    return random() % 4 == 0 ? any(random) : digits / 100;
+double some_number(Random& random) {
+    const auto digits = static_cast<double>(random.index(2001)) - 1000;
+    return random.index(4) == 0 ? random.uniform(-10, 10) : digits / 100;
 }
 
-Vec3 some_point(std::mt19937& random) {
+Vec3 some_point(Random& random) {
     return {some_number(random), some_number(random), some_number(random)};
 }
 
-Color some_color(std::mt19937& random) {
-    const auto part = [&] { return static_cast<float>(random() % 201) / 100; };
-    return random() % 8 == 0 ? Color(0.0F) : Color(part(), part(), part() / 2);
+Color some_color(Random& random) {
+    const auto part = [&] { return static_cast<float>(random.index(201)) / 100; };
+    return random.index(8) == 0 ? Color(0.0F) : Color(part(), part(), part() / 2);
 }
 
 }  // namespace
@@ -92,7 +91,7 @@ TEST_CASE("a scene of every feature is the same when it is written and read agai
 }
 
 TEST_CASE("objects of all kinds with all their digits are the same when written and read again") {
-    std::mt19937 random(21);
+    Random random(21);
     const auto numbers = [&](int count) {
         std::string text;
         for (int i = 0; i < count; ++i) text += fmt::format(" {}", some_number(random));
@@ -109,14 +108,14 @@ TEST_CASE("objects of all kinds with all their digits are the same when written 
 }
 
 TEST_CASE("every material that P3F can say is found again") {
-    std::mt19937 random(22);
-    const auto weight = [&] { return static_cast<double>(random() % 101) / 100; };
+    Random random(22);
+    const auto weight = [&] { return static_cast<double>(random.index(101)) / 100; };
     for (int i = 0; i < 100000; ++i) {
-        const P3fMaterial n{some_color(random), random() % 4 == 0 ? 0 : weight(),
-                            some_color(random), random() % 4 == 0 ? 0 : weight(),
-                            weight() * 100,     random() % 2 == 0 ? 1.0 : 0.0,
+        const P3fMaterial n{some_color(random), random.index(4) == 0 ? 0 : weight(),
+                            some_color(random), random.index(4) == 0 ? 0 : weight(),
+                            weight() * 100,     random.index(2) == 0 ? 1.0 : 0.0,
                             0.5 + weight()};
-        const bool absorbs = random() % 4 != 0;
+        const bool absorbs = random.index(4) != 0;
         const Material m = to_material(n, absorbs);
         Losses losses;
         const P3fStatement s = to_p3f(m, losses);
@@ -143,7 +142,7 @@ TEST_CASE("a highlight without a mirror is P3F's by a negative weight") {
 }
 
 TEST_CASE("the end of an edge is found where there is one") {
-    std::mt19937 random(23);
+    Random random(23);
     for (int i = 0; i < 100000; ++i) {
         const Vec3 start = some_point(random), end = some_point(random);
         const EdgeEnd found = end_of_edge(start, end - start);
@@ -154,7 +153,7 @@ TEST_CASE("the end of an edge is found where there is one") {
 }
 
 TEST_CASE("a plane is found again by three points, its normal up to a power of two") {
-    std::mt19937 random(24);
+    Random random(24);
     int inexact = 0;
     for (int i = 0; i < 20000; ++i) {
         Plane plane{some_point(random), some_point(random) * std::ldexp(1.0, i % 100 - 50)};

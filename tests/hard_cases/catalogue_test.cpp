@@ -151,6 +151,16 @@ TEST_CASE("The catalogue: given all cases, then no two have the same id and vari
     REQUIRE(names.size() > 100);
 }
 
+TEST_CASE("The catalogue: given any kind of shape, then it has cases of its own") {
+    std::set<std::string, std::less<>> shapes;
+    for (const HardCase& c : hard_cases()) shapes.insert(c.shape);
+    for (std::size_t kind = 0; kind < shape_kinds; ++kind) {
+        const std::string_view name = kind_name(static_cast<ShapeKind>(kind));
+        CAPTURE(name);
+        CHECK(shapes.count(name) == 1);
+    }
+}
+
 TEST_CASE("The catalogue: given a case, then its scene and rays are what its names say") {
     for (const HardCase& c : hard_cases()) {
         CAPTURE(name_of(c));

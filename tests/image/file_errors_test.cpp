@@ -1,6 +1,7 @@
-#include <random>
+#include <cstdlib>
 
 #include "core/image/io.h"
+#include "core/sampling/random.h"
 #include "tests/catch.h"
 #include "tests/formats/shared_scenes.h"
 #include "tests/image/pictures.h"
@@ -52,8 +53,8 @@ TEST_CASE("what cannot be read is named with the reason") {
 TEST_CASE("garbage after a true beginning is refused") {
     const TemporaryFolder folder;
     std::string garbage(5000, 0);
-    std::mt19937 random(7);
-    for (char& c : garbage) c = static_cast<char>(random());
+    Random random(7);
+    for (char& c : garbage) c = static_cast<char>(random.bits());
     put(folder / "g.jpg", "\xff\xd8\xff\xe0" + garbage);
     check_unreadable(folder / "g.jpg");
     put(folder / "g.png", "\x89PNG\r\n\x1a\n" + garbage);
@@ -82,11 +83,11 @@ TEST_CASE("an EXR with flipped bytes is a picture or an error") {
     picture.metadata = {{"software", std::string("Etalon")}};
     REQUIRE(write_picture(folder / "whole.exr", picture) == "");
     const std::string whole = content_of(folder / "whole.exr");
-    std::mt19937 random(1);
+    Random random(1);
     for (int i = 0; i < 500; ++i) {
         std::string damaged = whole;
         const std::size_t range = i % 2 == 0 ? damaged.size() : 400;  // the header half of the time
-        damaged[random() % range] = static_cast<char>(random());
+        damaged[random.index(range)] = static_cast<char>(random.bits());
         put(folder / "damaged.exr", damaged);
         check_sane(folder / "damaged.exr");
     }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstring>
-#include <random>
 
 #include "core/image/picture.h"
+#include "core/sampling/random.h"
 
 namespace etalon::test {
 
@@ -11,11 +11,11 @@ namespace etalon::test {
 inline Picture random_picture(int width, int height, const Imath::Box2i& window) {
     Picture picture{width, height, window, {}, false, {}};
     const Imath::V2i size = window.size() + Imath::V2i(1);
-    std::mt19937 random(12345);
+    Random random(12345);
     for (int i = 0; i < size.x * size.y; ++i) {
         Color c;
         for (int k = 0; k < 3; ++k) {
-            const auto bits = static_cast<std::uint32_t>(random());
+            const auto bits = static_cast<std::uint32_t>(random.bits());
             std::memcpy(&c[k], &bits, sizeof bits);
         }
         picture.pixels.push_back(c);

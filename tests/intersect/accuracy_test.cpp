@@ -1,3 +1,5 @@
+#include <set>
+
 #include "core/intersect/kernels.h"
 #include "tests/catch.h"
 #include "tests/intersect/aimed_rays.h"
@@ -31,6 +33,18 @@ void require_right_answers(int rays_per_case) {
 }
 
 }  // namespace
+
+TEST_CASE("Shape cases: given any kind of shape, then the table has rows of it") {
+    std::set<std::string_view> kinds;
+    for (const ShapeCase& shape : shape_cases()) {
+        kinds.insert(kind_name(shape.scene.geometry.primitives[0].kind));
+    }
+    for (std::size_t kind = 0; kind < shape_kinds; ++kind) {
+        const std::string_view name = kind_name(static_cast<ShapeKind>(kind));
+        CAPTURE(name);
+        CHECK(kinds.count(name) == 1);
+    }
+}
 
 TEST_CASE("Kernels: given aimed rays, then hit, miss and t are the oracle's") {
     require_right_answers(1000);

@@ -49,7 +49,7 @@ Cone random_cone(Random& random) {
 Ray random_ray(const Cone& c, Random& random) {
     const Vec3 h = c.top - c.base;
     Vec3 u, v;
-    orthonormal_basis(h / std::sqrt(h.dot(h)), u, v);
+    orthonormal_basis(normalized(h), u, v);
     const double s = random.index(2) == 0 ? std::round(random.uniform()) : random.uniform();
     const double angle = random.uniform(0, 6.3), out = random.index(4) == 0 ? 0 : 1;
     const double r = out * (c.base_radius + s * (c.top_radius - c.base_radius));

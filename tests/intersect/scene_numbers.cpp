@@ -40,7 +40,8 @@ void list_numbers(Shape& s, std::vector<double*>& list) {
         add(s.normal);
         list.push_back(&s.inner);
         list.push_back(&s.outer);
-    } else if constexpr (std::is_same_v<Shape, Quadric>) {
+    } else {
+        static_assert(std::is_same_v<Shape, Quadric>);
         add(s.centre);
         add(s.clip.min);
         add(s.clip.max);

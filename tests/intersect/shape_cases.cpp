@@ -10,8 +10,8 @@ constexpr double pi = 3.14159265358979323846;
 
 /// An odd frame, so that nothing is aligned with the axes by accident.
 Vec3 tilted(double x, double y, double z) {
-    Vec3 w(17, 11, 7), u, v;
-    w /= std::sqrt(w.dot(w));
+    const Vec3 w = normalized({17, 11, 7});
+    Vec3 u, v;
     orthonormal_basis(w, u, v);
     return x * u + y * v + z * w;
 }

@@ -1,8 +1,7 @@
 #include "core/numerics/dyadic.h"
 
-#include <random>
-
 #include "core/numerics/exact.h"
+#include "core/sampling/random.h"
 #include "tests/catch.h"
 #include "tests/numerics/long_sum.h"
 
@@ -10,14 +9,11 @@ using namespace etalon;
 
 namespace {
 
-struct Random {
-    double uniform() { return std::ldexp(static_cast<double>(bits() >> 11), -52) - 1; }
-    double of_any_size(int reach) {
-        const int exponent = static_cast<int>(bits() % static_cast<unsigned>(2 * reach)) - reach;
-        return std::ldexp(uniform(), exponent);
-    }
-    std::mt19937_64 bits{20261121};
-};
+/// A number of either sign below 2^reach, of any order of magnitude down to 2^-reach.
+double any_number(int reach, Random& random) {
+    const int exponent = static_cast<int>(random.index(2 * reach)) - reach;
+    return std::ldexp(random.uniform(-1, 1), exponent);
+}
 
 double value(const Dyadic& x) {
     return x.sign() * static_cast<double>(x.magnitude());
@@ -26,9 +22,9 @@ double value(const Dyadic& x) {
 }  // namespace
 
 TEST_CASE("Dyadic: given any double, then its value is that double") {
-    Random random;
+    Random random(20261121);
     for (int i = 0; i < 10000; ++i) {
-        const double x = random.of_any_size(1023);
+        const double x = any_number(1023, random);
         REQUIRE(value(Dyadic(x)) == x);
         REQUIRE(value(-Dyadic(x)) == -x);
     }
@@ -38,9 +34,9 @@ TEST_CASE("Dyadic: given any double, then its value is that double") {
 }
 
 TEST_CASE("Dyadic: given a sum or a product of two doubles, then it is rounded once") {
-    Random random;
+    Random random(20261121);
     for (int i = 0; i < 100000; ++i) {
-        const double a = random.of_any_size(100), b = random.of_any_size(100);
+        const double a = any_number(100, random), b = any_number(100, random);
         REQUIRE(value(Dyadic(a) + Dyadic(b)) == a + b);
         REQUIRE(value(Dyadic(a) - Dyadic(b)) == a - b);
         REQUIRE(value(Dyadic(a) * Dyadic(b)) == a * b);
@@ -50,12 +46,13 @@ TEST_CASE("Dyadic: given a sum or a product of two doubles, then it is rounded o
 }
 
 TEST_CASE("Dyadic: given products of three that cancel, then the sign is the true one") {
-    Random random;
+    Random random(20261121);
     int zeros = 0;
     for (int i = 0; i < 20000; ++i) {
         LongSum expected;
         Dyadic sum;
-        const double a = random.of_any_size(200), b = random.of_any_size(200), c = random.uniform();
+        const double a = any_number(200, random), b = any_number(200, random);
+        const double c = random.uniform(-1, 1);
         const double other = i % 3 == 0 ? c : std::nextafter(c, i % 3 - 1.5);
         for (const auto& [x, y, z] :
              {std::array{a, b, c}, std::array{-b, other, a}, std::array{i % 2 * 0x1p-600, a, b}}) {

@@ -1,7 +1,6 @@
 #include "core/numerics/exact.h"
 
-#include <random>
-
+#include "core/sampling/random.h"
 #include "tests/catch.h"
 #include "tests/numerics/long_sum.h"
 
@@ -13,18 +12,11 @@ int sign(double x) {
     return (x > 0) - (x < 0);
 }
 
-struct Random {
-    double uniform(double low, double high) {
-        return low + (high - low) * std::ldexp(static_cast<double>(bits() >> 11), -53);
-    }
-    Vec3 vector() { return {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)}; }
-    /// Up to `ulps` steps away in every component.
-    Vec3 nudged(Vec3 v, int ulps) {
-        for (int k = 0; k < 3; ++k) v[k] *= 1 + 0x1p-52 * std::round(uniform(-ulps, ulps));
-        return v;
-    }
-    std::mt19937_64 bits{20260129};
-};
+/// `v` with every component up to `ulps` steps away.
+Vec3 nudged(Vec3 v, int ulps, Random& random) {
+    for (int k = 0; k < 3; ++k) v[k] *= 1 + 0x1p-52 * std::round(random.uniform(-ulps, ulps));
+    return v;
+}
 
 /// The sign of d . ((a - o) x (b - o)), multiplied out: 18 products of three doubles.
 int true_sign(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b) {
@@ -49,11 +41,11 @@ struct EdgeCase {
 /// Rays aimed at a point of an edge, as exactly as doubles can, so that the volume nearly vanishes.
 EdgeCase nearly_coplanar(Random& random, double distance) {
     EdgeCase c;
-    c.a = random.vector();
-    c.b = random.vector();
-    c.o = distance * random.vector();
+    c.a = random.in_cube();
+    c.b = random.in_cube();
+    c.o = distance * random.in_cube();
     const Vec3 target = c.a + random.uniform(0, 1) * (c.b - c.a);
-    c.d = random.nudged(target - c.o, 1);
+    c.d = nudged(target - c.o, 1, random);
     return c;
 }
 
@@ -75,9 +67,9 @@ TEST_CASE("LongSum: given sums that cancel, then the sign is that of what is lef
 }
 
 TEST_CASE("two_sum and two_product: given any operands, then value + error is exact") {
-    Random random;
+    Random random(20260129);
     for (int i = 0; i < 100000; ++i) {
-        const double a = random.vector().x, b = std::ldexp(random.vector().x, i % 120 - 60);
+        const double a = random.in_cube().x, b = std::ldexp(random.in_cube().x, i % 120 - 60);
         const TwoTerm s = two_sum(a, b), p = two_product(a, b);
         LongSum sum, product;
         for (const double x : {a, b, -s.value, -s.error}) sum.add(x, 1, 1);
@@ -92,7 +84,7 @@ TEST_CASE("two_sum and two_product: given any operands, then value + error is ex
 
 TEST_CASE(
     "exact_edge_volume: given nearly coplanar rays and edges, then the sign is the true one") {
-    Random random;
+    Random random(20260129);
     int zeros = 0, wrong_in_double = 0;
     for (int i = 0; i < 20000; ++i) {
         const EdgeCase c = nearly_coplanar(random, std::pow(10.0, i % 9));
@@ -107,10 +99,10 @@ TEST_CASE(
 }
 
 TEST_CASE("exact_edge_volume: given a ray through a corner or along an edge, then it is zero") {
-    Random random;
+    Random random(20260129);
     for (int i = 0; i < 1000; ++i) {
         // Few bits, so that the differences are exact and the ray truly passes through a.
-        const auto coarse = [&] { return Vec3(Imath::V3f(random.vector())); };
+        const auto coarse = [&] { return Vec3(Imath::V3f(random.in_cube())); };
         const Vec3 a = coarse(), b = coarse(), d = coarse();
         REQUIRE(exact_edge_volume(a - 0.5 * d, d, a, b) == 0);
         REQUIRE(exact_edge_volume(a, d, a, b) == 0);
@@ -121,7 +113,7 @@ TEST_CASE("exact_edge_volume: given a ray through a corner or along an edge, the
 TEST_CASE(
     "exact_edge_volume: given the edge's other direction, then every bit is the same but the "
     "sign") {
-    Random random;
+    Random random(20260129);
     for (int i = 0; i < 20000; ++i) {
         const EdgeCase c = nearly_coplanar(random, std::pow(10.0, i % 9));
         REQUIRE(exact_edge_volume(c.o, c.d, c.a, c.b) == -exact_edge_volume(c.o, c.d, c.b, c.a));
@@ -129,11 +121,11 @@ TEST_CASE(
 }
 
 TEST_CASE("shear_sign: given products that nearly cancel, then the sign is the true one") {
-    Random random;
+    Random random(20260129);
     int wrong_in_double = 0;
     for (int i = 0; i < 50000; ++i) {
-        const double a = random.vector().x, b = random.vector().x, c = random.vector().x;
-        const double e = random.vector().x, y = random.vector().x;
+        const double a = random.in_cube().x, b = random.in_cube().x, c = random.in_cube().x;
+        const double e = random.in_cube().x, y = random.in_cube().x;
         const double x = y * (c - e) / (a - b) * (1 + 0x1p-52 * (i % 3 - 1));
         LongSum sum;
         sum.add(x, a, 1);
@@ -148,12 +140,12 @@ TEST_CASE("shear_sign: given products that nearly cancel, then the sign is the t
 
 TEST_CASE(
     "Expansion: given a value split over many terms, then the estimate is its nearest double") {
-    Random random;
+    Random random(20260129);
     for (int i = 0; i < 2000; ++i) {
-        const double value = random.vector().x;
+        const double value = random.in_cube().x;
         Expansion<64> sum;
         for (int k = 0; k < 30; ++k) {
-            const double noise = std::ldexp(random.vector().x, k * 9 - 100);
+            const double noise = std::ldexp(random.in_cube().x, k * 9 - 100);
             sum.add(noise);
             if (k == 17) sum.add(value);
             sum.add(-noise);

@@ -1,8 +1,8 @@
 #include "core/numerics/rounding.h"
 
 #include <cstring>
-#include <random>
 
+#include "core/sampling/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;
@@ -16,10 +16,10 @@ std::vector<double> awkward_doubles() {
     std::vector<double> values = {0.0,        1.0,     0x1p-149,       0x1p-150,
                                   0x1.8p-150, 1e-300,  0x1p-1074,      1e300,
                                   infinity,   1 / 3.0, 0x1.ffffffp127, 0x1.fffffep127};
-    std::mt19937_64 random{7};
+    Random random(7);
     for (int i = 0; i < 100000; ++i) {
-        const double mantissa = 1 + std::ldexp(static_cast<double>(random() >> 12), -52);
-        const int exponent = static_cast<int>(random() % 300) - 160;
+        const double mantissa = 1 + std::ldexp(static_cast<double>(random.bits() >> 12), -52);
+        const int exponent = static_cast<int>(random.index(300)) - 160;
         values.push_back(std::ldexp(mantissa, exponent));
         values.push_back(static_cast<double>(static_cast<float>(values.back())));  // exact
     }
@@ -79,10 +79,11 @@ TEST_CASE("power_of_two_reciprocal: given a number, then it is brought to [1, 2)
 }
 
 TEST_CASE("The compiler: given doubles rounded to float in threes, then every one is rounded") {
-    std::mt19937_64 random{11};
+    Random random(11);
     for (int i = 0; i < 1000; ++i) {
         Vec3 a;
-        for (int k = 0; k < 3; ++k) a[k] = 1 + std::ldexp(static_cast<double>(random() >> 12), -52);
+        for (int k = 0; k < 3; ++k)
+            a[k] = 1 + std::ldexp(static_cast<double>(random.bits() >> 12), -52);
         const Vec3 rounded = through_floats(a);
         for (int k = 0; k < 3; ++k) {
             volatile float stored = static_cast<float>(a[k]);  // not to be kept in a register

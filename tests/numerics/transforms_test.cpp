@@ -1,7 +1,6 @@
 #include "core/numerics/transforms.h"
 
-#include <random>
-
+#include "core/sampling/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;
@@ -12,10 +11,9 @@ bool near(const Vec3& a, const Vec3& b, double tolerance = 1e-14) {
     return max_abs(a - b) <= tolerance * std::max(1.0, max_abs(b));
 }
 
-Affine random_map(std::mt19937& random) {
-    std::uniform_real_distribution<double> number(-1, 1);
-    const auto vector = [&] { return Vec3(number(random), number(random), number(random)); };
-    return {vector(), vector(), vector(), vector()};
+Affine random_map(Random& random) {
+    const Vec3 x = random.in_cube(), y = random.in_cube(), z = random.in_cube();
+    return {x, y, z, random.in_cube()};
 }
 
 }  // namespace
@@ -68,7 +66,7 @@ TEST_CASE("a map mirrors if its determinant is negative, however small") {
 }
 
 TEST_CASE("normals stay perpendicular to what they stood on, on its outside") {
-    std::mt19937 random(8);
+    Random random(8);
     for (int i = 0; i < 200; ++i) {
         const Affine m = random_map(random);
         const auto [a, b, out, unused] = random_map(random);

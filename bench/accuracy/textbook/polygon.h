@@ -16,7 +16,7 @@ struct TextbookPolygon {
     TextbookPolygon(const Scene& scene, const Polygon& polygon) {
         const std::span<const Vec3> p = corners(scene.geometry, polygon);
         const Vec3 n = plane_of(p).normal;
-        normal = Vec<Real>(n / std::sqrt(n.dot(n)));
+        normal = Vec<Real>(normalized(n));
         distance = normal.dot(Vec<Real>(p[0]));
         const int dropped = dominant_axis(n);
         kx = (dropped + 1) % 3;

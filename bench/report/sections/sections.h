@@ -1,5 +1,5 @@
-// The sections of the report, each a view of what was measured. To add one: its function here, its
-// file, and its line in the table of sections.cpp.
+// The sections of the report, each a view of what was measured. CONTRIBUTING.md lists what a new
+// one takes.
 #pragma once
 
 #include "bench/report/content.h"

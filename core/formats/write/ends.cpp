@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/formats/degenerate.h"
+#include "core/numerics/rounding.h"
 
 namespace etalon {
 namespace {

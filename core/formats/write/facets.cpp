@@ -19,11 +19,6 @@ struct LocalPoint {
     Vec3 position, normal;
 };
 
-Vec3 normalized(const Vec3& v) {
-    const Vec3 n = v * power_of_two_reciprocal(max_abs(v));
-    return n / std::sqrt(n.dot(n));
-}
-
 /// Carries facets of a unit shape into the world.
 class Facets {
   public:
@@ -35,7 +30,7 @@ class Facets {
         std::vector<Vec3> corners, normals;
         for (const LocalPoint& p : points) {
             corners.push_back(to_world_.point(p.position));
-            normals.push_back(normalized(normal_map_(p.normal)));
+            normals.push_back(unit_vector(normal_map_(p.normal)));
         }
         take_(corners, normals);
     }

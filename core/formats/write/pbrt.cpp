@@ -233,7 +233,7 @@ class PbrtScene {
     /// thousand times all distances that the camera knows.
     void write_shape(const Plane& p) {
         lost_.add("infinite plane, now a large square");
-        const Vec3 normal = p.normal / std::sqrt(p.normal.dot(p.normal));
+        const Vec3 normal = normalized(p.normal);
         const double away = normal.dot(scene_.camera.eye - p.point);
         const double side = 1000 * (distance_to_view_plane() + std::abs(away));
         Affine map;

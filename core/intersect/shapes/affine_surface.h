@@ -23,12 +23,6 @@ inline Box3 box_around(const Vec3& low, const Vec3& high, const Vec3& reach) {
     return box;
 }
 
-/// v by its length, whose square may be out of range; v is not zero.
-inline Vec3 unit_vector(Vec3 v) {
-    v *= power_of_two_reciprocal(max_abs(v));
-    return v / std::sqrt(v.dot(v));
-}
-
 /// A point next to a surface moved onto it, the shortest way to the first order: along the gradient
 /// of what is zero on the surface and `value` at the point.
 inline Vec3 moved_onto_surface(const Vec3& point, const Vec3& gradient, double value) {

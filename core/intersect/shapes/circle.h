@@ -6,7 +6,7 @@ namespace etalon {
 
 /// How far a circle of radius 1 across `axis` reaches along the unit vectors e_k: sin(axis, e_k).
 inline Vec3 reach_of_circle(Vec3 axis) {
-    axis *= power_of_two_reciprocal(max_abs(axis));  // whose square may be out of range
+    axis = to_unit_magnitude(axis);
     const double length2 = axis.dot(axis);
     Vec3 reach;
     for (int k = 0; k < 3; ++k) {

@@ -48,8 +48,7 @@ inline SurfacePoint surface(const Geometry&, const Cone& c, const RayQuery& q, d
     const Vec3 radial = w - along * h;
     const double distance = std::sqrt(radial.dot(radial));
     const Vec3 outward = distance > 0 ? radial / distance : Vec3(0);
-    Vec3 normal = length * outward - (spread / length) * h;
-    normal /= std::sqrt(normal.dot(normal));
+    const Vec3 normal = normalized(length * outward - (spread / length) * h);
     const Vec3 position = c.base + s * h + (c.base_radius + s * spread) * outward;
     const double extent = length + std::max(c.base_radius, c.top_radius);
     return {position, position_error(abs(c.base), extent), normal, normal};

@@ -33,7 +33,7 @@ inline double first_hit(const Geometry&, const Plane& p, Sides sides, const RayQ
 }
 
 inline SurfacePoint surface(const Geometry&, const Plane& p, const RayQuery& q, double t) {
-    const Vec3 normal = p.normal / std::sqrt(p.normal.dot(p.normal));
+    const Vec3 normal = normalized(p.normal);
     Vec3 position = q.ray.origin + t * q.ray.direction;
     position -= normal.dot(position - p.point) * normal;
     return {position, position_error(abs(position) + abs(p.point), 0), normal, normal};

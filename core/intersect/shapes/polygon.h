@@ -149,7 +149,7 @@ inline SurfacePoint surface(const Geometry& geometry, const Polygon& polygon, co
                             double t) {
     const std::span<const Vec3> p = corners(geometry, polygon);
     const PolygonPlane plane = plane_of(p);
-    const Vec3 normal = plane.normal / std::sqrt(plane.normal.dot(plane.normal));
+    const Vec3 normal = normalized(plane.normal);
     Vec3 position = q.ray.origin + t * q.ray.direction;
     const Vec3 point = p[0] + plane.mean;
     position -= normal.dot(position - point) * normal;

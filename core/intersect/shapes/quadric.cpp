@@ -8,11 +8,6 @@ namespace {
 
 using RealForm = QuadricForm<double>;
 
-Vec3 unit(Vec3 v) {
-    v *= power_of_two_reciprocal(max_abs(v));  // whose square may be out of range
-    return v / std::sqrt(v.dot(v));
-}
-
 /// The longest row of the form's matrix: across a double plane, whose form has no slope.
 Vec3 steepest_row(const RealForm& form) {
     Vec3 steepest(0);
@@ -63,7 +58,7 @@ SurfacePoint surface(const Geometry&, const Quadric& s, const RayQuery& q, doubl
     const Vec3 w = refined(s, (q.ray.origin - s.centre) + t * q.ray.direction);
     const Evaluation at(s, w);
     const Vec3 row = steepest_row(RealForm(s.coefficients));
-    const Vec3 normal = unit(at.is_flat() ? row : at.slope), position = s.centre + w;
+    const Vec3 normal = unit_vector(at.is_flat() ? row : at.slope), position = s.centre + w;
     const double by_slope = at.doubt / max_abs(at.slope);
     const double off = std::min(std::sqrt(at.doubt / max_abs(row)), by_slope);
     const Vec3 error = position_error(abs(position) + abs(s.centre), 0) + Vec3(2 * off);

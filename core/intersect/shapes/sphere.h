@@ -69,7 +69,7 @@ inline double first_hit(const Geometry&, const Sphere& s, Sides sides, const Ray
 
 inline SurfacePoint surface(const Geometry&, const Sphere& s, const RayQuery& q, double t) {
     const Vec3 f = q.ray.origin - s.centre + t * q.ray.direction;
-    const Vec3 normal = f / std::sqrt(f.dot(f));
+    const Vec3 normal = normalized(f);
     const Vec3 position = s.centre + s.radius * normal;
     return {position, position_error(abs(s.centre), s.radius), normal, normal};
 }

@@ -150,15 +150,14 @@ inline SurfacePoint surface(const Geometry& geometry, const Triangle& tri, const
     for (double& w : c.weight) w /= sum;
     const auto& [u, v, w] = c.weight;
 
-    const Vec3 n = front_normal(p);
-    const Vec3 normal = n / std::sqrt(n.dot(n));
+    const Vec3 normal = normalized(front_normal(p));
     Vec3 shading = normal;
     if (tri.normal_offset != no_index) {
         const auto corner = [&](std::size_t k) {
             return geometry.normals[Geometry::normal_number(tri, k)];
         };
         const Vec3 mean = u * corner(0) + v * corner(1) + w * corner(2);
-        if (mean.dot(mean) > 0) shading = mean / std::sqrt(mean.dot(mean));
+        if (mean.dot(mean) > 0) shading = normalized(mean);
     }
     Box3 box;
     for (std::size_t k = 0; k < 3; ++k) box.extendBy(p[k]);

@@ -1,11 +1,11 @@
+// Eight boxes to be tested at once: a node of the hierarchy, and what a cell of the grid lists.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <vector>
+#include <limits>
 
 #include "core/intersect/clusters/clusters.h"
-#include "core/intersect/tree/node.h"
 
 namespace etalon {
 
@@ -54,18 +54,27 @@ struct alignas(64) WideNode {
 
 static_assert(sizeof(WideNode) == 256);
 
-/// Nodes in depth-first order but for siblings, which are together; and where to begin.
-struct WideTree {
-    bool empty() const { return nodes.empty() && !root.is_leaf(); }
+inline void WideNode::clear() {
+    constexpr float far = std::numeric_limits<float>::infinity();
+    for (std::size_t lane = 0; lane < node_width; ++lane) {
+        set(lane, Box3f(Vec3f(far), Vec3f(-far)), ChildRef());
+    }
+}
 
-    std::vector<WideNode, LargePages<WideNode>> nodes;
-    ChildRef root;
-    /// How many nodes a random line through the root's box enters, by their surfaces.
-    double expected_nodes = 1;
-};
+inline void WideNode::set(std::size_t lane, const Box3f& box, ChildRef child) {
+    for (int k = 0; k < 3; ++k) {
+        planes[plane(k, false) + lane] = box.min[k];
+        planes[plane(k, true) + lane] = box.max[k];
+    }
+    children[lane] = child;
+}
 
-/// Places a binary tree's nodes up to eight to one. A binary leaf's `first` says which of `leaves`
-/// it becomes. The tree, in the order of BvhTree, must not be empty. On as many threads as allowed.
-WideTree widen(const std::vector<BvhNode>& nodes, const std::vector<ClusterRef>& leaves);
+inline std::size_t WideNode::count() const {
+    const float* low = &planes[plane(0, false)];
+    const float* high = &planes[plane(0, true)];
+    std::size_t lane = 0;
+    while (lane < node_width && low[lane] <= high[lane]) ++lane;
+    return lane;
+}
 
 }  // namespace etalon

@@ -1,13 +1,13 @@
 // Which boxes of a node a ray enters. Compiled for each instruction set.
-#if defined(ETALON_BVH_SLABS_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef ETALON_BVH_SLABS_INL_H
-#undef ETALON_BVH_SLABS_INL_H
+#if defined(ETALON_SLABS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ETALON_SLABS_INL_H
+#undef ETALON_SLABS_INL_H
 #else
-#define ETALON_BVH_SLABS_INL_H
+#define ETALON_SLABS_INL_H
 #endif
 
 #include "core/intersect/clusters/lanes-inl.h"
-#include "native_accel/bvh/wide_node.h"
+#include "native_accel/common/wide_node.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {

@@ -1,7 +1,6 @@
-#include "native_accel/bvh/wide_node.h"
+#include "native_accel/bvh/wide_tree.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "core/parallel/parallel.h"
@@ -94,29 +93,6 @@ class Widener {
 };
 
 }  // namespace
-
-void WideNode::clear() {
-    constexpr float far = std::numeric_limits<float>::infinity();
-    for (std::size_t lane = 0; lane < node_width; ++lane) {
-        set(lane, Box3f(Vec3f(far), Vec3f(-far)), ChildRef());
-    }
-}
-
-void WideNode::set(std::size_t lane, const Box3f& box, ChildRef child) {
-    for (int k = 0; k < 3; ++k) {
-        planes[plane(k, false) + lane] = box.min[k];
-        planes[plane(k, true) + lane] = box.max[k];
-    }
-    children[lane] = child;
-}
-
-std::size_t WideNode::count() const {
-    const float* low = &planes[plane(0, false)];
-    const float* high = &planes[plane(0, true)];
-    std::size_t lane = 0;
-    while (lane < node_width && low[lane] <= high[lane]) ++lane;
-    return lane;
-}
 
 WideTree widen(const std::vector<BvhNode>& nodes, const std::vector<ClusterRef>& leaves) {
     WideTree tree;

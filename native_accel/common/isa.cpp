@@ -1,0 +1,20 @@
+#include "native_accel/common/isa.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/intersect/clusters/targets.h"
+
+#include <hwy/highway.h>
+
+namespace etalon {
+
+std::string traversal_isa() {
+    const std::int64_t supported = hwy::SupportedTargets() & HWY_TARGETS;
+    std::string name = hwy::TargetName(supported & -supported);
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return name;
+}
+
+}  // namespace etalon
