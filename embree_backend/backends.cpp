@@ -2,6 +2,7 @@
 
 #include "core/parallel/float_environment.h"
 #include "embree_backend/builtin.h"
+#include "embree_backend/plain_user_geometry.h"
 #include "embree_backend/user_geometry.h"
 
 namespace etalon {
@@ -21,6 +22,8 @@ std::unique_ptr<Intersector> build_robust(const Geometry& geometry) {
 
 constexpr Backend backends[] = {
     {"embree", "Embree's hierarchy over the exact kernels", true, build<EmbreeUserGeometry>},
+    {"embree-user", "Embree's user geometry, one primitive a callback: the witness", true,
+     build<PlainUserGeometry>},
     {"embree-builtin", "Embree's own float triangles, quads and spheres", false,
      build<EmbreeBuiltin>},
 };

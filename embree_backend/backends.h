@@ -7,7 +7,7 @@
 
 namespace etalon {
 
-/// embree, embree-builtin.
+/// embree, embree-user, embree-builtin.
 std::span<const Backend> embree_backends();
 
 /// embree-builtin with RTC_SCENE_FLAG_ROBUST, a second yardstick for measurements; no program

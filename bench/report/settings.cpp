@@ -12,7 +12,7 @@ namespace {
 
 /// `none` tests every primitive against every ray: the report does not wait for it.
 std::vector<std::string> all_but_none() {
-    return {"grid", "bvh", "embree", "embree-builtin"};
+    return {"grid", "bvh", "embree", "embree-user", "embree-builtin"};
 }
 
 struct Cost {

@@ -59,6 +59,7 @@ int colour_of(std::string_view contender) {
     if (contender == "bvh") return 1;
     if (contender == "embree") return 6;
     if (contender == "grid") return 3;
+    if (contender == "embree-user") return 4;
     if (contender == "embree-builtin") return 2;
     if (contender == "embree-builtin-robust") return 5;
     return 7;

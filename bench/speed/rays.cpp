@@ -7,9 +7,9 @@
 namespace etalon::speed {
 namespace {
 
-/// An exact backend other than the one that is compared with it.
+/// An exact backend that shares no tree with the one that is compared with it.
 std::string reference_of(const std::string& contender) {
-    return contender == "bvh" ? "embree" : "bvh";
+    return contender == "embree-user" ? "bvh" : "embree-user";
 }
 
 const Contender* find(const std::vector<Contender>& list, const std::string& name) {
@@ -23,7 +23,7 @@ const Contender* find(const std::vector<Contender>& list, const std::string& nam
 RayMeasurement::RayMeasurement(const hard::Setting& setting,
                                const std::vector<Contender>& contenders, const Plan& plan)
     : setting_(setting), contenders_(contenders), plan_(plan), oracle_(setting.scene.geometry) {
-    for (const std::string name : {"bvh", "embree"}) {
+    for (const std::string name : {"bvh", "embree-user"}) {
         if (find(contenders, name) != nullptr) continue;
         const Backend& backend = find_contender(name);
         references_.push_back({&backend, backend.build(setting.scene.geometry)});
@@ -76,14 +76,14 @@ Truths RayMeasurement::truths(const RaySet& set, const std::vector<std::size_t>&
 void RayMeasurement::find_errors(const RaySet& set, const Answers& answers,
                                  KindFigures& figures) const {
     const std::vector<Answer> bvh = answers_of("bvh", set, answers);
-    const std::vector<Answer> embree = answers_of("embree", set, answers);
+    const std::vector<Answer> witness = answers_of("embree-user", set, answers);
     const Truths sample = truths(set, scattered(set.rays.size()));
     const Truths quarrels = truths(set, disputed(answers, set.occlusion));
     for (std::size_t i = 0; i < contenders_.size(); ++i) {
         Errors& errors = figures.contenders[i].errors;
         errors.reference = reference_of(contenders_[i].name());
         errors.disagreement =
-            compare(answers[i], errors.reference == "bvh" ? bvh : embree, set.occlusion);
+            compare(answers[i], errors.reference == "bvh" ? bvh : witness, set.occlusion);
         errors.sample = sample.judge(answers[i], contenders_[i].backend->exact);
         errors.disputed = quarrels.judge(answers[i], contenders_[i].backend->exact);
     }

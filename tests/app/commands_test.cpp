@@ -37,7 +37,7 @@ TEST_CASE("render gives identical pixels with every exact backend and thread cou
     const Folder f;
     f.write("ball.p3f", small_scene);
     REQUIRE(f.etalon("render ball.p3f --spp 3 -b none -t 1 -o a.exr").status == 0);
-    for (const std::string backend : {"grid", "bvh", "embree"}) {
+    for (const std::string backend : {"grid", "bvh", "embree", "embree-user"}) {
         REQUIRE(f.etalon("render ball.p3f --spp 3 -o b.exr -t 2 -b " + backend).status == 0);
         CHECK(pixels(f.path("a.exr")) == pixels(f.path("b.exr")));
     }
@@ -151,7 +151,7 @@ TEST_CASE("trace answers ray by ray", "[app]") {
             "\n"
             "0 9 0 0 1 0\n"
             "5 5 0 0 -1 0\n");
-    for (const char* backend : {"none", "grid", "bvh", "embree"}) {
+    for (const char* backend : {"none", "grid", "bvh", "embree", "embree-user"}) {
         const auto r = f.etalon(std::string("trace ball.p3f --rays rays.txt -b ") + backend);
         CHECK(r.status == 0);
         CHECK(r.out ==

@@ -22,7 +22,8 @@ speed::Runs runs(double seconds) {
 speed::SceneFigures scene() {
     speed::SceneFigures figures{hostile, 1234567, {}, {{"camera", 1000, false, {}}}};
     double seconds = 0.5;
-    for (const char* name : {"grid", "bvh", "embree", "embree-builtin", "embree-builtin-robust"}) {
+    for (const char* name :
+         {"grid", "bvh", "embree", "embree-user", "embree-builtin", "embree-builtin-robust"}) {
         figures.builds.push_back({name, "avx2", 64.25, {runs(seconds)}});
         speed::Errors errors;
         errors.sample.rays = 2174;

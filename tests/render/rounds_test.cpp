@@ -86,7 +86,7 @@ TEST_CASE("An adaptive picture has the same mean as a uniform one", "[rounds]") 
 TEST_CASE("An adaptive picture is the same for every backend and number of threads", "[rounds]") {
     const RenderOptions options = up_to_error(scene(), 5e-3);
     const Rendering reference = rendered(scene(), options);
-    for (const char* backend : {"grid", "embree"}) {
+    for (const char* backend : {"grid", "embree", "embree-user"}) {
         for (const int threads : {1, 2}) {
             const ThreadLimit limit(threads);
             const Rendering other = render_with(scene(), *find_backend(backend), options);

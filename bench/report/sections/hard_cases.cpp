@@ -29,7 +29,8 @@ const Row* find(const CaseRows& c, const std::string& name) {
 /// Those that have a column.
 std::vector<std::string> judged(const std::vector<Row>& rows) {
     std::vector<std::string> names;
-    for (const char* name : {"none", "grid", "bvh", "embree", "kernel", "embree-builtin"}) {
+    for (const char* name :
+         {"none", "grid", "bvh", "embree", "embree-user", "kernel", "embree-builtin"}) {
         const bool takes_part = std::any_of(rows.begin(), rows.end(),
                                             [&](const Row& r) { return r.contender == name; });
         if (takes_part) names.emplace_back(name);

@@ -1,0 +1,169 @@
+// Whatever defect is planted in the tree that bvh, grid and embree are made from, `embree-user` and
+// `none` agree with each other and contradict it.
+#include <algorithm>
+
+#include "core/intersect/tree/scene_tree.h"
+#include "native_accel/bvh/walk.h"
+#include "tests/backends/contenders.h"
+#include "tests/backends/rays.h"
+#include "tests/backends/scenes.h"
+#include "tests/catch.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+/// The backend `bvh` over a tree that a test has changed.
+class BvhOfTree final : public Intersector {
+  public:
+    BvhOfTree(const Geometry& geometry, BvhTree tree) : Intersector(geometry) {
+        std::vector<Range> ranges;
+        for (BvhNode& node : tree.nodes) {
+            if (!node.is_leaf()) continue;
+            ranges.push_back({node.first, node.count});
+            node.first = static_cast<std::uint32_t>(ranges.size() - 1);
+        }
+        std::vector<ClusterRef> refs;
+        clusters_ = Clusters(geometry, scene_bounds().frame, tree.ids, ranges, refs);
+        tree_ = widen(tree.nodes, refs);
+    }
+
+    std::size_t memory_bytes() const override { return clusters_.memory_bytes(); }
+
+  protected:
+    void closest_bounded(const RayQuery& query, const FrameRay& local,
+                         NearestHit& nearest) const override {
+        walk_.closest({geometry(), tree_, clusters_}, query, local, nearest);
+    }
+    bool occluded_bounded(const RayQuery& query, const FrameRay& local) const override {
+        return walk_.occluded({geometry(), tree_, clusters_}, query, local);
+    }
+
+  private:
+    Clusters clusters_;
+    WideTree tree_;
+    const BvhWalk walk_ = bvh_walk();
+};
+
+BvhTree tree_of(const Geometry& geometry, std::vector<BoundedPrimitive> primitives) {
+    return build_scene_bvh(geometry, SceneBounds::of(geometry).frame, std::move(primitives));
+}
+
+std::vector<std::size_t> leaves_of(const BvhTree& tree) {
+    std::vector<std::size_t> leaves;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        if (tree.nodes[i].is_leaf()) leaves.push_back(i);
+    }
+    return leaves;
+}
+
+/// Rays, and what the two backends that do not stand on the shared tree say of them.
+class Testimony {
+  public:
+    explicit Testimony(const Scene& scene) : scene_(scene) {
+        const auto none = backend_named("none").build(scene.geometry);
+        const auto witness = backend_named("embree-user").build(scene.geometry);
+        Random random(21);
+        rays_ = make_rays(scene, 4000, random);
+        for (const Ray& ray : rays_) {
+            hits_.push_back(witness->closest(ray));
+            contradictions_ += !difference(*none, ray, hits_.back()).empty();
+        }
+    }
+
+    /// On how many rays the two do not agree.
+    std::size_t contradictions() const { return contradictions_; }
+
+    /// Whether a backend over this tree answers any ray otherwise.
+    bool refutes(const BvhTree& tree) const {
+        const BvhOfTree accused(scene_.geometry, tree);
+        for (std::size_t i = 0; i < rays_.size(); ++i) {
+            if (!difference(accused, rays_[i], hits_[i]).empty()) return true;
+        }
+        return false;
+    }
+
+  private:
+    const Scene& scene_;
+    std::vector<Ray> rays_;
+    std::vector<std::optional<Hit>> hits_;
+    std::size_t contradictions_ = 0;
+};
+
+/// How many of its leaves a tree is refuted without, or with them altered, one at a time.
+template <class Defect>
+std::size_t refuted(const Testimony& testimony, const BvhTree& whole, const Defect& plant) {
+    std::size_t count = 0;
+    for (const std::size_t leaf : leaves_of(whole)) {
+        BvhTree tree = whole;
+        plant(tree, tree.nodes[leaf]);
+        count += testimony.refutes(tree);
+    }
+    return count;
+}
+
+/// The leaf's primitives are in no leaf any more: another one's stand in their place.
+void drop(const BvhTree& tree, BvhNode& leaf) {
+    const auto other = std::find_if(tree.nodes.begin(), tree.nodes.end(),
+                                    [&](const BvhNode& n) { return n.is_leaf() && &n != &leaf; });
+    leaf.first = other->first;
+    leaf.count = other->count;
+}
+
+/// By a hundredth of its size on each side.
+void shrink(const BvhTree&, BvhNode& leaf) {
+    const Vec3f margin = leaf.box.size() * 0.01F;
+    leaf.box.min += margin;
+    leaf.box.max -= margin;
+}
+
+constexpr const char* families[] = {"triangles", "spheres", "mix", "closed_mesh"};
+
+}  // namespace
+
+TEST_CASE("Given a tree without a defect, the witnesses contradict neither it nor each other",
+          "[backends]") {
+    for (const char* family : families) {
+        INFO(family);
+        const Scene scene = make_scene(family, 300);
+        const Testimony testimony(scene);
+        CHECK(testimony.contradictions() == 0);
+        CHECK_FALSE(testimony.refutes(tree_of(scene.geometry, SceneBounds::of(scene.geometry).bounded)));
+    }
+}
+
+TEST_CASE("Given a tree that has lost a leaf, the witnesses contradict it", "[backends]") {
+    for (const char* family : families) {
+        INFO(family);
+        const Scene scene = make_scene(family, 300);
+        const BvhTree tree = tree_of(scene.geometry, SceneBounds::of(scene.geometry).bounded);
+        CHECK(refuted(Testimony(scene), tree, drop) == leaves_of(tree).size());
+    }
+}
+
+TEST_CASE("Given a tree with a box that is too small, the witnesses contradict it", "[backends]") {
+    for (const char* family : families) {
+        INFO(family);
+        const Scene scene = make_scene(family, 300);
+        const BvhTree tree = tree_of(scene.geometry, SceneBounds::of(scene.geometry).bounded);
+        CHECK(refuted(Testimony(scene), tree, shrink) == leaves_of(tree).size());
+    }
+}
+
+TEST_CASE("Given a tree built without one of the primitives, the witnesses contradict it",
+          "[backends]") {
+    for (const char* family : families) {
+        INFO(family);
+        const Scene scene = make_scene(family, 100);
+        const Testimony testimony(scene);
+        const std::vector<BoundedPrimitive> all = SceneBounds::of(scene.geometry).bounded;
+        std::size_t seen = 0;
+        for (std::size_t lost = 0; lost < all.size(); ++lost) {
+            std::vector<BoundedPrimitive> others = all;
+            others.erase(others.begin() + static_cast<std::ptrdiff_t>(lost));
+            seen += testimony.refutes(tree_of(scene.geometry, others));
+        }
+        CHECK(seen == all.size());
+    }
+}
