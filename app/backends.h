@@ -5,14 +5,21 @@
 #include <vector>
 
 #include "core/intersect/intersector.h"
+#include "core/scene/render_settings.h"
 
 namespace etalon {
 
 /// In the order of help texts and reports. To add a backend, publish it in its folder's list.
 const std::vector<Backend>& all_backends();
 
+/// The backend of a scene that names none.
+inline constexpr std::string_view default_backend = "bvh";
+
 /// nullptr if there is none of that name.
 const Backend* find_backend(std::string_view name);
+
+/// The backend that the settings name, else the default one.
+const Backend& chosen_backend(const RenderSettings& settings);
 
 /// "none, grid, bvh, ..."
 std::vector<std::string> backend_names();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/scene_arguments.h"
-#include "core/render/renderer.h"
+#include "core/scene/render_settings.h"
 
 namespace etalon {
 
@@ -22,12 +22,8 @@ struct RenderArguments {
 
 void declare_render_options(CLI::App& app, RenderArguments& a);
 
-/// The command line's wishes put into the scene, and the pixels it asks for; returns the reason why
-/// they cannot be had, or nothing.
-std::string apply(const RenderArguments& a, Scene& scene, Imath::Box2i& window);
-
-/// How these pixels of such a scene are to be rendered, from now on.
-RenderOptions render_options(const RenderArguments& a, const Scene& scene,
-                             const Imath::Box2i& window);
+/// Overrides the scene's own settings by those of the command line. Returns the reason why the
+/// picture cannot be had, or nothing.
+std::string apply(const RenderArguments& a, RenderSettings& settings);
 
 }  // namespace etalon

@@ -34,15 +34,14 @@ int fail(int status, const std::string& message) {
 }
 
 /// The height follows.
-void set_width(Camera& camera, int width) {
+void set_width(Imath::V2i& size, int width) {
     if (width == 0) return;
-    camera.height = std::max(1, (camera.height * width + camera.width / 2) / camera.width);
-    camera.width = width;
+    size.y = std::max(1, (size.y * width + size.x / 2) / size.x);
+    size.x = width;
 }
 
-Outcome<Truth> read_truth(const std::string& path, const Scene& scene) {
-    const Camera& camera = scene.camera;
-    auto picture = read_reference(path, scene, {{0, 0}, {camera.width - 1, camera.height - 1}});
+Outcome<Truth> read_truth(const std::string& path, const RenderSettings& settings) {
+    auto picture = read_reference(path, settings);
     return {{std::move(picture.value), path}, picture.error};
 }
 
@@ -51,16 +50,16 @@ void show(const Arguments& a, const std::string& text) {
     fmt::print(a.json == "-" ? stderr : stdout, "{}", text);
 }
 
-nlohmann::ordered_json report_on(const Arguments& a, const Scene& scene, const Truth& truth,
+nlohmann::ordered_json report_on(const Arguments& a, const Imath::V2i& size, const Truth& truth,
                                  const std::vector<Curve>& curves) {
     nlohmann::ordered_json json = speed::json_of_machine();
     json["scene"] = a.scene;
-    json["image"] = {{"width", scene.camera.width}, {"height", scene.camera.height}};
+    json["image"] = {{"width", size.x}, {"height", size.y}};
     json["reference"] = truth.description;
     json["seeds"] = a.plan.seeds;
     json["curves"] = nlohmann::ordered_json::array();
-    show(a, fmt::format("{}, {} x {}; reference: {}; {} seeds\n\n", a.scene, scene.camera.width,
-                        scene.camera.height, truth.description, a.plan.seeds));
+    show(a, fmt::format("{}, {} x {}; reference: {}; {} seeds\n\n", a.scene, size.x, size.y,
+                        truth.description, a.plan.seeds));
     for (const Curve& curve : curves) {
         show(a, table(curve) + "\n");
         json["curves"].push_back(json_of(curve));
@@ -74,16 +73,18 @@ int run(const Arguments& a) {
     bench::NamedScene named = bench::bench_scene(a.scene);
     fmt::print(stderr, "{}", named.messages);
     if (!named.scene) return exit_unusable;
-    set_width(named.scene->camera, a.width);
+    set_width(named.settings.resolution, a.width);
     const SignalGuard signals;
     Progress progress(a.scene);
     const Watcher watcher{signals.raised(), [&](double part) { progress.update(part); }};
     const Outcome<Truth> truth =
-        a.reference.empty() ? Outcome<Truth>{render_truth(*named.scene, a.plan, watcher), {}}
-                            : read_truth(a.reference, *named.scene);
+        a.reference.empty()
+            ? Outcome<Truth>{render_truth(*named.scene, named.settings, a.plan, watcher), {}}
+            : read_truth(a.reference, named.settings);
     if (!truth) return fail(exit_unusable, truth.error);
-    const std::vector<Curve> curves = measure(*named.scene, truth.value, a.plan, watcher);
-    const auto json = report_on(a, *named.scene, truth.value, curves);
+    const std::vector<Curve> curves =
+        measure(*named.scene, named.settings, truth.value, a.plan, watcher);
+    const auto json = report_on(a, named.settings.resolution, truth.value, curves);
     if (!a.json.empty() && !write_json(a.json, json)) return exit_not_written;
     return signals.signal() != 0 ? exit_signal + signals.signal() : exit_done;
 }

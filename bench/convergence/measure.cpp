@@ -23,19 +23,22 @@ constexpr int any_samples = 1 << 24;
 /// A scene made ready to be rendered again and again.
 class Studio {
   public:
-    Studio(const Scene& scene, const std::string& backend)
+    Studio(const Scene& scene, const RenderSettings& settings, const std::string& backend)
         : scene_(scene),
+          settings_(settings),
           environment_(scene.environment, problems_),
           intersector_(find_backend(backend)->build(scene)) {}
 
-    Rendering render(RenderOptions options) const {
-        options.max_depth = scene_.whitted.max_depth;
-        options.window = {{0, 0}, {scene_.camera.width - 1, scene_.camera.height - 1}};
-        return etalon::render(scene_, *intersector_, environment_, options);
+    /// How the scene asks to be rendered.
+    const RenderSettings& settings() const { return settings_; }
+
+    Rendering render(const RenderSettings& settings, const RunControl& control) const {
+        return etalon::render(scene_, *intersector_, environment_, settings, control);
     }
 
   private:
     const Scene& scene_;
+    const RenderSettings& settings_;
     std::vector<std::string> problems_;  // said when the scene was read
     EnvironmentMap environment_;
     std::unique_ptr<Intersector> intersector_;
@@ -50,17 +53,18 @@ class Run {
 
     /// Empty if it was stopped.
     std::vector<Point> points(std::uint32_t seed) {
-        RenderOptions options;
+        RenderSettings settings = studio_.settings();
         const bool is_adaptive = sampler_ == "adaptive";
-        options.samples_per_pixel = is_adaptive ? any_samples : plan_.samples;
-        options.error = is_adaptive ? no_error : 0;
-        options.sampler = sampler_ == "random" ? Sampler::random : Sampler::sobol;
-        options.seed = seed;
-        options.stop = &enough_;
-        options.progress = [&](double) { enough_ = enough_ || stop_; };
-        options.after_round = [&](const RenderedRound& round) { note(round.film); };
+        settings.samples_per_pixel = is_adaptive ? any_samples : plan_.samples;
+        settings.target_error = is_adaptive ? no_error : 0;
+        settings.sampler = sampler_ == "random" ? Sampler::random : Sampler::sobol;
+        settings.seed = seed;
+        RunControl control;
+        control.stop = &enough_;
+        control.progress = [&](double) { enough_ = enough_ || stop_; };
+        control.after_round = [&](const RenderedRound& round) { note(round.film); };
         watch_.lap();
-        studio_.render(options);
+        studio_.render(settings, control);
         return stop_ ? std::vector<Point>() : std::move(points_);
     }
 
@@ -132,23 +136,25 @@ const std::vector<std::string>& sampler_names() {
     return names;
 }
 
-Truth render_truth(const Scene& scene, const Plan& plan, const Watcher& watcher) {
-    RenderOptions options;
-    options.samples_per_pixel = truth_times * plan.samples;
-    options.seed = truth_seed;
-    options.stop = &watcher.stop;
-    options.progress = watcher.progress;
-    const Rendering r = Studio(scene, plan.backends.front()).render(options);
-    return {r.film.pixels(), fmt::format("{} samples per pixel", options.samples_per_pixel)};
+Truth render_truth(const Scene& scene, const RenderSettings& scene_settings, const Plan& plan,
+                   const Watcher& watcher) {
+    RenderSettings settings = scene_settings;
+    settings.samples_per_pixel = truth_times * plan.samples;
+    settings.seed = truth_seed;
+    RunControl control;
+    control.stop = &watcher.stop;
+    control.progress = watcher.progress;
+    const Rendering r = Studio(scene, settings, plan.backends.front()).render(settings, control);
+    return {r.film.pixels(), fmt::format("{} samples per pixel", settings.samples_per_pixel)};
 }
 
-std::vector<Curve> measure(const Scene& scene, const Truth& truth, const Plan& plan,
-                           const Watcher& watcher) {
+std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings, const Truth& truth,
+                           const Plan& plan, const Watcher& watcher) {
     const ThreadLimit alone(1);
     std::vector<Curve> done;
     const std::vector<Curve> curves = wanted(plan);
     for (Curve curve : curves) {
-        const Studio studio(scene, curve.backend);
+        const Studio studio(scene, settings, curve.backend);
         std::vector<std::vector<Point>> seeds;
         for (int seed = 0; seed < plan.seeds && !watcher.stop; ++seed) {
             seeds.push_back(Run(studio, truth, plan, curve.sampler, watcher.stop)

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "bench/convergence/curve.h"
+#include "core/scene/render_settings.h"
 #include "core/scene/scene.h"
 
 namespace etalon::convergence {
@@ -34,11 +35,12 @@ struct Truth {
 
 inline constexpr int truth_times = 32;
 
-Truth render_truth(const Scene& scene, const Plan& plan, const Watcher& watcher);
+Truth render_truth(const Scene& scene, const RenderSettings& settings, const Plan& plan,
+                   const Watcher& watcher);
 
 /// The curves of all samplers with the first backend, and of the last sampler with the others. What
 /// is not finished when a stop comes is left out.
-std::vector<Curve> measure(const Scene& scene, const Truth& truth, const Plan& plan,
-                           const Watcher& watcher);
+std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings, const Truth& truth,
+                           const Plan& plan, const Watcher& watcher);
 
 }  // namespace etalon::convergence

@@ -43,10 +43,11 @@ Color albedo_of(const Material& m) {
 }  // namespace
 
 std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector& intersector,
-                                          const RenderOptions& options) {
-    const EyeRays rays(scene.camera, options.samples_per_pixel);
-    const Imath::Box2i window = rays.sampled(options.window);
-    const int samples = std::clamp(options.samples_per_pixel, 1, most_samples);
+                                          const RenderSettings& settings,
+                                          const std::atomic<bool>* stop) {
+    const EyeRays rays(scene.camera, settings);
+    const Imath::Box2i window = rays.sampled(settings.window());
+    const int samples = std::clamp(settings.samples_per_pixel, 1, most_samples);
     SurfaceMeans means{Film(window), Film(window)};
     const auto add = [&](int x, int y, const Ray& ray) {
         const std::optional<Hit> hit = intersector.closest(ray);
@@ -55,9 +56,9 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
         means.albedo.add(x, y, albedo_of(at.material));
         means.normal.add(x, y, Color(at.normal));
     };
-    const bool complete = for_each_pixel(window, options.stop, [&](int x, int y, std::size_t) {
+    const bool complete = for_each_pixel(window, stop, [&](int x, int y, std::size_t) {
         for (int s = 0; s < samples; ++s) {
-            const SampleSource source(x, y, options.seed, s, options.sampler);
+            const SampleSource source(x, y, settings.seed, s, settings.sampler);
             add(x, y, rays.ray(x, y, source));
         }
     });
@@ -67,9 +68,11 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
 }
 
 std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& intersector,
-                                      const RenderOptions& options) {
-    const CameraRays camera(scene.camera);
-    const Imath::V2i last = options.window.size();
+                                      const RenderSettings& settings,
+                                      const std::atomic<bool>* stop) {
+    const CameraRays camera(scene.camera, settings.resolution);
+    const Imath::Box2i window = settings.window();
+    const Imath::V2i last = window.size();
     const std::size_t pixels = (last.x + std::size_t{1}) * (last.y + std::size_t{1});
     constexpr float never = std::numeric_limits<float>::infinity();
     CentreHits hits{std::vector(pixels, Vec3f(0)), std::vector(pixels, never),
@@ -83,7 +86,7 @@ std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& int
         hits.depths[pixel] = static_cast<float>(camera.depth(position));
         hits.primitives[pixel] = hit->primitive;
     };
-    if (!for_each_pixel(options.window, options.stop, trace)) return std::nullopt;
+    if (!for_each_pixel(window, stop, trace)) return std::nullopt;
     return hits;
 }
 

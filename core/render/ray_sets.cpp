@@ -16,15 +16,15 @@ constexpr int tile = 16;
 constexpr std::uint32_t chord_seed = 3, bounce_seed = 5;
 
 /// Pixel centres, tile by tile, every so many that `limit` is kept.
-std::vector<Vec2> pixel_centres(const Camera& camera, std::size_t limit) {
-    const std::size_t all = static_cast<std::size_t>(camera.width) * camera.height;
+std::vector<Vec2> pixel_centres(const Imath::V2i& resolution, std::size_t limit) {
+    const std::size_t all = static_cast<std::size_t>(resolution.x) * resolution.y;
     const std::size_t stride = (all + limit - 1) / limit;
     std::vector<Vec2> centres;
     std::size_t index = 0;
-    for (int ty = 0; ty < camera.height; ty += tile) {
-        for (int tx = 0; tx < camera.width; tx += tile) {
-            for (int y = ty; y < std::min(ty + tile, camera.height); ++y) {
-                for (int x = tx; x < std::min(tx + tile, camera.width); ++x) {
+    for (int ty = 0; ty < resolution.y; ty += tile) {
+        for (int tx = 0; tx < resolution.x; tx += tile) {
+            for (int y = ty; y < std::min(ty + tile, resolution.y); ++y) {
+                for (int x = tx; x < std::min(tx + tile, resolution.x); ++x) {
                     if (index++ % stride == 0) centres.emplace_back(x + 0.5, y + 0.5);
                 }
             }
@@ -62,12 +62,13 @@ Box3 finite_bounds(const Scene& scene) {
 
 class RaySetMaker {
   public:
-    RaySetMaker(const Scene& scene, const Intersector& exact, std::size_t limit)
+    RaySetMaker(const Scene& scene, const Imath::V2i& resolution, const Intersector& exact,
+                std::size_t limit)
         : scene_(scene),
           exact_(exact),
           limit_(std::max<std::size_t>(limit, 1)),
-          camera_(scene.camera),
-          pixels_(pixel_centres(scene.camera, limit_)) {}
+          camera_(scene.camera, resolution),
+          pixels_(pixel_centres(resolution, limit_)) {}
 
     RaySet camera() const {
         RaySet set{"camera", false, {}};
@@ -146,9 +147,9 @@ class RaySetMaker {
 
 }  // namespace
 
-RaySet make_ray_set(const std::string& kind, const Scene& scene, const Intersector& exact,
-                    std::size_t limit) {
-    const RaySetMaker maker(scene, exact, limit);
+RaySet make_ray_set(const std::string& kind, const Scene& scene, const Imath::V2i& resolution,
+                    const Intersector& exact, std::size_t limit) {
+    const RaySetMaker maker(scene, resolution, exact, limit);
     if (kind == "camera") return maker.camera();
     if (kind == "bounce") return maker.bounce();
     if (kind == "shadow") return maker.shadow();

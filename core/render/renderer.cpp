@@ -17,12 +17,12 @@ namespace {
 class Renderer {
   public:
     Renderer(const Scene& scene, const Intersector& intersector, const EnvironmentMap& environment,
-             const RenderOptions& options)
-        : options_(options),
-          rays_(scene.camera, options.samples_per_pixel),
-          integrator_(scene, intersector, environment, options.samples_per_pixel,
-                      options.max_depth),
-          film_(rays_.sampled(options.window), options.variance),
+             const RenderSettings& settings, const RunControl& control)
+        : settings_(settings),
+          control_(control),
+          rays_(scene.camera, settings),
+          integrator_(scene, intersector, environment, settings),
+          film_(rays_.sampled(settings.window()), settings.variance),
           tiles_(tiles_of(film_.window())),
           counts_(tiles_.size()) {}
 
@@ -44,24 +44,24 @@ class Renderer {
   private:
     /// However short the time is, a picture has one sample of each pixel.
     bool stopped() const {
-        return (options_.stop != nullptr && options_.stop->load()) ||
-               (is_picture_ && options_.deadline.is_over());
+        return (control_.stop != nullptr && control_.stop->load()) ||
+               (is_picture_ && control_.deadline.is_over());
     }
 
     /// The film, if there is anything new in it.
     void show(const Rounds& rounds) {
-        if (options_.after_round && shown_ < samples_done_) {
-            options_.after_round({film_, rounds.expected_error()});
+        if (control_.after_round && shown_ < samples_done_) {
+            control_.after_round({film_, rounds.expected_error()});
         }
         shown_ = samples_done_;
     }
 
     std::unique_ptr<Rounds> make_rounds() const {
-        const auto samples = static_cast<std::uint32_t>(std::max(1, options_.samples_per_pixel));
-        if (options_.error > 0) {
-            return std::make_unique<AdaptiveRounds>(film_, options_.error, samples);
+        const auto samples = static_cast<std::uint32_t>(std::max(1, settings_.samples_per_pixel));
+        if (settings_.target_error > 0) {
+            return std::make_unique<AdaptiveRounds>(film_, settings_.target_error, samples);
         }
-        return std::make_unique<UniformRounds>(samples, film_.size(), options_.deadline);
+        return std::make_unique<UniformRounds>(samples, film_.size(), control_.deadline);
     }
 
     Rendering finished(const Rounds& rounds, bool complete) {
@@ -79,7 +79,7 @@ class Renderer {
             for (std::size_t i = begin; i < end && !stopped(); ++i) {
                 const std::uint64_t done = render_tile(i, goals);
                 const std::uint64_t total = samples_done_.fetch_add(done) + done;
-                if (options_.progress) options_.progress(rounds.part_done(total));
+                if (control_.progress) control_.progress(rounds.part_done(total));
             }
         });
     }
@@ -102,11 +102,12 @@ class Renderer {
     }
 
     Color sample(int x, int y, std::uint32_t index, RayCounts& counts) const {
-        const SampleSource source(x, y, options_.seed, index, options_.sampler);
+        const SampleSource source(x, y, settings_.seed, index, settings_.sampler);
         return integrator_.radiance(rays_.ray(x, y, source), source, counts);
     }
 
-    const RenderOptions& options_;
+    const RenderSettings& settings_;
+    const RunControl& control_;
     EyeRays rays_;
     Whitted integrator_;
     Film film_;
@@ -120,8 +121,9 @@ class Renderer {
 }  // namespace
 
 Rendering render(const Scene& scene, const Intersector& intersector,
-                 const EnvironmentMap& environment, const RenderOptions& options) {
-    return Renderer(scene, intersector, environment, options).run();
+                 const EnvironmentMap& environment, const RenderSettings& settings,
+                 const RunControl& control) {
+    return Renderer(scene, intersector, environment, settings, control).run();
 }
 
 }  // namespace etalon

@@ -47,9 +47,13 @@ double highlight_of(const Material& m, const Vec3& direction, const Vec3& normal
 }  // namespace
 
 Whitted::Whitted(const Scene& scene, const Intersector& intersector,
-                 const EnvironmentMap& environment, int samples_per_pixel, int max_depth)
-    : scene_(scene), intersector_(intersector), environment_(environment), max_depth_(max_depth) {
-    for (const Light& light : scene.lights) lights_.emplace_back(light, samples_per_pixel);
+                 const EnvironmentMap& environment, const RenderSettings& settings)
+    : scene_(scene),
+      intersector_(intersector),
+      environment_(environment),
+      max_depth_(settings.max_depth),
+      rules_(settings.whitted) {
+    for (const Light& light : scene.lights) lights_.emplace_back(light, settings.samples_per_pixel);
 }
 
 Color Whitted::radiance(const Ray& ray, const SampleSource& sample, RayCounts& counts) const {
@@ -58,7 +62,7 @@ Color Whitted::radiance(const Ray& ray, const SampleSource& sample, RayCounts& c
     const std::optional<Hit> hit = intersector_.closest(ray);
     if (hit) ++counts.camera_hits;
     const Color color = trace({ray, 1, 1, Color(0.0F)}, hit, context);
-    return scene_.whitted.fit_eye_rays ? fitted(color) : color;
+    return rules_.fit_eye_rays ? fitted(color) : color;
 }
 
 Color Whitted::trace(const Path& path, std::optional<Hit> hit, Context& context) const {
@@ -71,7 +75,7 @@ Color Whitted::trace(const Path& path, std::optional<Hit> hit, Context& context)
     } else {
         color = environment_.radiance(path.ray.direction);
     }
-    return scene_.whitted.clamp_each_ray ? clamped(color) : color;
+    return rules_.clamp_each_ray ? clamped(color) : color;
 }
 
 Color Whitted::direct(const Path& path, const Encounter& at, Context& context) const {
@@ -98,7 +102,7 @@ Color Whitted::lit_by(const Vec3& light, const Path& path, const Encounter& at,
     if (!(cosine > 0) || !(at.facing.dot(towards) > 0)) return Color(0.0F);
 
     Ray shadow = ray_between(at.surface, light);
-    if (scene_.whitted.fixed_bias != 0) {
+    if (rules_.fixed_bias != 0) {
         shadow = leave(at, towards, false);
         shadow.direction = light - shadow.origin;
     }
@@ -127,7 +131,7 @@ Color Whitted::secondary(const Path& path, const Encounter& at, Context& context
     Vec3 refracted;
     if (!is_black(m.transmission)) {
         const DielectricBorder border =
-            scene_.whitted.schlick ? schlick_border(eta, cosine) : dielectric_border(eta, cosine);
+            rules_.schlick ? schlick_border(eta, cosine) : dielectric_border(eta, cosine);
         if (m.fresnel) {
             reflection *= static_cast<float>(border.reflectance);
             transmission *= static_cast<float>(1 - border.reflectance);
@@ -136,7 +140,7 @@ Color Whitted::secondary(const Path& path, const Encounter& at, Context& context
         refracted = normalized(refract(direction, normal, eta, cosine, border.cos_refracted));
     }
     Color sum(0.0F);
-    const bool counted = scene_.whitted.mirror_all_glass && !is_black(m.transmission);
+    const bool counted = rules_.mirror_all_glass && !is_black(m.transmission);
     if (!is_black(reflection) || counted) {
         ++context.counts.reflected;
         const Vec3 mirrored = normalized(reflect(direction, normal));
@@ -150,7 +154,7 @@ Color Whitted::secondary(const Path& path, const Encounter& at, Context& context
 }
 
 Ray Whitted::leave(const Encounter& at, const Vec3& direction, bool crosses) const {
-    const double bias = scene_.whitted.fixed_bias;
+    const double bias = rules_.fixed_bias;
     if (bias == 0) return ray_from(at.surface, direction);
     return {at.surface.position + (crosses ? -bias : bias) * at.facing, direction};
 }

@@ -7,6 +7,7 @@
 #include "core/render/encounter.h"
 #include "core/render/ray_counts.h"
 #include "core/sampling/sample_source.h"
+#include "core/scene/render_settings.h"
 #include "core/shading/environment_map.h"
 #include "core/shading/light_samples.h"
 
@@ -14,9 +15,9 @@ namespace etalon {
 
 class Whitted {
   public:
-    /// All must outlive the integrator. `samples_per_pixel` 0: a deterministic picture.
+    /// All but the settings must outlive the integrator.
     Whitted(const Scene& scene, const Intersector& intersector, const EnvironmentMap& environment,
-            int samples_per_pixel, int max_depth);
+            const RenderSettings& settings);
 
     /// What a ray from the eye sees. Thread-safe.
     Color radiance(const Ray& ray, const SampleSource& sample, RayCounts& counts) const;
@@ -49,6 +50,7 @@ class Whitted {
     const EnvironmentMap& environment_;
     std::vector<LightSamples> lights_;
     int max_depth_;
+    WhittedRules rules_;
 };
 
 }  // namespace etalon

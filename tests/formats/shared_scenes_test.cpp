@@ -40,7 +40,7 @@ TEST_CASE("every real P3F scene is read without a warning, but for the one with 
         const LoadResult r = load_scene(path);
         CAPTURE(path);
         REQUIRE(r.scene);
-        CHECK(insanity(*r.scene) == "");
+        CHECK(insanity(r) == "");
         CHECK(r.scene->primitives.size() >= 3);
         const bool stray = path.find("dragon_stray_numbers") != path.npos;
         CHECK(r.diagnostics.size() == (stray ? 1 : 0));
@@ -57,12 +57,12 @@ TEST_CASE("every real P3F scene is the same when it is written and read again") 
     for (const std::string& path : shared_scenes("p3f", ".p3f")) {
         CAPTURE(path);
         const LoadResult r = load_scene(path);
-        const WrittenScene written = write_p3f(*r.scene, fs::path(path).parent_path());
+        const WrittenScene written = write_p3f(*r.scene, r.settings, fs::path(path).parent_path());
         CHECK(written.lost.empty());
         const LoadResult again = load_scene_text(written.text, path);
         CHECK(again.diagnostics.empty());
         REQUIRE(again.scene);
-        CHECK(difference(*r.scene, *again.scene) == "");
+        CHECK(difference(r, again) == "");
     }
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("every real SCE scene is read without a warning") {
         REQUIRE(r.scene);
         CHECK(r.diagnostics.empty());
         CHECK(r.scene->format == "sce");
-        CHECK(insanity(*r.scene) == "");
+        CHECK(insanity(r) == "");
         CHECK(r.scene->primitives.size() >= 5);
         CHECK_FALSE(r.scene->lights.empty());
     }
@@ -89,7 +89,7 @@ TEST_CASE("every real NFF scene is read without a warning") {
         REQUIRE(r.scene);
         CHECK(r.diagnostics.empty());
         CHECK(r.scene->format == "nff");
-        CHECK(insanity(*r.scene) == "");
+        CHECK(insanity(r) == "");
         for (const auto& [name, expected] : primitives) {
             if (fs::path(path).stem() == name) CHECK(count(r) == expected);
         }
@@ -105,7 +105,7 @@ TEST_CASE("every real PRT scene is read without a warning") {
         REQUIRE(r.scene);
         CHECK(r.diagnostics.empty());
         CHECK(r.scene->format == "prt");
-        CHECK(insanity(*r.scene) == "");
+        CHECK(insanity(r) == "");
         for (const auto& [name, expected] : primitives) {
             if (fs::path(path).stem() == name) CHECK(r.scene->primitives.size() == expected);
         }
@@ -123,7 +123,7 @@ TEST_CASE("damaged real scenes give a scene or an error") {
             if (!damaged.empty())
                 damaged[random() % damaged.size()] ^= static_cast<char>(1U << (random() % 8));
             const LoadResult r = load_scene_text(damaged, path);
-            CHECK((r.scene ? insanity(*r.scene).empty() : !r.diagnostics.empty()));
+            CHECK((r.scene ? insanity(r).empty() : !r.diagnostics.empty()));
         }
     }
 }

@@ -50,6 +50,7 @@ struct Loader {
     DiagnosticLog& log;
     std::filesystem::path directory;  ///< of the scene file
     Scene scene{};
+    RenderSettings settings{};
     State state{};
     std::vector<Block> blocks{};
     View view{};
