@@ -83,6 +83,7 @@ Json describe(const Arguments& a, const LoadedScene& loaded) {
               {"aperture", c.aperture},
               {"focal", c.focal}}},
             {"samples_per_pixel", settings.samples_per_pixel},
+            {"integrator", settings.integrator},
             {"max_depth", settings.max_depth},
             {"backend", chosen_backend(settings).name},
             {"background",
@@ -106,12 +107,13 @@ std::string as_text(const Json& j) {
     const auto needed = j["needs"].get<std::vector<std::string>>();
     return fmt::format(
         "{}: {}\n  primitives  {}\n  materials   {}\n  lights      {}\n  picture     {} x {}, {} "
-        "samples per pixel\n  backend     {}\n  needs       {}\n  memory      {} bytes\n  "
+        "samples per pixel\n  integrator  {}\n  backend     {}\n  needs       {}\n  memory      {} "
+        "bytes\n  "
         "diagnostics {}\n",
         j["scene"].get<std::string>(), j["format"].get<std::string>(), counts_line(j["primitives"]),
         j["materials"].get<std::size_t>(), counts_line(j["lights"]), camera["width"].get<int>(),
         camera["height"].get<int>(), j["samples_per_pixel"].get<int>(),
-        j["backend"].get<std::string>(),
+        j["integrator"].get<std::string>(), j["backend"].get<std::string>(),
         needed.empty() ? "nothing special" : fmt::format("{}", fmt::join(needed, ", ")),
         j["memory_bytes"].get<std::size_t>(), j["diagnostics"].size());
 }

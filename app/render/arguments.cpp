@@ -1,6 +1,9 @@
 #include "app/render/arguments.h"
 
+#include <fmt/core.h>
+
 #include "app/backends.h"
+#include "app/integrators.h"
 #include "app/render/aovs.h"
 #include "core/image/io.h"
 
@@ -59,16 +62,32 @@ void declare_samples(CLI::App& app, RenderArguments& a) {
         ->group(group);
 }
 
+/// "Integrator (default: auto, the scene's own); whitted: ..., ao: ...".
+std::string integrator_help() {
+    std::string text = "How the colour of a sample is computed (default: auto, the scene's own)";
+    for (const IntegratorType& type : all_integrators()) {
+        text += fmt::format("; {}: {}", type.name, type.summary);
+    }
+    return text;
+}
+
 void declare_rendering(CLI::App& app, RenderArguments& a) {
     const char* group = "Rendering";
     app.add_option("-b,--backend", a.backend, "How hits are found (default: the scene's, else bvh)")
         ->check(CLI::IsMember(backend_names()))
         ->group(group);
-    app.add_option("--integrator", a.integrator, "auto: what the scene's format asks for")
-        ->check(CLI::IsMember({"auto", "whitted"}))
+    app.add_option("--integrator", a.integrator, integrator_help())
+        ->check(CLI::IsMember(integrator_choices()))
         ->group(group);
-    app.add_option("--max-depth", a.max_depth, "Rays in a row, the eye's ray included")
+    app.add_option(
+           "--max-depth", a.max_depth,
+           "Maximum path length of whitted, including the camera ray (default: the scene's)")
         ->check(CLI::Range(1, 1000))
+        ->group(group);
+    app.add_option("--max-distance", a.max_distance,
+                   "Distance, in units of the scene, up to which a surface occludes another for ao "
+                   "(default: any)")
+        ->check(CLI::PositiveNumber)
         ->group(group);
     app.add_option("-t,--threads", a.threads, "Default: all there are")
         ->check(CLI::Range(1, 4096))

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/integrators.h"
 #include "app/scene_arguments.h"
 #include "core/scene/render_settings.h"
 
@@ -13,10 +14,11 @@ namespace etalon {
 struct RenderArguments {
     SceneArguments scene;
     std::vector<std::string> outputs, aovs;
-    std::string backend, integrator = "auto", sampler = "sobol", resolution, crop, stats, reference;
+    std::string backend, integrator{scene_integrator}, sampler = "sobol", resolution, crop, stats,
+                                                       reference;
     int samples = -1, max_depth = 0, threads = 0;
     std::uint32_t seed = 0;
-    double exposure = 0, target_error = 0, time_limit = 0;
+    double exposure = 0, target_error = 0, time_limit = 0, max_distance = 0;
     bool spd = false, quiet = false;
 };
 

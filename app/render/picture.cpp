@@ -15,7 +15,7 @@ Picture make_picture(const Scene& scene, const RenderSettings& settings, const R
                     rendering.film.pixels(), settings.display_colors, {}};
     picture.metadata = {{"software", std::string("Etalon " ETALON_VERSION)},
                         {"backend", stats.backend},
-                        {"integrator", std::string("whitted")},
+                        {"integrator", stats.integrator},
                         {"samplesPerPixel", static_cast<int>(std::lround(rendering.samples))},
                         {"seed", fmt::format("{}", stats.seed)},
                         {"renderTimeSeconds", static_cast<float>(stats.render.wall)},

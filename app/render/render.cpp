@@ -72,16 +72,17 @@ class Render {
     }
 
     bool build() {
+        intersector_ = chosen_backend(settings_).build(scene_);
         std::vector<std::string> problems;
-        environment_.emplace(scene_.environment, problems);
+        integrator_ =
+            find_integrator(settings_.integrator)->make(scene_, *intersector_, settings_, problems);
         for (const std::string& problem : problems) {
             fmt::print(stderr, "{}: warning: {}; the background colour stands in\n", a_.scene.path,
                        problem);
         }
         if (a_.scene.options.strict && !problems.empty()) return false;
-        intersector_ = chosen_backend(settings_).build(scene_);
         stats_.build = watch_.lap();
-        return intersector_ != nullptr;
+        return true;
     }
 
     Rendering render_picture() {
@@ -95,7 +96,7 @@ class Render {
             control.after_round = [&](const RenderedRound& round) { reference_->note(round); };
         }
         if (progress) control.progress = [&](double part) { progress->update(part); };
-        Rendering rendering = render(scene_, *intersector_, *environment_, settings_, control);
+        Rendering rendering = render(scene_.camera, *integrator_, settings_, control);
         stats_.render = watch_.lap();
         return rendering;
     }
@@ -130,6 +131,7 @@ class Render {
         stats_.scene = a_.scene.path;
         stats_.format = scene_.format;
         stats_.backend = chosen_backend(settings_).name;
+        stats_.integrator = find_integrator(settings_.integrator)->name;
         stats_.isa = intersector_->isa();
         stats_.threads = max_threads();
         stats_.width = settings_.resolution.x;
@@ -183,9 +185,9 @@ class Render {
     Scene scene_;
     RenderSettings settings_;
     RenderStats stats_;
-    std::optional<EnvironmentMap> environment_;
     std::optional<Reference> reference_;
     std::unique_ptr<Intersector> intersector_;
+    std::unique_ptr<Integrator> integrator_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -54,6 +54,33 @@ void apply_samples(const RenderArguments& a, RenderSettings& settings) {
     if (a.sampler == "random") settings.sampler = Sampler::random;
 }
 
+/// The options given that only some integrators obey.
+std::vector<std::string_view> integrator_options(const RenderArguments& a) {
+    std::vector<std::string_view> given;
+    if (a.max_depth > 0) given.push_back("--max-depth");
+    if (a.max_distance > 0) given.push_back("--max-distance");
+    if (a.spd) given.push_back("--spd");
+    return given;
+}
+
+/// Refuses what the integrator would ignore.
+std::string apply_integrator(const RenderArguments& a, RenderSettings& settings) {
+    choose_integrator(a.integrator, settings);
+    if (a.max_depth > 0) settings.max_depth = a.max_depth;
+    if (a.max_distance > 0) settings.max_distance = a.max_distance;
+    const IntegratorType& chosen = *find_integrator(settings.integrator);
+    for (const std::string_view option : integrator_options(a)) {
+        if (chosen.obeys(option)) continue;
+        std::vector<std::string_view> able;
+        for (const IntegratorType& type : all_integrators()) {
+            if (type.obeys(option)) able.push_back(type.name);
+        }
+        return fmt::format("{}: the integrator {} does not have it; expected --integrator {}",
+                           option, chosen.name, fmt::join(able, " or "));
+    }
+    return {};
+}
+
 std::string check_aovs(const RenderArguments& a, const RenderSettings& settings) {
     if (a.aovs.empty()) return {};
     if (!a.outputs.empty() && std::none_of(a.outputs.begin(), a.outputs.end(), can_hold_channels)) {
@@ -66,13 +93,13 @@ std::string check_aovs(const RenderArguments& a, const RenderSettings& settings)
 
 std::string apply(const RenderArguments& a, RenderSettings& settings) {
     apply_samples(a, settings);
-    if (a.max_depth > 0) settings.max_depth = a.max_depth;
     if (!a.backend.empty()) settings.backend = a.backend;
     settings.variance = need_variance(a.aovs);
     if (a.target_error > 0 && settings.samples_per_pixel < 1) {
         return "--target-error needs at least one sample per pixel";
     }
-    std::string error = check_aovs(a, settings);
+    std::string error = apply_integrator(a, settings);
+    if (error.empty()) error = check_aovs(a, settings);
     if (error.empty()) error = apply_resolution(a.resolution, settings);
     return error.empty() ? apply_crop(a.crop, settings) : error;
 }

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <functional>
 
+#include "app/backends.h"
 #include "bench/convergence/curve.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/scene.h"
@@ -14,8 +15,7 @@ const std::vector<std::string>& sampler_names();
 
 struct Plan {
     std::vector<std::string> samplers = sampler_names();
-    std::vector<std::string> integrators{"whitted"};
-    std::vector<std::string> backends{"bvh"};
+    std::vector<std::string> backends{std::string(default_backend)};
     int samples = 64;  ///< per pixel, at the end of each curve
     int seeds = 3;
 };
@@ -38,8 +38,8 @@ inline constexpr int truth_times = 32;
 Truth render_truth(const Scene& scene, const RenderSettings& settings, const Plan& plan,
                    const Watcher& watcher);
 
-/// The curves of all samplers with the first backend, and of the last sampler with the others. What
-/// is not finished when a stop comes is left out.
+/// The curves, by the integrator of the settings, of all samplers with the first backend, and of
+/// the last sampler with the others. What is not finished when a stop comes is left out.
 std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings, const Truth& truth,
                            const Plan& plan, const Watcher& watcher);
 

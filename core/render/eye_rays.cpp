@@ -1,12 +1,8 @@
 #include "core/render/eye_rays.h"
 
+#include "core/sampling/dimensions.h"
+
 namespace etalon {
-namespace {
-
-/// Names of the camera's sample dimensions; the integrator's are hashes.
-enum CameraDimension : std::uint32_t { pixel_dimension = 0, lens_dimension = 1 };
-
-}  // namespace
 
 EyeRays::EyeRays(const Camera& camera, const RenderSettings& settings)
     : camera_(camera, settings.resolution),

@@ -4,10 +4,9 @@
 #include <limits>
 
 #include "core/intersect/kernels.h"
-#include "core/parallel/parallel.h"
-#include "core/render/encounter.h"
 #include "core/render/eye_rays.h"
 #include "core/render/tiles.h"
+#include "core/shading/encounter.h"
 
 namespace etalon {
 namespace {
@@ -16,20 +15,13 @@ constexpr int most_samples = 16;
 
 /// Calls visit(x, y, its number by rows) for every pixel, on all threads. False if stopped.
 template <class Visit>
-bool for_each_pixel(const Imath::Box2i& window, const std::atomic<bool>* stop, const Visit& visit) {
+bool visit_pixels(const Imath::Box2i& window, const std::atomic<bool>* stop, const Visit& visit) {
     const auto stopped = [&] { return stop != nullptr && stop->load(); };
-    const std::vector<Imath::Box2i> tiles = tiles_of(window);
     const std::size_t width = static_cast<std::size_t>(window.size().x) + 1;
-    parallel_for(tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Imath::Box2i& tile = tiles[i];
-            for (int y = tile.min.y; y <= tile.max.y && !stopped(); ++y) {
-                const std::size_t row = (y - window.min.y) * width;
-                for (int x = tile.min.x; x <= tile.max.x; ++x) {
-                    visit(x, y, row + (x - window.min.x));
-                }
-            }
-        }
+    for_each_tile(tiles_of(window), stopped, [&](std::size_t, const Imath::Box2i& tile) {
+        for_each_pixel(tile, stopped, [&](int x, int y) {
+            visit(x, y, (y - window.min.y) * width + (x - window.min.x));
+        });
     });
     return !stopped();
 }
@@ -56,7 +48,7 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
         means.albedo.add(x, y, albedo_of(at.material));
         means.normal.add(x, y, Color(at.normal));
     };
-    const bool complete = for_each_pixel(window, stop, [&](int x, int y, std::size_t) {
+    const bool complete = visit_pixels(window, stop, [&](int x, int y, std::size_t) {
         for (int s = 0; s < samples; ++s) {
             const SampleSource source(x, y, settings.seed, s, settings.sampler);
             add(x, y, rays.ray(x, y, source));
@@ -86,7 +78,7 @@ std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& int
         hits.depths[pixel] = static_cast<float>(camera.depth(position));
         hits.primitives[pixel] = hit->primitive;
     };
-    if (!for_each_pixel(window, stop, trace)) return std::nullopt;
+    if (!visit_pixels(window, stop, trace)) return std::nullopt;
     return hits;
 }
 

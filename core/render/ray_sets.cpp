@@ -6,13 +6,15 @@
 #include "core/intersect/kernels.h"
 #include "core/render/aimed_rays.h"
 #include "core/render/camera_rays.h"
+#include "core/render/tiles.h"
+#include "core/sampling/dimensions.h"
+#include "core/sampling/hemisphere.h"
 #include "core/sampling/sample_source.h"
 #include "core/shading/light_samples.h"
 
 namespace etalon {
 namespace {
 
-constexpr int tile = 16;
 constexpr std::uint32_t chord_seed = 3, bounce_seed = 5;
 
 /// Pixel centres, tile by tile, every so many that `limit` is kept.
@@ -21,28 +23,16 @@ std::vector<Vec2> pixel_centres(const Imath::V2i& resolution, std::size_t limit)
     const std::size_t stride = (all + limit - 1) / limit;
     std::vector<Vec2> centres;
     std::size_t index = 0;
-    for (int ty = 0; ty < resolution.y; ty += tile) {
-        for (int tx = 0; tx < resolution.x; tx += tile) {
-            for (int y = ty; y < std::min(ty + tile, resolution.y); ++y) {
-                for (int x = tx; x < std::min(tx + tile, resolution.x); ++x) {
-                    if (index++ % stride == 0) centres.emplace_back(x + 0.5, y + 0.5);
-                }
-            }
-        }
+    for (const Imath::Box2i& tile : tiles_of({{0, 0}, resolution - Imath::V2i(1)})) {
+        for_each_pixel(tile, [&](int x, int y) {
+            if (index++ % stride == 0) centres.emplace_back(x + 0.5, y + 0.5);
+        });
     }
     return centres;
 }
 
 Vec3 normalized(const Vec3& v) {
     return v / std::sqrt(v.dot(v));
-}
-
-Vec3 cosine_direction(const Vec3& normal, const Vec2& uv) {
-    Vec3 u, v;
-    orthonormal_basis(normal, u, v);
-    const double radius = std::sqrt(uv.x), angle = 2 * std::numbers::pi * uv.y;
-    return radius * std::cos(angle) * u + radius * std::sin(angle) * v +
-           std::sqrt(1 - uv.x) * normal;
 }
 
 Vec3 on_unit_sphere(const Vec2& uv) {
@@ -79,7 +69,7 @@ class RaySetMaker {
     RaySet bounce() const {
         RaySet set{"bounce", false, {}};
         for_each_hit([&](const SurfacePoint& p, const Vec3& normal, const SampleSource& sample) {
-            const Vec3 direction = cosine_direction(normal, sample.point(0));
+            const Vec3 direction = cosine_direction(normal, sample.point(bounce_dimension));
             set.rays.push_back(ray_from(p, direction));
         });
         return set;
@@ -90,7 +80,7 @@ class RaySetMaker {
         if (scene_.lights.empty()) return set;
         for_each_hit([&](const SurfacePoint& p, const Vec3&, const SampleSource& sample) {
             const Light& light = scene_.lights[set.rays.size() % scene_.lights.size()];
-            const Vec3 target = LightSamples(light, 1).position(0, sample, 1);
+            const Vec3 target = LightSamples(light, 1).position(0, sample, shadow_dimension);
             set.rays.push_back(ray_between(p, target));
             set.rays.back().coherent = true;
         });

@@ -4,24 +4,22 @@
 #include <memory>
 #include <vector>
 
-#include "core/parallel/parallel.h"
 #include "core/render/adaptive_rounds.h"
 #include "core/render/eye_rays.h"
 #include "core/render/tiles.h"
 #include "core/render/uniform_rounds.h"
-#include "core/render/whitted.h"
 
 namespace etalon {
 namespace {
 
 class Renderer {
   public:
-    Renderer(const Scene& scene, const Intersector& intersector, const EnvironmentMap& environment,
-             const RenderSettings& settings, const RunControl& control)
+    Renderer(const Camera& camera, const Integrator& integrator, const RenderSettings& settings,
+             const RunControl& control)
         : settings_(settings),
           control_(control),
-          rays_(scene.camera, settings),
-          integrator_(scene, intersector, environment, settings),
+          rays_(camera, settings),
+          integrator_(integrator),
           film_(rays_.sampled(settings.window()), settings.variance),
           tiles_(tiles_of(film_.window())),
           counts_(tiles_.size()) {}
@@ -75,30 +73,22 @@ class Renderer {
     }
 
     void render_round(const Goals& goals, const Rounds& rounds) {
-        parallel_for(tiles_.size(), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end && !stopped(); ++i) {
-                const std::uint64_t done = render_tile(i, goals);
-                const std::uint64_t total = samples_done_.fetch_add(done) + done;
-                if (control_.progress) control_.progress(rounds.part_done(total));
-            }
+        const auto stop = [&] { return stopped(); };
+        for_each_tile(tiles_, stop, [&](std::size_t i, const Imath::Box2i& tile) {
+            std::uint64_t done = 0;
+            for_each_pixel(tile, stop,
+                           [&](int x, int y) { done += render_pixel(x, y, goals, counts_[i]); });
+            const std::uint64_t total = samples_done_.fetch_add(done) + done;
+            if (control_.progress) control_.progress(rounds.part_done(total));
         });
     }
 
     /// Returns the number of samples.
-    std::uint64_t render_tile(std::size_t tile, const Goals& goals) {
-        const Imath::Box2i& box = tiles_[tile];
-        std::uint64_t done = 0;
-        for (int y = box.min.y; y <= box.max.y && !stopped(); ++y) {
-            for (int x = box.min.x; x <= box.max.x; ++x) {
-                const std::size_t pixel = film_.index(x, y);
-                const std::uint32_t first = film_.counts()[pixel], last = goals.of(pixel);
-                for (std::uint32_t s = first; s < last; ++s) {
-                    film_.add(x, y, sample(x, y, s, counts_[tile]));
-                }
-                done += last - first;
-            }
-        }
-        return done;
+    std::uint32_t render_pixel(int x, int y, const Goals& goals, RayCounts& counts) {
+        const std::size_t pixel = film_.index(x, y);
+        const std::uint32_t first = film_.counts()[pixel], last = goals.of(pixel);
+        for (std::uint32_t s = first; s < last; ++s) film_.add(x, y, sample(x, y, s, counts));
+        return last - first;
     }
 
     Color sample(int x, int y, std::uint32_t index, RayCounts& counts) const {
@@ -109,7 +99,7 @@ class Renderer {
     const RenderSettings& settings_;
     const RunControl& control_;
     EyeRays rays_;
-    Whitted integrator_;
+    const Integrator& integrator_;
     Film film_;
     std::vector<Imath::Box2i> tiles_;
     std::vector<RayCounts> counts_;
@@ -120,10 +110,9 @@ class Renderer {
 
 }  // namespace
 
-Rendering render(const Scene& scene, const Intersector& intersector,
-                 const EnvironmentMap& environment, const RenderSettings& settings,
+Rendering render(const Camera& camera, const Integrator& integrator, const RenderSettings& settings,
                  const RunControl& control) {
-    return Renderer(scene, intersector, environment, settings, control).run();
+    return Renderer(camera, integrator, settings, control).run();
 }
 
 }  // namespace etalon

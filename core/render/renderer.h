@@ -1,16 +1,15 @@
-// From a scene to a film: tiles over threads, rounds of samples.
+// From camera and integrator to a film: tiles over threads, rounds of samples.
 #pragma once
 
 #include <atomic>
 #include <functional>
 #include <optional>
 
-#include "core/intersect/intersector.h"
+#include "core/integrators/integrator.h"
 #include "core/render/deadline.h"
 #include "core/render/film.h"
-#include "core/render/ray_counts.h"
+#include "core/scene/camera.h"
 #include "core/scene/render_settings.h"
-#include "core/shading/environment_map.h"
 
 namespace etalon {
 
@@ -36,10 +35,10 @@ struct Rendering {
     bool complete = false;  ///< neither stopped nor out of time
 };
 
-/// The pixels depend on scene and settings alone, and on the clock where there is a deadline.
-/// A stop leaves a whole if noisy picture.
-Rendering render(const Scene& scene, const Intersector& intersector,
-                 const EnvironmentMap& environment, const RenderSettings& settings,
+/// Renders the window of the settings. The integrator was made with the same settings. The pixels
+/// depend on scene and settings alone, and on the clock where there is a deadline. A stop leaves a
+/// whole if noisy picture.
+Rendering render(const Camera& camera, const Integrator& integrator, const RenderSettings& settings,
                  const RunControl& control = {});
 
 }  // namespace etalon

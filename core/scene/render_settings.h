@@ -48,7 +48,9 @@ struct RenderSettings {
                               ///< go where they help, samples_per_pixel at most
 
     // Integrator
-    int max_depth = 5;  ///< maximum path length, including the camera ray
+    std::string integrator = "whitted";  ///< a name of core/integrators/integrators.h
+    int max_depth = 5;                   ///< maximum path length, including the camera ray
+    double max_distance = infinity;      ///< at which something occludes, for ambient occlusion
     WhittedRules whitted;
 
     std::string backend;  ///< name of the intersection backend; empty: the program's default

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/backends.h"
+#include "core/integrators/integrators.h"
 #include "core/render/renderer.h"
 #include "tests/render/test_scenes.h"
 
@@ -9,10 +10,11 @@ namespace etalon::test {
 
 inline Rendering render_with(const Scene& scene, const Backend& backend,
                              const RenderSettings& settings, const RunControl& control = {}) {
-    std::vector<std::string> problems;
-    const EnvironmentMap environment(scene.environment, problems);
     const auto intersector = backend.build(scene);
-    return render(scene, *intersector, environment, settings, control);
+    std::vector<std::string> problems;
+    const auto integrator =
+        find_integrator(settings.integrator)->make(scene, *intersector, settings, problems);
+    return render(scene.camera, *integrator, settings, control);
 }
 
 inline Rendering rendered(const TestScene& scene, std::string_view backend = default_backend) {

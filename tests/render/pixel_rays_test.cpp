@@ -1,7 +1,7 @@
 // Pictures without samples: where their rays go, and the counts of the SPD benchmark.
 #include "core/formats/load.h"
+#include "core/integrators/whitted/whitted.h"
 #include "core/render/camera_rays.h"
-#include "core/render/whitted.h"
 #include "tests/catch.h"
 #include "tests/formats/shared_scenes.h"
 #include "tests/render/pictures.h"
@@ -21,11 +21,10 @@ TestScene scene_with(PixelRays rays) {
 
 /// What a ray through the point `pixel` of the picture sees.
 Color seen_through(const TestScene& scene, const Vec2& pixel) {
-    std::vector<std::string> problems;
-    const EnvironmentMap environment(scene.environment, problems);
     const auto intersector = find_backend("none")->build(scene);
+    std::vector<std::string> problems;
     RayCounts counts;
-    return Whitted(scene, *intersector, environment, scene.settings)
+    return Whitted(scene, *intersector, scene.settings, problems)
         .radiance(CameraRays(scene.camera, scene.settings.resolution).ray(pixel, Vec2(0.5)),
                   SampleSource(0, 0, 0, 0), counts);
 }

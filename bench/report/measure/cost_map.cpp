@@ -2,6 +2,7 @@
 
 #include "app/backends.h"
 #include "bench/report/measure/rendered.h"
+#include "core/integrators/integrators.h"
 #include "core/render/features.h"
 
 namespace etalon::bench_report {
@@ -9,9 +10,10 @@ namespace etalon::bench_report {
 /// Rays are counted by the picture: so each pixel is a picture of its own.
 PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
                            const Context& context) {
-    std::vector<std::string> problems;
-    const EnvironmentMap environment(scene.environment, problems);
     const auto intersector = find_backend(default_backend)->build(scene);
+    std::vector<std::string> problems;
+    const auto integrator =
+        find_integrator(settings.integrator)->make(scene, *intersector, settings, problems);
     RunControl control = control_of(context);
     control.progress = nullptr;
     const int width = settings.resolution.x, height = settings.resolution.y;
@@ -19,7 +21,7 @@ PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
         const Imath::V2i at(static_cast<int>(pixel) % width, static_cast<int>(pixel) / width);
         RenderSettings here = settings;
         here.crop = {at, at};
-        const RayCounts counts = render(scene, *intersector, environment, here, control).counts;
+        const RayCounts counts = render(scene.camera, *integrator, here, control).counts;
         return static_cast<double>(counts.total()) / settings.samples_per_pixel;
     });
 }

@@ -6,6 +6,7 @@
 
 #include "app/backends.h"
 #include "core/formats/load.h"
+#include "core/integrators/integrators.h"
 
 namespace etalon::bench_report {
 namespace {
@@ -37,12 +38,14 @@ RunControl control_of(const Context& context) {
 
 Rendered rendered(const Scene& scene, const std::string& backend, const RenderSettings& settings,
                   const RunControl& control) {
-    std::vector<std::string> problems;  // what cannot be read is the background's colour
-    const EnvironmentMap environment(scene.environment, problems);
     Stopwatch watch;
     const auto intersector = find_backend(backend)->build(scene);
     const Duration build = watch.lap();
-    Rendering rendering = render(scene, *intersector, environment, settings, control);
+    std::vector<std::string> problems;  // what cannot be read is the background's colour
+    const auto integrator =
+        find_integrator(settings.integrator)->make(scene, *intersector, settings, problems);
+    watch.lap();
+    Rendering rendering = render(scene.camera, *integrator, settings, control);
     return {std::move(rendering), build, watch.lap(), intersector->memory_bytes()};
 }
 

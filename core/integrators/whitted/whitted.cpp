@@ -1,8 +1,9 @@
-#include "core/render/whitted.h"
+#include "core/integrators/whitted/whitted.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/sampling/dimensions.h"
 #include "core/shading/fresnel.h"
 
 namespace etalon {
@@ -46,22 +47,23 @@ double highlight_of(const Material& m, const Vec3& direction, const Vec3& normal
 
 }  // namespace
 
-Whitted::Whitted(const Scene& scene, const Intersector& intersector,
-                 const EnvironmentMap& environment, const RenderSettings& settings)
+Whitted::Whitted(const Scene& scene, const Intersector& intersector, const RenderSettings& settings,
+                 std::vector<std::string>& problems)
     : scene_(scene),
       intersector_(intersector),
-      environment_(environment),
+      environment_(scene.environment, problems),
       max_depth_(settings.max_depth),
       rules_(settings.whitted) {
     for (const Light& light : scene.lights) lights_.emplace_back(light, settings.samples_per_pixel);
 }
 
-Color Whitted::radiance(const Ray& ray, const SampleSource& sample, RayCounts& counts) const {
+Color Whitted::radiance(const Ray& camera_ray, const SampleSource& sample,
+                        RayCounts& counts) const {
     Context context{sample, counts};
     ++counts.camera;
-    const std::optional<Hit> hit = intersector_.closest(ray);
+    const std::optional<Hit> hit = intersector_.closest(camera_ray);
     if (hit) ++counts.camera_hits;
-    const Color color = trace({ray, 1, 1, Color(0.0F)}, hit, context);
+    const Color color = trace({camera_ray, 1, camera_ray_name, Color(0.0F)}, hit, context);
     return rules_.fit_eye_rays ? fitted(color) : color;
 }
 
@@ -83,7 +85,7 @@ Color Whitted::direct(const Path& path, const Encounter& at, Context& context) c
     if (is_black(at.material.diffuse) && is_black(at.material.specular)) return sum;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const LightSamples& light = lights_[i];
-        const std::uint32_t dimension = hash(path.name, static_cast<std::uint32_t>(i) + 2);
+        const std::uint32_t dimension = light_dimension(path.name, i);
         Color reflected(0.0F);
         for (int k = 0; k < light.count(); ++k) {
             const Vec3 position = light.position(k, context.sample, dimension);
@@ -165,7 +167,7 @@ Color Whitted::follow(const Path& from, const Encounter& at, const Vec3& directi
     const bool crosses = inside == at.entering;
     Color absorption = from.absorption;
     if (crosses) absorption = inside ? at.material.absorption : Color(0.0F);
-    Path path{leave(at, direction, crosses), from.depth + 1, hash(from.name, crosses ? 1 : 0),
+    Path path{leave(at, direction, crosses), from.depth + 1, ray_name(from.name, crosses),
               absorption};
     path.ray.coherent = from.ray.coherent;
     const std::optional<Hit> hit = intersector_.closest(path.ray);
