@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/intersect/backend_roles.h"
 #include "core/intersect/intersector.h"
 #include "core/scene/render_settings.h"
 
@@ -11,9 +12,6 @@ namespace etalon {
 
 /// In the order of help texts and reports. To add a backend, publish it in its folder's list.
 const std::vector<Backend>& all_backends();
-
-/// The backend of a scene that names none.
-inline constexpr std::string_view default_backend = "bvh";
 
 /// nullptr if there is none of that name.
 const Backend* find_backend(std::string_view name);

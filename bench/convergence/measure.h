@@ -15,7 +15,7 @@ const std::vector<std::string>& sampler_names();
 
 struct Plan {
     std::vector<std::string> samplers = sampler_names();
-    std::vector<std::string> backends{std::string(default_backend)};
+    std::vector<std::string> backends{default_backend};
     int samples = 64;  ///< per pixel, at the end of each curve
     int seeds = 3;
 };

@@ -22,10 +22,10 @@ namespace {
 
 using namespace speed;
 
-/// `none` tests every primitive against every ray: only who asks for it is to wait for it.
+/// The reference tests every primitive against every ray: only who asks for it is to wait for it.
 std::vector<std::string> usual_contenders() {
     std::vector<std::string> names = contender_names();
-    std::erase(names, "none");
+    std::erase(names, reference_backend);
     return names;
 }
 

@@ -79,6 +79,7 @@ struct Backend {
     std::unique_ptr<Intersector> (*build)(const Scene& scene);
     bool counts_box_tests = false;  ///< in a TraversalCost
     bool counts_primitive_tests = false;
+    int colour = 7;  ///< in reports: which colour of bench/plot/style.h, from 1; 7 is grey
 };
 
 }  // namespace etalon

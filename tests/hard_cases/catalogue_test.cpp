@@ -99,7 +99,7 @@ double hit_share(const Setting& setting) {
     const auto backends = native_backends();
     const bool is_small = setting.scene.primitives.size() < 100;
     const auto backend = std::find_if(backends.begin(), backends.end(), [&](const Backend& b) {
-        return b.name == (is_small ? "none" : "bvh");
+        return b.name == (is_small ? reference_backend : default_backend);
     });
     const auto intersector = backend->build(setting.scene);
     int hits = 0;

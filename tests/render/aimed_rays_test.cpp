@@ -81,7 +81,7 @@ TEST_CASE("Every kind of shape is aimed at alike, however many there are of it",
 TEST_CASE("Rays at borders come in pairs that are next to each other and see different things",
           "[render]") {
     const TestScene scene = mixed_scene();
-    const auto exact = find_backend("bvh")->build(scene);
+    const auto exact = find_backend(default_backend)->build(scene);
     std::vector<Ray> rays;
     std::vector<Vec2> pixels;
     for (int x = 0; x < 48; ++x) pixels.emplace_back(x + 0.5, 18.5);

@@ -12,12 +12,12 @@ using namespace etalon::test;
 namespace {
 
 CentreHits hits_of(const TestScene& scene) {
-    const auto intersector = find_backend("bvh")->build(scene);
+    const auto intersector = find_backend(default_backend)->build(scene);
     return centre_hits(scene, *intersector, scene.settings).value();
 }
 
 SurfaceMeans means_of(const TestScene& scene) {
-    const auto intersector = find_backend("bvh")->build(scene);
+    const auto intersector = find_backend(default_backend)->build(scene);
     return surface_means(scene, *intersector, scene.settings).value();
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("Depth is along the axis of view, the position on the pixel's ray ther
 
 TEST_CASE("The cost of the backend none is every primitive for every ray", "[features]") {
     const TestScene scene = mixed_scene(8, 6);
-    const auto intersector = find_backend("none")->build(scene);
+    const auto intersector = find_backend(reference_backend)->build(scene);
     const CentreHits hits = centre_hits(scene, *intersector, scene.settings).value();
     for (const TraversalCost& cost : hits.costs) {
         CHECK(cost.primitive_tests == scene.primitives.size());
@@ -150,7 +150,7 @@ TEST_CASE("A crop's features are those of the whole, on any number of threads", 
 TEST_CASE("A stop leaves no features rather than parts of them", "[features]") {
     const TestScene scene = mixed_scene();
     const std::atomic<bool> stop = true;
-    const auto intersector = find_backend("bvh")->build(scene);
+    const auto intersector = find_backend(default_backend)->build(scene);
     CHECK_FALSE(surface_means(scene, *intersector, scene.settings, &stop));
     CHECK_FALSE(centre_hits(scene, *intersector, scene.settings, &stop));
 }

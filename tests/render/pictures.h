@@ -30,7 +30,7 @@ inline std::vector<Color> picture(const TestScene& scene,
 inline Color centre(TestScene scene, int max_depth = 5) {
     scene.settings.resolution = {1, 1};
     scene.settings.max_depth = max_depth;
-    return picture(scene, "none")[0];
+    return picture(scene, reference_backend)[0];
 }
 
 }  // namespace etalon::test

@@ -21,7 +21,7 @@ TestScene scene_with(PixelRays rays) {
 
 /// What a ray through the point `pixel` of the picture sees.
 Color seen_through(const TestScene& scene, const Vec2& pixel) {
-    const auto intersector = find_backend("none")->build(scene);
+    const auto intersector = find_backend(reference_backend)->build(scene);
     std::vector<std::string> problems;
     RayCounts counts;
     return Whitted(scene, *intersector, scene.settings, problems)

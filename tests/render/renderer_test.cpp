@@ -10,9 +10,12 @@
 using namespace etalon;
 using namespace etalon::test;
 
-TEST_CASE("Every exact backend and any thread count give the same bits", "[render]") {
-    const TestScene scene = mixed_scene();
-    const Rendering reference = rendered(scene, "none");
+TEST_CASE("Every exact backend and any thread count give the same bits by every integrator",
+          "[render]") {
+    TestScene scene = mixed_scene();
+    scene.settings.integrator = GENERATE(from_range(integrator_names()));
+    CAPTURE(scene.settings.integrator);
+    const Rendering reference = rendered(scene, reference_backend);
     for (const Backend& backend : all_backends()) {
         if (!backend.exact) continue;
         for (const int threads : {1, 2}) {
@@ -27,8 +30,10 @@ TEST_CASE("Every exact backend and any thread count give the same bits", "[rende
     }
 }
 
-TEST_CASE("A scene scaled by a power of two gives the same bits", "[render]") {
-    const TestScene scene = mixed_scene();
+TEST_CASE("A scene scaled by a power of two gives the same bits by every integrator", "[render]") {
+    TestScene scene = mixed_scene();
+    scene.settings.integrator = GENERATE(from_range(integrator_names()));
+    CAPTURE(scene.settings.integrator);
     for (const double factor : {0x1p20, 0x1p-20}) {
         const TestScene other = transformed(scene, factor);
         for (const Backend& backend : all_backends()) {
@@ -77,6 +82,15 @@ TEST_CASE("A crop holds the same pixels as the whole", "[render]") {
     for (int y = 5; y <= 30; ++y) {
         for (int x = 7; x <= 20; ++x) CHECK(part[i++] == all[y * scene.settings.resolution.x + x]);
     }
+}
+
+TEST_CASE("An integrator is found by its name, no two have the same", "[render]") {
+    CHECK(find_integrator("path") == nullptr);
+    for (const IntegratorType& type : all_integrators()) {
+        CHECK(find_integrator(type.name) == &type);
+        CHECK_FALSE(type.summary.empty());
+    }
+    CHECK(find_integrator(RenderSettings().integrator) != nullptr);
 }
 
 TEST_CASE("Another seed gives another picture of the same scene", "[render]") {

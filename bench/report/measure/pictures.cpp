@@ -26,8 +26,7 @@ Rendered rendered(const ShippedScene& shipped, int samples, std::uint32_t seed,
     RenderSettings settings = shipped.settings;
     settings.samples_per_pixel = samples;
     settings.seed = seed;
-    return bench_report::rendered(shipped.scene, std::string(default_backend), settings,
-                                  control_of(context));
+    return bench_report::rendered(shipped.scene, default_backend, settings, control_of(context));
 }
 
 Bytes display(const RenderSettings& settings, const std::vector<Color>& pixels) {
@@ -75,9 +74,8 @@ void measure(const PictureRequest& request, Results& results, const Context& con
     RenderSettings fewer = settings;
     fewer.samples_per_pixel = request.fewer_samples;
     add_cost("Rays of a sample", rays_of_samples(scene, fewer, context), figures);
-    const std::string backend(default_backend);
-    if (const auto tests = tests_of_eye_rays(scene, settings, backend, context)) {
-        add_cost("Tests of an eye ray by " + backend, *tests, figures);
+    if (const auto tests = tests_of_eye_rays(scene, settings, default_backend, context)) {
+        add_cost(std::string("Tests of an eye ray by ") + default_backend, *tests, figures);
     }
     results.pictures.add(std::move(figures));
 }
