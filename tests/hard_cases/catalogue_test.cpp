@@ -5,6 +5,7 @@
 #include <set>
 
 #include "bench/hard_cases/hard_case.h"
+#include "core/intersect/backend_roles.h"
 #include "core/intersect/intersector.h"
 #include "native_accel/backends.h"
 #include "tests/catch.h"

@@ -93,6 +93,17 @@ TEST_CASE("An integrator is found by its name, no two have the same", "[render]"
     CHECK(find_integrator(RenderSettings().integrator) != nullptr);
 }
 
+TEST_CASE("Every part is played by a backend that can", "[render]") {
+    for (const char* name : {default_backend, reference_backend, second_backend}) {
+        REQUIRE(find_backend(name) != nullptr);
+        CHECK(find_backend(name)->exact);
+    }
+    CHECK(default_backend != std::string(second_backend));
+    REQUIRE(find_backend(baseline_backend) != nullptr);
+    CHECK_FALSE(find_backend(baseline_backend)->exact);
+    CHECK(&chosen_backend(RenderSettings()) == find_backend(default_backend));
+}
+
 TEST_CASE("Another seed gives another picture of the same scene", "[render]") {
     TestScene scene = mixed_scene();
     const std::vector<Color> first = picture(scene);
