@@ -23,6 +23,10 @@ const Backend* find_backend(std::string_view name) {
     return nullptr;
 }
 
+const Backend& chosen_backend(const RenderSettings& settings) {
+    return *find_backend(settings.backend.empty() ? default_backend : settings.backend);
+}
+
 std::vector<std::string> backend_names() {
     std::vector<std::string> names;
     for (const Backend& backend : all_backends()) names.emplace_back(backend.name);

@@ -4,7 +4,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/intersect/backend_roles.h"
 #include "core/intersect/intersector.h"
+#include "core/scene/render_settings.h"
 
 namespace etalon {
 
@@ -13,6 +15,9 @@ const std::vector<Backend>& all_backends();
 
 /// nullptr if there is none of that name.
 const Backend* find_backend(std::string_view name);
+
+/// The backend that the settings name, else the default one.
+const Backend& chosen_backend(const RenderSettings& settings);
 
 /// "none, grid, bvh, ..."
 std::vector<std::string> backend_names();

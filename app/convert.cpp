@@ -30,7 +30,7 @@ int run(const Arguments& a) {
     }
     const LoadedScene loaded = load(a.scene);
     if (!loaded.scene) return loaded.status;
-    const WrittenScene written = write(*loaded.scene, path.parent_path());
+    const WrittenScene written = write(*loaded.scene, loaded.settings, path.parent_path());
     for (const Loss& loss : written.lost) {
         fmt::print(stderr, "{}: lost: {} ({})\n", a.output, loss.what, loss.count);
     }

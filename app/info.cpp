@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "app/backends.h"
 #include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/output.h"
@@ -21,7 +22,7 @@ bool any_material(const Scene& scene, bool (*test)(const Material&)) {
 }
 
 /// What a picture of the scene will ask of the renderer.
-std::vector<std::string> needs(const Scene& s) {
+std::vector<std::string> needs(const Scene& s, const RenderSettings& settings) {
     std::vector<std::string> list;
     const auto need = [&](bool condition, const char* what) {
         if (condition) list.emplace_back(what);
@@ -34,7 +35,7 @@ std::vector<std::string> needs(const Scene& s) {
     need(any_material(s, [](const Material& m) { return m.absorption != Color(0.0F); }),
          "absorption");
     need(std::any_of(s.look.lights.begin(), s.look.lights.end(), is_area), "area light samples");
-    need(s.camera.aperture > 0 && s.samples_per_pixel > 0, "lens samples");
+    need(s.camera.aperture > 0 && settings.samples_per_pixel > 0, "lens samples");
     need(!s.geometry.normals.empty(), "interpolated normals");
     need(s.look.environment.skybox.has_value(), "pictures (OpenImageIO)");
     return list;
@@ -61,7 +62,9 @@ Json diagnostics(const std::vector<Diagnostic>& list) {
     return result;
 }
 
-Json describe(const Arguments& a, const Scene& s, const std::vector<Diagnostic>& found) {
+Json describe(const Arguments& a, const LoadedScene& loaded) {
+    const Scene& s = *loaded.scene;
+    const RenderSettings& settings = loaded.settings;
     const Camera& c = s.camera;
     const auto vec = [](const Vec3& v) { return Json{v.x, v.y, v.z}; };
     return {{"scene", a.scene.path},
@@ -75,20 +78,20 @@ Json describe(const Arguments& a, const Scene& s, const std::vector<Diagnostic>&
               {"at", vec(c.at)},
               {"up", vec(c.up)},
               {"fov_degrees", c.fov_degrees},
-              {"width", c.width},
-              {"height", c.height},
+              {"width", settings.resolution.x},
+              {"height", settings.resolution.y},
               {"aperture", c.aperture},
               {"focal", c.focal}}},
-            {"samples_per_pixel", s.samples_per_pixel},
-            {"max_depth", s.whitted.max_depth},
-            {"backend", s.backend.empty() ? "bvh" : s.backend},
+            {"samples_per_pixel", settings.samples_per_pixel},
+            {"integrator", settings.integrator},
+            {"max_depth", settings.max_depth},
+            {"backend", chosen_backend(settings).name},
             {"background",
-             {s.look.environment.background.x, s.look.environment.background.y,
-              s.look.environment.background.z}},
+             {s.look.environment.background.x, s.look.environment.background.y, s.look.environment.background.z}},
             {"skybox", s.look.environment.skybox ? Json(s.look.environment.skybox->faces) : Json()},
-            {"needs", needs(s)},
+            {"needs", needs(s, settings)},
             {"memory_bytes", memory_bytes(s)},
-            {"diagnostics", diagnostics(found)}};
+            {"diagnostics", diagnostics(loaded.diagnostics)}};
 }
 
 std::string counts_line(const Json& counts) {
@@ -104,12 +107,13 @@ std::string as_text(const Json& j) {
     const auto needed = j["needs"].get<std::vector<std::string>>();
     return fmt::format(
         "{}: {}\n  primitives  {}\n  materials   {}\n  lights      {}\n  picture     {} x {}, {} "
-        "samples per pixel\n  backend     {}\n  needs       {}\n  memory      {} bytes\n  "
+        "samples per pixel\n  integrator  {}\n  backend     {}\n  needs       {}\n  memory      {} "
+        "bytes\n  "
         "diagnostics {}\n",
         j["scene"].get<std::string>(), j["format"].get<std::string>(), counts_line(j["primitives"]),
         j["materials"].get<std::size_t>(), counts_line(j["lights"]), camera["width"].get<int>(),
         camera["height"].get<int>(), j["samples_per_pixel"].get<int>(),
-        j["backend"].get<std::string>(),
+        j["integrator"].get<std::string>(), j["backend"].get<std::string>(),
         needed.empty() ? "nothing special" : fmt::format("{}", fmt::join(needed, ", ")),
         j["memory_bytes"].get<std::size_t>(), j["diagnostics"].size());
 }
@@ -121,7 +125,7 @@ int run(const Arguments& a) {
         if (a.json) write_json("-", j);
         return loaded.status;
     }
-    const Json j = describe(a, *loaded.scene, loaded.diagnostics);
+    const Json j = describe(a, loaded);
     const bool written = a.json ? write_json("-", j) : write_text("-", as_text(j));
     return written ? exit_done : exit_not_written;
 }

@@ -24,13 +24,14 @@ std::vector<Color> cut_out(const std::vector<Color>& pixels, int width,
 
 }  // namespace
 
-Outcome<std::vector<Color>> read_reference(const std::string& path, const Scene& scene,
-                                           const Imath::Box2i& window) {
+Outcome<std::vector<Color>> read_reference(const std::string& path,
+                                           const RenderSettings& settings) {
+    const Imath::Box2i window = settings.window();
     Outcome<Image> file = read_image(path);
     if (!file) return {{}, file.error};
     Image& image = file.value;
     const Imath::V2i size(image.width, image.height), asked = size_of(window);
-    const Imath::V2i frame(scene.camera.width, scene.camera.height);
+    const Imath::V2i& frame = settings.resolution;
     const bool elsewhere = size != frame && image.origin && *image.origin != window.min;
     if ((size != frame && size != asked) || elsewhere) {
         const std::string place =
@@ -42,7 +43,7 @@ Outcome<std::vector<Color>> read_reference(const std::string& path, const Scene&
                         frame.x, frame.y)};
     }
     // A PNG does not say which values it has: those of the picture it was made from.
-    if (scene.display_colors && image.encoding == Encoding::srgb) {
+    if (settings.display_colors && image.encoding == Encoding::srgb) {
         image.encoding = Encoding::display;
     }
     std::vector<Color> pixels = linear_pixels(image);

@@ -4,14 +4,13 @@
 #include <vector>
 
 #include "core/image/image.h"
-#include "core/scene/scene.h"
+#include "core/scene/render_settings.h"
 
 namespace etalon {
 
-/// What the pixels of `window` in a scene's picture should be, by rows from the top, from a file of
-/// the window or of the whole frame. Where the scene's colours are display values, so are those of
+/// What the pixels of a picture's window should be, by rows from the top, from a file of the window
+/// or of the whole frame. Where the scene's colours are display values, so are those of
 /// a PNG. A failure's reason begins with the path.
-Outcome<std::vector<Color>> read_reference(const std::string& path, const Scene& scene,
-                                           const Imath::Box2i& window);
+Outcome<std::vector<Color>> read_reference(const std::string& path, const RenderSettings& settings);
 
 }  // namespace etalon

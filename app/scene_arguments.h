@@ -21,6 +21,7 @@ void declare_scene(Options& options, SceneArguments& arguments);
 
 struct LoadedScene {
     std::optional<Scene> scene;  ///< nothing: give up with `status`
+    RenderSettings settings;     ///< what the file says about how to render it
     int status = 0;
     std::vector<Diagnostic> diagnostics;
 };

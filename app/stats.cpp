@@ -34,6 +34,7 @@ Json to_json(const RenderStats& s) {
         {"scene", s.scene},
         {"format", s.format},
         {"backend", s.backend},
+        {"integrator", s.integrator},
         {"threads", s.threads},
         {"isa", s.isa},
         {"version", ETALON_VERSION},

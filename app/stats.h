@@ -4,14 +4,14 @@
 #include <string>
 
 #include "app/stopwatch.h"
-#include "core/render/ray_counts.h"
+#include "core/integrators/ray_counts.h"
 #include "core/scene/scene.h"
 
 namespace etalon {
 
 /// What `render --stats` writes. The keys are a contract.
 struct RenderStats {
-    std::string scene, format, backend, isa;
+    std::string scene, format, backend, integrator, isa;
     int threads = 0;
     int width = 0, height = 0, samples_per_pixel = 0;
     std::uint32_t seed = 0;

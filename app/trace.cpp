@@ -84,8 +84,8 @@ int run(const Arguments& a) {
     const Scene& scene = *loaded.scene;
     std::vector<Ray> rays;
     if (!read_rays(a, rays)) return exit_unusable;
-    const std::string& chosen = !a.backend.empty() ? a.backend : scene.backend;
-    const auto intersector = find_backend(chosen.empty() ? "bvh" : chosen)->build(scene.geometry);
+    if (!a.backend.empty()) loaded.settings.backend = a.backend;
+    const auto intersector = chosen_backend(loaded.settings).build(scene.geometry);
     if (!intersector) return exit_unusable;
     std::string text;
     for (const Ray& ray : rays) text += describe(scene, ray, intersector->closest(ray));

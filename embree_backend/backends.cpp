@@ -21,15 +21,21 @@ std::unique_ptr<Intersector> build_robust(const Geometry& geometry) {
 }
 
 constexpr Backend backends[] = {
-    {"embree", "Embree's hierarchy over the exact kernels", true, build<EmbreeUserGeometry>},
+    {"embree", "Embree's hierarchy over the exact kernels", true, build<EmbreeUserGeometry>, false,
+     false, 6},
     {"embree-user", "Embree's user geometry, one primitive a callback: the witness", true,
-     build<PlainUserGeometry>},
+     build<PlainUserGeometry>, false, false, 4},
     {"embree-builtin", "Embree's own float triangles, quads and spheres", false,
-     build<EmbreeBuiltin>},
+     build<EmbreeBuiltin>, false, false, 2},
 };
 
-constexpr Backend robust = {"embree-builtin-robust", "The same, traversed with more care", false,
-                            build_robust};
+constexpr Backend robust = {"embree-builtin-robust",
+                            "The same, traversed with more care",
+                            false,
+                            build_robust,
+                            false,
+                            false,
+                            5};
 
 }  // namespace
 

@@ -30,7 +30,8 @@ void print(const Arguments& a, const crosscheck::Results& results) {
 int run(const Arguments& a) {
     const LoadedScene loaded = load(a.scene);
     if (!loaded.scene) return loaded.status;
-    const auto results = crosscheck::crosscheck(*loaded.scene, a.backends, a.rays, a.worst);
+    const auto results = crosscheck::crosscheck(*loaded.scene, loaded.settings.resolution,
+                                                a.backends, a.rays, a.worst);
     print(a, results);
     if (!a.json.empty() && !write_json(a.json, crosscheck::as_json(results))) {
         return exit_not_written;

@@ -23,9 +23,9 @@ bool Results::as_promised() const {
                        [](const auto& b) { return !b.exact || b.total.clean(); });
 }
 
-Results crosscheck(const Scene& scene, const std::vector<std::string>& backends, std::size_t rays,
-                   std::size_t worst) {
-    const std::vector<Trial> trials = make_trials(scene, rays);
+Results crosscheck(const Scene& scene, const Imath::V2i& resolution,
+                   const std::vector<std::string>& backends, std::size_t rays, std::size_t worst) {
+    const std::vector<Trial> trials = make_trials(scene, resolution, rays);
     std::vector<Contestant> contestants;
     for (const std::string& name : backends) contestants.push_back(ask(name, scene, trials));
     Results results;

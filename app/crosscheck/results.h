@@ -26,7 +26,7 @@ struct Results {
 
 /// Asks the oracle and the backends of these names, and compares. About `rays` of each kind,
 /// `worst` of them kept for each backend.
-Results crosscheck(const Scene& scene, const std::vector<std::string>& backends, std::size_t rays,
-                   std::size_t worst);
+Results crosscheck(const Scene& scene, const Imath::V2i& resolution,
+                   const std::vector<std::string>& backends, std::size_t rays, std::size_t worst);
 
 }  // namespace etalon::crosscheck

@@ -16,12 +16,13 @@ std::vector<OracleAnswer> ask(const Oracle& oracle, const std::vector<Ray>& rays
 
 }  // namespace
 
-std::vector<Trial> make_trials(const Scene& scene, std::size_t limit) {
-    const auto exact = find_backend("bvh")->build(scene.geometry);
+std::vector<Trial> make_trials(const Scene& scene, const Imath::V2i& resolution,
+                               std::size_t limit) {
+    const auto exact = find_backend(default_backend)->build(scene.geometry);
     const Oracle oracle(scene.geometry);
     std::vector<Trial> trials;
     for (const char* kind : {"camera", "bounce", "shadow", "aimed"}) {  // few chords are hard cases
-        RaySet set = make_ray_set(kind, scene, *exact, limit);
+        RaySet set = make_ray_set(kind, scene, resolution, *exact, limit);
         auto truth = ask(oracle, set.rays);
         trials.push_back({set.kind, std::move(set.rays), std::move(truth)});
     }

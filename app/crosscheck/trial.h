@@ -13,7 +13,8 @@ struct Trial {
     std::vector<OracleAnswer> truth;
 };
 
-/// About `limit` rays of each kind, fewer where the scene has no more, e.g. no light.
-std::vector<Trial> make_trials(const Scene& scene, std::size_t limit);
+/// About `limit` rays of each kind for a picture of this resolution, fewer where the scene has no
+/// more, e.g. no light.
+std::vector<Trial> make_trials(const Scene& scene, const Imath::V2i& resolution, std::size_t limit);
 
 }  // namespace etalon::crosscheck

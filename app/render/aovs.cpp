@@ -145,14 +145,15 @@ std::string obstacle_to_aovs(const Names& names, const Backend& backend) {
 
 std::vector<Channel> make_aovs(const Names& names, const Scene& scene,
                                const Intersector& intersector, const Film& film,
-                               const RenderOptions& options, Names& missing) {
+                               const RenderSettings& settings, const std::atomic<bool>& stop,
+                               Names& missing) {
     const std::vector<Aov> list = selected(names);
     Ingredients made{film};
     if (any_from(list, Source::means)) {
-        made.means = surface_means(scene, intersector, options);
+        made.means = surface_means(scene, intersector, settings, &stop);
     }
     if (any_from(list, Source::centres)) {
-        made.centres = centre_hits(scene, intersector, options);
+        made.centres = centre_hits(scene, intersector, settings, &stop);
     }
     std::vector<Channel> channels;
     for (const Aov& aov : list) {

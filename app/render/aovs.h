@@ -25,6 +25,7 @@ std::string obstacle_to_aovs(const std::vector<std::string>& names, const Backen
 /// was made goes to `missing`.
 std::vector<Channel> make_aovs(const std::vector<std::string>& names, const Scene& scene,
                                const Intersector& intersector, const Film& film,
-                               const RenderOptions& options, std::vector<std::string>& missing);
+                               const RenderSettings& settings, const std::atomic<bool>& stop,
+                               std::vector<std::string>& missing);
 
 }  // namespace etalon

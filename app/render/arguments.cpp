@@ -1,6 +1,9 @@
 #include "app/render/arguments.h"
 
+#include <fmt/core.h>
+
 #include "app/backends.h"
+#include "app/integrators.h"
 #include "app/render/aovs.h"
 #include "core/image/io.h"
 
@@ -61,16 +64,33 @@ void declare_samples(Options& options, RenderArguments& a) {
         .group(group);
 }
 
+/// "Integrator (default: auto, the scene's own); whitted: ..., ao: ...".
+std::string integrator_help() {
+    std::string text = "How the colour of a sample is computed (default: auto, the scene's own)";
+    for (const IntegratorType& type : all_integrators()) {
+        text += fmt::format("; {}: {}", type.name, type.summary);
+    }
+    return text;
+}
+
 void declare_rendering(Options& options, RenderArguments& a) {
     const char* group = "Rendering";
     options.add("-b,--backend", a.backend, "How hits are found (default: the scene's, else bvh)")
         .one_of(backend_names())
         .group(group);
-    options.add("--integrator", a.integrator, "auto: what the scene's format asks for")
-        .one_of({"auto", "whitted"})
+    options.add("--integrator", a.integrator, integrator_help())
+        .one_of(integrator_choices())
         .group(group);
-    options.add("--max-depth", a.max_depth, "Rays in a row, the eye's ray included")
+    options
+        .add("--max-depth", a.max_depth,
+             "Maximum path length of whitted, including the camera ray (default: the scene's)")
         .within(1, 1000)
+        .group(group);
+    options
+        .add("--max-distance", a.max_distance,
+             "Distance, in units of the scene, up to which a surface occludes another for ao "
+             "(default: any)")
+        .positive()
         .group(group);
     options.add("-t,--threads", a.threads, "Default: all there are").within(1, 4096).group(group);
 }

@@ -8,13 +8,14 @@
 
 namespace etalon {
 
-Picture make_picture(const Scene& scene, const Rendering& rendering, const RenderStats& stats) {
-    const CameraRays camera(scene.camera);
-    Picture picture{scene.camera.width,      scene.camera.height,  rendering.film.window(),
-                    rendering.film.pixels(), scene.display_colors, {}};
+Picture make_picture(const Scene& scene, const RenderSettings& settings, const Rendering& rendering,
+                     const RenderStats& stats) {
+    const CameraRays camera(scene.camera, settings.resolution);
+    Picture picture{settings.resolution.x,   settings.resolution.y,   rendering.film.window(),
+                    rendering.film.pixels(), settings.display_colors, {}};
     picture.metadata = {{"software", std::string("Etalon " ETALON_VERSION)},
                         {"backend", stats.backend},
-                        {"integrator", std::string("whitted")},
+                        {"integrator", stats.integrator},
                         {"samplesPerPixel", static_cast<int>(std::lround(rendering.samples))},
                         {"seed", fmt::format("{}", stats.seed)},
                         {"renderTimeSeconds", static_cast<float>(stats.render.wall)},

@@ -7,6 +7,7 @@
 namespace etalon {
 
 /// What is written of a rendering, and how it was made. Without channels.
-Picture make_picture(const Scene& scene, const Rendering& rendering, const RenderStats& stats);
+Picture make_picture(const Scene& scene, const RenderSettings& settings, const Rendering& rendering,
+                     const RenderStats& stats);
 
 }  // namespace etalon

@@ -6,11 +6,10 @@
 
 namespace etalon {
 
-std::string Reference::open(const std::string& path, const Scene& scene,
-                            const Imath::Box2i& window) {
-    Outcome<std::vector<Color>> picture = read_reference(path, scene, window);
+std::string Reference::open(const std::string& path, const RenderSettings& settings) {
+    Outcome<std::vector<Color>> picture = read_reference(path, settings);
     pixels_ = std::move(picture.value);
-    width_ = window.size().x + 1;
+    width_ = settings.window().size().x + 1;
     return picture.error;
 }
 

@@ -14,7 +14,7 @@ namespace etalon {
 class Reference {
   public:
     /// See read_reference(). The reason why there is none, or nothing.
-    std::string open(const std::string& path, const Scene& scene, const Imath::Box2i& window);
+    std::string open(const std::string& path, const RenderSettings& settings);
 
     /// Rendering begins.
     void start() { watch_.lap(); }

@@ -42,8 +42,9 @@ class Render {
         LoadedScene loaded = load(a_.scene);
         if (!loaded.scene) return loaded.status;
         scene_ = std::move(*loaded.scene);
+        settings_ = std::move(loaded.settings);
         stats_.parse = watch_.lap();
-        const std::string unwise = apply(a_, scene_, window_);
+        const std::string unwise = apply(a_, settings_);
         if (!unwise.empty()) return complain(unwise), exit_usage;
         if (a_.outputs.empty()) a_.outputs = {default_output(a_.scene.path)};
         if (!outputs_are_writable()) return exit_not_written;
@@ -57,7 +58,7 @@ class Render {
   private:
     bool open_reference() {
         if (a_.reference.empty()) return true;
-        const std::string error = reference_.emplace().open(a_.reference, scene_, window_);
+        const std::string error = reference_.emplace().open(a_.reference, settings_);
         watch_.lap();  // no part of the building
         return error.empty() || complain(error);
     }
@@ -71,37 +72,39 @@ class Render {
     }
 
     bool build() {
+        intersector_ = chosen_backend(settings_).build(scene_.geometry);
         std::vector<std::string> problems;
-        environment_.emplace(scene_.look.environment, problems);
+        integrator_ =
+            find_integrator(settings_.integrator)->make(scene_, *intersector_, settings_, problems);
         for (const std::string& problem : problems) {
             fmt::print(stderr, "{}: warning: {}; the background colour stands in\n", a_.scene.path,
                        problem);
         }
         if (a_.scene.options.strict && !problems.empty()) return false;
-        intersector_ = find_backend(scene_.backend)->build(scene_.geometry);
         stats_.build = watch_.lap();
-        return intersector_ != nullptr;
+        return true;
     }
 
     Rendering render_picture() {
         std::optional<Progress> progress;
         if (!a_.quiet) progress.emplace(a_.scene.path);
-        options_ = render_options(a_, scene_, window_);
-        options_.stop = &signals_.raised();
-        RenderOptions options = options_;
+        RunControl control;
+        if (a_.time_limit > 0) control.deadline = Deadline(a_.time_limit);
+        control.stop = &signals_.raised();
         if (reference_) {
             reference_->start();
-            options.after_round = [&](const RenderedRound& round) { reference_->note(round); };
+            control.after_round = [&](const RenderedRound& round) { reference_->note(round); };
         }
-        if (progress) options.progress = [&](double part) { progress->update(part); };
-        Rendering rendering = render(scene_, *intersector_, *environment_, options);
+        if (progress) control.progress = [&](double part) { progress->update(part); };
+        Rendering rendering = render(scene_.camera, *integrator_, settings_, control);
         stats_.render = watch_.lap();
         return rendering;
     }
 
     std::vector<Channel> make_channels(const Film& film) {
         std::vector<std::string> missing;
-        auto channels = make_aovs(a_.aovs, scene_, *intersector_, film, options_, missing);
+        auto channels =
+            make_aovs(a_.aovs, scene_, *intersector_, film, settings_, signals_.raised(), missing);
         for (const std::string& name : missing) {
             fmt::print(stderr, "etalon: warning: stopped before {} was made\n", name);
         }
@@ -111,7 +114,7 @@ class Render {
 
     bool write(const Rendering& rendering) {
         fill_stats(rendering);
-        Picture picture = make_picture(scene_, rendering, stats_);
+        Picture picture = make_picture(scene_, settings_, rendering, stats_);
         picture.channels = make_channels(rendering.film);
         bool written = true;
         for (const std::string& path : a_.outputs) {
@@ -127,12 +130,13 @@ class Render {
     void fill_stats(const Rendering& rendering) {
         stats_.scene = a_.scene.path;
         stats_.format = scene_.format;
-        stats_.backend = scene_.backend;
+        stats_.backend = chosen_backend(settings_).name;
+        stats_.integrator = find_integrator(settings_.integrator)->name;
         stats_.isa = intersector_->isa();
         stats_.threads = max_threads();
-        stats_.width = scene_.camera.width;
-        stats_.height = scene_.camera.height;
-        if (scene_.samples_per_pixel > 0) {
+        stats_.width = settings_.resolution.x;
+        stats_.height = settings_.resolution.y;
+        if (settings_.samples_per_pixel > 0) {
             stats_.samples_per_pixel = static_cast<int>(std::lround(rendering.samples));
         }
         stats_.seed = a_.seed;
@@ -170,7 +174,7 @@ class Render {
     void summarise(const Rendering& rendering) const {
         fmt::print(stderr, "{}{}: {} primitives, {}, {:.2f} Mrays in {:.2f} s{} -> {}\n",
                    a_.scene.path, rendering.complete ? "" : " (stopped early)",
-                   scene_.geometry.primitives.size(), scene_.backend,
+                   scene_.geometry.primitives.size(), stats_.backend,
                    1e-6 * static_cast<double>(rendering.counts.total()), stats_.render.wall,
                    error_reached(rendering), fmt::join(a_.outputs, ", "));
     }
@@ -179,12 +183,11 @@ class Render {
     SignalGuard signals_;
     Stopwatch watch_;
     Scene scene_;
-    Imath::Box2i window_;
+    RenderSettings settings_;
     RenderStats stats_;
-    RenderOptions options_;
-    std::optional<EnvironmentMap> environment_;
     std::optional<Reference> reference_;
     std::unique_ptr<Intersector> intersector_;
+    std::unique_ptr<Integrator> integrator_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -17,7 +17,7 @@ constexpr int max_picture_side = 65536;
 /// Of each pixel, where it is an error or a time that ends a picture.
 constexpr int ample_samples = 1 << 16;
 
-std::string apply_resolution(const std::string& text, Camera& camera) {
+std::string apply_resolution(const std::string& text, RenderSettings& settings) {
     if (text.empty()) return {};
     int width = 0, height = 0;
     char rest = 0;
@@ -25,69 +25,83 @@ std::string apply_resolution(const std::string& text, Camera& camera) {
     if (!parsed || width < 1 || height < 1 || std::max(width, height) > max_picture_side) {
         return "--resolution " + text + ": expected WIDTHxHEIGHT, e.g. 640x480";
     }
-    camera.width = width;
-    camera.height = height;
+    settings.resolution = {width, height};
     return {};
 }
 
-std::string apply_crop(const std::string& text, const Camera& camera, Imath::Box2i& window) {
-    window = {{0, 0}, {camera.width - 1, camera.height - 1}};
+std::string apply_crop(const std::string& text, RenderSettings& settings) {
     if (text.empty()) return {};
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     char rest = 0;
     const bool parsed = std::sscanf(text.c_str(), "%d,%d,%d,%d%c", &x0, &y0, &x1, &y1, &rest) == 4;
-    const bool inside =
-        0 <= x0 && x0 < x1 && x1 <= camera.width && 0 <= y0 && y0 < y1 && y1 <= camera.height;
+    const Imath::V2i& size = settings.resolution;
+    const bool inside = 0 <= x0 && x0 < x1 && x1 <= size.x && 0 <= y0 && y0 < y1 && y1 <= size.y;
     if (!parsed || !inside) {
-        return fmt::format("--crop {}: expected X0,Y0,X1,Y1 inside 0,0,{},{}", text, camera.width,
-                           camera.height);
+        return fmt::format("--crop {}: expected X0,Y0,X1,Y1 inside 0,0,{},{}", text, size.x,
+                           size.y);
     }
-    window = {{x0, y0}, {x1 - 1, y1 - 1}};
+    settings.crop = {{x0, y0}, {x1 - 1, y1 - 1}};
     return {};
 }
 
 /// What a deterministic picture cannot have, and a whole one need not.
-void apply_samples(const RenderArguments& a, Scene& scene) {
-    if (a.target_error > 0 || a.time_limit > 0) scene.samples_per_pixel = ample_samples;
-    if (a.samples >= 0) scene.samples_per_pixel = a.samples;
-    if (a.spd) apply_spd_rules(scene);
+void apply_samples(const RenderArguments& a, RenderSettings& settings) {
+    if (a.target_error > 0 || a.time_limit > 0) settings.samples_per_pixel = ample_samples;
+    if (a.samples >= 0) settings.samples_per_pixel = a.samples;
+    if (a.spd) apply_spd_rules(settings);
+    settings.target_error = a.target_error;
+    settings.seed = a.seed;
+    if (a.sampler == "random") settings.sampler = Sampler::random;
 }
 
-std::string check_aovs(const RenderArguments& a, const Scene& scene) {
+/// The options given that only some integrators obey.
+std::vector<std::string_view> integrator_options(const RenderArguments& a) {
+    std::vector<std::string_view> given;
+    if (a.max_depth > 0) given.push_back("--max-depth");
+    if (a.max_distance > 0) given.push_back("--max-distance");
+    if (a.spd) given.push_back("--spd");
+    return given;
+}
+
+/// Refuses what the integrator would ignore.
+std::string apply_integrator(const RenderArguments& a, RenderSettings& settings) {
+    choose_integrator(a.integrator, settings);
+    if (a.max_depth > 0) settings.max_depth = a.max_depth;
+    if (a.max_distance > 0) settings.max_distance = a.max_distance;
+    const IntegratorType& chosen = *find_integrator(settings.integrator);
+    for (const std::string_view option : integrator_options(a)) {
+        if (chosen.obeys(option)) continue;
+        std::vector<std::string_view> able;
+        for (const IntegratorType& type : all_integrators()) {
+            if (type.obeys(option)) able.push_back(type.name);
+        }
+        return fmt::format("{}: the integrator {} does not have it; expected --integrator {}",
+                           option, chosen.name, fmt::join(able, " or "));
+    }
+    return {};
+}
+
+std::string check_aovs(const RenderArguments& a, const RenderSettings& settings) {
     if (a.aovs.empty()) return {};
     if (!a.outputs.empty() && std::none_of(a.outputs.begin(), a.outputs.end(), can_hold_channels)) {
         return "--aov: no output is an EXR; expected -o FILE.exr to hold the channels";
     }
-    return obstacle_to_aovs(a.aovs, *find_backend(scene.backend));
+    return obstacle_to_aovs(a.aovs, chosen_backend(settings));
 }
 
 }  // namespace
 
-std::string apply(const RenderArguments& a, Scene& scene, Imath::Box2i& window) {
-    apply_samples(a, scene);
-    if (a.max_depth > 0) scene.whitted.max_depth = a.max_depth;
-    if (!a.backend.empty()) scene.backend = a.backend;
-    if (scene.backend.empty()) scene.backend = "bvh";
-    if (a.target_error > 0 && scene.samples_per_pixel < 1) {
+std::string apply(const RenderArguments& a, RenderSettings& settings) {
+    apply_samples(a, settings);
+    if (!a.backend.empty()) settings.backend = a.backend;
+    settings.variance = need_variance(a.aovs);
+    if (a.target_error > 0 && settings.samples_per_pixel < 1) {
         return "--target-error needs at least one sample per pixel";
     }
-    std::string error = check_aovs(a, scene);
-    if (error.empty()) error = apply_resolution(a.resolution, scene.camera);
-    return error.empty() ? apply_crop(a.crop, scene.camera, window) : error;
-}
-
-RenderOptions render_options(const RenderArguments& a, const Scene& scene,
-                             const Imath::Box2i& window) {
-    RenderOptions options;
-    options.samples_per_pixel = scene.samples_per_pixel;
-    options.max_depth = scene.whitted.max_depth;
-    options.seed = a.seed;
-    if (a.sampler == "random") options.sampler = Sampler::random;
-    options.window = window;
-    options.error = a.target_error;
-    options.variance = need_variance(a.aovs);
-    if (a.time_limit > 0) options.deadline = Deadline(a.time_limit);
-    return options;
+    std::string error = apply_integrator(a, settings);
+    if (error.empty()) error = check_aovs(a, settings);
+    if (error.empty()) error = apply_resolution(a.resolution, settings);
+    return error.empty() ? apply_crop(a.crop, settings) : error;
 }
 
 }  // namespace etalon

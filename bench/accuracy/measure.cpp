@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "bench/accuracy/truth.h"
+#include "core/intersect/backend_roles.h"
 #include "core/parallel/parallel.h"
 
 namespace etalon::accuracy {
@@ -92,7 +93,7 @@ class Measurement {
 
     bool takes_part(const Entrant& entrant, std::uint64_t first_ray) const {
         const std::uint64_t all = first_ray * setting_.scene.geometry.primitives.size();
-        return entrant.contender->name() != "none" || all < effort_.tests;
+        return entrant.contender->name() != reference_backend || all < effort_.tests;
     }
 
     /// One block, whose results are then added to those of all.

@@ -7,6 +7,7 @@
 
 #include "app/backends.h"
 #include "app/exit_status.h"
+#include "app/integrators.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/reference_picture.h"
@@ -25,6 +26,7 @@ using namespace convergence;
 struct Arguments {
     std::string scene, reference, json;
     int width = 0;
+    std::vector<std::string> integrators{std::string(scene_integrator)};
     Plan plan;
 };
 
@@ -33,16 +35,21 @@ int fail(int status, const std::string& message) {
     return status;
 }
 
+/// What comes of one integrator, or of all.
+struct Measured {
+    std::string reference;  ///< what the curves are compared with
+    std::vector<Curve> curves;
+};
+
 /// The height follows.
-void set_width(Camera& camera, int width) {
+void set_width(Imath::V2i& size, int width) {
     if (width == 0) return;
-    camera.height = std::max(1, (camera.height * width + camera.width / 2) / camera.width);
-    camera.width = width;
+    size.y = std::max(1, (size.y * width + size.x / 2) / size.x);
+    size.x = width;
 }
 
-Outcome<Truth> read_truth(const std::string& path, const Scene& scene) {
-    const Camera& camera = scene.camera;
-    auto picture = read_reference(path, scene, {{0, 0}, {camera.width - 1, camera.height - 1}});
+Outcome<Truth> read_truth(const std::string& path, const RenderSettings& settings) {
+    auto picture = read_reference(path, settings);
     return {{std::move(picture.value), path}, picture.error};
 }
 
@@ -51,21 +58,34 @@ void show(const Arguments& a, const std::string& text) {
     fmt::print(a.json == "-" ? stderr : stdout, "{}", text);
 }
 
-nlohmann::ordered_json report_on(const Arguments& a, const Scene& scene, const Truth& truth,
-                                 const std::vector<Curve>& curves) {
+nlohmann::ordered_json report_on(const Arguments& a, const Imath::V2i& size,
+                                 const Measured& measured) {
     nlohmann::ordered_json json = speed::json_of_machine();
     json["scene"] = a.scene;
-    json["image"] = {{"width", scene.camera.width}, {"height", scene.camera.height}};
-    json["reference"] = truth.description;
+    json["image"] = {{"width", size.x}, {"height", size.y}};
+    json["reference"] = measured.reference;
     json["seeds"] = a.plan.seeds;
     json["curves"] = nlohmann::ordered_json::array();
-    show(a, fmt::format("{}, {} x {}; reference: {}; {} seeds\n\n", a.scene, scene.camera.width,
-                        scene.camera.height, truth.description, a.plan.seeds));
-    for (const Curve& curve : curves) {
+    show(a, fmt::format("{}, {} x {}; reference: {}; {} seeds\n\n", a.scene, size.x, size.y,
+                        measured.reference, a.plan.seeds));
+    for (const Curve& curve : measured.curves) {
         show(a, table(curve) + "\n");
         json["curves"].push_back(json_of(curve));
     }
     return json;
+}
+
+/// The reference and the curves of one integrator.
+Outcome<Measured> measure_integrator(const Arguments& a, const bench::NamedScene& named,
+                                     const RenderSettings& settings, const Watcher& watcher) {
+    Outcome<Truth> truth =
+        a.reference.empty()
+            ? Outcome<Truth>{render_truth(*named.scene, settings, a.plan, watcher), {}}
+            : read_truth(a.reference, settings);
+    if (!truth) return {{}, truth.error};
+    Measured measured{truth.value.description, {}};
+    measured.curves = measure(*named.scene, settings, truth.value, a.plan, watcher);
+    return {std::move(measured), {}};
 }
 
 int run(const Arguments& a) {
@@ -74,16 +94,23 @@ int run(const Arguments& a) {
     bench::NamedScene named = bench::bench_scene(a.scene);
     fmt::print(stderr, "{}", named.messages);
     if (!named.scene) return exit_unusable;
-    set_width(named.scene->camera, a.width);
+    set_width(named.settings.resolution, a.width);
     const SignalGuard signals;
     Progress progress(a.scene);
-    const Watcher watcher{signals.raised(), [&](double part) { progress.update(part); }};
-    const Outcome<Truth> truth =
-        a.reference.empty() ? Outcome<Truth>{render_truth(*named.scene, a.plan, watcher), {}}
-                            : read_truth(a.reference, *named.scene);
-    if (!truth) return fail(exit_unusable, truth.error);
-    const std::vector<Curve> curves = measure(*named.scene, truth.value, a.plan, watcher);
-    const auto json = report_on(a, *named.scene, truth.value, curves);
+    Measured all;
+    const auto count = static_cast<double>(a.integrators.size());
+    for (std::size_t i = 0; i < a.integrators.size() && signals.signal() == 0; ++i) {
+        const auto done = static_cast<double>(i);
+        const Watcher watcher{signals.raised(),
+                              [&](double part) { progress.update((done + part) / count); }};
+        RenderSettings settings = named.settings;
+        choose_integrator(a.integrators[i], settings);
+        Outcome<Measured> one = measure_integrator(a, named, settings, watcher);
+        if (!one) return fail(exit_unusable, one.error);
+        all.reference = one.value.reference;
+        std::ranges::move(one.value.curves, std::back_inserter(all.curves));
+    }
+    const auto json = report_on(a, named.settings.resolution, all);
     if (!a.json.empty() && !write_json(a.json, json)) return exit_not_written;
     return signals.signal() != 0 ? exit_signal + signals.signal() : exit_done;
 }
@@ -100,9 +127,12 @@ Action declare_convergence(Options& options) {
         .by_commas()
         .one_of(sampler_names())
         .show_default();
-    options.add("--integrators", a->plan.integrators, "Which, by commas")
+    options
+        .add("--integrators", a->integrators,
+             "Comma-separated list of integrators, each with curves of its own and, without "
+             "--reference, a reference of its own; auto: the scene's")
         .by_commas()
-        .one_of({"whitted"})
+        .one_of(integrator_choices())
         .show_default();
     options
         .add("--backends", a->plan.backends,

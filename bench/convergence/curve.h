@@ -22,7 +22,7 @@ struct Fit {
 
 /// How one way to render a picture converges.
 struct Curve {
-    std::string name;  ///< "sobol, bvh"
+    std::string name;  ///< "whitted, sobol, bvh"
     std::string sampler, integrator, backend;
     std::vector<Point> points;
     Fit fit;

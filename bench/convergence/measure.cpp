@@ -8,6 +8,7 @@
 #include "app/backends.h"
 #include "app/stopwatch.h"
 #include "core/image/metrics/metrics.h"
+#include "core/integrators/integrators.h"
 #include "core/parallel/parallel.h"
 #include "core/render/renderer.h"
 
@@ -24,43 +25,43 @@ constexpr int any_samples = 1 << 24;
 class Studio {
   public:
     Studio(const Scene& scene, const std::string& backend)
-        : scene_(scene),
-          environment_(scene.look.environment, problems_),
-          intersector_(find_backend(backend)->build(scene.geometry)) {}
+        : scene_(scene), intersector_(find_backend(backend)->build(scene.geometry)) {}
 
-    Rendering render(RenderOptions options) const {
-        options.max_depth = scene_.whitted.max_depth;
-        options.window = {{0, 0}, {scene_.camera.width - 1, scene_.camera.height - 1}};
-        return etalon::render(scene_, *intersector_, environment_, options);
+    std::unique_ptr<Integrator> integrator(const RenderSettings& settings) const {
+        std::vector<std::string> problems;  // said when the scene was read
+        return find_integrator(settings.integrator)
+            ->make(scene_, *intersector_, settings, problems);
     }
+
+    const Camera& camera() const { return scene_.camera; }
 
   private:
     const Scene& scene_;
-    std::vector<std::string> problems_;  // said when the scene was read
-    EnvironmentMap environment_;
     std::unique_ptr<Intersector> intersector_;
 };
 
 /// One picture, and what it is like after every round. The time it takes to look is not counted.
-class Action {
+class SeedRun {
   public:
-    Action(const Studio& studio, const Truth& truth, const Plan& plan, const std::string& sampler,
-           const std::atomic<bool>& stop)
-        : studio_(studio), truth_(truth), plan_(plan), sampler_(sampler), stop_(stop) {}
+    SeedRun(const Studio& studio, const RenderSettings& settings, const Truth& truth, const Plan& plan,
+        const std::atomic<bool>& stop)
+        : studio_(studio), settings_(settings), truth_(truth), plan_(plan), stop_(stop) {}
 
     /// Empty if it was stopped.
-    std::vector<Point> points(std::uint32_t seed) {
-        RenderOptions options;
-        const bool is_adaptive = sampler_ == "adaptive";
-        options.samples_per_pixel = is_adaptive ? any_samples : plan_.samples;
-        options.error = is_adaptive ? no_error : 0;
-        options.sampler = sampler_ == "random" ? Sampler::random : Sampler::sobol;
-        options.seed = seed;
-        options.stop = &enough_;
-        options.progress = [&](double) { enough_ = enough_ || stop_; };
-        options.after_round = [&](const RenderedRound& round) { note(round.film); };
+    std::vector<Point> points(const std::string& sampler, std::uint32_t seed) {
+        RenderSettings settings = settings_;
+        const bool is_adaptive = sampler == "adaptive";
+        settings.samples_per_pixel = is_adaptive ? any_samples : plan_.samples;
+        settings.target_error = is_adaptive ? no_error : 0;
+        settings.sampler = sampler == "random" ? Sampler::random : Sampler::sobol;
+        settings.seed = seed;
+        RunControl control;
+        control.stop = &enough_;
+        control.progress = [&](double) { enough_ = enough_ || stop_; };
+        control.after_round = [&](const RenderedRound& round) { note(round.film); };
+        const auto integrator = studio_.integrator(settings);
         watch_.lap();
-        studio_.render(options);
+        render(studio_.camera(), *integrator, settings, control);
         return stop_ ? std::vector<Point>() : std::move(points_);
     }
 
@@ -78,9 +79,9 @@ class Action {
     }
 
     const Studio& studio_;
+    const RenderSettings& settings_;
     const Truth& truth_;
     const Plan& plan_;
-    const std::string& sampler_;
     const std::atomic<bool>& stop_;
     std::atomic<bool> enough_ = false;
     Stopwatch watch_;
@@ -111,16 +112,19 @@ std::vector<Point> mean_of(const std::vector<std::vector<Point>>& seeds) {
 }
 
 /// Which curves there are.
-std::vector<Curve> wanted(const Plan& plan) {
+std::vector<Curve> wanted(const Plan& plan, const std::string& integrator) {
     std::vector<Curve> curves;
-    for (const std::string& integrator : plan.integrators) {
-        const auto add = [&](const std::string& sampler, const std::string& backend) {
-            curves.push_back({sampler + ", " + backend, sampler, integrator, backend, {}, {}});
-        };
-        for (const std::string& sampler : plan.samplers) add(sampler, plan.backends.front());
-        for (std::size_t i = 1; i < plan.backends.size(); ++i) {
-            add(plan.samplers.back(), plan.backends[i]);
-        }
+    const auto add = [&](const std::string& sampler, const std::string& backend) {
+        curves.push_back({fmt::format("{}, {}, {}", integrator, sampler, backend),
+                          sampler,
+                          integrator,
+                          backend,
+                          {},
+                          {}});
+    };
+    for (const std::string& sampler : plan.samplers) add(sampler, plan.backends.front());
+    for (std::size_t i = 1; i < plan.backends.size(); ++i) {
+        add(plan.samplers.back(), plan.backends[i]);
     }
     return curves;
 }
@@ -132,27 +136,30 @@ const std::vector<std::string>& sampler_names() {
     return names;
 }
 
-Truth render_truth(const Scene& scene, const Plan& plan, const Watcher& watcher) {
-    RenderOptions options;
-    options.samples_per_pixel = truth_times * plan.samples;
-    options.seed = truth_seed;
-    options.stop = &watcher.stop;
-    options.progress = watcher.progress;
-    const Rendering r = Studio(scene, plan.backends.front()).render(options);
-    return {r.film.pixels(), fmt::format("{} samples per pixel", options.samples_per_pixel)};
+Truth render_truth(const Scene& scene, const RenderSettings& scene_settings, const Plan& plan,
+                   const Watcher& watcher) {
+    RenderSettings settings = scene_settings;
+    settings.samples_per_pixel = truth_times * plan.samples;
+    settings.seed = truth_seed;
+    RunControl control;
+    control.stop = &watcher.stop;
+    control.progress = watcher.progress;
+    const Studio studio(scene, plan.backends.front());
+    const Rendering r = render(scene.camera, *studio.integrator(settings), settings, control);
+    return {r.film.pixels(), fmt::format("{} samples per pixel", settings.samples_per_pixel)};
 }
 
-std::vector<Curve> measure(const Scene& scene, const Truth& truth, const Plan& plan,
-                           const Watcher& watcher) {
+std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings, const Truth& truth,
+                           const Plan& plan, const Watcher& watcher) {
     const ThreadLimit alone(1);
     std::vector<Curve> done;
-    const std::vector<Curve> curves = wanted(plan);
+    const std::vector<Curve> curves = wanted(plan, settings.integrator);
     for (Curve curve : curves) {
         const Studio studio(scene, curve.backend);
         std::vector<std::vector<Point>> seeds;
         for (int seed = 0; seed < plan.seeds && !watcher.stop; ++seed) {
-            seeds.push_back(Action(studio, truth, plan, curve.sampler, watcher.stop)
-                                .points(static_cast<std::uint32_t>(seed)));
+            seeds.push_back(SeedRun(studio, settings, truth, plan, watcher.stop)
+                                .points(curve.sampler, static_cast<std::uint32_t>(seed)));
             const double part = static_cast<double>(seed + 1) / plan.seeds;
             const auto before = static_cast<double>(done.size());
             watcher.progress((before + part) / static_cast<double>(curves.size()));

@@ -3,7 +3,9 @@
 #include <atomic>
 #include <functional>
 
+#include "app/backends.h"
 #include "bench/convergence/curve.h"
+#include "core/scene/render_settings.h"
 #include "core/scene/scene.h"
 
 namespace etalon::convergence {
@@ -13,8 +15,7 @@ const std::vector<std::string>& sampler_names();
 
 struct Plan {
     std::vector<std::string> samplers = sampler_names();
-    std::vector<std::string> integrators{"whitted"};
-    std::vector<std::string> backends{"bvh"};
+    std::vector<std::string> backends{default_backend};
     int samples = 64;  ///< per pixel, at the end of each curve
     int seeds = 3;
 };
@@ -34,11 +35,12 @@ struct Truth {
 
 inline constexpr int truth_times = 32;
 
-Truth render_truth(const Scene& scene, const Plan& plan, const Watcher& watcher);
+Truth render_truth(const Scene& scene, const RenderSettings& settings, const Plan& plan,
+                   const Watcher& watcher);
 
-/// The curves of all samplers with the first backend, and of the last sampler with the others. What
-/// is not finished when a stop comes is left out.
-std::vector<Curve> measure(const Scene& scene, const Truth& truth, const Plan& plan,
-                           const Watcher& watcher);
+/// The curves, by the integrator of the settings, of all samplers with the first backend, and of
+/// the last sampler with the others. What is not finished when a stop comes is left out.
+std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings, const Truth& truth,
+                           const Plan& plan, const Watcher& watcher);
 
 }  // namespace etalon::convergence

@@ -10,7 +10,7 @@
 #include "bench/convergence/curve.h"
 #include "bench/report/settings.h"
 #include "bench/speed/figures.h"
-#include "core/render/ray_counts.h"
+#include "core/integrators/ray_counts.h"
 
 namespace etalon::bench_report {
 

@@ -4,15 +4,18 @@
 #include <iterator>
 #include <string_view>
 
+#include "app/backends.h"
 #include "bench/speed/contender.h"
 #include "bench/speed/pinned.h"
 
 namespace etalon::bench_report {
 namespace {
 
-/// `none` tests every primitive against every ray: the report does not wait for it.
-std::vector<std::string> all_but_none() {
-    return {"grid", "bvh", "embree", "embree-user", "embree-builtin"};
+/// The reference tests every primitive against every ray: the report does not wait for it.
+std::vector<std::string> all_but_reference() {
+    std::vector<std::string> names = backend_names();
+    std::erase(names, reference_backend);
+    return names;
 }
 
 struct Cost {
@@ -44,20 +47,20 @@ Settings quick_settings() {
     s.seconds_limit = 160;
     s.speed_scenes = {"terrain:50000", "flake:50000",  "soup:100000",  "stadium:30000",
                       "slivers:10000", "spheres:1000", "spheres:20000"};
-    s.plan = {speed::with_yardsticks(all_but_none()),   {1},    3, 0.2,
-              {"camera", "bounce", "shadow", "random"}, 1 << 15};
-    s.accuracy_backends = all_but_none();
+    s.plan = {speed::with_yardsticks(all_but_reference()), {1},    3, 0.2,
+              {"camera", "bounce", "shadow", "random"},    1 << 15};
+    s.accuracy_backends = all_but_reference();
     s.case_rays = 1024;
     s.case_seconds = 0.1;
     s.spd_scenes = {{"sphereflake", 4}, {"gears", 4}, {"mountain", 6},
                     {"rings", 7},       {"tetra", 6}, {"tree", 11}};
-    s.spd_backends = all_but_none();
+    s.spd_backends = all_but_reference();
     s.pictures = {{"showcase.p3f", 320, 180, 16, 1},
                   {"features/glass.p3f", 320, 213, 16, 1},
                   {"features/soft_shadows.p3f", 320, 213, 32, 1},
                   {"features/depth_of_field.p3f", 320, 213, 32, 1}};
     for (const char* scene : converging) s.convergence.push_back({scene, 60, 40, 64});
-    s.convergence_backends = {"bvh", "embree-builtin"};
+    s.convergence_backends = {default_backend, baseline_backend};
     s.convergence_seeds = 3;
     return s;
 }

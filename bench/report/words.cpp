@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "bench/speed/contender.h"
 
 namespace etalon::bench_report {
 
@@ -56,13 +59,9 @@ Cell wrong_of(std::uint64_t wrong, std::uint64_t all) {
 }
 
 int colour_of(std::string_view contender) {
-    if (contender == "bvh") return 1;
-    if (contender == "embree") return 6;
-    if (contender == "grid") return 3;
-    if (contender == "embree-user") return 4;
-    if (contender == "embree-builtin") return 2;
-    if (contender == "embree-builtin-robust") return 5;
-    return 7;
+    const std::vector<std::string> names = speed::contender_names();
+    const bool is_backend = std::ranges::find(names, contender) != names.end();
+    return is_backend ? speed::find_contender(std::string(contender)).colour : Backend().colour;
 }
 
 }  // namespace etalon::bench_report

@@ -45,7 +45,7 @@ std::string names_of_families() {
 
 NamedScene from_file(const std::string& path) {
     LoadResult loaded = load_scene(path);
-    return {std::move(loaded.scene), report(loaded.diagnostics)};
+    return {std::move(loaded.scene), std::move(loaded.settings), report(loaded.diagnostics)};
 }
 
 }  // namespace
@@ -64,10 +64,12 @@ std::string complaint_about(const std::string& name) {
 
 NamedScene bench_scene(const std::string& name) {
     const std::string complaint = complaint_about(name);
-    if (!complaint.empty()) return {std::nullopt, "error: " + complaint + "\n"};
+    if (!complaint.empty()) return {std::nullopt, {}, "error: " + complaint + "\n"};
     const Request request(name);
     if (request.family == nullptr) return from_file(name);
-    return {request.family->make(request.size), ""};
+    RenderSettings settings;
+    settings.resolution = Imath::V2i(request.family->pixels);
+    return {request.family->make(request.size), settings, ""};
 }
 
 std::string list_of_scenes() {

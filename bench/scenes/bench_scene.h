@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/scene/render_settings.h"
 #include "core/scene/scene.h"
 
 namespace etalon::bench {
@@ -14,6 +15,7 @@ std::string complaint_about(const std::string& name);
 
 struct NamedScene {
     std::optional<Scene> scene;  ///< nothing if there is no such scene
+    RenderSettings settings;     ///< how it is to be rendered
     std::string messages;        ///< for the user, whole lines
 };
 

@@ -5,7 +5,7 @@ namespace etalon::bench {
 
 /// No split tells them apart: a builder must end its recursion nevertheless.
 Scene duplicates(std::size_t count) {
-    Scene scene = empty_scene({.pixels = 64});
+    Scene scene = empty_scene();
     scene.geometry.vertices = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
     for (std::size_t i = 0; i < count; ++i) scene.geometry.add(Triangle{{0, 1, 2}}, 0);
     return scene;

@@ -26,7 +26,7 @@ std::array<Vec3, 3> centred_corners(Random& random) {
 
 /// A builder that splits by centres sees one point.
 Scene equal(std::size_t count) {
-    Scene scene = empty_scene({.fov_degrees = 20, .pixels = 64});
+    Scene scene = empty_scene({.fov_degrees = 20});
     Random random(4);
     for (std::size_t i = 0; i < count; ++i) {
         const auto [a, b, c] = centred_corners(random);

@@ -17,6 +17,7 @@ struct Family {
     std::size_t most;       ///< size, by what indices and memories hold
     std::string_view what;
     Scene (*make)(std::size_t size);
+    int pixels = 512;  ///< along either side; fewer where a ray costs a hundred times the usual
 };
 
 std::span<const Family> families();

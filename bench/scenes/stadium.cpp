@@ -40,8 +40,7 @@ void add_torus(Scene& scene, double triangles) {
 /// needle's box holds most of the scene. The camera looks at the torus from the midst of the
 /// needles.
 Scene stadium(std::size_t count) {
-    Scene scene = empty_scene(
-        {.eye = {0.2, 0.15, 0.4}, .fov_degrees = 30, .light = {1, 1.5, 1.2}, .pixels = 128});
+    Scene scene = empty_scene({.eye = {0.2, 0.15, 0.4}, .fov_degrees = 30, .light = {1, 1.5, 1.2}});
     const double needles = std::round(share_of_needles * static_cast<double>(count));
     add_needles(scene, static_cast<std::size_t>(needles));
     add_torus(scene, static_cast<double>(count) - needles);

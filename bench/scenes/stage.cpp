@@ -5,12 +5,8 @@ namespace etalon::bench {
 Scene empty_scene(const Stage& stage) {
     Scene scene;
     scene.format = "generated";
-    scene.camera = {.eye = stage.eye,
-                    .at = stage.at,
-                    .up = {0, 1, 0},
-                    .fov_degrees = stage.fov_degrees,
-                    .width = stage.pixels,
-                    .height = stage.pixels};
+    scene.camera = {
+        .eye = stage.eye, .at = stage.at, .up = {0, 1, 0}, .fov_degrees = stage.fov_degrees};
     scene.look.lights = {PointLight{stage.light, Color(1.0F)}};
     scene.look.materials = {Material()};
     return scene;

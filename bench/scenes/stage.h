@@ -11,7 +11,6 @@ struct Stage {
     Vec3 at{0};
     double fov_degrees = 45;
     Vec3 light{3, 5, 4};
-    int pixels = 512;  ///< along either side; fewer where a ray costs a hundred times the usual
 };
 
 /// Material 0, a light and a camera; no shapes.

@@ -22,10 +22,10 @@ namespace {
 
 using namespace speed;
 
-/// `none` tests every primitive against every ray: only who asks for it is to wait for it.
+/// The reference tests every primitive against every ray: only who asks for it is to wait for it.
 std::vector<std::string> usual_contenders() {
     std::vector<std::string> names = contender_names();
-    std::erase(names, "none");
+    std::erase(names, reference_backend);
     return names;
 }
 
@@ -65,14 +65,15 @@ std::string table_of(const SceneFigures& figures) {
     return figures.kinds.empty() ? table(figures.builds) : table(figures.kinds.back());
 }
 
-SceneFigures measure(const Arguments& a, const std::string& name, Scene scene) {
-    show(a, fmt::format("{}: {} primitives\n", name, scene.geometry.primitives.size()));
+SceneFigures measure(const Arguments& a, const std::string& name, bench::NamedScene named) {
+    show(a, fmt::format("{}: {} primitives\n", name, named.scene->geometry.primitives.size()));
     const auto observer = [&](const SceneFigures& figures) {
         if (figures.kinds.size() == 1) show(a, heading_of_rays());
         show(a, table_of(figures));
         return true;
     };
-    const SceneFigures figures = measure_scene(name, std::move(scene), a.plan(), observer);
+    const SceneFigures figures =
+        measure_scene(name, std::move(*named.scene), named.settings.resolution, a.plan(), observer);
     show(a, (a.only_build ? "" : summary(figures)) + "\n");
     return figures;
 }
@@ -106,7 +107,7 @@ int run(const Arguments& a) {
         bench::NamedScene named = bench::bench_scene(name);
         fmt::print(stderr, "{}", named.messages);
         if (!named.scene) return exit_unusable;
-        json["scenes"].push_back(json_of(measure(a, name, std::move(*named.scene))));
+        json["scenes"].push_back(json_of(measure(a, name, std::move(named))));
         if (!save(a, json, &name == &a.scenes.back())) return exit_not_written;
     }
     return exit_done;

@@ -8,11 +8,12 @@
 #include "bench/speed/disagreement.h"
 #include "bench/speed/judgement.h"
 #include "bench/speed/statistics.h"
+#include "core/intersect/backend_roles.h"
 
 namespace etalon::speed {
 
 /// Who every other is compared with, in the same run.
-inline constexpr const char* yardstick = "embree-builtin";
+inline constexpr const char* yardstick = baseline_backend;
 inline constexpr const char* robust_yardstick = "embree-builtin-robust";
 
 /// The same work over and over, on so many threads.

@@ -9,7 +9,7 @@ namespace {
 
 /// An exact backend that shares no tree with the one that is compared with it.
 std::string reference_of(const std::string& contender) {
-    return contender == "embree-user" ? "bvh" : "embree-user";
+    return contender == default_backend ? second_backend : default_backend;
 }
 
 const Contender* find(const std::vector<Contender>& list, const std::string& name) {
@@ -23,7 +23,7 @@ const Contender* find(const std::vector<Contender>& list, const std::string& nam
 RayMeasurement::RayMeasurement(const hard::Setting& setting,
                                const std::vector<Contender>& contenders, const Plan& plan)
     : setting_(setting), contenders_(contenders), plan_(plan), oracle_(setting.scene.geometry) {
-    for (const std::string name : {"bvh", "embree-user"}) {
+    for (const std::string name : {default_backend, second_backend}) {
         if (find(contenders, name) != nullptr) continue;
         const Backend& backend = find_contender(name);
         references_.push_back({&backend, backend.build(setting.scene.geometry)});
@@ -75,15 +75,15 @@ Truths RayMeasurement::truths(const RaySet& set, const std::vector<std::size_t>&
 
 void RayMeasurement::find_errors(const RaySet& set, const Answers& answers,
                                  KindFigures& figures) const {
-    const std::vector<Answer> bvh = answers_of("bvh", set, answers);
-    const std::vector<Answer> witness = answers_of("embree-user", set, answers);
+    const std::vector<Answer> first = answers_of(default_backend, set, answers);
+    const std::vector<Answer> second = answers_of(second_backend, set, answers);
     const Truths sample = truths(set, scattered(set.rays.size()));
     const Truths quarrels = truths(set, disputed(answers, set.occlusion));
     for (std::size_t i = 0; i < contenders_.size(); ++i) {
         Errors& errors = figures.contenders[i].errors;
         errors.reference = reference_of(contenders_[i].name());
-        errors.disagreement =
-            compare(answers[i], errors.reference == "bvh" ? bvh : witness, set.occlusion);
+        errors.disagreement = compare(
+            answers[i], errors.reference == default_backend ? first : second, set.occlusion);
         errors.sample = sample.judge(answers[i], contenders_[i].backend->exact);
         errors.disputed = quarrels.judge(answers[i], contenders_[i].backend->exact);
     }

@@ -14,7 +14,7 @@ class RayMeasurement {
                    const Plan& plan);
 
     /// Who decides where rays start.
-    const Intersector& exact() const { return *who("bvh").intersector; }
+    const Intersector& exact() const { return *who(default_backend).intersector; }
 
     KindFigures measure(const RaySet& set) const;
 

@@ -17,8 +17,8 @@ std::vector<Contender> enter(const Plan& plan) {
 
 }  // namespace
 
-SceneFigures measure_scene(const std::string& name, Scene scene, const Plan& plan,
-                           const Observer& observer) {
+SceneFigures measure_scene(const std::string& name, Scene scene, const Imath::V2i& resolution,
+                           const Plan& plan, const Observer& observer) {
     hard::Setting setting;
     setting.scene = std::move(scene);
     SceneFigures figures{name, setting.scene.geometry.primitives.size(), {}, {}};
@@ -28,7 +28,8 @@ SceneFigures measure_scene(const std::string& name, Scene scene, const Plan& pla
     const RayMeasurement measurement(setting, contenders, plan);
     for (const char* kind : ray_kinds) {
         if (std::find(plan.kinds.begin(), plan.kinds.end(), kind) == plan.kinds.end()) continue;
-        const RaySet set = make_ray_set(kind, setting.scene, measurement.exact(), plan.max_rays);
+        const RaySet set =
+            make_ray_set(kind, setting.scene, resolution, measurement.exact(), plan.max_rays);
         if (set.rays.empty()) continue;
         figures.kinds.push_back(measurement.measure(set));
         if (!observer(figures)) return figures;

@@ -182,9 +182,8 @@ void settle_camera(SceneLoader& loader, CameraBlock block, const std::string& mi
     Reader& in = loader.in;
     if (loader.has_camera) in.warn("camera", "a second camera; it replaces the first");
     check_lens(in, block.camera);
-    block.camera.width = static_cast<int>(block.width);
-    block.camera.height = static_cast<int>(block.height);
     loader.scene.camera = block.camera;
+    loader.settings.resolution = {static_cast<int>(block.width), static_cast<int>(block.height)};
     loader.has_camera = true;
 }
 

@@ -82,7 +82,7 @@ LoadResult refuse(const std::string& file, std::string_view kind, fmt::format_st
                   T&&... arguments) {
     DiagnosticLog log(file, {}, false);
     log.error(DiagnosticLog::whole_file, kind, text, std::forward<T>(arguments)...);
-    return {std::nullopt, log.take()};
+    return {std::nullopt, {}, log.take()};
 }
 
 std::string readable_names() {

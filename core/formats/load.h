@@ -1,4 +1,4 @@
-// Text in, Scene out. Loaders never print, exit or throw; they know no backend.
+// Text in, scene and settings out. Loaders never print, exit or throw; they know no backend.
 #pragma once
 
 #include <optional>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/formats/diagnostic.h"
+#include "core/scene/render_settings.h"
 #include "core/scene/scene.h"
 
 namespace etalon {
@@ -21,7 +22,8 @@ struct LoadOptions {
 
 struct LoadResult {
     std::optional<Scene> scene;  ///< nothing if the file holds nothing that can be rendered
-    std::vector<Diagnostic> diagnostics;
+    RenderSettings settings{};   ///< what the file says about how to render it
+    std::vector<Diagnostic> diagnostics{};
 };
 
 /// Reads a scene file; "-" is standard input.

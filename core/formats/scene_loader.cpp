@@ -71,6 +71,7 @@ LoadResult SceneLoader::finish(DiagnosticLog& log) {
     }
     LoadResult result;
     if (!log.has_errors()) result.scene = std::move(scene);
+    result.settings = settings;
     result.diagnostics = log.take();
     return result;
 }

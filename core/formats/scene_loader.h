@@ -31,6 +31,7 @@ struct SceneLoader {
     std::filesystem::path directory;  ///< of the scene file
     Material default_material = matt_grey();
     Scene scene{};
+    RenderSettings settings{};
     bool has_camera = false;
     std::optional<UnusableCamera> unusable_camera{};  ///< the first; an error if no other is good
     std::optional<std::uint32_t> material{};          ///< of the objects to come

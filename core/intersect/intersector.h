@@ -80,6 +80,7 @@ struct Backend {
     std::unique_ptr<Intersector> (*build)(const Geometry& geometry);
     bool counts_box_tests = false;  ///< in a TraversalCost
     bool counts_primitive_tests = false;
+    int colour = 7;  ///< in reports: which colour of bench/plot/style.h, from 1; 7 is grey
 };
 
 }  // namespace etalon

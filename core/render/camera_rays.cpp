@@ -20,8 +20,8 @@ Vec2 concentric_disk(const Vec2& p) {
 
 }  // namespace
 
-CameraRays::CameraRays(const Camera& c)
-    : eye_(c.eye), width_(c.width), height_(c.height), focal_(c.focal) {
+CameraRays::CameraRays(const Camera& c, const Imath::V2i& resolution)
+    : eye_(c.eye), width_(resolution.x), height_(resolution.y), focal_(c.focal) {
     const Vec3 back = c.eye - c.at;
     distance_ = std::sqrt(back.dot(back));
     n_ = back / distance_;

@@ -8,7 +8,8 @@ namespace etalon {
 /// A camera worked out for making rays.
 class CameraRays {
   public:
-    explicit CameraRays(const Camera& camera);
+    /// `resolution`: width and height of the picture in pixels.
+    CameraRays(const Camera& camera, const Imath::V2i& resolution);
 
     /// `pixel` in pixels from the picture's top left corner (centres at .5); `lens` in [0,1)^2, of
     /// no effect on a pinhole. The direction is of unit length.

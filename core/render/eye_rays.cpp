@@ -1,18 +1,14 @@
 #include "core/render/eye_rays.h"
 
+#include "core/sampling/dimensions.h"
+
 namespace etalon {
-namespace {
 
-/// Names of the camera's sample dimensions; the integrator's are hashes.
-enum CameraDimension : std::uint32_t { pixel_dimension = 0, lens_dimension = 1 };
-
-}  // namespace
-
-EyeRays::EyeRays(const Camera& camera, int samples_per_pixel)
-    : camera_(camera),
-      has_samples_(samples_per_pixel > 0),
-      shares_corners_(!has_samples_ && camera.pixel_rays == PixelRays::shared_corners),
-      in_pixel_(camera.pixel_rays == PixelRays::centre ? 0.5 : 0.0) {}
+EyeRays::EyeRays(const Camera& camera, const RenderSettings& settings)
+    : camera_(camera, settings.resolution),
+      has_samples_(settings.samples_per_pixel > 0),
+      shares_corners_(!has_samples_ && settings.pixel_rays == PixelRays::shared_corners),
+      in_pixel_(settings.pixel_rays == PixelRays::centre ? 0.5 : 0.0) {}
 
 Imath::Box2i EyeRays::sampled(Imath::Box2i window) const {
     if (shares_corners_) window.max += Imath::V2i(1);

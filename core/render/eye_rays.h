@@ -8,8 +8,7 @@ namespace etalon {
 /// The rays from the eye that make a picture: one for each sample of a pixel.
 class EyeRays {
   public:
-    /// `samples_per_pixel` 0: the camera's PixelRays.
-    EyeRays(const Camera& camera, int samples_per_pixel);
+    EyeRays(const Camera& camera, const RenderSettings& settings);
 
     /// Whether each ray counts for the four pixels about its corner.
     bool shares_corners() const { return shares_corners_; }

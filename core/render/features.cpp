@@ -4,10 +4,9 @@
 #include <limits>
 
 #include "core/intersect/kernels.h"
-#include "core/parallel/parallel.h"
-#include "core/render/encounter.h"
 #include "core/render/eye_rays.h"
 #include "core/render/tiles.h"
+#include "core/shading/encounter.h"
 
 namespace etalon {
 namespace {
@@ -16,20 +15,13 @@ constexpr int most_samples = 16;
 
 /// Calls visit(x, y, its number by rows) for every pixel, on all threads. False if stopped.
 template <class Visit>
-bool for_each_pixel(const Imath::Box2i& window, const std::atomic<bool>* stop, const Visit& visit) {
+bool visit_pixels(const Imath::Box2i& window, const std::atomic<bool>* stop, const Visit& visit) {
     const auto stopped = [&] { return stop != nullptr && stop->load(); };
-    const std::vector<Imath::Box2i> tiles = tiles_of(window);
     const std::size_t width = static_cast<std::size_t>(window.size().x) + 1;
-    parallel_for(tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Imath::Box2i& tile = tiles[i];
-            for (int y = tile.min.y; y <= tile.max.y && !stopped(); ++y) {
-                const std::size_t row = (y - window.min.y) * width;
-                for (int x = tile.min.x; x <= tile.max.x; ++x) {
-                    visit(x, y, row + (x - window.min.x));
-                }
-            }
-        }
+    for_each_tile(tiles_of(window), stopped, [&](std::size_t, const Imath::Box2i& tile) {
+        for_each_pixel(tile, stopped, [&](int x, int y) {
+            visit(x, y, (y - window.min.y) * width + (x - window.min.x));
+        });
     });
     return !stopped();
 }
@@ -43,10 +35,11 @@ Color albedo_of(const Material& m) {
 }  // namespace
 
 std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector& intersector,
-                                          const RenderOptions& options) {
-    const EyeRays rays(scene.camera, options.samples_per_pixel);
-    const Imath::Box2i window = rays.sampled(options.window);
-    const int samples = std::clamp(options.samples_per_pixel, 1, most_samples);
+                                          const RenderSettings& settings,
+                                          const std::atomic<bool>* stop) {
+    const EyeRays rays(scene.camera, settings);
+    const Imath::Box2i window = rays.sampled(settings.window());
+    const int samples = std::clamp(settings.samples_per_pixel, 1, most_samples);
     SurfaceMeans means{Film(window), Film(window)};
     const auto add = [&](int x, int y, const Ray& ray) {
         const std::optional<Hit> hit = intersector.closest(ray);
@@ -55,9 +48,9 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
         means.albedo.add(x, y, albedo_of(at.material));
         means.normal.add(x, y, Color(at.normal));
     };
-    const bool complete = for_each_pixel(window, options.stop, [&](int x, int y, std::size_t) {
+    const bool complete = visit_pixels(window, stop, [&](int x, int y, std::size_t) {
         for (int s = 0; s < samples; ++s) {
-            const SampleSource source(x, y, options.seed, s, options.sampler);
+            const SampleSource source(x, y, settings.seed, s, settings.sampler);
             add(x, y, rays.ray(x, y, source));
         }
     });
@@ -67,9 +60,11 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
 }
 
 std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& intersector,
-                                      const RenderOptions& options) {
-    const CameraRays camera(scene.camera);
-    const Imath::V2i last = options.window.size();
+                                      const RenderSettings& settings,
+                                      const std::atomic<bool>* stop) {
+    const CameraRays camera(scene.camera, settings.resolution);
+    const Imath::Box2i window = settings.window();
+    const Imath::V2i last = window.size();
     const std::size_t pixels = (last.x + std::size_t{1}) * (last.y + std::size_t{1});
     constexpr float never = std::numeric_limits<float>::infinity();
     CentreHits hits{std::vector(pixels, Vec3f(0)), std::vector(pixels, never),
@@ -83,7 +78,7 @@ std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& int
         hits.depths[pixel] = static_cast<float>(camera.depth(position));
         hits.primitives[pixel] = hit->primitive;
     };
-    if (!for_each_pixel(options.window, options.stop, trace)) return std::nullopt;
+    if (!visit_pixels(window, stop, trace)) return std::nullopt;
     return hits;
 }
 

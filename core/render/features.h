@@ -2,9 +2,13 @@
 // an accelerator did. Made by rays of its own, which nothing else counts.
 #pragma once
 
+#include <atomic>
 #include <optional>
+#include <vector>
 
-#include "core/render/renderer.h"
+#include "core/intersect/intersector.h"
+#include "core/render/film.h"
+#include "core/scene/render_settings.h"
 
 namespace etalon {
 
@@ -23,11 +27,13 @@ struct CentreHits {
     std::vector<TraversalCost> costs;       ///< as far as the backend counts
 };
 
-/// For a picture of these options; a deadline is the picture's alone. Nothing if stopped. Both are
-/// the same for any number of threads.
+/// For a picture of these settings. Nothing if `stop` was set meanwhile. Both are the same for any
+/// number of threads.
 std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector& intersector,
-                                          const RenderOptions& options);
+                                          const RenderSettings& settings,
+                                          const std::atomic<bool>* stop = nullptr);
 std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& intersector,
-                                      const RenderOptions& options);
+                                      const RenderSettings& settings,
+                                      const std::atomic<bool>* stop = nullptr);
 
 }  // namespace etalon

@@ -6,39 +6,29 @@
 #include "core/intersect/kernels.h"
 #include "core/render/aimed_rays.h"
 #include "core/render/camera_rays.h"
+#include "core/render/tiles.h"
+#include "core/sampling/dimensions.h"
+#include "core/sampling/hemisphere.h"
 #include "core/sampling/sample_source.h"
 #include "core/shading/light_samples.h"
 
 namespace etalon {
 namespace {
 
-constexpr int tile = 16;
 constexpr std::uint32_t chord_seed = 3, bounce_seed = 5;
 
 /// Pixel centres, tile by tile, every so many that `limit` is kept.
-std::vector<Vec2> pixel_centres(const Camera& camera, std::size_t limit) {
-    const std::size_t all = static_cast<std::size_t>(camera.width) * camera.height;
+std::vector<Vec2> pixel_centres(const Imath::V2i& resolution, std::size_t limit) {
+    const std::size_t all = static_cast<std::size_t>(resolution.x) * resolution.y;
     const std::size_t stride = (all + limit - 1) / limit;
     std::vector<Vec2> centres;
     std::size_t index = 0;
-    for (int ty = 0; ty < camera.height; ty += tile) {
-        for (int tx = 0; tx < camera.width; tx += tile) {
-            for (int y = ty; y < std::min(ty + tile, camera.height); ++y) {
-                for (int x = tx; x < std::min(tx + tile, camera.width); ++x) {
-                    if (index++ % stride == 0) centres.emplace_back(x + 0.5, y + 0.5);
-                }
-            }
-        }
+    for (const Imath::Box2i& tile : tiles_of({{0, 0}, resolution - Imath::V2i(1)})) {
+        for_each_pixel(tile, [&](int x, int y) {
+            if (index++ % stride == 0) centres.emplace_back(x + 0.5, y + 0.5);
+        });
     }
     return centres;
-}
-
-Vec3 cosine_direction(const Vec3& normal, const Vec2& uv) {
-    Vec3 u, v;
-    orthonormal_basis(normal, u, v);
-    const double radius = std::sqrt(uv.x), angle = 2 * std::numbers::pi * uv.y;
-    return radius * std::cos(angle) * u + radius * std::sin(angle) * v +
-           std::sqrt(1 - uv.x) * normal;
 }
 
 Vec3 on_unit_sphere(const Vec2& uv) {
@@ -58,12 +48,13 @@ Box3 finite_bounds(const Geometry& geometry) {
 
 class RaySetMaker {
   public:
-    RaySetMaker(const Scene& scene, const Intersector& exact, std::size_t limit)
+    RaySetMaker(const Scene& scene, const Imath::V2i& resolution, const Intersector& exact,
+                std::size_t limit)
         : scene_(scene),
           exact_(exact),
           limit_(std::max<std::size_t>(limit, 1)),
-          camera_(scene.camera),
-          pixels_(pixel_centres(scene.camera, limit_)) {}
+          camera_(scene.camera, resolution),
+          pixels_(pixel_centres(resolution, limit_)) {}
 
     RaySet camera() const {
         RaySet set{"camera", false, {}};
@@ -74,7 +65,7 @@ class RaySetMaker {
     RaySet bounce() const {
         RaySet set{"bounce", false, {}};
         for_each_hit([&](const SurfacePoint& p, const Vec3& normal, const SampleSource& sample) {
-            const Vec3 direction = cosine_direction(normal, sample.point(0));
+            const Vec3 direction = cosine_direction(normal, sample.point(bounce_dimension));
             set.rays.push_back(ray_from(p, direction));
         });
         return set;
@@ -85,7 +76,7 @@ class RaySetMaker {
         if (scene_.look.lights.empty()) return set;
         for_each_hit([&](const SurfacePoint& p, const Vec3&, const SampleSource& sample) {
             const Light& light = scene_.look.lights[set.rays.size() % scene_.look.lights.size()];
-            const Vec3 target = LightSamples(light, 1).position(0, sample, 1);
+            const Vec3 target = LightSamples(light, 1).position(0, sample, shadow_dimension);
             set.rays.push_back(ray_between(p, target));
             set.rays.back().coherent = true;
         });
@@ -142,9 +133,9 @@ class RaySetMaker {
 
 }  // namespace
 
-RaySet make_ray_set(const std::string& kind, const Scene& scene, const Intersector& exact,
-                    std::size_t limit) {
-    const RaySetMaker maker(scene, exact, limit);
+RaySet make_ray_set(const std::string& kind, const Scene& scene, const Imath::V2i& resolution,
+                    const Intersector& exact, std::size_t limit) {
+    const RaySetMaker maker(scene, resolution, exact, limit);
     if (kind == "camera") return maker.camera();
     if (kind == "bounce") return maker.bounce();
     if (kind == "shadow") return maker.shadow();

@@ -4,25 +4,23 @@
 #include <memory>
 #include <vector>
 
-#include "core/parallel/parallel.h"
 #include "core/render/adaptive_rounds.h"
 #include "core/render/eye_rays.h"
 #include "core/render/tiles.h"
 #include "core/render/uniform_rounds.h"
-#include "core/render/whitted.h"
 
 namespace etalon {
 namespace {
 
 class Renderer {
   public:
-    Renderer(const Scene& scene, const Intersector& intersector, const EnvironmentMap& environment,
-             const RenderOptions& options)
-        : options_(options),
-          rays_(scene.camera, options.samples_per_pixel),
-          integrator_(scene, intersector, environment, options.samples_per_pixel,
-                      options.max_depth),
-          film_(rays_.sampled(options.window), options.variance),
+    Renderer(const Camera& camera, const Integrator& integrator, const RenderSettings& settings,
+             const RunControl& control)
+        : settings_(settings),
+          control_(control),
+          rays_(camera, settings),
+          integrator_(integrator),
+          film_(rays_.sampled(settings.window()), settings.variance),
           tiles_(tiles_of(film_.window())),
           counts_(tiles_.size()) {}
 
@@ -44,24 +42,24 @@ class Renderer {
   private:
     /// However short the time is, a picture has one sample of each pixel.
     bool stopped() const {
-        return (options_.stop != nullptr && options_.stop->load()) ||
-               (is_picture_ && options_.deadline.is_over());
+        return (control_.stop != nullptr && control_.stop->load()) ||
+               (is_picture_ && control_.deadline.is_over());
     }
 
     /// The film, if there is anything new in it.
     void show(const Rounds& rounds) {
-        if (options_.after_round && shown_ < samples_done_) {
-            options_.after_round({film_, rounds.expected_error()});
+        if (control_.after_round && shown_ < samples_done_) {
+            control_.after_round({film_, rounds.expected_error()});
         }
         shown_ = samples_done_;
     }
 
     std::unique_ptr<Rounds> make_rounds() const {
-        const auto samples = static_cast<std::uint32_t>(std::max(1, options_.samples_per_pixel));
-        if (options_.error > 0) {
-            return std::make_unique<AdaptiveRounds>(film_, options_.error, samples);
+        const auto samples = static_cast<std::uint32_t>(std::max(1, settings_.samples_per_pixel));
+        if (settings_.target_error > 0) {
+            return std::make_unique<AdaptiveRounds>(film_, settings_.target_error, samples);
         }
-        return std::make_unique<UniformRounds>(samples, film_.size(), options_.deadline);
+        return std::make_unique<UniformRounds>(samples, film_.size(), control_.deadline);
     }
 
     Rendering finished(const Rounds& rounds, bool complete) {
@@ -75,40 +73,33 @@ class Renderer {
     }
 
     void render_round(const Goals& goals, const Rounds& rounds) {
-        parallel_for(tiles_.size(), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end && !stopped(); ++i) {
-                const std::uint64_t done = render_tile(i, goals);
-                const std::uint64_t total = samples_done_.fetch_add(done) + done;
-                if (options_.progress) options_.progress(rounds.part_done(total));
-            }
+        const auto stop = [&] { return stopped(); };
+        for_each_tile(tiles_, stop, [&](std::size_t i, const Imath::Box2i& tile) {
+            std::uint64_t done = 0;
+            for_each_pixel(tile, stop,
+                           [&](int x, int y) { done += render_pixel(x, y, goals, counts_[i]); });
+            const std::uint64_t total = samples_done_.fetch_add(done) + done;
+            if (control_.progress) control_.progress(rounds.part_done(total));
         });
     }
 
     /// Returns the number of samples.
-    std::uint64_t render_tile(std::size_t tile, const Goals& goals) {
-        const Imath::Box2i& box = tiles_[tile];
-        std::uint64_t done = 0;
-        for (int y = box.min.y; y <= box.max.y && !stopped(); ++y) {
-            for (int x = box.min.x; x <= box.max.x; ++x) {
-                const std::size_t pixel = film_.index(x, y);
-                const std::uint32_t first = film_.counts()[pixel], last = goals.of(pixel);
-                for (std::uint32_t s = first; s < last; ++s) {
-                    film_.add(x, y, sample(x, y, s, counts_[tile]));
-                }
-                done += last - first;
-            }
-        }
-        return done;
+    std::uint32_t render_pixel(int x, int y, const Goals& goals, RayCounts& counts) {
+        const std::size_t pixel = film_.index(x, y);
+        const std::uint32_t first = film_.counts()[pixel], last = goals.of(pixel);
+        for (std::uint32_t s = first; s < last; ++s) film_.add(x, y, sample(x, y, s, counts));
+        return last - first;
     }
 
     Color sample(int x, int y, std::uint32_t index, RayCounts& counts) const {
-        const SampleSource source(x, y, options_.seed, index, options_.sampler);
+        const SampleSource source(x, y, settings_.seed, index, settings_.sampler);
         return integrator_.radiance(rays_.ray(x, y, source), source, counts);
     }
 
-    const RenderOptions& options_;
+    const RenderSettings& settings_;
+    const RunControl& control_;
     EyeRays rays_;
-    Whitted integrator_;
+    const Integrator& integrator_;
     Film film_;
     std::vector<Imath::Box2i> tiles_;
     std::vector<RayCounts> counts_;
@@ -119,9 +110,9 @@ class Renderer {
 
 }  // namespace
 
-Rendering render(const Scene& scene, const Intersector& intersector,
-                 const EnvironmentMap& environment, const RenderOptions& options) {
-    return Renderer(scene, intersector, environment, options).run();
+Rendering render(const Camera& camera, const Integrator& integrator, const RenderSettings& settings,
+                 const RunControl& control) {
+    return Renderer(camera, integrator, settings, control).run();
 }
 
 }  // namespace etalon

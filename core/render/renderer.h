@@ -1,17 +1,15 @@
-// From a scene to a film: tiles over threads, rounds of samples.
+// From camera and integrator to a film: tiles over threads, rounds of samples.
 #pragma once
 
 #include <atomic>
 #include <functional>
 #include <optional>
 
-#include "core/intersect/intersector.h"
+#include "core/integrators/integrator.h"
 #include "core/render/deadline.h"
 #include "core/render/film.h"
-#include "core/render/ray_counts.h"
-#include "core/sampling/sample_source.h"
-#include "core/scene/scene.h"
-#include "core/shading/environment_map.h"
+#include "core/scene/camera.h"
+#include "core/scene/render_settings.h"
 
 namespace etalon {
 
@@ -21,19 +19,12 @@ struct RenderedRound {
     double expected_error;  ///< relMSE; 0 unless an error was asked for
 };
 
-struct RenderOptions {
-    int samples_per_pixel = 0;  ///< 0: the camera's PixelRays
-    int max_depth = 5;          ///< rays in a row, the eye's included
-    std::uint32_t seed = 0;
-    Sampler sampler = Sampler::sobol;
-    Imath::Box2i window;    ///< pixels to render, inclusive on both ends
-    double error = 0;       ///< above 0: the relMSE at which the picture is good enough; samples go
-                            ///< where they help, samples_per_pixel at most
-    bool variance = false;  ///< keep what the film's variances need
+/// How to watch, limit and stop a rendering while it runs. Changes no pixel but by ending early.
+struct RunControl {
     Deadline deadline{};
     const std::atomic<bool>* stop = nullptr;  ///< set: give up soon and return what there is
-    std::function<void(double)> progress;     ///< called with the part done, from any thread
-    std::function<void(const RenderedRound&)> after_round;
+    std::function<void(double)> progress{};   ///< called with the part done, from any thread
+    std::function<void(const RenderedRound&)> after_round{};
 };
 
 struct Rendering {
@@ -44,9 +35,10 @@ struct Rendering {
     bool complete = false;  ///< neither stopped nor out of time
 };
 
-/// The pixels depend on scene, seed and samples alone, and on the clock where there is a deadline.
-/// A stop leaves a whole if noisy picture.
-Rendering render(const Scene& scene, const Intersector& intersector,
-                 const EnvironmentMap& environment, const RenderOptions& options);
+/// Renders the window of the settings. The integrator was made with the same settings. The pixels
+/// depend on scene and settings alone, and on the clock where there is a deadline. A stop leaves a
+/// whole if noisy picture.
+Rendering render(const Camera& camera, const Integrator& integrator, const RenderSettings& settings,
+                 const RunControl& control = {});
 
 }  // namespace etalon

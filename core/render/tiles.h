@@ -1,13 +1,16 @@
+// A window of pixels cut into tiles, and the one loop that gives tiles to threads.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
 #include "core/numerics/vec.h"
+#include "core/parallel/parallel.h"
 
 namespace etalon {
 
-/// A window of pixels, inclusive on both ends, cut into what threads take at a time.
+/// A window of pixels, inclusive on both ends, cut into what threads take at a time: squares of 16
+/// pixels, by rows.
 inline std::vector<Imath::Box2i> tiles_of(const Imath::Box2i& window) {
     constexpr int side = 16;
     std::vector<Imath::Box2i> tiles;
@@ -19,6 +22,29 @@ inline std::vector<Imath::Box2i> tiles_of(const Imath::Box2i& window) {
         }
     }
     return tiles;
+}
+
+/// Calls visit(i, tiles[i]) for every tile, on all threads, until `stopped()`.
+template <class Stopped, class Visit>
+void for_each_tile(const std::vector<Imath::Box2i>& tiles, const Stopped& stopped,
+                   const Visit& visit) {
+    parallel_for(tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end && !stopped(); ++i) visit(i, tiles[i]);
+    });
+}
+
+/// Calls visit(x, y) for every pixel of a tile, by rows, until `stopped()` at the end of a row.
+template <class Stopped, class Visit>
+void for_each_pixel(const Imath::Box2i& tile, const Stopped& stopped, const Visit& visit) {
+    for (int y = tile.min.y; y <= tile.max.y && !stopped(); ++y) {
+        for (int x = tile.min.x; x <= tile.max.x; ++x) visit(x, y);
+    }
+}
+
+template <class Visit>
+void for_each_pixel(const Imath::Box2i& tile, const Visit& visit) {
+    for_each_pixel(
+        tile, [] { return false; }, visit);
 }
 
 }  // namespace etalon

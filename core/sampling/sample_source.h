@@ -2,11 +2,9 @@
 #pragma once
 
 #include "core/sampling/sobol.h"
+#include "core/scene/render_settings.h"
 
 namespace etalon {
-
-/// How the points of a pixel lie: evenly, or, to compare with, each wherever it falls.
-enum class Sampler { sobol, random };
 
 /// One sample of one pixel: a source of points, one for each dimension asked.
 class SampleSource {

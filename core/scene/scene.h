@@ -14,20 +14,6 @@
 
 namespace etalon {
 
-/// How the scene's format wants to be shaded where formats differ.
-struct WhittedRules {
-    int max_depth = 5;            ///< rays in a row, the eye's ray included
-    bool schlick = false;         ///< Schlick's approximation instead of the Fresnel equations
-    bool clamp_each_ray = false;  ///< clamp to [0,1] what each ray returns
-    bool fit_eye_rays = false;    ///< divide what an eye's ray returns by its largest part above 1
-    /// To count rays by the rules of the Standard Procedural Databases: a mirrored ray wherever
-    /// light passes through a surface, even one of no weight.
-    bool mirror_all_glass = false;
-    /// Only to reproduce old programs: how far, in units of the scene, new rays start from the
-    /// surface along its normal. 0: as far as the surface's own error bound asks.
-    double fixed_bias = 0;
-};
-
 /// How surfaces and light look, as the Whitted-style formats mean it: a light has neither falloff
 /// nor cosine.
 struct WhittedLook {
@@ -41,11 +27,6 @@ struct Scene {
     Camera camera;
     Geometry geometry;
     WhittedLook look;
-
-    WhittedRules whitted;
-    int samples_per_pixel = 0;    ///< 0: one ray through each pixel's centre
-    bool display_colors = false;  ///< colours are display values already: no sRGB curve for PNG
-    std::string backend;          ///< the scene's own choice, or empty
 };
 
 /// Bytes held by the scene's arrays.

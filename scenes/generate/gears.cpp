@@ -68,7 +68,7 @@ void half_of_the_gears(Writer& out, std::int64_t size, int colour) {
 
 void gears(Writer& out, std::int64_t size) {
     out.background({0.08F, 0.36F, 0.75F});
-    out.camera({{1.9, 2.2, 3.6}, {0, 0.25, 0}, {0, 1, 0}, 36, 512, 512});
+    out.camera({{1.9, 2.2, 3.6}, {0, 0.25, 0}, {0, 1, 0}, 36}, {512, 512});
     out.light({4, 7, 1}, {0.6F, 0.57F, 0.5F});
     out.light({-5, 6, 4}, {0.35F, 0.37F, 0.42F});
     ground(out);

@@ -66,7 +66,7 @@ void four_glass_spheres(Writer& out) {
 
 void mountain(Writer& out, std::int64_t size) {
     out.background({0.62F, 0.75F, 0.9F});
-    out.camera({{1.1, 1.05, 2.7}, {0, 0.4, 0}, {0, 1, 0}, 40, 512, 512});
+    out.camera({{1.1, 1.05, 2.7}, {0, 0.4, 0}, {0, 1, 0}, 40}, {512, 512});
     out.light({-8, 7, 4}, {0.8F, 0.73F, 0.62F});
     out.light({6, 6, 9}, {0.3F, 0.34F, 0.42F});
     ground(out, {.diffuse = {0.1F, 0.22F, 0.3F}, .ks = 0.4, .shine = 200});  // a lake

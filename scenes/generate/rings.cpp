@@ -45,7 +45,7 @@ void knot(Writer& out, const Vec3& centre, double radius) {
 
 void rings(Writer& out, std::int64_t size) {
     out.background({0.08F, 0.36F, 0.75F});
-    out.camera({{1.9, 2.3, 3.9}, {0, 0.6, 0}, {0, 1, 0}, 36, 512, 512});
+    out.camera({{1.9, 2.3, 3.9}, {0, 0.6, 0}, {0, 1, 0}, 36}, {512, 512});
     out.light({5, 8, 2}, {0.55F, 0.52F, 0.46F});
     out.light({-6, 7, 5}, {0.35F, 0.37F, 0.42F});
     out.light({1, 6, 9}, {0.2F, 0.2F, 0.2F});

@@ -41,7 +41,7 @@ void flake(Writer& out, const Vec3& centre, double radius, const Vec3& pole, con
 
 void sphereflake(Writer& out, std::int64_t size) {
     out.background({0.08F, 0.36F, 0.75F});
-    out.camera({{3.6, 3.4, 4.6}, {0, 1.1, 0}, {0, 1, 0}, 37, 512, 512});
+    out.camera({{3.6, 3.4, 4.6}, {0, 1.1, 0}, {0, 1, 0}, 37}, {512, 512});
     out.light({6, 8, 3}, {0.6F, 0.57F, 0.5F});
     out.light({-5, 6, 6}, {0.4F, 0.42F, 0.45F});
     out.light({2, 9, -6}, {0.3F, 0.3F, 0.35F});

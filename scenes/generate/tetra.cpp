@@ -38,7 +38,7 @@ Tetrahedron whole() {
 
 void tetra(Writer& out, std::int64_t size) {
     out.background({0.08F, 0.36F, 0.75F});
-    out.camera({{1.1, 1.5, 3.4}, {0.1, 0.55, 0}, {0, 1, 0}, 32, 512, 512});
+    out.camera({{1.1, 1.5, 3.4}, {0.1, 0.55, 0}, {0, 1, 0}, 32}, {512, 512});
     out.light({4, 6, 3}, {0.8F, 0.76F, 0.7F});
     out.light({-5, 4, 5}, {0.3F, 0.34F, 0.4F});
     ground(out);

@@ -41,7 +41,7 @@ void grow(const Branch& branch, std::int64_t forks, const Visit& visit) {
 
 void tree(Writer& out, std::int64_t size) {
     out.background({0.55F, 0.72F, 0.92F});
-    out.camera({{1.5, 1.7, 6.2}, {0, 1.6, 0}, {0, 1, 0}, 38, 512, 512});
+    out.camera({{1.5, 1.7, 6.2}, {0, 1.6, 0}, {0, 1, 0}, 38}, {512, 512});
     out.light({6, 8, 5}, {0.75F, 0.7F, 0.6F});
     out.light({-6, 7, 4}, {0.3F, 0.33F, 0.38F});
     ground(out);

@@ -11,7 +11,7 @@ namespace {
 /// Camera, lights and material for a cube [-1, 1]^3.
 void stage(Writer& out) {
     out.background({0.08F, 0.1F, 0.14F});
-    out.camera({{2.4, 2, 3.8}, {0, 0, 0}, {0, 1, 0}, 40, 512, 512});
+    out.camera({{2.4, 2, 3.8}, {0, 0, 0}, {0, 1, 0}, 40}, {512, 512});
     out.light({4, 6, 5}, {0.8F, 0.75F, 0.68F});
     out.light({-5, 2, 4}, {0.25F, 0.28F, 0.34F});
     out.material({.diffuse = {0.9F, 0.8F, 0.65F}, .kd = 0.9});

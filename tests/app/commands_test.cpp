@@ -78,6 +78,7 @@ TEST_CASE("render takes size, crop, depth, seed and several outputs", "[app]") {
     const json s = json::parse(f.read("s.json"));
     CHECK(s["format"] == "p3f");
     CHECK(s["backend"] == "bvh");
+    CHECK(s["integrator"] == "whitted");
     CHECK(s["image"] == json{{"width", 64}, {"height", 48}, {"spp", 2}, {"seed", 7}});
     CHECK(s["primitives"] == json{{"sphere", 1}, {"plane", 1}});
     CHECK(s["rays"]["camera"] == 16 * 12 * 2);
@@ -85,6 +86,50 @@ TEST_CASE("render takes size, crop, depth, seed and several outputs", "[app]") {
         CHECK(s["seconds"].contains(key));
     }
     CHECK(s["memory_bytes"]["peak_rss"].get<double>() > 0);
+}
+
+TEST_CASE("render takes any integrator by name, auto is the scene's own", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto render = [&](const std::string& options, const std::string& name) {
+        REQUIRE(f.etalon("render ball.p3f --spp 4 -q -o " + name + ".exr --stats " + name +
+                         ".json " + options)
+                    .status == 0);
+        return json::parse(f.read(name + ".json"));
+    };
+    CHECK(render("", "none")["integrator"] == "whitted");
+    CHECK(render("--integrator auto", "auto")["integrator"] == "whitted");
+    CHECK(render("--integrator whitted", "whitted")["integrator"] == "whitted");
+    const json ao = render("--integrator ao", "ao");
+    CHECK(ao["integrator"] == "ao");
+    CHECK(ao["rays"]["shadow"] == ao["rays"]["camera_hits"]);
+    CHECK(ao["rays"]["reflected"] == 0);
+    CHECK(pixels(f.path("auto.exr")) == pixels(f.path("none.exr")));
+    CHECK(pixels(f.path("whitted.exr")) == pixels(f.path("none.exr")));
+    CHECK(pixels(f.path("ao.exr")) != pixels(f.path("none.exr")));
+    const json near = render("--integrator ao --max-distance 0.01", "near");
+    CHECK(near["rays"]["shadow_blocked"] < ao["rays"]["shadow_blocked"]);
+}
+
+TEST_CASE("an unknown integrator is refused with the list, and what one would ignore", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto unknown = f.etalon("render ball.p3f --integrator path");
+    CHECK(unknown.status == 2);
+    CHECK_THAT(unknown.err + unknown.out, ContainsSubstring("auto,whitted,ao"));
+    const std::pair<std::string, std::string> ignored[] = {
+        {"--max-distance 2", "--integrator ao"},
+        {"--integrator whitted --max-distance 2", "--integrator ao"},
+        {"--integrator ao --max-depth 2", "--integrator whitted"},
+        {"--integrator ao --spd", "--integrator whitted"}};
+    for (const auto& [options, expected] : ignored) {
+        INFO(options);
+        const auto r = f.etalon("render ball.p3f " + options);
+        CHECK(r.status == 2);
+        CHECK_THAT(r.err, ContainsSubstring(expected));
+    }
+    CHECK(f.etalon("render ball.p3f --integrator ao --max-distance 0").status == 2);
+    CHECK(f.etalon("render ball.p3f --integrator ao --max-distance -1").status == 2);
 }
 
 TEST_CASE("The scene may come from standard input", "[app]") {

@@ -132,7 +132,27 @@ TEST_CASE("convergence has a curve for every sampler and backend", "[app]") {
         CHECK(curve["slope"] < -0.5);
         CHECK(curve["efficiency"] > 0);
     }
+    for (const json& curve : j["curves"]) CHECK(curve["integrator"] == "whitted");
     const auto last = [&](int curve) { return j["curves"][curve]["points"].back()["mse"]; };
     CHECK(last(1) < last(0));  // sobol, random
     CHECK(f.shell("'" ETALON_BINARY_DIR "/bin/etalon-bench' convergence nothing.p3f").status == 3);
+}
+
+TEST_CASE("convergence renders by every integrator asked for", "[app]") {
+    const Converging f;
+    const std::string command =
+        "exec '" ETALON_BINARY_DIR "/bin/etalon-bench' convergence ball.p3f --samplers sobol ";
+    REQUIRE(f.shell(command + "--integrators whitted,ao --spp 16 --seeds 1 --json c.json").status ==
+            0);
+    const json j = json::parse(f.read("c.json"));
+    REQUIRE(j["curves"].size() == 2);
+    for (int i : {0, 1}) {
+        const json& points = j["curves"][i]["points"];
+        CHECK(j["curves"][i]["integrator"] == (i == 0 ? "whitted" : "ao"));
+        CHECK(points.back()["mse"] < points.front()["mse"]);  // each to a reference of its own
+    }
+    CHECK(j["curves"][0]["points"][0]["mse"] != j["curves"][1]["points"][0]["mse"]);
+    const auto unknown = f.shell(command + "--integrators path");
+    CHECK(unknown.status == 2);
+    CHECK_THAT(unknown.err + unknown.out, ContainsSubstring("auto,whitted,ao"));
 }

@@ -106,12 +106,13 @@ TEST_CASE("The camera of every scene sees something, and something that the ligh
     for (const Small& s : small_scenes) {
         INFO(s.family);
         const Scene scene = make(s);
-        const auto bvh = find_backend("bvh")->build(scene.geometry);
-        const auto rays = make_ray_set("camera", scene, *bvh, 400).rays;
+        const auto bvh = find_backend(default_backend)->build(scene.geometry);
+        const Imath::V2i size(64);
+        const auto rays = make_ray_set("camera", scene, size, *bvh, 400).rays;
         const auto hits = std::count_if(rays.begin(), rays.end(),
                                         [&](const Ray& ray) { return bvh->occluded(ray); });
         CHECK(hits > 20);
-        CHECK(make_ray_set("shadow", scene, *bvh, 400).rays.size() > 20);
+        CHECK(make_ray_set("shadow", scene, size, *bvh, 400).rays.size() > 20);
     }
 }
 

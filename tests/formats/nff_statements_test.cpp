@@ -10,16 +10,16 @@ TEST_CASE("an NFF camera is read") {
     CHECK(messages(r).empty());
     REQUIRE(r.scene);
     CHECK(r.scene->format == "nff");
-    CHECK(r.scene->display_colors);
-    CHECK(r.scene->whitted.max_depth == 5);
-    CHECK(r.scene->samples_per_pixel == 0);
+    CHECK(r.settings.display_colors);
+    CHECK(r.settings.max_depth == 5);
+    CHECK(r.settings.samples_per_pixel == 0);
     const Camera& c = r.scene->camera;
     CHECK(c.eye == Vec3(1, 2, 3));
     CHECK(c.at == Vec3(4, 5, 6));
     CHECK(c.up == Vec3(0, 0, 1));
     CHECK(c.fov_degrees == 50);
-    CHECK(c.width == 800);
-    CHECK(c.height == 600);
+    CHECK(r.settings.resolution.x == 800);
+    CHECK(r.settings.resolution.y == 600);
     CHECK(c.aperture == 0);
 }
 

@@ -27,8 +27,8 @@ TEST_CASE("a camera of the new dialect is read") {
     CHECK(c.at == Vec3(4, 5, 6));
     CHECK(c.up == Vec3(0, 0, 1));
     CHECK(c.fov_degrees == 50);
-    CHECK(c.width == 800);
-    CHECK(c.height == 600);
+    CHECK(r.settings.resolution.x == 800);
+    CHECK(r.settings.resolution.y == 600);
     CHECK(c.aperture == 12);
     CHECK(c.focal == 1.5);
 }
@@ -64,14 +64,14 @@ TEST_CASE("a wrong word in a camera is taken for the one that is due if the numb
 TEST_CASE("a wrong word in a camera whose numbers do not fit is left out") {
     const LoadResult r = load_p3f_text(camera_with("resolution", "yon 1000\nresolution 40 30"));
     CHECK(messages(r) == Messages{"a.p3f:7:1: warning: 'yon' is no part of a camera"});
-    CHECK(r.scene->camera.width == 40);
+    CHECK(r.settings.resolution.x == 40);
     CHECK(r.scene->camera.focal == 1);
 }
 
 TEST_CASE("stray numbers in a camera are one warning") {
     const LoadResult r = load_p3f_text(camera_with("angle", "angle 45 1 2 3 4 5"));
     CHECK(messages(r) == Messages{"a.p3f:5:10: warning: '1' is no part of a camera"});
-    CHECK(r.scene->camera.width == 40);
+    CHECK(r.settings.resolution.x == 40);
 }
 
 TEST_CASE("a bad number in a camera costs its line only") {
@@ -80,7 +80,7 @@ TEST_CASE("a bad number in a camera costs its line only") {
           Messages{"a.p3f:6:8: warning: expected a number for the hither of 'camera', found "
                    "'near'"});
     REQUIRE(r.scene);
-    CHECK(r.scene->camera.width == 40);
+    CHECK(r.settings.resolution.x == 40);
 }
 
 TEST_CASE("a line given twice is a warning, and the later one counts") {

@@ -30,10 +30,10 @@ TEST_CASE("legacy shades as the course's programs of 2021 did") {
     const std::string lights = "l 0 0 0 1 1 1\nl 1 0 0 1 1 1\n";
     const LoadResult r = load_statements(text + lights, legacy());
     CHECK(messages(r).empty());
-    CHECK(r.scene->whitted.schlick);
-    CHECK(r.scene->whitted.clamp_each_ray);
-    CHECK(r.scene->whitted.fixed_bias == 1e-3);
-    CHECK(r.scene->whitted.max_depth == 6);
+    CHECK(r.settings.whitted.schlick);
+    CHECK(r.settings.whitted.clamp_each_ray);
+    CHECK(r.settings.whitted.fixed_bias == 1e-3);
+    CHECK(r.settings.max_depth == 6);
     CHECK(r.scene->look.materials[0].specular.x == Approx(0.5 / 2.5));
     CHECK(r.scene->look.materials[0].specular.y == Approx(0.25 / 2.5));
     CHECK(r.scene->look.materials[0].reflection == Color(0.5F, 0.25F, 0.5F));

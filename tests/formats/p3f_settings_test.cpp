@@ -44,24 +44,24 @@ TEST_CASE("a scene with nothing but a camera has the format's defaults") {
     CHECK(messages(r).empty());
     REQUIRE(r.scene);
     CHECK(r.scene->format == "p3f");
-    CHECK(r.scene->backend.empty());
-    CHECK(r.scene->samples_per_pixel == 0);
+    CHECK(r.settings.backend.empty());
+    CHECK(r.settings.samples_per_pixel == 0);
     CHECK(r.scene->look.environment.background == Color(0.0F));
     CHECK_FALSE(r.scene->look.environment.skybox);
-    CHECK(r.scene->display_colors);
-    CHECK(r.scene->whitted.max_depth == 5);
-    CHECK_FALSE(r.scene->whitted.schlick);
-    CHECK_FALSE(r.scene->whitted.clamp_each_ray);
-    CHECK(r.scene->whitted.fixed_bias == 0);
+    CHECK(r.settings.display_colors);
+    CHECK(r.settings.max_depth == 5);
+    CHECK_FALSE(r.settings.whitted.schlick);
+    CHECK_FALSE(r.settings.whitted.clamp_each_ray);
+    CHECK(r.settings.whitted.fixed_bias == 0);
 }
 
 TEST_CASE("accel is a name, or a number of the old dialect") {
-    CHECK(load_statements("accel none").scene->backend == "none");
-    CHECK(load_statements("accel grid").scene->backend == "grid");
-    CHECK(load_statements("accel bvh").scene->backend == "bvh");
-    CHECK(load_statements("accel 0").scene->backend == "none");
-    CHECK(load_statements("accel 1").scene->backend == "grid");
-    CHECK(load_statements("accel 2").scene->backend == "bvh");
+    CHECK(load_statements("accel none").settings.backend == "none");
+    CHECK(load_statements("accel grid").settings.backend == "grid");
+    CHECK(load_statements("accel bvh").settings.backend == "bvh");
+    CHECK(load_statements("accel 0").settings.backend == "none");
+    CHECK(load_statements("accel 1").settings.backend == "grid");
+    CHECK(load_statements("accel 2").settings.backend == "bvh");
 }
 
 TEST_CASE("an unknown accel is named with what it may have been") {
@@ -70,18 +70,18 @@ TEST_CASE("an unknown accel is named with what it may have been") {
           Messages{"a.p3f:1:7: warning: expected none, grid or bvh (or 0, 1, 2) after "
                    "'accel', found 'bhv'; did you mean 'bvh'?"});
     REQUIRE(r.scene);
-    CHECK(r.scene->backend.empty());
-    CHECK(r.scene->samples_per_pixel == 3);
+    CHECK(r.settings.backend.empty());
+    CHECK(r.settings.samples_per_pixel == 3);
 }
 
 TEST_CASE("spp is a count of samples") {
-    CHECK(load_statements("spp 16").scene->samples_per_pixel == 16);
+    CHECK(load_statements("spp 16").settings.samples_per_pixel == 16);
     const LoadResult negative = load_statements("spp -1");
     CHECK(messages(negative) ==
           Messages{"a.p3f:1:5: warning: expected 0 to 1048576 samples per pixel, "
                    "found -1"});
-    CHECK(negative.scene->samples_per_pixel == 0);
-    CHECK(load_statements("spp 99999999999").scene->samples_per_pixel == 0);
+    CHECK(negative.settings.samples_per_pixel == 0);
+    CHECK(load_statements("spp 99999999999").settings.samples_per_pixel == 0);
     CHECK(messages(load_statements("spp 4.5")) ==
           Messages{
               "a.p3f:1:5: warning: expected a whole number for the samples of 'spp', found '4.5'"});

@@ -22,18 +22,18 @@ TEST_CASE("a PRT camera is five statements, its angle the field of view both way
     CHECK(messages(r).empty());
     REQUIRE(r.scene);
     CHECK(r.scene->format == "prt");
-    CHECK(r.scene->display_colors);
-    CHECK(r.scene->whitted.max_depth == 5);
-    CHECK_FALSE(r.scene->whitted.fit_eye_rays);
+    CHECK(r.settings.display_colors);
+    CHECK(r.settings.max_depth == 5);
+    CHECK_FALSE(r.settings.whitted.fit_eye_rays);
     const Camera& c = r.scene->camera;
     CHECK(c.eye == Vec3(1, 2, 3));
     CHECK(c.at == Vec3(4, 5, 6));
     CHECK(c.up == Vec3(0, 0, 1));
     CHECK(c.fov_degrees == 50);
     CHECK(c.stretched);
-    CHECK(c.width == 800);
-    CHECK(c.height == 600);
-    CHECK(c.pixel_rays == PixelRays::centre);
+    CHECK(r.settings.resolution.x == 800);
+    CHECK(r.settings.resolution.y == 600);
+    CHECK(r.settings.pixel_rays == PixelRays::centre);
 }
 
 TEST_CASE("a PRT camera that lacks a statement is none") {
@@ -106,6 +106,6 @@ TEST_CASE("legacy PRT has the program's camera and brings bright pixels into ran
     CHECK(std::tan(c.fov_degrees / 360 * pi) == Approx(std::tan(40 * pi / 180) / std::sqrt(2.0)));
     CHECK(c.fov_degrees == Approx(61.4).margin(0.05));
     CHECK(c.stretched);
-    CHECK(c.pixel_rays == PixelRays::upper_left);
-    CHECK(r.scene->whitted.fit_eye_rays);
+    CHECK(r.settings.pixel_rays == PixelRays::upper_left);
+    CHECK(r.settings.whitted.fit_eye_rays);
 }

@@ -11,8 +11,7 @@ namespace etalon {
 namespace {
 
 auto fields(const Camera& c) {
-    return std::tuple(c.eye, c.at, c.up, c.fov_degrees, c.width, c.height, c.aperture, c.focal,
-                      c.stretched, c.pixel_rays);
+    return std::tuple(c.eye, c.at, c.up, c.fov_degrees, c.aperture, c.focal, c.stretched);
 }
 auto fields(const PointLight& l) {
     return std::tuple(l.position, l.color);
@@ -25,8 +24,12 @@ auto fields(const Material& m) {
                       m.transmission, m.fresnel, m.ior, m.absorption);
 }
 auto fields(const WhittedRules& r) {
-    return std::tuple(r.max_depth, r.schlick, r.clamp_each_ray, r.fit_eye_rays, r.mirror_all_glass,
+    return std::tuple(r.schlick, r.clamp_each_ray, r.fit_eye_rays, r.mirror_all_glass,
                       r.fixed_bias);
+}
+auto fields(const RenderSettings& s) {
+    return std::tuple(s.resolution, s.display_colors, s.samples_per_pixel, s.pixel_rays,
+                      s.max_depth, fields(s.whitted), s.backend);
 }
 auto fields(const Environment& e) {
     return std::tuple(e.background, e.skybox.has_value());
@@ -102,15 +105,12 @@ std::string difference(const Scene& a, const Primitive& p, const Scene& b, const
 
 }  // namespace
 
-std::string difference(const Scene& a, const Scene& b) {
+std::string difference(const LoadResult& first, const LoadResult& second) {
+    const Scene &a = *first.scene, &b = *second.scene;
+    if (fields(first.settings) != fields(second.settings)) return "settings";
     if (fields(a.camera) != fields(b.camera)) return "camera";
     if (fields(a.look.environment) != fields(b.look.environment)) return "environment";
-    if (fields(a.whitted) != fields(b.whitted)) return "rules";
-    if (a.samples_per_pixel != b.samples_per_pixel) return "samples";
-    if (a.backend != b.backend) return "backend";
-    if (a.display_colors != b.display_colors) return "display";
-    if (!std::equal(a.look.lights.begin(), a.look.lights.end(), b.look.lights.begin(),
-                    b.look.lights.end(), same)) {
+    if (!std::equal(a.look.lights.begin(), a.look.lights.end(), b.look.lights.begin(), b.look.lights.end(), same)) {
         return "lights";
     }
     if (a.geometry.primitives.size() != b.geometry.primitives.size()) return "number of primitives";

@@ -17,8 +17,12 @@ bool fine(const Material& m) {
            m.shininess >= 0 && m.ior >= 0;
 }
 bool fine(const Camera& c) {
-    return is_finite(c.eye) && is_finite(c.at) && c.eye != c.at && c.width > 0 && c.height > 0 &&
-           c.width <= 65536 && c.height <= 65536 && c.aperture >= 0;
+    return is_finite(c.eye) && is_finite(c.at) && c.eye != c.at && c.aperture >= 0;
+}
+bool fine(const RenderSettings& s) {
+    const Imath::V2i& size = s.resolution;
+    return size.x > 0 && size.y > 0 && size.x <= 65536 && size.y <= 65536 &&
+           s.samples_per_pixel >= 0 && s.max_depth > 0;
 }
 
 bool fine(const Scene&, const Sphere& s) {
@@ -85,7 +89,9 @@ bool all_finite(const std::vector<Vec3>& list) {
 
 }  // namespace
 
-std::string insanity(const Scene& scene) {
+std::string insanity(const LoadResult& result) {
+    const Scene& scene = *result.scene;
+    if (!fine(result.settings)) return "settings";
     if (!fine(scene.camera)) return "camera";
     if (!all_fine(scene.look.lights)) return "light";
     if (!all_fine(scene.look.materials)) return "material";

@@ -2,12 +2,13 @@
 
 #include <string>
 
-#include "core/scene/scene.h"
+#include "core/formats/load.h"
 
 namespace etalon {
 
 /// What no file may bring about: an index out of bounds, a number that is not finite, a radius or
 /// an extent below zero. Empty where all is well.
-std::string insanity(const Scene& scene);
+/// Given a result with a scene.
+std::string insanity(const LoadResult& result);
 
 }  // namespace etalon

@@ -11,16 +11,15 @@ TEST_CASE("an empty SCE scene has the course's defaults") {
     REQUIRE(r.scene);
     const Scene& s = *r.scene;
     CHECK(s.format == "sce");
-    CHECK(s.display_colors);
+    CHECK(r.settings.display_colors);
     CHECK(s.look.environment.background == Color(0, 0, 0.3F));
-    CHECK(s.whitted.max_depth == 7);
-    CHECK(s.samples_per_pixel == 0);
+    CHECK(r.settings.max_depth == 7);
+    CHECK(r.settings.samples_per_pixel == 0);
     CHECK(s.camera.eye == Vec3(0));
     CHECK(s.camera.at == Vec3(0, 0, -1));
     CHECK(s.camera.up == Vec3(0, 1, 0));
     CHECK(s.camera.fov_degrees == 45);
-    CHECK(s.camera.width == 100);
-    CHECK(s.camera.height == 100);
+    CHECK(r.settings.resolution == Imath::V2i(100, 100));
 }
 
 TEST_CASE("the magic of the first line is not needed") {
@@ -32,8 +31,8 @@ TEST_CASE("blanks, comments and CRLF do not matter") {
     const LoadResult r = load_sce_text(
         "sce1.0 \r\n\r\n \t\r\n\t# a comment\r\n\tnx\t 8  \r\n ny 6 # rows\r\n#ny 7\r\n");
     CHECK(messages(r).empty());
-    CHECK(r.scene->camera.width == 8);
-    CHECK(r.scene->camera.height == 6);
+    CHECK(r.settings.resolution.x == 8);
+    CHECK(r.settings.resolution.y == 6);
 }
 
 TEST_CASE("a command does not run over the end of its line") {
@@ -43,7 +42,7 @@ TEST_CASE("a command does not run over the end of its line") {
                    "left out",
                    "a.sce:2:1: warning: unknown command '3'"});
     CHECK(r.scene->camera.eye == Vec3(0));
-    CHECK(r.scene->camera.height == 6);
+    CHECK(r.settings.resolution.y == 6);
 }
 
 TEST_CASE("a wrong number of values costs the line, of a state command too") {
@@ -94,7 +93,7 @@ TEST_CASE("the commands of one private program are named as such") {
 TEST_CASE("end ends the scene, and what follows is nobody's business") {
     const LoadResult r = load_sce_text("nx 8\nend\nnx 9\nthese are notes\n");
     CHECK(messages(r).empty());
-    CHECK(r.scene->camera.width == 8);
+    CHECK(r.settings.resolution.x == 8);
 }
 
 TEST_CASE("--strict makes a warning an error") {

@@ -16,11 +16,11 @@ TEST_CASE("camera and picture are plain assignments that no matrix and no block 
     CHECK(c.at - c.eye == Vec3(0, 2, 0));
     CHECK(c.up == Vec3(0, 0, 2));
     CHECK(c.fov_degrees == 60);
-    CHECK(c.width == 64);
-    CHECK(c.height == 48);
+    CHECK(r.settings.resolution.x == 64);
+    CHECK(r.settings.resolution.y == 48);
     CHECK(c.aperture == 0);
-    CHECK(r.scene->whitted.max_depth == 5);
-    CHECK(r.scene->samples_per_pixel == 9);
+    CHECK(r.settings.max_depth == 5);
+    CHECK(r.settings.samples_per_pixel == 9);
     CHECK(r.scene->look.environment.background == Color(0.25F, 0.5F, 1));
 }
 
@@ -41,8 +41,8 @@ TEST_CASE("settings out of range are left out") {
                    "a.sce:5:15: warning: 'max_recursion' is 1000; expected 0 to 999",
                    "a.sce:6:4: warning: expected a whole number for the number of 'nx', found "
                    "'4.5'"});
-    CHECK(r.scene->camera.width == 100);
-    CHECK(r.scene->samples_per_pixel == 0);
+    CHECK(r.settings.resolution.x == 100);
+    CHECK(r.settings.samples_per_pixel == 0);
 }
 
 TEST_CASE("a camera that cannot see is an error at the line that makes it so") {

@@ -43,7 +43,7 @@ TEST_CASE("every real P3F scene is read without a warning, but for the one with 
         const LoadResult r = load_scene(path);
         CAPTURE(path);
         REQUIRE(r.scene);
-        CHECK(insanity(*r.scene) == "");
+        CHECK(insanity(r) == "");
         CHECK(r.scene->geometry.primitives.size() >= 3);
         const bool stray = path.find("dragon_stray_numbers") != path.npos;
         CHECK(r.diagnostics.size() == (stray ? 1 : 0));
@@ -63,12 +63,12 @@ TEST_CASE("every real P3F scene is the same when it is written and read again",
     for (const std::string& path : paths) {
         CAPTURE(path);
         const LoadResult r = load_scene(path);
-        const WrittenScene written = write_p3f(*r.scene, fs::path(path).parent_path());
+        const WrittenScene written = write_p3f(*r.scene, r.settings, fs::path(path).parent_path());
         CHECK(written.lost.empty());
         const LoadResult again = load_scene_text(written.text, path);
         CHECK(again.diagnostics.empty());
         REQUIRE(again.scene);
-        CHECK(difference(*r.scene, *again.scene) == "");
+        CHECK(difference(r, again) == "");
     }
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("every real SCE scene is read without a warning", "[needs_shared_scene
         REQUIRE(r.scene);
         CHECK(r.diagnostics.empty());
         CHECK(r.scene->format == "sce");
-        CHECK(insanity(*r.scene) == "");
+        CHECK(insanity(r) == "");
         CHECK(r.scene->geometry.primitives.size() >= 5);
         CHECK_FALSE(r.scene->look.lights.empty());
     }
@@ -101,7 +101,7 @@ TEST_CASE("every real NFF scene is read without a warning", "[needs_shared_scene
         REQUIRE(r.scene);
         CHECK(r.diagnostics.empty());
         CHECK(r.scene->format == "nff");
-        CHECK(insanity(*r.scene) == "");
+        CHECK(insanity(r) == "");
         for (const auto& [name, expected] : primitives) {
             if (fs::path(path).stem() == name) CHECK(count(r) == expected);
         }
@@ -121,7 +121,7 @@ TEST_CASE("every real PRT scene is read without a warning", "[needs_shared_scene
         REQUIRE(r.scene);
         CHECK(r.diagnostics.empty());
         CHECK(r.scene->format == "prt");
-        CHECK(insanity(*r.scene) == "");
+        CHECK(insanity(r) == "");
         for (const auto& [name, expected] : primitives) {
             if (fs::path(path).stem() == name)
                 CHECK(r.scene->geometry.primitives.size() == expected);
@@ -142,7 +142,7 @@ TEST_CASE("damaged real scenes give a scene or an error", "[needs_shared_scenes]
             if (!damaged.empty())
                 damaged[random.index(damaged.size())] ^= static_cast<char>(1U << random.index(8));
             const LoadResult r = load_scene_text(damaged, path);
-            CHECK((r.scene ? insanity(*r.scene).empty() : !r.diagnostics.empty()));
+            CHECK((r.scene ? insanity(r).empty() : !r.diagnostics.empty()));
         }
     }
 }

@@ -19,12 +19,12 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string text_of(const LoadResult& r) {
-    return write_p3f(*r.scene, "").text;
+    return write_p3f(*r.scene, r.settings, "").text;
 }
 
-std::vector<std::string> lost(const Scene& scene) {
+std::vector<std::string> lost(const LoadResult& r) {
     std::vector<std::string> list;
-    for (const Loss& loss : write_p3f(scene, "").lost) {
+    for (const Loss& loss : write_p3f(*r.scene, r.settings, "").lost) {
         list.push_back(loss.what + " " + std::to_string(loss.count));
     }
     return list;
@@ -34,15 +34,17 @@ std::vector<std::string> lost(const Scene& scene) {
 void check_round_trip(const LoadResult& first, const std::string& path) {
     CAPTURE(path);
     REQUIRE(first.scene);
-    const WrittenScene written = write_p3f(*first.scene, fs::path(path).parent_path());
+    const WrittenScene written =
+        write_p3f(*first.scene, first.settings, fs::path(path).parent_path());
     CHECK(written.lost.empty());
     LoadOptions options;
     options.format = "p3f";
     const LoadResult again = load_scene_text(written.text, path, options);
     CHECK(messages(again).empty());
     REQUIRE(again.scene);
-    CHECK(difference(*first.scene, *again.scene) == "");
-    CHECK(write_p3f(*again.scene, fs::path(path).parent_path()).text == written.text);
+    CHECK(difference(first, again) == "");
+    CHECK(write_p3f(*again.scene, again.settings, fs::path(path).parent_path()).text ==
+          written.text);
 }
 
 /// A number as a file might have it, now and then with all its digits.
@@ -103,7 +105,8 @@ TEST_CASE("objects of all kinds with all their digits are the same when written 
                 numbers(4) + "box" + numbers(6) + "c" + numbers(3) + "1" + numbers(3) + "0\n";
         text += "pp 3" + numbers(18) + "mesh 3 1" + numbers(9) + "1 2 3\np 3" + numbers(9);
         LoadResult r = load_statements(text);
-        check_round_trip({std::move(r.scene), {}}, "a.p3f");
+        r.diagnostics.clear();
+        check_round_trip(r, "a.p3f");
     }
 }
 
@@ -169,7 +172,7 @@ TEST_CASE("a plane is found again by three points, its normal up to a power of t
 TEST_CASE("what P3F cannot say is listed, each kind once") {
     LoadResult r = load_objects("s 0 0 0 1\ns 1 0 0 1\n");
     Scene& s = *r.scene;
-    CHECK(lost(s).empty());
+    CHECK(lost(r).empty());
     s.look.materials.push_back(s.look.materials[0]);
     std::vector<Primitive> primitives = s.geometry.primitives.list();
     primitives[1].material = 1;
@@ -177,9 +180,9 @@ TEST_CASE("what P3F cannot say is listed, each kind once") {
     s.geometry.primitives = PrimitiveRuns(primitives);
     for (Material& m : s.look.materials) m.ambient = Color(0.1F);
     s.look.materials[0].reflection = Color(0.5F);
-    s.whitted.max_depth = 7;
-    s.display_colors = false;
-    CHECK(lost(s) == std::vector<std::string>{"depth of 7 rays, now 5 1", "sRGB curve of a PNG 1",
+    r.settings.max_depth = 7;
+    r.settings.display_colors = false;
+    CHECK(lost(r) == std::vector<std::string>{"depth of 7 rays, now 5 1", "sRGB curve of a PNG 1",
                                               "ambient colour of a material 2",
                                               "highlight of another weight than the mirrored ray 1",
                                               "shape seen from its front only 1"});
@@ -188,13 +191,13 @@ TEST_CASE("what P3F cannot say is listed, each kind once") {
 TEST_CASE("ellipsoids and closed cylinders become polygons on their surface, facing out") {
     const Affine map = translation({1, 2, 3}) * rotation(30, {1, 2, 3}) * scaling({1, -2, 3});
     LoadResult r = load_objects("s 0 0 0 1\n");
-    Scene scene = *r.scene;
+    Scene& scene = *r.scene;
     scene.geometry.primitives = {};
     scene.geometry.add(Ellipsoid(map), 0);
     scene.geometry.add(ClosedCylinder(map), 0);
-    CHECK(lost(scene) ==
+    CHECK(lost(r) ==
           std::vector<std::string>{"ellipsoid, now polygons 1", "closed cylinder, now polygons 1"});
-    const LoadResult read = load_p3f_text(write_p3f(scene, "").text);
+    const LoadResult read = load_p3f_text(write_p3f(scene, r.settings, "").text);
     CHECK(messages(read).empty());
     REQUIRE(read.scene->geometry.primitives.size() == 24 * 48 + 48 + 2);
     const LocalFrame& frame = scene.geometry.all<Ellipsoid>()[0].frame;
@@ -214,12 +217,12 @@ TEST_CASE("ellipsoids and closed cylinders become polygons on their surface, fac
 
 TEST_CASE("a ring becomes flat polygons that face where its normal points") {
     LoadResult r = load_objects("s 0 0 0 1\n");
-    Scene scene = *r.scene;
+    Scene& scene = *r.scene;
     scene.geometry.primitives = {};
     const Ring ring{{1, 2, 3}, {0, -2, 0}, 1, 2};
     scene.geometry.add(ring, 0);
-    CHECK(lost(scene) == std::vector<std::string>{"ring, now polygons 1"});
-    const LoadResult read = load_p3f_text(write_p3f(scene, "").text);
+    CHECK(lost(r) == std::vector<std::string>{"ring, now polygons 1"});
+    const LoadResult read = load_p3f_text(write_p3f(scene, r.settings, "").text);
     CHECK(messages(read).empty());
     REQUIRE(read.scene->geometry.primitives.size() == 48);
     double area = 0;
@@ -240,6 +243,6 @@ TEST_CASE("glass of constant weights becomes Fresnel's, and a Phong highlight Bl
     m.specular = Color(0.5F);
     m.highlight = Highlight::phong;
     const std::string fresnel = "constant weights of mirrored and refracted rays, now Fresnel's 1";
-    CHECK(lost(*r.scene) == std::vector<std::string>{"Phong highlight, now Blinn's 1", fresnel});
+    CHECK(lost(r) == std::vector<std::string>{"Phong highlight, now Blinn's 1", fresnel});
     CHECK(load_p3f_text(text_of(r)).scene->look.materials[0].ior == 1.3);
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "bench/hard_cases/hard_case.h"
+#include "core/intersect/backend_roles.h"
 #include "core/intersect/intersector.h"
 #include "native_accel/backends.h"
 #include "tests/catch.h"
@@ -100,7 +101,7 @@ double hit_share(const Setting& setting) {
     const auto backends = native_backends();
     const bool is_small = setting.scene.geometry.primitives.size() < 100;
     const auto backend = std::find_if(backends.begin(), backends.end(), [&](const Backend& b) {
-        return b.name == (is_small ? "none" : "bvh");
+        return b.name == (is_small ? reference_backend : default_backend);
     });
     const auto intersector = backend->build(setting.scene.geometry);
     int hits = 0;

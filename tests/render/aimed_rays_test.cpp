@@ -81,12 +81,13 @@ TEST_CASE("Every kind of shape is aimed at alike, however many there are of it",
 
 TEST_CASE("Rays at borders come in pairs that are next to each other and see different things",
           "[render]") {
-    const Scene scene = mixed_scene();
-    const auto exact = find_backend("bvh")->build(scene.geometry);
+    const TestScene scene = mixed_scene();
+    const auto exact = find_backend(default_backend)->build(scene.geometry);
     std::vector<Ray> rays;
     std::vector<Vec2> pixels;
     for (int x = 0; x < 48; ++x) pixels.emplace_back(x + 0.5, 18.5);
-    add_rays_at_borders(*exact, CameraRays(scene.camera), pixels, 100, rays);
+    add_rays_at_borders(*exact, CameraRays(scene.camera, scene.settings.resolution), pixels, 100,
+                        rays);
     REQUIRE(rays.size() >= 8);
     for (std::size_t i = 0; i < rays.size(); i += 2) {
         const auto a = exact->closest(rays[i]), b = exact->closest(rays[i + 1]);

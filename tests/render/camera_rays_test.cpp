@@ -9,13 +9,15 @@ using namespace etalon;
 namespace {
 
 Camera looking_down_z() {
-    return {Vec3(0, 0, 5), Vec3(0), Vec3(0, 1, 0), 90, 200, 100, 0, 1};
+    return {Vec3(0, 0, 5), Vec3(0), Vec3(0, 1, 0), 90, 0, 1};
 }
+
+const Imath::V2i size(200, 100);
 
 }  // namespace
 
 TEST_CASE("The vertical field of view spans the full height of the picture", "[render]") {
-    const CameraRays camera(looking_down_z());
+    const CameraRays camera(looking_down_z(), size);
     const Ray top = camera.ray(Vec2(100, 0), Vec2(0.5));
     CHECK(top.direction.y == Approx(std::sqrt(0.5)));
     CHECK(top.direction.z == Approx(-std::sqrt(0.5)));
@@ -27,7 +29,7 @@ TEST_CASE("The vertical field of view spans the full height of the picture", "[r
 TEST_CASE("A stretched picture has its field of view both ways", "[render]") {
     Camera c = looking_down_z();
     c.stretched = true;
-    const CameraRays camera(c);
+    const CameraRays camera(c, size);
     const Ray corner = camera.ray(Vec2(200, 0), Vec2(0.5));
     CHECK(corner.direction.x / -corner.direction.z == Approx(1));
     CHECK(corner.direction.y / -corner.direction.z == Approx(1));
@@ -41,7 +43,7 @@ TEST_CASE("A lens moves the origin and keeps the focus plane sharp", "[render]")
     Camera c = looking_down_z();
     c.aperture = 8;  // pixels; one is 2 * 5 * tan(45 deg) / 100 = 0.1 on the view plane
     c.focal = 2;     // the plane z = 5 - 2 * 5
-    const CameraRays camera(c);
+    const CameraRays camera(c, size);
     const Ray centre = camera.ray(Vec2(30, 70), Vec2(0.5));
     CHECK(centre.origin == c.eye);
     const Vec3 focus = centre.origin + centre.direction * (-10 / centre.direction.z);
@@ -55,8 +57,8 @@ TEST_CASE("A lens moves the origin and keeps the focus plane sharp", "[render]")
 }
 
 TEST_CASE("world_to_ndc takes what a pixel sees to the pixel's place", "[render]") {
-    Camera c{Vec3(3, -2, 5), Vec3(0.5, 1, -1), Vec3(0.2, 1, 0.1), 40, 320, 200, 0, 1};
-    const CameraRays camera(c);
+    Camera c{Vec3(3, -2, 5), Vec3(0.5, 1, -1), Vec3(0.2, 1, 0.1), 40, 0, 1};
+    const CameraRays camera(c, {320, 200});
     const Ray ray = camera.ray(Vec2(80, 50), Vec2(0.5));
     Vec3 ndc;
     camera.world_to_ndc().multVecMatrix(ray.origin + 7.0 * ray.direction, ndc);
@@ -72,7 +74,7 @@ TEST_CASE("world_to_ndc takes what a pixel sees to the pixel's place", "[render]
 TEST_CASE("An up vector along the view direction still gives a frame", "[render]") {
     Camera c = looking_down_z();
     c.up = Vec3(0, 0, 1);
-    const Ray ray = CameraRays(c).ray(Vec2(10, 10), Vec2(0.5));
+    const Ray ray = CameraRays(c, size).ray(Vec2(10, 10), Vec2(0.5));
     CHECK(is_finite(ray.direction));
     CHECK(ray.direction.length() == Approx(1));
 }

@@ -11,18 +11,18 @@ using namespace etalon::test;
 
 namespace {
 
-CentreHits hits_of(const Scene& scene, const RenderOptions& options) {
-    const auto intersector = find_backend("bvh")->build(scene.geometry);
-    return centre_hits(scene, *intersector, options).value();
+CentreHits hits_of(const TestScene& scene) {
+    const auto intersector = find_backend(default_backend)->build(scene.geometry);
+    return centre_hits(scene, *intersector, scene.settings).value();
 }
 
-SurfaceMeans means_of(const Scene& scene, const RenderOptions& options) {
-    const auto intersector = find_backend("bvh")->build(scene.geometry);
-    return surface_means(scene, *intersector, options).value();
+SurfaceMeans means_of(const TestScene& scene) {
+    const auto intersector = find_backend(default_backend)->build(scene.geometry);
+    return surface_means(scene, *intersector, scene.settings).value();
 }
 
 /// Materials that are nothing but their albedo, and before a black background.
-Scene without_light(Scene scene) {
+TestScene without_light(TestScene scene) {
     for (Material& m : scene.look.materials) m = matte(m.diffuse);
     scene.look.lights.clear();
     scene.look.environment.background = Color(0.0F);
@@ -30,7 +30,7 @@ Scene without_light(Scene scene) {
 }
 
 /// The same where all surfaces glow in their albedo: its picture is a picture of that.
-Scene glowing(Scene scene) {
+TestScene glowing(TestScene scene) {
     for (Material& m : scene.look.materials) std::swap(m.ambient, m.diffuse);
     return scene;
 }
@@ -38,11 +38,11 @@ Scene glowing(Scene scene) {
 }  // namespace
 
 TEST_CASE("A centre hit is where arithmetic has it; a miss is at infinity", "[features]") {
-    Scene scene = empty_scene(3, 3);
+    TestScene scene = empty_scene(3, 3);
     scene.look.materials = {matte(Color(0.5F))};
     scene.geometry.add(Plane{Vec3(0, -100, 0), Vec3(0, 1, 0)}, 0);
     scene.geometry.add(Sphere{Vec3(0), 1}, 0);
-    const CentreHits hits = hits_of(scene, whole(scene));
+    const CentreHits hits = hits_of(scene);
     REQUIRE(hits.depths.size() == 9);
     CHECK(hits.positions[4] == Vec3f(0, 0, 1));
     CHECK(hits.depths[4] == 4.0F);
@@ -54,13 +54,14 @@ TEST_CASE("A centre hit is where arithmetic has it; a miss is at infinity", "[fe
 }
 
 TEST_CASE("Depth is along the axis of view, the position on the pixel's ray there", "[features]") {
-    const Scene scene = mixed_scene();
-    const CentreHits hits = hits_of(scene, whole(scene));
-    const CameraRays camera(scene.camera);
+    const TestScene scene = mixed_scene();
+    const CentreHits hits = hits_of(scene);
+    const Imath::V2i& size = scene.settings.resolution;
+    const CameraRays camera(scene.camera, size);
     int found = 0;
-    for (int i = 0; i < scene.camera.width * scene.camera.height; ++i) {
+    for (int i = 0; i < size.x * size.y; ++i) {
         if (hits.primitives[i] == no_index) continue;
-        const Vec2 pixel(i % scene.camera.width + 0.5, i / scene.camera.width + 0.5);
+        const Vec2 pixel(i % size.x + 0.5, i / size.x + 0.5);
         const Ray ray = camera.ray(pixel, Vec2(0.5));
         const Vec3 expected = ray.origin + hits.depths[i] / -ray.direction.z * ray.direction;
         CHECK((Vec3(hits.positions[i]) - expected).length() < 1e-5 * hits.depths[i]);
@@ -70,9 +71,9 @@ TEST_CASE("Depth is along the axis of view, the position on the pixel's ray ther
 }
 
 TEST_CASE("The cost of the backend none is every primitive for every ray", "[features]") {
-    const Scene scene = mixed_scene(8, 6);
-    const auto intersector = find_backend("none")->build(scene.geometry);
-    const CentreHits hits = centre_hits(scene, *intersector, whole(scene)).value();
+    const TestScene scene = mixed_scene(8, 6);
+    const auto intersector = find_backend(reference_backend)->build(scene.geometry);
+    const CentreHits hits = centre_hits(scene, *intersector, scene.settings).value();
     for (const TraversalCost& cost : hits.costs) {
         CHECK(cost.primitive_tests == scene.geometry.primitives.size());
         CHECK(cost.box_tests == 0);
@@ -80,64 +81,63 @@ TEST_CASE("The cost of the backend none is every primitive for every ray", "[fea
 }
 
 TEST_CASE("Albedo is what the material sends on by all its ways, at most all", "[features]") {
-    Scene scene = empty_scene(1, 1);
+    TestScene scene = empty_scene(1, 1);
     Material m = matte(Color(0.5F, 0.25F, 0.0F));
     m.reflection = Color(0.25F, 0.0F, 0.0F);
     m.transmission = Color(0.5F, 0.25F, 0.0F);
     m.ambient = m.specular = Color(9.0F);
     scene.look.materials = {m};
     scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
-    CHECK(means_of(scene, whole(scene)).albedo.pixels()[0] == Color(1.0F, 0.5F, 0.0F));
+    CHECK(means_of(scene).albedo.pixels()[0] == Color(1.0F, 0.5F, 0.0F));
 }
 
 TEST_CASE("Normals are those for shading and face who looks", "[features]") {
-    Scene scene = empty_scene(1, 1);
+    TestScene scene = empty_scene(1, 1);
     scene.look.materials = {matte(Color(1.0F))};
     scene.geometry.vertices = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 2, 0)};
     const Vec3 leaning = Vec3(-0.6, 0, 0.8);
     scene.geometry.normals = {leaning, leaning, leaning};
     scene.geometry.add(Triangle{{0, 1, 2}, 0}, 0);
-    const Vec3 front(means_of(scene, whole(scene)).normal.pixels()[0]);
+    const Vec3 front(means_of(scene).normal.pixels()[0]);
     CHECK((front - leaning).length() < 1e-6);
     scene.camera.eye.z = -5;
-    const Vec3 back(means_of(scene, whole(scene)).normal.pixels()[0]);
+    const Vec3 back(means_of(scene).normal.pixels()[0]);
     CHECK((back + leaning).length() < 1e-6);
 }
 
 TEST_CASE("Means are over the picture's own samples, the first 16", "[features]") {
-    Scene scene = without_light(mixed_scene());
+    TestScene scene = without_light(mixed_scene());
     const auto [samples, pictured] = GENERATE(std::pair(5, 5), std::pair(40, 16));
-    scene.samples_per_pixel = pictured;
+    scene.settings.samples_per_pixel = pictured;
     const std::vector<Color> expected = picture(glowing(scene));
-    scene.samples_per_pixel = samples;
-    CHECK(means_of(scene, whole(scene)).albedo.pixels() == expected);
+    scene.settings.samples_per_pixel = samples;
+    CHECK(means_of(scene).albedo.pixels() == expected);
 }
 
 TEST_CASE("Means follow a picture without samples, wherever its rays are", "[features]") {
-    Scene scene = without_light(mixed_scene());
-    scene.samples_per_pixel = 0;
-    scene.camera.pixel_rays =
+    TestScene scene = without_light(mixed_scene());
+    scene.settings.samples_per_pixel = 0;
+    scene.settings.pixel_rays =
         GENERATE(PixelRays::centre, PixelRays::upper_left, PixelRays::shared_corners);
-    const SurfaceMeans means = means_of(scene, whole(scene));
+    const SurfaceMeans means = means_of(scene);
     CHECK(means.albedo.pixels() == picture(glowing(scene)));
-    CHECK(means.normal.window() == whole(scene).window);
+    CHECK(means.normal.window() == scene.settings.window());
 }
 
 TEST_CASE("A crop's features are those of the whole, on any number of threads", "[features]") {
-    const Scene scene = mixed_scene();
-    RenderOptions options = whole(scene);
-    const SurfaceMeans means = means_of(scene, options);
-    const CentreHits hits = hits_of(scene, options);
+    TestScene scene = mixed_scene();
+    const SurfaceMeans means = means_of(scene);
+    const CentreHits hits = hits_of(scene);
     const std::vector<Color> normals = means.normal.pixels();
-    options.window = {{7, 5}, {30, 30}};
+    scene.settings.crop = {{7, 5}, {30, 30}};
     for (const int threads : {1, 2}) {
         const ThreadLimit limit(threads);
-        const std::vector<Color> part = means_of(scene, options).normal.pixels();
-        const CentreHits part_hits = hits_of(scene, options);
+        const std::vector<Color> part = means_of(scene).normal.pixels();
+        const CentreHits part_hits = hits_of(scene);
         std::size_t i = 0;
         for (int y = 5; y <= 30; ++y) {
             for (int x = 7; x <= 30; ++x, ++i) {
-                const int j = y * scene.camera.width + x;
+                const int j = y * scene.settings.resolution.x + x;
                 REQUIRE(part[i] == normals[j]);
                 REQUIRE(part_hits.positions[i] == hits.positions[j]);
                 REQUIRE(part_hits.costs[i].box_tests == hits.costs[j].box_tests);
@@ -148,11 +148,9 @@ TEST_CASE("A crop's features are those of the whole, on any number of threads", 
 }
 
 TEST_CASE("A stop leaves no features rather than parts of them", "[features]") {
-    const Scene scene = mixed_scene();
+    const TestScene scene = mixed_scene();
     const std::atomic<bool> stop = true;
-    RenderOptions options = whole(scene);
-    options.stop = &stop;
-    const auto intersector = find_backend("bvh")->build(scene.geometry);
-    CHECK_FALSE(surface_means(scene, *intersector, options));
-    CHECK_FALSE(centre_hits(scene, *intersector, options));
+    const auto intersector = find_backend(default_backend)->build(scene.geometry);
+    CHECK_FALSE(surface_means(scene, *intersector, scene.settings, &stop));
+    CHECK_FALSE(centre_hits(scene, *intersector, scene.settings, &stop));
 }

@@ -11,11 +11,11 @@ using namespace etalon::test;
 
 namespace {
 
-Scene scene_of(const std::string& format, const std::string& text) {
+TestScene scene_of(const std::string& format, const std::string& text) {
     LoadResult r = load_text(format, text);
     CHECK(messages(r).empty());
     REQUIRE(r.scene);
-    return std::move(*r.scene);
+    return {std::move(*r.scene), r.settings};
 }
 
 /// What an eye at (x, y, 5) sees that looks down z, before a background of (0.25, 0.5, 1).

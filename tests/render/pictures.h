@@ -2,35 +2,35 @@
 #pragma once
 
 #include "app/backends.h"
+#include "core/integrators/integrators.h"
 #include "core/render/renderer.h"
-#include "core/scene/scene.h"
+#include "tests/render/test_scenes.h"
 
 namespace etalon::test {
 
-inline Rendering render_with(const Scene& scene, const Backend& backend, RenderOptions options) {
-    std::vector<std::string> problems;
-    const EnvironmentMap environment(scene.look.environment, problems);
+inline Rendering render_with(const Scene& scene, const Backend& backend,
+                             const RenderSettings& settings, const RunControl& control = {}) {
     const auto intersector = backend.build(scene.geometry);
-    return render(scene, *intersector, environment, options);
+    std::vector<std::string> problems;
+    const auto integrator =
+        find_integrator(settings.integrator)->make(scene, *intersector, settings, problems);
+    return render(scene.camera, *integrator, settings, control);
 }
 
-inline RenderOptions whole(const Scene& scene) {
-    RenderOptions options;
-    options.samples_per_pixel = scene.samples_per_pixel;
-    options.window = {{0, 0}, {scene.camera.width - 1, scene.camera.height - 1}};
-    return options;
+inline Rendering rendered(const TestScene& scene, std::string_view backend = default_backend) {
+    return render_with(scene, *find_backend(backend), scene.settings);
 }
 
-inline std::vector<Color> picture(const Scene& scene, const std::string& backend = "bvh") {
-    return render_with(scene, *find_backend(backend), whole(scene)).film.pixels();
+inline std::vector<Color> picture(const TestScene& scene,
+                                  std::string_view backend = default_backend) {
+    return rendered(scene, backend).film.pixels();
 }
 
 /// What the middle of a one-pixel picture sees.
-inline Color centre(Scene scene, int max_depth = 5) {
-    scene.camera.width = scene.camera.height = 1;
-    RenderOptions options = whole(scene);
-    options.max_depth = max_depth;
-    return render_with(scene, *find_backend("none"), options).film.pixels()[0];
+inline Color centre(TestScene scene, int max_depth = 5) {
+    scene.settings.resolution = {1, 1};
+    scene.settings.max_depth = max_depth;
+    return picture(scene, reference_backend)[0];
 }
 
 }  // namespace etalon::test

@@ -1,7 +1,7 @@
 // Pictures without samples: where their rays go, and the counts of the SPD benchmark.
 #include "core/formats/load.h"
+#include "core/integrators/whitted/whitted.h"
 #include "core/render/camera_rays.h"
-#include "core/render/whitted.h"
 #include "tests/catch.h"
 #include "tests/formats/shared_scenes.h"
 #include "tests/render/pictures.h"
@@ -12,30 +12,30 @@ using namespace etalon::test;
 
 namespace {
 
-Scene scene_with(PixelRays rays) {
-    Scene scene = mixed_scene(12, 9);
-    scene.samples_per_pixel = 0;
-    scene.camera.pixel_rays = rays;
+TestScene scene_with(PixelRays rays) {
+    TestScene scene = mixed_scene(12, 9);
+    scene.settings.samples_per_pixel = 0;
+    scene.settings.pixel_rays = rays;
     return scene;
 }
 
 /// What a ray through the point `pixel` of the picture sees.
-Color seen_through(const Scene& scene, const Vec2& pixel) {
+Color seen_through(const TestScene& scene, const Vec2& pixel) {
+    const auto intersector = find_backend(reference_backend)->build(scene.geometry);
     std::vector<std::string> problems;
-    const EnvironmentMap environment(scene.look.environment, problems);
-    const auto intersector = find_backend("none")->build(scene.geometry);
     RayCounts counts;
-    return Whitted(scene, *intersector, environment, 0, 5)
-        .radiance(CameraRays(scene.camera).ray(pixel, Vec2(0.5)), SampleSource(0, 0, 0, 0), counts);
+    return Whitted(scene, *intersector, scene.settings, problems)
+        .radiance(CameraRays(scene.camera, scene.settings.resolution).ray(pixel, Vec2(0.5)),
+                  SampleSource(0, 0, 0, 0), counts);
 }
 
-RayCounts counts_of(const Scene& scene) {
-    return render_with(scene, *find_backend("bvh"), whole(scene)).counts;
+RayCounts counts_of(const TestScene& scene) {
+    return rendered(scene).counts;
 }
 
 /// A ball that lets half of the light through and mirrors nothing.
-Scene clear_ball() {
-    Scene scene = empty_scene();
+TestScene clear_ball() {
+    TestScene scene = empty_scene();
     Material clear;
     clear.transmission = Color(0.5F);
     clear.ior = 1.25;
@@ -47,8 +47,8 @@ Scene clear_ball() {
 }  // namespace
 
 TEST_CASE("the one ray of a pixel goes through its centre or its upper left corner", "[render]") {
-    const Scene centres = scene_with(PixelRays::centre),
-                corners = scene_with(PixelRays::upper_left);
+    const TestScene centres = scene_with(PixelRays::centre),
+                    corners = scene_with(PixelRays::upper_left);
     const std::vector<Color> a = picture(centres), b = picture(corners);
     for (const auto& [x, y] : {std::pair(0, 0), {5, 4}, {11, 8}, {3, 7}}) {
         CHECK(a[y * 12 + x] == seen_through(centres, {x + 0.5, y + 0.5}));
@@ -57,7 +57,7 @@ TEST_CASE("the one ray of a pixel goes through its centre or its upper left corn
 }
 
 TEST_CASE("a pixel of shared corners is the mean of its four", "[render]") {
-    const Scene scene = scene_with(PixelRays::shared_corners);
+    const TestScene scene = scene_with(PixelRays::shared_corners);
     const std::vector<Color> pixels = picture(scene);
     REQUIRE(pixels.size() == 12 * 9);
     for (const auto& [x, y] : {std::pair(0, 0), {5, 4}, {11, 8}, {3, 7}}) {
@@ -75,22 +75,21 @@ TEST_CASE("a shared corner is traced once", "[render]") {
 }
 
 TEST_CASE("a crop of shared corners holds the same pixels as the whole", "[render]") {
-    const Scene scene = scene_with(PixelRays::shared_corners);
+    TestScene scene = scene_with(PixelRays::shared_corners);
     const std::vector<Color> all = picture(scene);
-    RenderOptions options = whole(scene);
-    options.window = {{7, 2}, {11, 6}};
-    const std::vector<Color> part = render_with(scene, *find_backend("bvh"), options).film.pixels();
+    scene.settings.crop = {{7, 2}, {11, 6}};
+    const std::vector<Color> part = picture(scene);
     REQUIRE(part.size() == 5 * 5);
     for (int i = 0; i < 25; ++i) CHECK(part[i] == all[(2 + i / 5) * 12 + 7 + i % 5]);
 }
 
 TEST_CASE("where all glass mirrors, a mirrored ray of no weight is counted", "[render]") {
-    Scene scene = clear_ball();
+    TestScene scene = clear_ball();
     const RayCounts without = counts_of(scene);
     const std::vector<Color> pixels = picture(scene);
     CHECK(without.reflected == 0);
     CHECK(without.refracted > 0);
-    scene.whitted.mirror_all_glass = true;
+    scene.settings.whitted.mirror_all_glass = true;
     const RayCounts with = counts_of(scene);
     CHECK(with.reflected >= with.refracted);
     CHECK(with.refracted > without.refracted);  // those mirrored inside come out, too
@@ -98,10 +97,10 @@ TEST_CASE("where all glass mirrors, a mirrored ray of no weight is counted", "[r
 }
 
 TEST_CASE("eyes' rays made to fit keep their hue", "[render]") {
-    Scene scene = empty_scene();
+    TestScene scene = empty_scene();
     scene.look.environment.background = Color(0.5F, 1.0F, 4.0F);
     CHECK(centre(scene) == Color(0.5F, 1.0F, 4.0F));
-    scene.whitted.fit_eye_rays = true;
+    scene.settings.whitted.fit_eye_rays = true;
     CHECK(centre(scene) == Color(0.125F, 0.25F, 1.0F));
     scene.look.environment.background = Color(0.5F, 0.25F, 0.75F);
     CHECK(centre(scene) == Color(0.5F, 0.25F, 0.75F));
@@ -124,9 +123,10 @@ TEST_CASE("the real SPD scenes take the published numbers of rays",
     for (const Published& p : table) {
         const std::string path = shared_scene("nff", p.name);
         SKIP_UNLESS(std::filesystem::exists(path), path << " does not exist");
-        Scene scene = *load_scene(path).scene;
-        scene.camera.pixel_rays = PixelRays::shared_corners;
-        scene.whitted.mirror_all_glass = true;
+        LoadResult loaded = load_scene(path);
+        TestScene scene{std::move(*loaded.scene), loaded.settings};
+        scene.settings.pixel_rays = PixelRays::shared_corners;
+        scene.settings.whitted.mirror_all_glass = true;
         const RayCounts counts = counts_of(scene);
         CAPTURE(path, counts.shadow, counts.reflected, counts.refracted);
         CHECK(counts.camera == 513 * 513);

@@ -10,35 +10,40 @@
 using namespace etalon;
 using namespace etalon::test;
 
-TEST_CASE("Every exact backend and any thread count give the same bits", "[render]") {
-    const Scene scene = mixed_scene();
-    const Rendering reference = render_with(scene, *find_backend("none"), whole(scene));
+TEST_CASE("Every exact backend and any thread count give the same bits by every integrator",
+          "[render]") {
+    TestScene scene = mixed_scene();
+    scene.settings.integrator = GENERATE(from_range(integrator_names()));
+    CAPTURE(scene.settings.integrator);
+    const Rendering reference = rendered(scene, reference_backend);
     for (const Backend& backend : all_backends()) {
         if (!backend.exact) continue;
         for (const int threads : {1, 2}) {
             INFO(backend.name << " with " << threads << " threads");
             const ThreadLimit limit(threads);
-            const Rendering other = render_with(scene, backend, whole(scene));
+            const Rendering other = rendered(scene, backend.name);
             CHECK(other.film.pixels() == reference.film.pixels());
             CHECK(other.counts == reference.counts);
         }
     }
 }
 
-TEST_CASE("A scene scaled by a power of two gives the same bits", "[render]") {
-    const Scene scene = mixed_scene();
+TEST_CASE("A scene scaled by a power of two gives the same bits by every integrator", "[render]") {
+    TestScene scene = mixed_scene();
+    scene.settings.integrator = GENERATE(from_range(integrator_names()));
+    CAPTURE(scene.settings.integrator);
     for (const double factor : {0x1p20, 0x1p-20}) {
-        const Scene other = transformed(scene, factor);
+        const TestScene other = transformed(scene, factor);
         for (const Backend& backend : all_backends()) {
             if (!backend.exact) continue;
             INFO(backend.name << " scaled by " << factor);
-            CHECK(picture(other, std::string(backend.name)) == picture(scene));
+            CHECK(picture(other, backend.name) == picture(scene));
         }
     }
 }
 
 TEST_CASE("A scene scaled by any power of two from 2^-20 to 2^20 gives the same bits", "[render]") {
-    const Scene scene = mixed_scene(24, 18);
+    const TestScene scene = mixed_scene(24, 18);
     for (int k = -20; k <= 20; ++k) {
         INFO("scaled by 2^" << k);
         CHECK(picture(transformed(scene, std::ldexp(1.0, k))) == picture(scene));
@@ -49,8 +54,8 @@ TEST_CASE("A scene scaled by any power of two from 2^-20 to 2^20 gives the same 
 // are rounded to 2^-33 of the scene.
 TEST_CASE("A scene moved by 2^20 of its extents gives all but the same picture", "[render]") {
     const Vec3 far_away(0x1p20, -0x1p20, 0x1p20);
-    const Scene moved = transformed(mixed_scene(), 1, far_away);
-    const Scene scene = transformed(moved, 1, -far_away);
+    const TestScene moved = transformed(mixed_scene(), 1, far_away);
+    const TestScene scene = transformed(moved, 1, -far_away);
     const std::vector<Color> here = picture(scene), there = picture(moved);
     int different = 0;
     double sum = 0;
@@ -67,38 +72,56 @@ TEST_CASE("A scene moved by 2^20 of its extents gives all but the same picture",
 }
 
 TEST_CASE("A crop holds the same pixels as the whole", "[render]") {
-    const Scene scene = mixed_scene();
+    TestScene scene = mixed_scene();
     const std::vector<Color> all = picture(scene);
-    RenderOptions options = whole(scene);
-    options.window = {{7, 5}, {20, 30}};
-    const std::vector<Color> part = render_with(scene, *find_backend("bvh"), options).film.pixels();
+    scene.settings.crop = {{7, 5}, {20, 30}};
+    const std::vector<Color> part = picture(scene);
     std::size_t i = 0;
     for (int y = 5; y <= 30; ++y) {
-        for (int x = 7; x <= 20; ++x) CHECK(part[i++] == all[y * scene.camera.width + x]);
+        for (int x = 7; x <= 20; ++x) CHECK(part[i++] == all[y * scene.settings.resolution.x + x]);
     }
 }
 
+TEST_CASE("An integrator is found by its name, no two have the same", "[render]") {
+    CHECK(find_integrator("path") == nullptr);
+    for (const IntegratorType& type : all_integrators()) {
+        CHECK(find_integrator(type.name) == &type);
+        CHECK_FALSE(type.summary.empty());
+    }
+    CHECK(find_integrator(RenderSettings().integrator) != nullptr);
+}
+
+TEST_CASE("Every part is played by a backend that can", "[render]") {
+    for (const char* name : {default_backend, reference_backend, second_backend}) {
+        REQUIRE(find_backend(name) != nullptr);
+        CHECK(find_backend(name)->exact);
+    }
+    CHECK(default_backend != std::string(second_backend));
+    REQUIRE(find_backend(baseline_backend) != nullptr);
+    CHECK_FALSE(find_backend(baseline_backend)->exact);
+    CHECK(&chosen_backend(RenderSettings()) == find_backend(default_backend));
+}
+
 TEST_CASE("Another seed gives another picture of the same scene", "[render]") {
-    const Scene scene = mixed_scene();
-    RenderOptions options = whole(scene);
-    options.seed = 1;
-    const auto other = render_with(scene, *find_backend("bvh"), options).film.pixels();
-    CHECK(other != picture(scene));
+    TestScene scene = mixed_scene();
+    const std::vector<Color> first = picture(scene);
+    scene.settings.seed = 1;
+    CHECK(picture(scene) != first);
 }
 
 TEST_CASE("A stop before the start renders nothing and says so", "[render]") {
-    const Scene scene = mixed_scene();
+    const TestScene scene = mixed_scene();
     const std::atomic<bool> stop = true;
-    RenderOptions options = whole(scene);
-    options.stop = &stop;
-    const Rendering r = render_with(scene, *find_backend("bvh"), options);
+    RunControl control;
+    control.stop = &stop;
+    const Rendering r = render_with(scene, *find_backend(default_backend), scene.settings, control);
     CHECK_FALSE(r.complete);
     CHECK(r.samples == 0);
     CHECK(r.counts.camera == 0);
 }
 
 TEST_CASE("A matte surface sends back diffuse times cosine of each light", "[shading]") {
-    Scene scene = empty_scene();
+    TestScene scene = empty_scene();
     scene.look.materials = {matte(Color(0.5F))};
     scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, -1)}, 0);  // two-sided: seen from its back
     scene.look.lights = {PointLight{Vec3(3, 0, 4), Color(1.0F, 0.5F, 0.0F)}};
@@ -111,7 +134,7 @@ TEST_CASE("A matte surface sends back diffuse times cosine of each light", "[sha
 }
 
 TEST_CASE("A light that lies on a surface is not hidden by it", "[shading]") {
-    Scene scene = empty_scene();
+    TestScene scene = empty_scene();
     scene.look.materials = {matte(Color(1.0F))};
     scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
     scene.geometry.add(Plane{Vec3(0, 0, 10), Vec3(0, 0, 1)}, 0);  // behind the camera
@@ -120,7 +143,7 @@ TEST_CASE("A light that lies on a surface is not hidden by it", "[shading]") {
 }
 
 TEST_CASE("A highlight is specular times (N.H)^shininess", "[shading]") {
-    Scene scene = empty_scene();
+    TestScene scene = empty_scene();
     Material shiny;
     shiny.specular = Color(0.5F);
     shiny.shininess = 10;
@@ -133,7 +156,7 @@ TEST_CASE("A highlight is specular times (N.H)^shininess", "[shading]") {
 
 TEST_CASE("A corner normal that leans away from the eye does not turn the light around",
           "[shading]") {
-    Scene scene = empty_scene();
+    TestScene scene = empty_scene();
     scene.look.materials = {matte(Color(1.0F))};
     scene.geometry.vertices = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 2, 0)};
     const Vec3 leaning = Vec3(-0.95, 0, 0.1).normalized();
@@ -145,7 +168,7 @@ TEST_CASE("A corner normal that leans away from the eye does not turn the light 
 }
 
 TEST_CASE("A mirror shows what is behind the eye, as deep as allowed", "[shading]") {
-    Scene scene = empty_scene();
+    TestScene scene = empty_scene();
     Material mirror;
     mirror.reflection = Color(0.5F);
     scene.look.materials = {mirror};
@@ -158,7 +181,7 @@ TEST_CASE("A mirror shows what is behind the eye, as deep as allowed", "[shading
 }
 
 TEST_CASE("Glass of index 1 is not there; absorption goes with the distance inside", "[shading]") {
-    Scene scene = empty_scene();
+    TestScene scene = empty_scene();
     scene.look.materials = {glass(1)};
     scene.geometry.add(Sphere{Vec3(0), 1.5}, 0);
     CHECK(centre(scene).z == Approx(1));
@@ -169,7 +192,7 @@ TEST_CASE("Glass of index 1 is not there; absorption goes with the distance insi
 }
 
 TEST_CASE("A glass plate in an even environment neither takes nor gives light", "[shading]") {
-    Scene scene = empty_scene();
+    TestScene scene = empty_scene();
     scene.look.environment.background = Color(1.0F);
     scene.look.materials = {glass(1.5)};
     scene.geometry.add(Box{Vec3(-9, -9, -1), Vec3(9, 9, 1)}, 0);
@@ -179,19 +202,19 @@ TEST_CASE("A glass plate in an even environment neither takes nor gives light", 
 }
 
 TEST_CASE("Clamping each ray keeps highlights from glowing through a mirror", "[shading]") {
-    Scene scene = empty_scene();
+    TestScene scene = empty_scene();
     scene.look.environment.background = Color(4.0F);
     Material mirror;
     mirror.reflection = Color(0.5F);
     scene.look.materials = {mirror};
     scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
     CHECK(centre(scene).x == Approx(2));
-    scene.whitted.clamp_each_ray = true;
+    scene.settings.whitted.clamp_each_ray = true;
     CHECK(centre(scene).x == Approx(0.5));
 }
 
 TEST_CASE("An ambient colour is seen without any light", "[render]") {
-    Scene scene = empty_scene();
+    TestScene scene = empty_scene();
     Material glowing;
     glowing.ambient = Color(0.25F, 0.5F, 0.75F);
     scene.look.materials = {glowing};
@@ -200,7 +223,7 @@ TEST_CASE("An ambient colour is seen without any light", "[render]") {
 }
 
 TEST_CASE("A highlight is a power of Blinn's or of Phong's angle", "[render]") {
-    Scene scene = empty_scene();
+    TestScene scene = empty_scene();
     Material shiny;
     shiny.specular = Color(1.0F);
     shiny.shininess = 3;

@@ -14,25 +14,26 @@ using namespace etalon::test;
 
 namespace {
 
-Rendering rendered(const Scene& scene, const RenderOptions& options) {
-    return render_with(scene, *find_backend("bvh"), options);
+Rendering rendered(const Scene& scene, const RenderSettings& settings,
+                   const RunControl& control = {}) {
+    return render_with(scene, *find_backend(default_backend), settings, control);
 }
 
-RenderOptions samples(const Scene& scene, int count, std::uint32_t seed = 0) {
-    RenderOptions options = whole(scene);
-    options.samples_per_pixel = count;
-    options.seed = seed;
-    return options;
+RenderSettings samples(const TestScene& scene, int count, std::uint32_t seed = 0) {
+    RenderSettings settings = scene.settings;
+    settings.samples_per_pixel = count;
+    settings.seed = seed;
+    return settings;
 }
 
-RenderOptions up_to_error(const Scene& scene, double error, std::uint32_t seed = 0) {
-    RenderOptions options = samples(scene, 1 << 14, seed);
-    options.error = error;
-    return options;
+RenderSettings up_to_error(const TestScene& scene, double error, std::uint32_t seed = 0) {
+    RenderSettings settings = samples(scene, 1 << 14, seed);
+    settings.target_error = error;
+    return settings;
 }
 
-const Scene& scene() {
-    static const Scene mixed = mixed_scene(96, 72);
+const TestScene& scene() {
+    static const TestScene mixed = mixed_scene(96, 72);
     return mixed;
 }
 
@@ -84,12 +85,12 @@ TEST_CASE("An adaptive picture has the same mean as a uniform one", "[rounds]") 
 }
 
 TEST_CASE("An adaptive picture is the same for every backend and number of threads", "[rounds]") {
-    const RenderOptions options = up_to_error(scene(), 5e-3);
-    const Rendering reference = rendered(scene(), options);
+    const RenderSettings settings = up_to_error(scene(), 5e-3);
+    const Rendering reference = rendered(scene(), settings);
     for (const char* backend : {"grid", "embree", "embree-user"}) {
         for (const int threads : {1, 2}) {
             const ThreadLimit limit(threads);
-            const Rendering other = render_with(scene(), *find_backend(backend), options);
+            const Rendering other = render_with(scene(), *find_backend(backend), settings);
             CHECK(other.film.counts() == reference.film.counts());
             CHECK(other.film.pixels() == reference.film.pixels());
         }
@@ -97,9 +98,9 @@ TEST_CASE("An adaptive picture is the same for every backend and number of threa
 }
 
 TEST_CASE("No pixel has more samples than allowed, nor a sixty-fourth of another's", "[rounds]") {
-    RenderOptions options = up_to_error(scene(), 1e-12);
-    options.samples_per_pixel = 256;
-    const Rendering r = rendered(scene(), options);
+    RenderSettings settings = up_to_error(scene(), 1e-12);
+    settings.samples_per_pixel = 256;
+    const Rendering r = rendered(scene(), settings);
     const auto [least, most] = std::minmax_element(r.film.counts().begin(), r.film.counts().end());
     CHECK(*most == 256);
     CHECK(*least > 256 / 64);
@@ -107,43 +108,47 @@ TEST_CASE("No pixel has more samples than allowed, nor a sixty-fourth of another
 }
 
 TEST_CASE("One pixel, and one sample at most, are pictures too", "[rounds]") {
-    Scene small = mixed_scene(1, 1);
+    const TestScene small = mixed_scene(1, 1);
     const Rendering r = rendered(small, up_to_error(small, 1e-4));
     CHECK(r.complete);
     CHECK(r.film.counts()[0] >= 2);
-    RenderOptions single = up_to_error(scene(), 1e-4);
+    RenderSettings single = up_to_error(scene(), 1e-4);
     single.samples_per_pixel = 1;
-    CHECK(rendered(scene(), single).film.total_count() == scene().camera.width * 72U);
+    CHECK(rendered(scene(), single).film.total_count() == scene().settings.resolution.x * 72U);
 }
 
 TEST_CASE("Every round of a picture is shown, whole", "[rounds]") {
-    RenderOptions options = samples(scene(), 6);
+    const RenderSettings settings = samples(scene(), 6);
     std::vector<std::uint32_t> counts;
-    options.after_round = [&](const RenderedRound& round) {
+    RunControl control;
+    control.after_round = [&](const RenderedRound& round) {
         const auto& all = round.film.counts();
         CHECK(*std::min_element(all.begin(), all.end()) ==
               *std::max_element(all.begin(), all.end()));
         CHECK(round.expected_error == 0);
         counts.push_back(all[0]);
     };
-    rendered(scene(), options);
+    rendered(scene(), settings, control);
     CHECK(counts == std::vector<std::uint32_t>{1, 2, 4, 6});
 }
 
 TEST_CASE("A picture is over when its time is", "[rounds]") {
     clock_reads = 0;
-    RenderOptions options = samples(scene(), 1 << 20);
-    options.deadline = Deadline(2000, second_per_read);
-    const Rendering r = rendered(scene(), options);
+    const RenderSettings settings = samples(scene(), 1 << 20);
+    RunControl control;
+    control.deadline = Deadline(2000, second_per_read);
+    const Rendering r = rendered(scene(), settings, control);
     CHECK(r.samples >= 4);  // the clock is read some 500 times a round
     CHECK(r.samples < 2000);
 }
 
 TEST_CASE("However short the time is, every pixel has a sample", "[rounds]") {
     for (const double error : {0.0, 1e-4}) {
-        RenderOptions options = up_to_error(scene(), error);
-        options.deadline = Deadline(1, second_per_read);
-        const std::vector<std::uint32_t> counts = rendered(scene(), options).film.counts();
+        const RenderSettings settings = up_to_error(scene(), error);
+        RunControl control;
+        control.deadline = Deadline(1, second_per_read);
+        const std::vector<std::uint32_t> counts =
+            rendered(scene(), settings, control).film.counts();
         CHECK(*std::min_element(counts.begin(), counts.end()) == 1);
         CHECK(*std::max_element(counts.begin(), counts.end()) == 1);
     }
@@ -151,15 +156,16 @@ TEST_CASE("However short the time is, every pixel has a sample", "[rounds]") {
 
 TEST_CASE("What there is of a round that was stopped is shown, once", "[rounds]") {
     std::atomic<bool> stop = false;
-    RenderOptions options = samples(scene(), 64);
-    options.stop = &stop;
-    options.progress = [&](double) { stop = true; };
+    const RenderSettings settings = samples(scene(), 64);
+    RunControl control;
+    control.stop = &stop;
+    control.progress = [&](double) { stop = true; };
     int shown = 0;
-    options.after_round = [&](const RenderedRound& round) {
+    control.after_round = [&](const RenderedRound& round) {
         CHECK(round.film.total_count() > 0);
         ++shown;
     };
-    rendered(scene(), options);
+    rendered(scene(), settings, control);
     CHECK(shown == 1);
 }
 

@@ -1,9 +1,20 @@
 // Small scenes made in memory, for tests of the renderer.
 #pragma once
 
+#include "core/scene/render_settings.h"
 #include "core/scene/transformed.h"
 
 namespace etalon::test {
+
+/// A scene and how to render it.
+struct TestScene : Scene {
+    RenderSettings settings{};
+};
+
+inline TestScene transformed(TestScene scene, double factor, const Vec3& offset = Vec3(0)) {
+    static_cast<Scene&>(scene) = etalon::transformed(std::move(scene), factor, offset);
+    return scene;
+}
 
 inline Material matte(const Color& color) {
     Material m;
@@ -20,20 +31,21 @@ inline Material glass(double ior) {
 }
 
 /// A camera at (0, 0, 5) looking at the origin, nothing to see yet.
-inline Scene empty_scene(int width = 32, int height = 24) {
-    Scene scene;
+inline TestScene empty_scene(int width = 32, int height = 24) {
+    TestScene scene;
     scene.format = "test";
-    scene.camera = {Vec3(0, 0, 5), Vec3(0), Vec3(0, 1, 0), 45, width, height, 0, 1};
+    scene.camera = {Vec3(0, 0, 5), Vec3(0), Vec3(0, 1, 0), 45, 0, 1};
+    scene.settings.resolution = {width, height};
     scene.look.environment.background = Color(0.25F, 0.5F, 1.0F);
     return scene;
 }
 
 /// Some of everything: mirror, glass, matte; spheres, a box, a cone, a mesh, a plane; a point light
 /// and a quad light; a lens.
-inline Scene mixed_scene(int width = 48, int height = 36) {
-    Scene s = empty_scene(width, height);
+inline TestScene mixed_scene(int width = 48, int height = 36) {
+    TestScene s = empty_scene(width, height);
     s.look.lights = {PointLight{Vec3(3, 6, 4), Color(0.6F)},
-                     QuadLight{Vec3(-3, 4, 1), Vec3(1, 0, 0), Vec3(0, 0, 1), Color(0.5F), 9}};
+                QuadLight{Vec3(-3, 4, 1), Vec3(1, 0, 0), Vec3(0, 0, 1), Color(0.5F), 9}};
     Material mirror = matte(Color(0.2F));
     mirror.specular = mirror.reflection = Color(0.7F);
     mirror.shininess = 40;
@@ -51,7 +63,7 @@ inline Scene mixed_scene(int width = 48, int height = 36) {
     s.geometry.add(Ellipsoid({across, {-0.1, 0.4, 0}, forth, {0.2, 0.9, 0.3}}), 0);
     s.geometry.add(ClosedCylinder({across, forth, {0.1, 0.5, 0.2}, {-1.6, -0.9, 0.5}}), 2);
     s.camera.aperture = 3;
-    s.samples_per_pixel = 5;
+    s.settings.samples_per_pixel = 5;
     return s;
 }
 

@@ -80,7 +80,7 @@ TEST_CASE("The showcase uses what the words of P3F can mean", "[scenes]") {
     const Color none(0.0F);
 
     CHECK(scene.camera.aperture > 0);
-    CHECK(scene.samples_per_pixel > 0);
+    CHECK(result.settings.samples_per_pixel > 0);
     CHECK(scene.look.environment.skybox.has_value());
 
     CHECK(

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/accuracy/tally.h"
+#include "core/intersect/backend_roles.h"
 
 namespace etalon::accuracy {
 
@@ -24,7 +25,7 @@ std::vector<std::string> shapes_of(const std::vector<Row>& rows);
 std::vector<CaseRows> cases_of(const std::vector<Row>& rows, const std::string& shape);
 
 /// Names that the report looks for among the contenders.
-inline constexpr std::string_view yardstick = "embree-builtin";
+inline constexpr std::string_view yardstick = baseline_backend;
 inline constexpr std::string_view bare_kernel = "kernel";
 
 /// Whether a contender of that name is one of textbook_contenders().

@@ -14,15 +14,16 @@ convergence::Plan plan_of(const ConvergenceRequest& request, const Settings& set
 }
 
 void measure(const ConvergenceRequest& request, Results& results, const Context& context) {
-    const std::optional<Scene> scene = shipped_scene(request.scene, request.width, request.height);
-    if (!scene) return;
+    const auto shipped = shipped_scene(request.scene, request.width, request.height);
+    if (!shipped) return;
+    const auto& [scene, settings] = *shipped;
     const convergence::Plan plan = plan_of(request, results.settings);
     const convergence::Truth truth =
-        render_truth(*scene, plan, {context.stop, context.part(0, 0.5).progress});
+        render_truth(scene, settings, plan, {context.stop, context.part(0, 0.5).progress});
     if (context.is_over()) return;
-    results.convergence.add(
-        {request, truth.description,
-         convergence::measure(*scene, truth, plan, {context.stop, context.part(0.5, 1).progress})});
+    results.convergence.add({request, truth.description,
+                             convergence::measure(scene, settings, truth, plan,
+                                                  {context.stop, context.part(0.5, 1).progress})});
 }
 
 /// The truth is rendered by all threads, the curves by one.

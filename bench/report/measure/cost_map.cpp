@@ -2,36 +2,37 @@
 
 #include "app/backends.h"
 #include "bench/report/measure/rendered.h"
+#include "core/integrators/integrators.h"
 #include "core/render/features.h"
 
 namespace etalon::bench_report {
 
 /// Rays are counted by the picture: so each pixel is a picture of its own.
-PixelPlane rays_of_samples(const Scene& scene, int samples_per_pixel, const Context& context) {
+PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
+                           const Context& context) {
+    const auto intersector = find_backend(default_backend)->build(scene.geometry);
     std::vector<std::string> problems;
-    const EnvironmentMap environment(scene.look.environment, problems);
-    const auto intersector = find_backend("bvh")->build(scene.geometry);
-    RenderOptions options = options_for(scene, context);
-    options.samples_per_pixel = samples_per_pixel;
-    options.progress = nullptr;
-    const int width = scene.camera.width;
-    return plane_of(width, scene.camera.height, [&](std::size_t pixel) {
-        const int x = static_cast<int>(pixel) % width, y = static_cast<int>(pixel) / width;
-        RenderOptions here = options;
-        here.window = {{x, y}, {x, y}};
-        const RayCounts counts = render(scene, *intersector, environment, here).counts;
-        return static_cast<double>(counts.total()) / samples_per_pixel;
+    const auto integrator =
+        find_integrator(settings.integrator)->make(scene, *intersector, settings, problems);
+    RunControl control = control_of(context);
+    control.progress = nullptr;
+    const int width = settings.resolution.x, height = settings.resolution.y;
+    return plane_of(width, height, [&](std::size_t pixel) {
+        const Imath::V2i at(static_cast<int>(pixel) % width, static_cast<int>(pixel) / width);
+        RenderSettings here = settings;
+        here.crop = {at, at};
+        const RayCounts counts = render(scene.camera, *integrator, here, control).counts;
+        return static_cast<double>(counts.total()) / settings.samples_per_pixel;
     });
 }
 
-std::optional<PixelPlane> tests_of_eye_rays(const Scene& scene, const std::string& backend,
-                                            const Context& context) {
+std::optional<PixelPlane> tests_of_eye_rays(const Scene& scene, const RenderSettings& settings,
+                                            const std::string& backend, const Context& context) {
     const auto intersector = find_backend(backend)->build(scene.geometry);
-    RenderOptions options = options_for(scene, context);
-    options.progress = nullptr;
-    const std::optional<CentreHits> hits = centre_hits(scene, *intersector, options);
+    const std::optional<CentreHits> hits =
+        centre_hits(scene, *intersector, settings, &context.stop);
     if (!hits || hits->costs.empty()) return std::nullopt;
-    return plane_of(scene.camera.width, scene.camera.height, [&](std::size_t pixel) {
+    return plane_of(settings.resolution.x, settings.resolution.y, [&](std::size_t pixel) {
         const TraversalCost& cost = hits->costs[pixel];
         return static_cast<double>(cost.box_tests + cost.primitive_tests);
     });

@@ -5,16 +5,18 @@
 
 #include "bench/report/tasks.h"
 #include "core/image/metrics/pixel_plane.h"
+#include "core/scene/render_settings.h"
 #include "core/scene/scene.h"
 
 namespace etalon::bench_report {
 
 /// How many rays a sample takes, of whatever kind.
-PixelPlane rays_of_samples(const Scene& scene, int samples_per_pixel, const Context& context);
+PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
+                           const Context& context);
 
 /// How many boxes and primitives an eye ray is tested against by a backend; nothing if that does
 /// not count.
-std::optional<PixelPlane> tests_of_eye_rays(const Scene& scene, const std::string& backend,
-                                            const Context& context);
+std::optional<PixelPlane> tests_of_eye_rays(const Scene& scene, const RenderSettings& settings,
+                                            const std::string& backend, const Context& context);
 
 }  // namespace etalon::bench_report

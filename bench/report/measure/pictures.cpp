@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "app/backends.h"
 #include "bench/report/commands.h"
 #include "bench/report/measure/cost_map.h"
 #include "bench/report/measure/rendered.h"
@@ -20,17 +21,17 @@ std::string samples_of(int count) {
     return count_of(static_cast<std::uint64_t>(count), "sample") + " a pixel";
 }
 
-Rendered rendered(const Scene& scene, int samples, std::uint32_t seed, const Context& context) {
-    RenderOptions options = options_for(scene, context);
-    options.samples_per_pixel = samples;
-    options.seed = seed;
-    return bench_report::rendered(scene, "bvh", options);
+Rendered rendered(const ShippedScene& shipped, int samples, std::uint32_t seed,
+                  const Context& context) {
+    RenderSettings settings = shipped.settings;
+    settings.samples_per_pixel = samples;
+    settings.seed = seed;
+    return bench_report::rendered(shipped.scene, default_backend, settings, control_of(context));
 }
 
-Bytes display(const Scene& scene, const std::vector<Color>& pixels) {
-    const Camera& camera = scene.camera;
-    const Imath::Box2i window{{0, 0}, {camera.width - 1, camera.height - 1}};
-    return display_bytes({camera.width, camera.height, window, pixels, scene.display_colors, {}},
+Bytes display(const RenderSettings& settings, const std::vector<Color>& pixels) {
+    const Imath::V2i& size = settings.resolution;
+    return display_bytes({size.x, size.y, settings.window(), pixels, settings.display_colors, {}},
                          0);
 }
 
@@ -51,27 +52,30 @@ void add_cost(const std::string& title, const PixelPlane& cost, PictureFigures& 
 }
 
 void measure(const PictureRequest& request, Results& results, const Context& context) {
-    const std::optional<Scene> scene = shipped_scene(request.scene, request.width, request.height);
-    if (!scene) return;
-    const Rendered many = rendered(*scene, request.samples, 0, context.part(0, 0.9));
-    const Rendered few = rendered(*scene, request.fewer_samples, 1, context.part(0.9, 1));
+    const auto shipped = shipped_scene(request.scene, request.width, request.height);
+    if (!shipped) return;
+    const auto& [scene, settings] = *shipped;
+    const Rendered many = rendered(*shipped, request.samples, 0, context.part(0, 0.9));
+    const Rendered few = rendered(*shipped, request.fewer_samples, 1, context.part(0.9, 1));
     if (!many.rendering.complete || !few.rendering.complete) return;
     PictureFigures figures{request.scene,
                            picture_command(request),
                            request.width,
                            request.height,
-                           scene->geometry.primitives.size(),
+                           scene.geometry.primitives.size(),
                            many.render,
                            {}};
     const std::vector<Color> picture = many.rendering.film.pixels();
     const PixelPlane error = flip_map(few.rendering.film.pixels(), picture, request.width);
-    add(samples_of(request.samples), display(*scene, picture), figures);
+    add(samples_of(request.samples), display(settings, picture), figures);
     add(fmt::format("FLIP of {}, mean {}", samples_of(request.fewer_samples),
                     three_digits(flip(error))),
         magma(error), figures);
-    add_cost("Rays of a sample", rays_of_samples(*scene, request.fewer_samples, context), figures);
-    if (const auto tests = tests_of_eye_rays(*scene, "bvh", context)) {
-        add_cost("Tests of an eye ray by bvh", *tests, figures);
+    RenderSettings fewer = settings;
+    fewer.samples_per_pixel = request.fewer_samples;
+    add_cost("Rays of a sample", rays_of_samples(scene, fewer, context), figures);
+    if (const auto tests = tests_of_eye_rays(scene, settings, default_backend, context)) {
+        add_cost(std::string("Tests of an eye ray by ") + default_backend, *tests, figures);
     }
     results.pictures.add(std::move(figures));
 }

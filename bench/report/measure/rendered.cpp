@@ -6,6 +6,7 @@
 
 #include "app/backends.h"
 #include "core/formats/load.h"
+#include "core/integrators/integrators.h"
 
 namespace etalon::bench_report {
 namespace {
@@ -23,33 +24,28 @@ fs::path scenes_folder() {
 
 }  // namespace
 
-std::optional<Scene> shipped_scene(const std::string& name, int width, int height) {
+std::optional<ShippedScene> shipped_scene(const std::string& name, int width, int height) {
     LoadResult loaded = load_scene((scenes_folder() / name).string());
     fmt::print(stderr, "{}", report(loaded.diagnostics));
     if (!loaded.scene) return std::nullopt;
-    loaded.scene->camera.width = width;
-    loaded.scene->camera.height = height;
-    return std::move(loaded.scene);
+    loaded.settings.resolution = {width, height};
+    return ShippedScene{std::move(*loaded.scene), std::move(loaded.settings)};
 }
 
-RenderOptions options_for(const Scene& scene, const Context& context) {
-    RenderOptions options;
-    options.samples_per_pixel = scene.samples_per_pixel;
-    options.max_depth = scene.whitted.max_depth;
-    options.window = {{0, 0}, {scene.camera.width - 1, scene.camera.height - 1}};
-    options.stop = &context.stop;
-    options.deadline = context.deadline;
-    options.progress = context.progress;
-    return options;
+RunControl control_of(const Context& context) {
+    return {context.deadline, &context.stop, context.progress};
 }
 
-Rendered rendered(const Scene& scene, const std::string& backend, const RenderOptions& options) {
-    std::vector<std::string> problems;  // what cannot be read is the background's colour
-    const EnvironmentMap environment(scene.look.environment, problems);
+Rendered rendered(const Scene& scene, const std::string& backend, const RenderSettings& settings,
+                  const RunControl& control) {
     Stopwatch watch;
     const auto intersector = find_backend(backend)->build(scene.geometry);
     const Duration build = watch.lap();
-    Rendering rendering = render(scene, *intersector, environment, options);
+    std::vector<std::string> problems;  // what cannot be read is the background's colour
+    const auto integrator =
+        find_integrator(settings.integrator)->make(scene, *intersector, settings, problems);
+    watch.lap();
+    Rendering rendering = render(scene.camera, *integrator, settings, control);
     return {std::move(rendering), build, watch.lap(), intersector->memory_bytes()};
 }
 

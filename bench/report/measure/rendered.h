@@ -9,12 +9,16 @@
 
 namespace etalon::bench_report {
 
+struct ShippedScene {
+    Scene scene;
+    RenderSettings settings;
+};
+
 /// A scene below the project's folder of scenes, which is looked for here and where the program was
 /// built. Nothing, and the reason on standard error, if it cannot be read.
-std::optional<Scene> shipped_scene(const std::string& name, int width, int height);
+std::optional<ShippedScene> shipped_scene(const std::string& name, int width, int height);
 
-/// The whole frame, as the scene asks for it.
-RenderOptions options_for(const Scene& scene, const Context& context);
+RunControl control_of(const Context& context);
 
 struct Rendered {
     Rendering rendering;
@@ -22,6 +26,7 @@ struct Rendered {
     std::size_t bytes = 0;  ///< of the accelerator
 };
 
-Rendered rendered(const Scene& scene, const std::string& backend, const RenderOptions& options);
+Rendered rendered(const Scene& scene, const std::string& backend, const RenderSettings& settings,
+                  const RunControl& control);
 
 }  // namespace etalon::bench_report

@@ -22,11 +22,10 @@ void measure(const SpdScene& wanted, Results& results, const Context& context) {
     LoadResult loaded = load_scene_text(text, wanted.family + ".p3f");
     if (!loaded.scene) return;
     Scene scene = std::move(*loaded.scene);
-    apply_spd_rules(scene);
-    SpdFigures figures{
-        wanted.family, wanted.size, scene.geometry.primitives.size(), watch.lap().cpu, {}};
+    apply_spd_rules(loaded.settings);
+    SpdFigures figures{wanted.family, wanted.size, scene.geometry.primitives.size(), watch.lap().cpu, {}};
     for (const std::string& backend : results.settings.spd_backends) {
-        const Rendered r = rendered(scene, backend, options_for(scene, context));
+        const Rendered r = rendered(scene, backend, loaded.settings, control_of(context));
         if (!r.rendering.complete) return;
         figures.runs.push_back({backend, r.build, r.render, r.bytes, r.rendering.counts});
         const auto done = static_cast<double>(figures.runs.size());

@@ -17,7 +17,8 @@ void measure(const std::string& name, Results& results, const Context& context) 
         context.progress(done / static_cast<double>(plan.kinds.size() + 1));
         return !context.is_over();
     };
-    results.scenes.add(speed::measure_scene(name, std::move(*named.scene), plan, observer));
+    results.scenes.add(speed::measure_scene(name, std::move(*named.scene),
+                                            named.settings.resolution, plan, observer));
 }
 
 /// A ray takes about a microsecond, whoever answers it.

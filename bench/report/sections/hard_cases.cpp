@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/backends.h"
 #include "bench/accuracy/report/cases.h"
 #include "bench/report/commands.h"
 #include "bench/report/sections/sections.h"
@@ -29,12 +30,19 @@ const Row* find(const CaseRows& c, const std::string& name) {
 /// Those that have a column.
 std::vector<std::string> judged(const std::vector<Row>& rows) {
     std::vector<std::string> names;
-    for (const char* name :
-         {"none", "grid", "bvh", "embree", "embree-user", "kernel", "embree-builtin"}) {
+    const auto add = [&](std::string_view name) {
         const bool takes_part = std::any_of(rows.begin(), rows.end(),
                                             [&](const Row& r) { return r.contender == name; });
         if (takes_part) names.emplace_back(name);
-    }
+    };
+    const auto add_backends = [&](bool exact) {
+        for (const Backend& backend : all_backends()) {
+            if (backend.exact == exact) add(backend.name);
+        }
+    };
+    add_backends(true);
+    add(accuracy::bare_kernel);
+    add_backends(false);
     names.emplace_back(textbook);
     return names;
 }

@@ -9,39 +9,37 @@ namespace {
 
 using namespace speed;
 
-const std::string hero = "bvh";  ///< the backend that is used where none is asked for
-
 void add_speed(const std::vector<SceneFigures>& scenes, std::vector<Fact>& facts) {
     std::vector<double> fast, robust;
     for (const SceneFigures& scene : scenes) {
         for (const KindFigures& kind : scene.kinds) {
             for (const RayFigures& r : kind.contenders) {
-                if (r.contender != hero) continue;
+                if (r.contender != default_backend) continue;
                 fast.push_back(r.by_threads.front().ratio.median);
                 robust.push_back(r.by_threads.front().ratio_robust.median);
             }
         }
     }
     if (fast.empty()) return;
-    facts.push_back(
-        {"×" + three_digits(geometric_mean(fast)), "ray speed",
-         fmt::format("bvh to embree-builtin, mean of {}; ×{} to its robust form",
-                     count_of(scenes.size(), "scene"), three_digits(geometric_mean(robust)))});
+    facts.push_back({"×" + three_digits(geometric_mean(fast)), "ray speed",
+                     fmt::format("{} to {}, mean of {}; ×{} to its robust form", default_backend,
+                                 baseline_backend, count_of(scenes.size(), "scene"),
+                                 three_digits(geometric_mean(robust)))});
 }
 
 void add_builds(const std::vector<SceneFigures>& scenes, std::vector<Fact>& facts) {
     std::vector<double> ratios, sizes;
     for (const SceneFigures& scene : scenes) {
         for (const BuildFigures& b : scene.builds) {
-            if (b.contender != hero) continue;
+            if (b.contender != default_backend) continue;
             ratios.push_back(b.by_threads.front().ratio.median);
             sizes.push_back(b.bytes_per_primitive);
         }
     }
     if (ratios.empty()) return;
     facts.push_back({"×" + three_digits(geometric_mean(ratios)), "build speed",
-                     fmt::format("bvh to embree-builtin; {} bytes a primitive",
-                                 three_digits(geometric_mean(sizes)))});
+                     fmt::format("{} to {}; {} bytes a primitive", default_backend,
+                                 baseline_backend, three_digits(geometric_mean(sizes)))});
 }
 
 void add_errors(const std::vector<accuracy::Row>& rows, std::vector<Fact>& facts) {
@@ -58,8 +56,9 @@ void add_errors(const std::vector<accuracy::Row>& rows, std::vector<Fact>& facts
     if (yardstick_rays == 0) return;
     const double share =
         100 * static_cast<double>(yardstick_errors) / static_cast<double>(yardstick_rays);
-    facts.push_back({fmt::format("{} %", three_digits(share)), "wrong answers",
-                     fmt::format("embree-builtin, {} of the same rays", grouped(yardstick_rays))});
+    facts.push_back(
+        {fmt::format("{} %", three_digits(share)), "wrong answers",
+         fmt::format("{}, {} of the same rays", baseline_backend, grouped(yardstick_rays))});
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ LoadResult load_nff(std::string_view text, const std::string& path, const LoadOp
     SceneLoader loader{Reader(text, log, names), options,
                        std::filesystem::path(path).parent_path()};
     loader.scene.format = "nff";
-    loader.scene.display_colors = true;
+    loader.settings.display_colors = true;
     read_statements(loader, keywords);
     return loader.finish(log);
 }

@@ -51,11 +51,11 @@ constexpr std::array keywords = {
 constexpr auto names = names_of(keywords);
 
 /// What the course's programs of 2021 did to a picture.
-void apply_legacy(Scene& scene) {
-    scene.whitted.max_depth = 6;
-    scene.whitted.fixed_bias = 1e-3;
-    scene.whitted.schlick = true;
-    scene.whitted.clamp_each_ray = true;
+void apply_legacy(Scene& scene, RenderSettings& settings) {
+    settings.max_depth = 6;
+    settings.whitted.fixed_bias = 1e-3;
+    settings.whitted.schlick = true;
+    settings.whitted.clamp_each_ray = true;
     if (scene.look.environment.skybox) scene.look.environment.skybox->nearest = true;
     if (scene.look.lights.empty()) return;
     const float share = 1 / (1.25F * static_cast<float>(scene.look.lights.size()));
@@ -69,9 +69,9 @@ LoadResult load_p3f(std::string_view text, const std::string& path, const LoadOp
     SceneLoader loader{Reader(text, log, names), options, std::filesystem::path(path).parent_path(),
                        p3f::default_material()};
     loader.scene.format = "p3f";
-    loader.scene.display_colors = true;
+    loader.settings.display_colors = true;
     read_statements(loader, keywords);
-    if (options.legacy) apply_legacy(loader.scene);
+    if (options.legacy) apply_legacy(loader.scene, loader.settings);
     return loader.finish(log);
 }
 

@@ -16,7 +16,7 @@ void read_accel(Loader& loader) {
     const std::string_view word = in.tokens().peek();
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (word != names[i] && word != numbers[i]) continue;
-        loader.scene.backend = names[i];
+        loader.settings.backend = names[i];
         in.tokens().next();
         return;
     }
@@ -35,7 +35,7 @@ void read_samples(Loader& loader) {
         in.warn_at(offset, "range", "expected 0 to {} samples per pixel, found {}", most, samples);
         return;
     }
-    loader.scene.samples_per_pixel = static_cast<int>(samples);
+    loader.settings.samples_per_pixel = static_cast<int>(samples);
 }
 
 /// The directory lies beside the scene file, else in the working directory.

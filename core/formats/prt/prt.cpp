@@ -59,7 +59,7 @@ LoadResult load_prt(std::string_view text, const std::string& path, const LoadOp
     Loader loader{{Reader(text, log, names), options, std::filesystem::path(path).parent_path()},
                   text};
     loader.scene.format = "prt";
-    loader.scene.display_colors = true;
+    loader.settings.display_colors = true;
     read_statements(loader, keywords);
     if (loader.open) prt::drop_open_definition(loader);
     settle_view(loader);

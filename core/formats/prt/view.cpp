@@ -66,11 +66,11 @@ double legacy_fov(double degrees) {
 }
 
 /// What the program did to a picture. It read the centre of a quadric and forgot it.
-void apply_legacy(Scene& scene) {
+void apply_legacy(Scene& scene, RenderSettings& settings) {
     Camera& camera = scene.camera;
     camera.fov_degrees = legacy_fov(camera.fov_degrees);
-    camera.pixel_rays = PixelRays::upper_left;
-    scene.whitted.fit_eye_rays = true;
+    settings.pixel_rays = PixelRays::upper_left;
+    settings.whitted.fit_eye_rays = true;
     for (Quadric& q : scene.geometry.all<Quadric>()) q.centre = Vec3(0);
 }
 
@@ -113,7 +113,7 @@ void read_background(Loader& loader) {
 void settle_view(Loader& loader) {
     loader.camera.camera.stretched = true;
     if (loader.has_camera_lines) settle_camera(loader, loader.camera, missing_lines(loader));
-    if (loader.options.legacy) apply_legacy(loader.scene);
+    if (loader.options.legacy) apply_legacy(loader.scene, loader.settings);
 }
 
 }  // namespace etalon::prt

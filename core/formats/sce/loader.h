@@ -52,6 +52,7 @@ struct Loader {
     std::filesystem::path directory;  ///< of the scene file
     Scene scene{};
     SmoothVertices smooth_vertices{};
+    RenderSettings settings{};
     State state{};
     std::vector<Block> blocks{};
     View view{};

@@ -116,15 +116,16 @@ LoadResult load_sce(std::string_view text, const std::string& path, const LoadOp
     Loader loader{options, log, std::filesystem::path(path).parent_path()};
     Scene& scene = loader.scene;
     scene.format = "sce";
-    scene.display_colors = true;
     scene.look.environment.background = Color(0, 0, 0.3F);
-    scene.whitted.max_depth = 6 + 1;
+    loader.settings.display_colors = true;
+    loader.settings.max_depth = 6 + 1;
+    loader.settings.resolution = {100, 100};
     scene.camera.up = Vec3(0, 1, 0);
-    scene.camera.width = scene.camera.height = 100;
     read_lines(loader, text);
     settle_camera(loader);
     LoadResult result;
     if (!log.has_errors()) result.scene = std::move(loader.scene);
+    result.settings = loader.settings;
     result.diagnostics = log.take();
     return result;
 }

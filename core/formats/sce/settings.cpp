@@ -52,21 +52,21 @@ void read_field_of_view(Loader& loader, Reader& in) {
 }
 
 void read_width(Loader& loader, Reader& in) {
-    if (const auto n = read_integer(in, 1, 65536)) loader.scene.camera.width = *n;
+    if (const auto n = read_integer(in, 1, 65536)) loader.settings.resolution.x = *n;
 }
 
 void read_height(Loader& loader, Reader& in) {
-    if (const auto n = read_integer(in, 1, 65536)) loader.scene.camera.height = *n;
+    if (const auto n = read_integer(in, 1, 65536)) loader.settings.resolution.y = *n;
 }
 
 /// The number of mirrored rays after the eye's.
 void read_recursion(Loader& loader, Reader& in) {
-    if (const auto n = read_integer(in, 0, 999)) loader.scene.whitted.max_depth = *n + 1;
+    if (const auto n = read_integer(in, 0, 999)) loader.settings.max_depth = *n + 1;
 }
 
 /// So many samples along either side of a pixel; 0 is one ray through its centre.
 void read_samples(Loader& loader, Reader& in) {
-    if (const auto n = read_integer(in, 0, 1024)) loader.scene.samples_per_pixel = *n * *n;
+    if (const auto n = read_integer(in, 0, 1024)) loader.settings.samples_per_pixel = *n * *n;
 }
 
 void read_background(Loader& loader, Reader& in) {

@@ -13,8 +13,9 @@ namespace {
 
 class P3fScene {
   public:
-    P3fScene(const Scene& scene, const std::filesystem::path& directory)
-        : scene_(scene), directory_(directory) {}
+    P3fScene(const Scene& scene, const RenderSettings& settings,
+             const std::filesystem::path& directory)
+        : scene_(scene), settings_(settings), directory_(directory) {}
 
     WrittenScene write() {
         write_settings();
@@ -28,32 +29,32 @@ class P3fScene {
 
   private:
     void write_settings() {
-        if (!scene_.backend.empty()) out_.backend(scene_.backend);
-        out_.samples(scene_.samples_per_pixel);
+        if (!settings_.backend.empty()) out_.backend(settings_.backend);
+        out_.samples(settings_.samples_per_pixel);
         out_.background(scene_.look.environment.background);
         if (scene_.look.environment.skybox) write_skybox(*scene_.look.environment.skybox);
-        out_.camera(scene_.camera);
+        out_.camera(scene_.camera, settings_.resolution);
         note_rules();
     }
 
     /// P3F has no word for any of these.
     void note_rules() {
-        const WhittedRules p3f, &ours = scene_.whitted;
+        const WhittedRules& rules = settings_.whitted;
+        const int p3f_depth = RenderSettings().max_depth, depth = settings_.max_depth;
         const auto sends_rays = [](const Material& m) {
             return m.reflection != Color(0.0F) || m.transmission != Color(0.0F);
         };
-        if (ours.max_depth != p3f.max_depth &&
-            std::ranges::any_of(scene_.look.materials, sends_rays)) {
-            lost_.add(fmt::format("depth of {} rays, now {}", ours.max_depth, p3f.max_depth));
+        if (depth != p3f_depth && std::ranges::any_of(scene_.look.materials, sends_rays)) {
+            lost_.add(fmt::format("depth of {} rays, now {}", depth, p3f_depth));
         }
-        if (ours.schlick || ours.clamp_each_ray || ours.fit_eye_rays || ours.fixed_bias != 0) {
+        if (rules.schlick || rules.clamp_each_ray || rules.fit_eye_rays || rules.fixed_bias != 0) {
             lost_.add("shading as an old program did it");
         }
         if (scene_.camera.stretched) lost_.add("pixels that are not square");
-        if (scene_.samples_per_pixel == 0 && scene_.camera.pixel_rays != PixelRays::centre) {
+        if (settings_.samples_per_pixel == 0 && settings_.pixel_rays != PixelRays::centre) {
             lost_.add("rays elsewhere than through the pixels' centres");
         }
-        if (!scene_.display_colors) lost_.add("sRGB curve of a PNG");
+        if (!settings_.display_colors) lost_.add("sRGB curve of a PNG");
     }
 
     /// The directory, as seen from the file's own; a word with blanks would be two.
@@ -180,6 +181,7 @@ class P3fScene {
     }
 
     const Scene& scene_;
+    const RenderSettings& settings_;
     const std::filesystem::path& directory_;
     std::string text_;
     P3fWriter out_{[this](std::string_view piece) { text_ += piece; }};
@@ -189,8 +191,9 @@ class P3fScene {
 
 }  // namespace
 
-WrittenScene write_p3f(const Scene& scene, const std::filesystem::path& directory) {
-    return P3fScene(scene, directory).write();
+WrittenScene write_p3f(const Scene& scene, const RenderSettings& settings,
+                       const std::filesystem::path& directory) {
+    return P3fScene(scene, settings, directory).write();
 }
 
 }  // namespace etalon

@@ -22,10 +22,10 @@ void P3fWriter::skybox(std::string_view directory) {
     text_.line("env {}", directory);
 }
 
-void P3fWriter::camera(const Camera& c) {
+void P3fWriter::camera(const Camera& c, const Imath::V2i& resolution) {
     text_.line("camera\neye {}\nat {}\nup {}\nangle {}", c.eye, c.at, c.up, c.fov_degrees);
-    text_.line("hither 0\nresolution {} {}\naperture {}\nfocal {}", c.width, c.height, c.aperture,
-               c.focal);
+    text_.line("hither 0\nresolution {} {}\naperture {}\nfocal {}", resolution.x, resolution.y,
+               c.aperture, c.focal);
 }
 
 void P3fWriter::light(const Vec3& position, const Color& color) {

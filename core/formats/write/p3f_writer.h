@@ -22,7 +22,7 @@ class P3fWriter {
     void samples(int per_pixel);
     void background(const Color& color);
     void skybox(std::string_view directory);
-    void camera(const Camera& camera);
+    void camera(const Camera& camera, const Imath::V2i& resolution);
     void light(const Vec3& position, const Color& color);
     void quad_light(const Vec3& corner, const Color& color, const Vec3& end1, const Vec3& end2,
                     int samples);

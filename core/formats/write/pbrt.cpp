@@ -18,7 +18,8 @@ constexpr double radian = std::numbers::pi / 180;
 
 class PbrtScene {
   public:
-    explicit PbrtScene(const Scene& scene) : scene_(scene) {}
+    PbrtScene(const Scene& scene, const RenderSettings& settings)
+        : scene_(scene), settings_(settings) {}
 
     WrittenScene write() {
         write_camera();
@@ -45,7 +46,8 @@ class PbrtScene {
     void write_camera() {
         const Camera& c = scene_.camera;
         const double height = std::tan(c.fov_degrees / 2 * radian);  // halves, at distance 1
-        const double width = c.stretched ? height : height * c.width / c.height;
+        const double width =
+            c.stretched ? height : height * settings_.resolution.x / settings_.resolution.y;
         out_.line("Scale -1 1 1");
         out_.line("LookAt {}  {}  {}", c.eye, c.at, c.up);
         const std::string shape = c.stretched ? " \"float frameaspectratio\" [ 1 ]" : "";
@@ -56,20 +58,21 @@ class PbrtScene {
     /// `height`: half of the picture's, at distance 1.
     std::string lens(double height) const {
         const Camera& c = scene_.camera;
-        if (c.aperture == 0 || scene_.samples_per_pixel == 0) return {};
+        if (c.aperture == 0 || settings_.samples_per_pixel == 0) return {};
         const double distance = distance_to_view_plane();
         return fmt::format(" \"float lensradius\" [ {} ] \"float focaldistance\" [ {} ]",
-                           c.aperture * height * distance / c.height, c.focal * distance);
+                           c.aperture * height * distance / settings_.resolution.y,
+                           c.focal * distance);
     }
 
     void write_sampling() {
-        const int samples = scene_.samples_per_pixel;
+        const int samples = settings_.samples_per_pixel;
         out_.line("Sampler \"halton\" \"integer pixelsamples\" [ {} ]{}", std::max(samples, 1),
                   samples == 0 ? " \"bool samplepixelcenter\" \"true\"" : "");
         out_.line("PixelFilter \"box\"");
         out_.line("Film \"image\" \"integer xresolution\" [ {} ] \"integer yresolution\" [ {} ]",
-                  scene_.camera.width, scene_.camera.height);
-        out_.line("Integrator \"whitted\" \"integer maxdepth\" [ {} ]", scene_.whitted.max_depth);
+                  settings_.resolution.x, settings_.resolution.y);
+        out_.line("Integrator \"whitted\" \"integer maxdepth\" [ {} ]", settings_.max_depth);
     }
 
     void write_environment() {
@@ -246,6 +249,7 @@ class PbrtScene {
     }
 
     const Scene& scene_;
+    const RenderSettings& settings_;
     std::string text_;
     LineWriter out_{[this](std::string_view piece) { text_ += piece; }};
     Losses lost_;
@@ -255,8 +259,9 @@ class PbrtScene {
 
 }  // namespace
 
-WrittenScene write_pbrt(const Scene& scene, const std::filesystem::path&) {
-    return PbrtScene(scene).write();
+WrittenScene write_pbrt(const Scene& scene, const RenderSettings& settings,
+                        const std::filesystem::path&) {
+    return PbrtScene(scene, settings).write();
 }
 
 }  // namespace etalon

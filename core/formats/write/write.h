@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/formats/write/loss.h"
+#include "core/scene/render_settings.h"
 #include "core/scene/scene.h"
 
 namespace etalon {
@@ -19,12 +20,15 @@ struct WrittenScene {
 
 /// P3F. Reading it back gives the same picture to the last bit, but for what is lost. `directory`
 /// is where the file will be: skyboxes are named from there.
-WrittenScene write_p3f(const Scene& scene, const std::filesystem::path& directory);
+WrittenScene write_p3f(const Scene& scene, const RenderSettings& settings,
+                       const std::filesystem::path& directory);
 
 /// PBRT v3. Its lights are other lights: they fall off, and a background lights the scene.
-WrittenScene write_pbrt(const Scene& scene, const std::filesystem::path& directory);
+WrittenScene write_pbrt(const Scene& scene, const RenderSettings& settings,
+                        const std::filesystem::path& directory);
 
-using SceneWriter = WrittenScene (*)(const Scene&, const std::filesystem::path& directory);
+using SceneWriter = WrittenScene (*)(const Scene&, const RenderSettings&,
+                                     const std::filesystem::path& directory);
 
 /// What writes files of this extension (".p3f"); null if nothing does.
 SceneWriter find_scene_writer(std::string_view extension);

@@ -1,8 +1,9 @@
-#include "core/render/whitted.h"
+#include "core/integrators/whitted/whitted.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/sampling/dimensions.h"
 #include "core/shading/fresnel.h"
 
 namespace etalon {
@@ -42,19 +43,24 @@ double highlight_of(const Material& m, const Vec3& direction, const Vec3& normal
 
 }  // namespace
 
-Whitted::Whitted(const Scene& scene, const Intersector& intersector,
-                 const EnvironmentMap& environment, int samples_per_pixel, int max_depth)
-    : scene_(scene), intersector_(intersector), environment_(environment), max_depth_(max_depth) {
-    for (const Light& light : scene.look.lights) lights_.emplace_back(light, samples_per_pixel);
+Whitted::Whitted(const Scene& scene, const Intersector& intersector, const RenderSettings& settings,
+                 std::vector<std::string>& problems)
+    : scene_(scene),
+      intersector_(intersector),
+      environment_(scene.look.environment, problems),
+      max_depth_(settings.max_depth),
+      rules_(settings.whitted) {
+    for (const Light& light : scene.look.lights) lights_.emplace_back(light, settings.samples_per_pixel);
 }
 
-Color Whitted::radiance(const Ray& ray, const SampleSource& sample, RayCounts& counts) const {
+Color Whitted::radiance(const Ray& camera_ray, const SampleSource& sample,
+                        RayCounts& counts) const {
     Context context{sample, counts};
     ++counts.camera;
-    const std::optional<Hit> hit = intersector_.closest(ray);
+    const std::optional<Hit> hit = intersector_.closest(camera_ray);
     if (hit) ++counts.camera_hits;
-    const Color color = trace({ray, 1, 1, Color(0.0F)}, hit, context);
-    return scene_.whitted.fit_eye_rays ? fitted(color) : color;
+    const Color color = trace({camera_ray, 1, camera_ray_name, Color(0.0F)}, hit, context);
+    return rules_.fit_eye_rays ? fitted(color) : color;
 }
 
 Color Whitted::trace(const Path& path, std::optional<Hit> hit, Context& context) const {
@@ -67,7 +73,7 @@ Color Whitted::trace(const Path& path, std::optional<Hit> hit, Context& context)
     } else {
         color = environment_.radiance(path.ray.direction);
     }
-    return scene_.whitted.clamp_each_ray ? clamped(color) : color;
+    return rules_.clamp_each_ray ? clamped(color) : color;
 }
 
 Color Whitted::direct(const Path& path, const Encounter& at, Context& context) const {
@@ -75,7 +81,7 @@ Color Whitted::direct(const Path& path, const Encounter& at, Context& context) c
     if (is_black(at.material.diffuse) && is_black(at.material.specular)) return sum;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const LightSamples& light = lights_[i];
-        const std::uint32_t dimension = hash(path.name, static_cast<std::uint32_t>(i) + 2);
+        const std::uint32_t dimension = light_dimension(path.name, i);
         Color reflected(0.0F);
         for (int k = 0; k < light.count(); ++k) {
             const Vec3 position = light.position(k, context.sample, dimension);
@@ -94,7 +100,7 @@ Color Whitted::lit_by(const Vec3& light, const Path& path, const Encounter& at,
     if (!(cosine > 0) || !(at.facing.dot(towards) > 0)) return Color(0.0F);
 
     Ray shadow = ray_between(at.surface, light);
-    if (scene_.whitted.fixed_bias != 0) {
+    if (rules_.fixed_bias != 0) {
         shadow = leave(at, towards, false);
         shadow.direction = light - shadow.origin;
     }
@@ -123,7 +129,7 @@ Color Whitted::secondary(const Path& path, const Encounter& at, Context& context
     Vec3 refracted;
     if (!is_black(m.transmission)) {
         const DielectricBorder border =
-            scene_.whitted.schlick ? schlick_border(eta, cosine) : dielectric_border(eta, cosine);
+            rules_.schlick ? schlick_border(eta, cosine) : dielectric_border(eta, cosine);
         if (m.fresnel) {
             reflection *= static_cast<float>(border.reflectance);
             transmission *= static_cast<float>(1 - border.reflectance);
@@ -132,7 +138,7 @@ Color Whitted::secondary(const Path& path, const Encounter& at, Context& context
         refracted = normalized(refract(direction, normal, eta, cosine, border.cos_refracted));
     }
     Color sum(0.0F);
-    const bool counted = scene_.whitted.mirror_all_glass && !is_black(m.transmission);
+    const bool counted = rules_.mirror_all_glass && !is_black(m.transmission);
     if (!is_black(reflection) || counted) {
         ++context.counts.reflected;
         const Vec3 mirrored = normalized(reflect(direction, normal));
@@ -146,7 +152,7 @@ Color Whitted::secondary(const Path& path, const Encounter& at, Context& context
 }
 
 Ray Whitted::leave(const Encounter& at, const Vec3& direction, bool crosses) const {
-    const double bias = scene_.whitted.fixed_bias;
+    const double bias = rules_.fixed_bias;
     if (bias == 0) return ray_from(at.surface, direction);
     return {at.surface.position + (crosses ? -bias : bias) * at.facing, direction};
 }
@@ -157,7 +163,7 @@ Color Whitted::follow(const Path& from, const Encounter& at, const Vec3& directi
     const bool crosses = inside == at.entering;
     Color absorption = from.absorption;
     if (crosses) absorption = inside ? at.material.absorption : Color(0.0F);
-    Path path{leave(at, direction, crosses), from.depth + 1, hash(from.name, crosses ? 1 : 0),
+    Path path{leave(at, direction, crosses), from.depth + 1, ray_name(from.name, crosses),
               absorption};
     path.ray.coherent = from.ray.coherent;
     const std::optional<Hit> hit = intersector_.closest(path.ray);

@@ -1,4 +1,4 @@
-#include "core/render/encounter.h"
+#include "core/shading/encounter.h"
 
 #include "core/intersect/kernels.h"
 

@@ -1,4 +1,4 @@
-#include "core/render/ray_counts.h"
+#include "core/integrators/ray_counts.h"
 
 namespace etalon {
 

@@ -1,25 +1,26 @@
 // Whitted-style ray tracing (Whitted 1980): point-lit surfaces, mirrors and glass.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "core/integrators/integrator.h"
 #include "core/intersect/intersector.h"
-#include "core/render/encounter.h"
-#include "core/render/ray_counts.h"
-#include "core/sampling/sample_source.h"
+#include "core/scene/render_settings.h"
+#include "core/shading/encounter.h"
 #include "core/shading/environment_map.h"
 #include "core/shading/light_samples.h"
 
 namespace etalon {
 
-class Whitted {
+class Whitted final : public Integrator {
   public:
-    /// All must outlive the integrator. `samples_per_pixel` 0: a deterministic picture.
-    Whitted(const Scene& scene, const Intersector& intersector, const EnvironmentMap& environment,
-            int samples_per_pixel, int max_depth);
+    /// Scene and intersector must outlive the integrator. `problems`: see EnvironmentMap.
+    Whitted(const Scene& scene, const Intersector& intersector, const RenderSettings& settings,
+            std::vector<std::string>& problems);
 
-    /// What a ray from the eye sees. Thread-safe.
-    Color radiance(const Ray& ray, const SampleSource& sample, RayCounts& counts) const;
+    Color radiance(const Ray& camera_ray, const SampleSource& sample,
+                   RayCounts& counts) const override;
 
   private:
     /// A ray on its way: its depth (1 for the eye's), its place in the tree of rays, which names
@@ -46,9 +47,10 @@ class Whitted {
 
     const Scene& scene_;
     const Intersector& intersector_;
-    const EnvironmentMap& environment_;
+    EnvironmentMap environment_;
     std::vector<LightSamples> lights_;
     int max_depth_;
+    WhittedRules rules_;
 };
 
 }  // namespace etalon

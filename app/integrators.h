@@ -1,0 +1,23 @@
+// The integrators as the command line names them.
+#pragma once
+
+#include "core/integrators/integrators.h"
+
+namespace etalon {
+
+/// What the command line calls the integrator that the scene's own settings name.
+inline constexpr std::string_view scene_integrator = "auto";
+
+/// scene_integrator and the names of all integrators.
+inline std::vector<std::string> integrator_choices() {
+    std::vector<std::string> choices = integrator_names();
+    choices.insert(choices.begin(), std::string(scene_integrator));
+    return choices;
+}
+
+/// Overrides the scene's own integrator by one of the choices.
+inline void choose_integrator(std::string_view choice, RenderSettings& settings) {
+    if (choice != scene_integrator) settings.integrator = choice;
+}
+
+}  // namespace etalon

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/integrators/integrator.h"
+#include "core/intersect/intersector.h"
+#include "core/scene/render_settings.h"
+
+namespace etalon {
+
+/// Ambient occlusion (Zhukov, Iones & Kronin 1998): the share of the hemisphere above a surface
+/// that is open, cosine-weighted, between 0 and 1. The hemisphere is that of the geometric normal
+/// on the camera's side; materials and lights do not count. A camera ray that meets nothing is
+/// black, as in pbrt-v3, whose values are pi times these.
+class AmbientOcclusion final : public Integrator {
+  public:
+    /// Scene and intersector must outlive the integrator.
+    AmbientOcclusion(const Scene& scene, const Intersector& intersector,
+                     const RenderSettings& settings, std::vector<std::string>& problems);
+
+    Color radiance(const Ray& camera_ray, const SampleSource& sample,
+                   RayCounts& counts) const override;
+
+  private:
+    const Scene& scene_;
+    const Intersector& intersector_;
+    double max_distance_;
+    std::uint32_t rays_;  ///< for each camera ray
+};
+
+}  // namespace etalon

@@ -1,0 +1,49 @@
+#include "core/integrators/integrators.h"
+
+#include <algorithm>
+
+#include "core/integrators/ao/ambient_occlusion.h"
+#include "core/integrators/whitted/whitted.h"
+
+namespace etalon {
+namespace {
+
+template <class Type>
+std::unique_ptr<Integrator> make(const Scene& scene, const Intersector& intersector,
+                                 const RenderSettings& settings,
+                                 std::vector<std::string>& problems) {
+    return std::make_unique<Type>(scene, intersector, settings, problems);
+}
+
+constexpr std::string_view whitted_options[] = {"--max-depth", "--spd"};
+constexpr std::string_view ao_options[] = {"--max-distance"};
+
+constexpr IntegratorType integrators[] = {
+    {"whitted", "lights, mirrors and glass by the rules of the scene's format", whitted_options,
+     make<Whitted>},
+    {"ao", "ambient occlusion: the share of directions in which nothing is near", ao_options,
+     make<AmbientOcclusion>},
+};
+
+}  // namespace
+
+bool IntegratorType::obeys(std::string_view option) const {
+    return std::ranges::find(options, option) != options.end();
+}
+
+std::span<const IntegratorType> all_integrators() {
+    return integrators;
+}
+
+const IntegratorType* find_integrator(std::string_view name) {
+    const auto found = std::ranges::find(integrators, name, &IntegratorType::name);
+    return found != std::end(integrators) ? found : nullptr;
+}
+
+std::vector<std::string> integrator_names() {
+    std::vector<std::string> names;
+    for (const IntegratorType& type : integrators) names.emplace_back(type.name);
+    return names;
+}
+
+}  // namespace etalon

@@ -1,0 +1,41 @@
+// Every integrator there is, by name.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/integrators/integrator.h"
+#include "core/intersect/intersector.h"
+#include "core/scene/render_settings.h"
+
+namespace etalon {
+
+/// A way to compute pictures.
+struct IntegratorType {
+    std::string_view name;
+    std::string_view summary;
+    /// The render settings that only some integrators obey, and this one does, as the command line
+    /// spells them. Others are refused with it.
+    std::span<const std::string_view> options;
+    /// Scene and intersector must outlive the integrator. `problems` gets the reasons why parts of
+    /// the scene are replaced: a skybox that cannot be read by the background's colour.
+    std::unique_ptr<Integrator> (*make)(const Scene& scene, const Intersector& intersector,
+                                        const RenderSettings& settings,
+                                        std::vector<std::string>& problems);
+
+    bool obeys(std::string_view option) const;
+};
+
+/// In the order of help texts. To add an integrator, add its line to the table.
+std::span<const IntegratorType> all_integrators();
+
+/// nullptr if there is none of that name.
+const IntegratorType* find_integrator(std::string_view name);
+
+/// "whitted", ...
+std::vector<std::string> integrator_names();
+
+}  // namespace etalon

@@ -1,0 +1,41 @@
+// The dimensions of a sample, named by what they decide. A dimension that is missing here does not
+// exist: whoever needs one adds it, so that no two choices of a path share their numbers.
+#pragma once
+
+#include <cstdint>
+
+#include "core/sampling/sobol.h"
+
+namespace etalon {
+
+/// The choices of a camera, which are dimensions as they stand.
+enum CameraDimension : std::uint32_t { pixel_dimension = 0, lens_dimension = 1 };
+
+/// The choices at a vertex of a path. A tree of rays names each of its rays by a hash of the ray
+/// before it and the way it went; a hash of that name and a choice is the choice's dimension.
+enum PathDimension : std::uint32_t {
+    same_side_ray = 0,               ///< name of the next ray, on the side where the last came from
+    other_side_ray = 1,              ///< name of the next ray, through the surface
+    first_light = 2,                 ///< point on a light; light i has first_light + i
+    occlusion_direction = 1U << 31,  ///< above all lights
+};
+
+/// The name of a camera's ray.
+inline constexpr std::uint32_t camera_ray_name = 1;
+
+inline std::uint32_t ray_name(std::uint32_t parent, bool crosses) {
+    return hash(parent, crosses ? other_side_ray : same_side_ray);
+}
+
+inline std::uint32_t light_dimension(std::uint32_t ray, std::size_t light) {
+    return hash(ray, first_light + static_cast<std::uint32_t>(light));
+}
+
+inline std::uint32_t occlusion_dimension(std::uint32_t ray) {
+    return hash(ray, occlusion_direction);
+}
+
+/// The choices of a ray set, which are dimensions of samples of its own.
+enum RaySetDimension : std::uint32_t { bounce_dimension = 0, shadow_dimension = 1 };
+
+}  // namespace etalon

@@ -1,0 +1,64 @@
+// How a scene is rendered: filled by a loader, overridden by the command line, read by the
+// renderer.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/numerics/vec.h"
+
+namespace etalon {
+
+/// How the points of a pixel lie: evenly, or, to compare with, each wherever it falls.
+enum class Sampler : std::uint8_t { sobol, random };
+
+/// Where a picture without samples (spp 0) has its rays.
+enum class PixelRays : std::uint8_t {
+    centre,         ///< one through each pixel's centre
+    upper_left,     ///< one through each pixel's upper left corner
+    shared_corners  ///< one through each corner, which counts for all the pixels about it
+};
+
+/// How the Whitted integrator follows the rules of a scene's format where formats differ.
+struct WhittedRules {
+    bool schlick = false;         ///< Schlick's approximation instead of the Fresnel equations
+    bool clamp_each_ray = false;  ///< clamp to [0,1] what each ray returns
+    bool fit_eye_rays = false;    ///< divide what an eye's ray returns by its largest part above 1
+    /// To count rays by the rules of the Standard Procedural Databases: a mirrored ray wherever
+    /// light passes through a surface, even one of no weight.
+    bool mirror_all_glass = false;
+    /// Only to reproduce old programs: how far, in units of the scene, new rays start from the
+    /// surface along its normal. 0: as far as the surface's own error bound asks.
+    double fixed_bias = 0;
+};
+
+struct RenderSettings {
+    // Film
+    Imath::V2i resolution{0, 0};  ///< width and height in pixels
+    Imath::Box2i crop;            ///< pixels to render, inclusive on both ends; empty: all
+    bool variance = false;        ///< keep what the variance of each pixel needs
+    bool display_colors = false;  ///< colours are display values already: no sRGB curve for PNG
+
+    // Samples
+    int samples_per_pixel = 0;                 ///< 0: one deterministic ray, see pixel_rays
+    PixelRays pixel_rays = PixelRays::centre;  ///< of no effect above 0 samples per pixel
+    Sampler sampler = Sampler::sobol;
+    std::uint32_t seed = 0;
+    double target_error = 0;  ///< above 0: the relMSE at which the picture is good enough; samples
+                              ///< go where they help, samples_per_pixel at most
+
+    // Integrator
+    std::string integrator = "whitted";  ///< a name of core/integrators/integrators.h
+    int max_depth = 5;                   ///< maximum path length, including the camera ray
+    double max_distance = infinity;      ///< at which something occludes, for ambient occlusion
+    WhittedRules whitted;
+
+    std::string backend;  ///< name of the intersection backend; empty: the program's default
+
+    /// Pixels to render, inclusive on both ends.
+    Imath::Box2i window() const {
+        return crop.isEmpty() ? Imath::Box2i({0, 0}, resolution - Imath::V2i(1)) : crop;
+    }
+};
+
+}  // namespace etalon
