@@ -96,17 +96,17 @@ void occluded_by_primitive(const RTCOccludedFunctionNArguments* arguments) {
 /// out: Embree's traversal of user geometries takes no notice of it.
 PlainUserGeometry::PlainUserGeometry(const Geometry& geometry)
     : Intersector(geometry, plain_bounds(geometry)), embree_scene_(rtcNewScene(device_.handle())) {
-    const EmbreeOwned<RTCGeometry> made(rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER));
+    const EmbreeOwned<RTCGeometry> owned(rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER));
     device_.check();
-    RTCGeometry geometry = made.get();
+    RTCGeometry primitives = owned.get();
     BoundsQuery data{geometry, scene_bounds().frame};
-    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(geometry.primitives.size()));
-    rtcSetGeometryUserData(geometry, &data);
-    rtcSetGeometryBoundsFunction(geometry, bounds_of_primitive, nullptr);
-    rtcSetGeometryIntersectFunction(geometry, intersect_primitive);
-    rtcSetGeometryOccludedFunction(geometry, occluded_by_primitive);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(embree_scene_.get(), geometry);
+    rtcSetGeometryUserPrimitiveCount(primitives, static_cast<unsigned>(geometry.primitives.size()));
+    rtcSetGeometryUserData(primitives, &data);
+    rtcSetGeometryBoundsFunction(primitives, bounds_of_primitive, nullptr);
+    rtcSetGeometryIntersectFunction(primitives, intersect_primitive);
+    rtcSetGeometryOccludedFunction(primitives, occluded_by_primitive);
+    rtcCommitGeometry(primitives);
+    rtcAttachGeometry(embree_scene_.get(), primitives);
     device_.commit(embree_scene_.get());
 }
 

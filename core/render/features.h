@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/intersect/intersector.h"
+#include "core/scene/scene.h"
 #include "core/render/film.h"
 #include "core/scene/render_settings.h"
 

@@ -40,7 +40,7 @@ TEST_CASE("the scenes to be damaged are whole") {
         REQUIRE(r.scene);
         CHECK(r.diagnostics.size() == scene.diagnostics);
         CHECK(insanity(r) == "");
-        CHECK(r.scene->geometry.primitives.size() == scene.geometry.primitives);
+        CHECK(r.scene->geometry.primitives.size() == scene.primitives);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/integrators/integrator.h"
+#include "core/scene/scene.h"
 #include "core/intersect/intersector.h"
 #include "core/scene/render_settings.h"
 
