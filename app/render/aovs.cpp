@@ -15,18 +15,19 @@ struct Ingredients {
     const Film& film;
     std::optional<SurfaceMeans> means{};
     std::optional<CentreHits> centres{};
+    std::optional<CentreParametrizations> parametrizations{};
 };
 
-enum class Source { film, means, centres };
+enum class Source { film, means, centres, parametrizations };
 
 using Values = std::variant<std::vector<float>, std::vector<std::uint32_t>, std::vector<Color>,
-                            std::vector<Vec3f>>;
+                            std::vector<Vec3f>, std::vector<Imath::V2f>>;
 
 struct Aov {
     std::string_view name;
     Source source;
     Values (*values)(const Ingredients&);
-    std::string_view axes = {};           ///< of three values: what their channels end in
+    std::string_view axes = {};           ///< of several values: what their channels end in
     bool Backend::*is_counted = nullptr;  ///< what the backend must count
 };
 
@@ -45,6 +46,12 @@ constexpr Aov aovs[] = {
     {"P", Source::centres, [](const Ingredients& i) -> Values { return i.centres->positions; },
      "XYZ"},
     {"Z", Source::centres, [](const Ingredients& i) -> Values { return i.centres->depths; }},
+    {"uv", Source::parametrizations,
+     [](const Ingredients& i) -> Values { return i.parametrizations->uv; }, "UV"},
+    {"dpdu", Source::parametrizations,
+     [](const Ingredients& i) -> Values { return i.parametrizations->dpdu; }, "XYZ"},
+    {"dpdv", Source::parametrizations,
+     [](const Ingredients& i) -> Values { return i.parametrizations->dpdv; }, "XYZ"},
     {"primitiveId", Source::centres,
      [](const Ingredients& i) -> Values { return i.centres->primitives; }},
     {"variance", Source::film, [](const Ingredients& i) -> Values { return i.film.variances(); },
@@ -92,6 +99,8 @@ bool is_there(const Ingredients& there, Source source) {
             return there.means.has_value();
         case Source::centres:
             return there.centres.has_value();
+        case Source::parametrizations:
+            return there.parametrizations.has_value();
         default:
             return true;
     }
@@ -104,12 +113,12 @@ void add(const Aov& aov, std::vector<std::uint32_t> values, std::vector<Channel>
     channels.push_back({std::string(aov.name), std::move(values)});
 }
 
-template <class Triple>
-void add(const Aov& aov, const std::vector<Triple>& triples, std::vector<Channel>& channels) {
-    for (int k = 0; k < 3; ++k) {
+template <class Vector>
+void add(const Aov& aov, const std::vector<Vector>& vectors, std::vector<Channel>& channels) {
+    for (std::size_t k = 0; k < aov.axes.size(); ++k) {
         std::vector<float> values;
-        values.reserve(triples.size());
-        for (const Triple& triple : triples) values.push_back(triple[k]);
+        values.reserve(vectors.size());
+        for (const Vector& v : vectors) values.push_back(v[static_cast<int>(k)]);
         channels.push_back({fmt::format("{}.{}", aov.name, aov.axes[k]), std::move(values)});
     }
 }
@@ -154,6 +163,9 @@ std::vector<Channel> make_aovs(const Names& names, const Scene& scene,
     }
     if (any_from(list, Source::centres)) {
         made.centres = centre_hits(scene, intersector, settings, &stop);
+    }
+    if (any_from(list, Source::parametrizations)) {
+        made.parametrizations = centre_parametrizations(scene, intersector, settings, &stop);
     }
     std::vector<Channel> channels;
     for (const Aov& aov : list) {

@@ -26,6 +26,16 @@ bool visit_pixels(const Imath::Box2i& window, const std::atomic<bool>* stop, con
     return !stopped();
 }
 
+std::size_t pixels_of(const Imath::Box2i& window) {
+    const Imath::V2i last = window.size();
+    return (last.x + std::size_t{1}) * (last.y + std::size_t{1});
+}
+
+/// Ray through the centre of a pixel and of the lens.
+Ray centre_ray(const CameraRays& camera, int x, int y) {
+    return camera.ray(Vec2(x + 0.5, y + 0.5), Vec2(0.5));
+}
+
 Color albedo_of(const Material& m) {
     const Color sum = m.diffuse + m.reflection + m.transmission;
     const auto share = [](float x) { return std::clamp(x, 0.0F, 1.0F); };
@@ -64,13 +74,12 @@ std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& int
                                       const std::atomic<bool>* stop) {
     const CameraRays camera(scene.camera, settings.resolution);
     const Imath::Box2i window = settings.window();
-    const Imath::V2i last = window.size();
-    const std::size_t pixels = (last.x + std::size_t{1}) * (last.y + std::size_t{1});
+    const std::size_t pixels = pixels_of(window);
     constexpr float never = std::numeric_limits<float>::infinity();
     CentreHits hits{std::vector(pixels, Vec3f(0)), std::vector(pixels, never),
                     std::vector(pixels, no_index), std::vector(pixels, TraversalCost())};
     const auto trace = [&](int x, int y, std::size_t pixel) {
-        const Ray ray = camera.ray(Vec2(x + 0.5, y + 0.5), Vec2(0.5));
+        const Ray ray = centre_ray(camera, x, y);
         const std::optional<Hit> hit = intersector.closest(ray, hits.costs[pixel]);
         if (!hit) return;
         const Vec3 position = surface_at(scene.geometry, ray, *hit).position;
@@ -80,6 +89,28 @@ std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& int
     };
     if (!visit_pixels(window, stop, trace)) return std::nullopt;
     return hits;
+}
+
+std::optional<CentreParametrizations> centre_parametrizations(const Scene& scene,
+                                                              const Intersector& intersector,
+                                                              const RenderSettings& settings,
+                                                              const std::atomic<bool>* stop) {
+    const CameraRays camera(scene.camera, settings.resolution);
+    const Imath::Box2i window = settings.window();
+    const std::size_t pixels = pixels_of(window);
+    CentreParametrizations result{std::vector(pixels, Imath::V2f(0)), std::vector(pixels, Vec3f(0)),
+                                  std::vector(pixels, Vec3f(0))};
+    const auto trace = [&](int x, int y, std::size_t pixel) {
+        const Ray ray = centre_ray(camera, x, y);
+        const std::optional<Hit> hit = intersector.closest(ray);
+        if (!hit) return;
+        const Parametrization at = parametrization(scene, encounter(scene, ray, *hit));
+        result.uv[pixel] = Imath::V2f(at.uv);
+        result.dpdu[pixel] = Vec3f(at.dpdu);
+        result.dpdv[pixel] = Vec3f(at.dpdv);
+    };
+    if (!visit_pixels(window, stop, trace)) return std::nullopt;
+    return result;
 }
 
 }  // namespace etalon

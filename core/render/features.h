@@ -28,7 +28,13 @@ struct CentreHits {
     std::vector<TraversalCost> costs;       ///< as far as the backend counts
 };
 
-/// For a picture of these settings. Nothing if `stop` was set meanwhile. Both are the same for any
+/// Surface coordinates where those rays end, with their derivatives in the world; 0 for a miss.
+struct CentreParametrizations {
+    std::vector<Imath::V2f> uv;
+    std::vector<Vec3f> dpdu, dpdv;
+};
+
+/// For a picture of these settings. Nothing if `stop` was set meanwhile. All are the same for any
 /// number of threads.
 std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector& intersector,
                                           const RenderSettings& settings,
@@ -36,5 +42,8 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
 std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& intersector,
                                       const RenderSettings& settings,
                                       const std::atomic<bool>* stop = nullptr);
+std::optional<CentreParametrizations> centre_parametrizations(
+    const Scene& scene, const Intersector& intersector, const RenderSettings& settings,
+    const std::atomic<bool>* stop = nullptr);
 
 }  // namespace etalon

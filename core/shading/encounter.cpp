@@ -17,4 +17,8 @@ Encounter encounter(const Scene& scene, const Ray& ray, const Hit& hit) {
     return at;
 }
 
+Parametrization parametrization(const Scene& scene, const Encounter& at) {
+    return parametrization_at(scene.geometry, at.surface);
+}
+
 }  // namespace etalon

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/intersect/parametrization.h"
 #include "core/intersect/surface.h"
 #include "core/scene/scene.h"
 
@@ -15,5 +16,9 @@ struct Encounter {
 };
 
 Encounter encounter(const Scene& scene, const Ray& ray, const Hit& hit);
+
+/// Returns (u, v), dpdu and dpdv at the hit. Not stored in it: shading that needs none of them does
+/// not pay for them.
+Parametrization parametrization(const Scene& scene, const Encounter& at);
 
 }  // namespace etalon

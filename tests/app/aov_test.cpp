@@ -1,5 +1,6 @@
 // `etalon render --aov`: what is known of a pixel beside its colour.
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "core/image/io.h"
 #include "tests/app/program.h"
@@ -26,16 +27,15 @@ Outcome render(const Folder& f, const std::string& options) {
 TEST_CASE("--aov writes what was asked for as channels of the EXR", "[app]") {
     const Folder f;
     REQUIRE(render(f,
-                   "--spp 4 --aov albedo,N,P,Z,primitiveId -o a.exr "
+                   "--spp 4 --aov albedo,N,P,Z,uv,dpdu,dpdv,primitiveId -o a.exr "
                    "--aov variance,sampleCount,cost.boxTests,cost.primitiveTests -b bvh")
                 .status == 0);
     std::map<std::string, Imf::PixelType> expected = {{"primitiveId", Imf::UINT},
                                                       {"sampleCount", Imf::FLOAT}};
-    for (const char* name : {"R", "G", "B", "albedo.R", "albedo.G", "albedo.B", "N.X", "N.Y", "N.Z",
-                             "P.X", "P.Y", "P.Z", "Z", "variance.R", "variance.G", "variance.B",
-                             "cost.boxTests", "cost.primitiveTests"}) {
-        expected[name] = Imf::FLOAT;
-    }
+    std::istringstream floats(
+        "R G B albedo.R albedo.G albedo.B N.X N.Y N.Z P.X P.Y P.Z Z uv.U uv.V dpdu.X dpdu.Y dpdu.Z "
+        "dpdv.X dpdv.Y dpdv.Z variance.R variance.G variance.B cost.boxTests cost.primitiveTests");
+    for (std::string name; floats >> name;) expected[name] = Imf::FLOAT;
     const std::string path = f.path("a.exr");
     CHECK(channel_types(path) == expected);
     CHECK(channel<float>(path, "sampleCount") == std::vector<float>(32 * 24, 4));
@@ -45,6 +45,12 @@ TEST_CASE("--aov writes what was asked for as channels of the EXR", "[app]") {
     const std::size_t middle = 12 * 32 + 16;
     CHECK(ids[middle] == 1);
     CHECK(depths[middle] == Approx(std::sqrt(26) - 1).margin(0.02));
+    // Seen from (0, 1, 5): u a quarter turn from +x, and v not far from the pole at +z.
+    CHECK(channel<float>(path, "uv.U")[middle] == Approx(0.25).margin(0.06));
+    CHECK(channel<float>(path, "uv.V")[middle] ==
+          Approx(1 - std::atan(0.2) / 3.14159).margin(0.03));
+    CHECK(channel<float>(path, "dpdu.X")[middle] ==
+          Approx(-2 * 3.14159 / std::sqrt(26)).margin(0.5));
     CHECK(albedo[middle] == Approx(0.7 * 0.2 + 0.3));
     CHECK(ids[0] == 4294967295U);
     CHECK(depths[0] == std::numeric_limits<float>::infinity());

@@ -11,6 +11,11 @@ using namespace etalon::test;
 
 namespace {
 
+CentreParametrizations parametrizations_of(const TestScene& scene) {
+    const auto intersector = find_backend(default_backend)->build(scene.geometry);
+    return centre_parametrizations(scene, *intersector, scene.settings).value();
+}
+
 CentreHits hits_of(const TestScene& scene) {
     const auto intersector = find_backend(default_backend)->build(scene.geometry);
     return centre_hits(scene, *intersector, scene.settings).value();
@@ -51,6 +56,20 @@ TEST_CASE("A centre hit is where arithmetic has it; a miss is at infinity", "[fe
     CHECK(hits.depths[0] == std::numeric_limits<float>::infinity());
     CHECK(hits.primitives[0] == no_index);
     CHECK(hits.primitives[8] == 0);
+}
+
+TEST_CASE("Surface coordinates are those of the hit; a miss has none", "[features]") {
+    TestScene scene = empty_scene(3, 3);
+    scene.look.materials = {matte(Color(0.5F))};
+    scene.geometry.add(Box{Vec3(-1, -0.5, -1), Vec3(1, 1.5, 0)}, 0);
+    const CentreParametrizations p = parametrizations_of(scene);
+    REQUIRE(p.uv.size() == 9);
+    CHECK(p.uv[4] == Imath::V2f(0.5F, 0.25F));
+    CHECK(p.dpdu[4] == Vec3f(2, 0, 0));
+    CHECK(p.dpdv[4] == Vec3f(0, 2, 0));
+    CHECK(p.uv[0] == Imath::V2f(0));
+    CHECK(p.dpdu[0] == Vec3f(0));
+    CHECK(p.dpdv[0] == Vec3f(0));
 }
 
 TEST_CASE("Depth is along the axis of view, the position on the pixel's ray there", "[features]") {
@@ -128,18 +147,21 @@ TEST_CASE("A crop's features are those of the whole, on any number of threads", 
     TestScene scene = mixed_scene();
     const SurfaceMeans means = means_of(scene);
     const CentreHits hits = hits_of(scene);
+    const CentreParametrizations coordinates = parametrizations_of(scene);
     const std::vector<Color> normals = means.normal.pixels();
     scene.settings.crop = {{7, 5}, {30, 30}};
     for (const int threads : {1, 2}) {
         const ThreadLimit limit(threads);
         const std::vector<Color> part = means_of(scene).normal.pixels();
         const CentreHits part_hits = hits_of(scene);
+        const CentreParametrizations part_coordinates = parametrizations_of(scene);
         std::size_t i = 0;
         for (int y = 5; y <= 30; ++y) {
             for (int x = 7; x <= 30; ++x, ++i) {
                 const int j = y * scene.settings.resolution.x + x;
                 REQUIRE(part[i] == normals[j]);
                 REQUIRE(part_hits.positions[i] == hits.positions[j]);
+                REQUIRE(part_coordinates.uv[i] == coordinates.uv[j]);
                 REQUIRE(part_hits.costs[i].box_tests == hits.costs[j].box_tests);
             }
         }
@@ -153,4 +175,5 @@ TEST_CASE("A stop leaves no features rather than parts of them", "[features]") {
     const auto intersector = find_backend(default_backend)->build(scene.geometry);
     CHECK_FALSE(surface_means(scene, *intersector, scene.settings, &stop));
     CHECK_FALSE(centre_hits(scene, *intersector, scene.settings, &stop));
+    CHECK_FALSE(centre_parametrizations(scene, *intersector, scene.settings, &stop));
 }

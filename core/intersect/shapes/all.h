@@ -1,14 +1,18 @@
-// Every kernel. For each shape three overloads, and nothing else knows how a shape is hit:
+// Every kernel. For each shape four overloads, and nothing else knows how a shape is hit:
 //
-//   Box3 bounds(scene, shape)
+//   Box3 bounds(geometry, shape)
 //       Contains every point that can be hit. Infinite for an unbounded shape, empty for a
 //       degenerate one (zero extent, not finite), which is then never hit.
-//   double first_hit(scene, shape, sides, query)
+//   double first_hit(geometry, shape, sides, query)
 //       The smallest finite t > query.ray.tmin at which a visible side of the shape is met, or
 //       no_hit. The ray is finite and its direction not zero: Intersector sees to that.
 //       A point so found is never outside the shape's bounds by more than a few roundings.
-//   SurfacePoint surface(scene, shape, query, t)
+//   SurfacePoint surface(geometry, shape, query, t)
 //       The point at a t that first_hit returned (or, from another source, close to it).
+//   Parametrization parametrization(geometry, shape, point)
+//       The (u, v) and the derivatives there, of a point that surface() returned: finite, and the
+//       derivatives tangent. Where they do not span the tangent plane, as at a pole, the caller
+//       replaces them.
 #pragma once
 
 #include "core/intersect/shapes/box.h"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/intersect/ray.h"
+#include "core/intersect/shapes/charts.h"
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
 #include "core/numerics/exact.h"
@@ -80,6 +81,11 @@ inline SurfacePoint surface(const Geometry&, const Box& b, const RayQuery& q, do
     normal[axis] = at_max ? 1 : -1;
     const Vec3 magnitude(std::max(max_abs(b.min), max_abs(b.max)));
     return {position, position_error(magnitude, 0), normal, normal};
+}
+
+/// Each face from 0 to 1: see box_chart(). dpdu x dpdv points outward.
+inline Parametrization parametrization(const Geometry&, const Box& b, const SurfacePoint& p) {
+    return box_chart({b.min, b.max}, p);
 }
 
 }  // namespace etalon

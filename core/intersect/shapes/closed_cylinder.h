@@ -2,6 +2,7 @@
 
 #include "core/intersect/shapes/affine_exact.h"
 #include "core/intersect/shapes/affine_surface.h"
+#include "core/intersect/shapes/charts.h"
 #include "core/intersect/shapes/closed_cylinder_sieve.h"
 #include "core/intersect/surface.h"
 #include "core/scene/geometry.h"
@@ -42,12 +43,6 @@ inline double inset(const Vec3& gradient, const Vec3& normal, const Vec3& error)
     return 2 * (offset + abs(gradient).dot(error));
 }
 
-/// From the axis, of unit length; of the axis itself any such.
-inline Vec3 outward(const Vec3& local) {
-    const double radius = std::hypot(local.x, local.y);
-    return radius > 0 ? Vec3(local.x, local.y, 0) / radius : Vec3(1, 0, 0);
-}
-
 /// At a rim a point is moved along its face, so that a ray that goes inward from there starts
 /// inside.
 inline CylinderPoint on_cap(const ClosedCylinder& c, const Vec3& local, double cap,
@@ -86,6 +81,24 @@ inline SurfacePoint surface(const Geometry&, const ClosedCylinder& c, const RayQ
     const Vec3 error = position_error(abs(m.origin) + reach(m.x, m.y) + abs(m.z), 0);
     const CylinderPoint p = nearest_on(c, seen, error);
     return {c.frame.point(p.local), error, p.normal, p.normal};
+}
+
+/// Returns coordinates across the axis in the unit cylinder. The frame's own are turned about it.
+inline Vec3 unturned(const ClosedCylinder& c, const Vec3& local) {
+    const Vec3 x = c.frame.vector(c.to_world.x), y = c.frame.vector(c.to_world.y);
+    return {local.x * x.x + local.y * x.y, local.x * y.x + local.y * y.y, 0};
+}
+
+/// The image of the unit cylinder's, where the side has that of pbrt's cylinder and either cap that
+/// of pbrt's disk. There dpdu x dpdv points outward on the side, and along +z on both caps; a map
+/// that mirrors turns it round.
+inline Parametrization parametrization(const Geometry&, const ClosedCylinder& c,
+                                       const SurfacePoint& p) {
+    const Vec3 local = c.frame.vector(p.position - c.to_world.origin);
+    const Vec3 normal = pulled_back(c.to_world, p.normal);
+    const bool is_cap = std::abs(normal.z) > std::hypot(normal.x, normal.y);
+    return image(c.to_world, is_cap ? ring_chart(unturned(c, local), 0, 1)
+                                    : cone_chart(outward(normal), saturated(local.z), 1, 1, 1));
 }
 
 }  // namespace etalon

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "core/intersect/ray.h"
+#include "core/intersect/shapes/charts.h"
 #include "core/intersect/shapes/circle.h"
 #include "core/intersect/shapes/cone_exact.h"
 #include "core/intersect/shapes/cone_filter.h"
 #include "core/intersect/shapes/cone_sieve.h"
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
+#include "core/numerics/transforms.h"
 #include "core/scene/geometry.h"
 
 namespace etalon {
@@ -52,6 +54,16 @@ inline SurfacePoint surface(const Geometry&, const Cone& c, const RayQuery& q, d
     const Vec3 position = c.base + s * h + (c.base_radius + s * spread) * outward;
     const double extent = length + std::max(c.base_radius, c.top_radius);
     return {position, position_error(abs(c.base), extent), normal, normal};
+}
+
+/// pbrt's (of a cylinder, a cone or a hyperboloid), with v from the base to the top and u from the
+/// x axis of about_axis(). dpdu x dpdv points outward.
+inline Parametrization parametrization(const Geometry&, const Cone& c, const SurfacePoint& p) {
+    const Vec3 h = c.top - c.base;
+    const Affine map = about_axis(c.base, h);
+    const double v = saturated((p.position - c.base).dot(h) / h.dot(h));
+    const Vec3 side = outward(pulled_back(map, p.normal));
+    return image(map, cone_chart(side, v, c.base_radius, c.top_radius, std::sqrt(h.dot(h))));
 }
 
 }  // namespace etalon

@@ -2,6 +2,7 @@
 
 #include "core/intersect/shapes/affine_exact.h"
 #include "core/intersect/shapes/affine_surface.h"
+#include "core/intersect/shapes/charts.h"
 #include "core/intersect/shapes/unit_line.h"
 #include "core/intersect/surface.h"
 #include "core/scene/geometry.h"
@@ -45,6 +46,13 @@ inline SurfacePoint surface(const Geometry&, const Ellipsoid& e, const RayQuery&
     const Vec3 normal = unit_vector(e.frame.normal(local));
     const Vec3 magnitude = abs(e.to_world.origin) + reach(e);
     return {e.frame.point(local), position_error(magnitude, 0), normal, normal};
+}
+
+/// The image of the unit sphere's, which is pbrt's. dpdu x dpdv points outward, or inward where the
+/// map mirrors.
+inline Parametrization parametrization(const Geometry&, const Ellipsoid& e, const SurfacePoint& p) {
+    const Vec3 local = unit_vector(pulled_back(e.to_world, p.normal));
+    return image(e.to_world, sphere_chart(local));
 }
 
 }  // namespace etalon

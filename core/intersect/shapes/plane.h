@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/intersect/ray.h"
+#include "core/intersect/shapes/charts.h"
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
 #include "core/numerics/exact.h"
@@ -37,6 +38,11 @@ inline SurfacePoint surface(const Geometry&, const Plane& p, const RayQuery& q, 
     Vec3 position = q.ray.origin + t * q.ray.direction;
     position -= normal.dot(position - p.point) * normal;
     return {position, position_error(abs(position) + abs(p.point), 0), normal, normal};
+}
+
+/// Lengths in the plane, from its point: see plane_chart(). dpdu x dpdv is the unit normal.
+inline Parametrization parametrization(const Geometry&, const Plane& plane, const SurfacePoint& p) {
+    return plane_chart(p.normal, p.position - plane.point);
 }
 
 }  // namespace etalon

@@ -4,6 +4,7 @@
 
 #include "core/intersect/ray.h"
 #include "core/intersect/shapes/box.h"
+#include "core/intersect/shapes/charts.h"
 #include "core/intersect/shapes/edges.h"
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
@@ -164,6 +165,12 @@ inline SurfacePoint surface(const Geometry& geometry, const Polygon& polygon, co
     const Box3 box = box_of(p);
     const Vec3 size = box.size();
     return {position, position_error(abs(point) + size, max_abs(size)), normal, shading};
+}
+
+/// Lengths in the plane, from the first corner: see plane_chart(). dpdu x dpdv is the unit normal.
+inline Parametrization parametrization(const Geometry& geometry, const Polygon& polygon,
+                                       const SurfacePoint& p) {
+    return plane_chart(p.normal, p.position - corners(geometry, polygon)[0]);
 }
 
 }  // namespace etalon

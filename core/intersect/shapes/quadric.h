@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/intersect/shapes/charts.h"
 #include "core/intersect/shapes/quadric_exact.h"
 #include "core/intersect/shapes/quadric_sieve.h"
 #include "core/intersect/surface.h"
@@ -17,5 +18,11 @@ inline double first_hit(const Geometry&, const Quadric& s, Sides sides, const Ra
 }
 
 SurfacePoint surface(const Geometry&, const Quadric& s, const RayQuery& q, double t);
+
+/// The projection onto the faces of the clipping box: see box_chart(). It jumps where the normal
+/// turns to another face. dpdu x dpdv points where the normal does.
+inline Parametrization parametrization(const Geometry&, const Quadric& s, const SurfacePoint& p) {
+    return box_chart(s.clip, p);
+}
 
 }  // namespace etalon

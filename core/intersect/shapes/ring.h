@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/intersect/shapes/charts.h"
 #include "core/intersect/shapes/circle.h"
 #include "core/intersect/shapes/plane.h"
+#include "core/numerics/transforms.h"
 
 namespace etalon {
 
@@ -77,6 +79,13 @@ inline double first_hit(const Geometry& geometry, const Ring& r, Sides sides, co
 
 inline SurfacePoint surface(const Geometry& geometry, const Ring& r, const RayQuery& q, double t) {
     return surface(geometry, plane_of(r), q, t);
+}
+
+/// pbrt's (of a disk), with u from the x axis of about_axis(). dpdu x dpdv points where the normal
+/// does.
+inline Parametrization parametrization(const Geometry&, const Ring& r, const SurfacePoint& p) {
+    const Affine map = about_axis(r.centre, r.normal);
+    return image(map, ring_chart(pulled_back(map, p.position - r.centre), r.inner, r.outer));
 }
 
 }  // namespace etalon

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/intersect/ray.h"
+#include "core/intersect/shapes/charts.h"
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
 #include "core/numerics/rounding.h"
@@ -72,6 +73,12 @@ inline SurfacePoint surface(const Geometry&, const Sphere& s, const RayQuery& q,
     const Vec3 normal = normalized(f);
     const Vec3 position = s.centre + s.radius * normal;
     return {position, position_error(abs(s.centre), s.radius), normal, normal};
+}
+
+/// pbrt's, about the z axis of the world. dpdu x dpdv points outward.
+inline Parametrization parametrization(const Geometry&, const Sphere& s, const SurfacePoint& p) {
+    const Parametrization unit = sphere_chart(p.normal);
+    return {unit.uv, s.radius * unit.dpdu, s.radius * unit.dpdv};
 }
 
 }  // namespace etalon

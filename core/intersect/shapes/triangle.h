@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/intersect/ray.h"
+#include "core/intersect/shapes/charts.h"
 #include "core/intersect/shapes/edges.h"
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
@@ -166,6 +167,20 @@ inline SurfacePoint surface(const Geometry& geometry, const Triangle& tri, const
                          std::max(abs(box.min).z, abs(box.max).z));
     return {u * p[0] + v * p[1] + w * p[2], position_error(magnitude, max_abs(box.size())), normal,
             shading};
+}
+
+/// pbrt's for a triangle without coordinates of its own: (0, 0), (1, 0) and (1, 1) at the corners.
+/// dpdu x dpdv points where the normal does.
+inline Parametrization parametrization(const Geometry& geometry, const Triangle& t,
+                                       const SurfacePoint& p) {
+    const TriangleCorners corner(geometry, t);
+    const Vec3 a = corner[1] - corner[0], b = corner[2] - corner[0], w = p.position - corner[0];
+    const Vec3 n = front_normal(corner);
+    const int k = dominant_axis(n);
+    // The second from the first, so that together they give the point even where the triangle is so
+    // thin that each is far off.
+    const double weight2 = a.cross(w)[k] / n[k], weight1 = a.dot(w - weight2 * b) / a.dot(a);
+    return {{saturated(weight1 + weight2), saturated(weight2)}, a, corner[2] - corner[1]};
 }
 
 }  // namespace etalon

@@ -1,0 +1,27 @@
+#include "core/intersect/parametrization.h"
+
+#include "core/intersect/shapes/all.h"
+
+namespace etalon {
+namespace {
+
+/// False where the derivatives are parallel, zero or not finite.
+bool spans_plane(Vec3 dpdu, Vec3 dpdv) {
+    dpdu *= power_of_two_reciprocal(max_abs(dpdu));  // whose product may be out of range
+    dpdv *= power_of_two_reciprocal(max_abs(dpdv));
+    const Vec3 normal = dpdu.cross(dpdv);
+    return is_finite(normal) && normal != Vec3(0);
+}
+
+}  // namespace
+
+Parametrization parametrization_at(const Geometry& geometry, const SurfacePoint& point) {
+    const Primitive p = geometry.primitives[point.primitive];
+    Parametrization at = with_shape(p.kind, [&]<class Shape>() {
+        return parametrization(geometry, geometry.get<Shape>(p), point);
+    });
+    if (!spans_plane(at.dpdu, at.dpdv)) orthonormal_basis(point.normal, at.dpdu, at.dpdv);
+    return at;
+}
+
+}  // namespace etalon
