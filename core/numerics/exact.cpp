@@ -42,7 +42,7 @@ bool are_parallel(const Vec3TwoTerm& d, const Vec3TwoTerm& p) {
 }
 
 /// Bound on the error of a triple product in double-double, in units of its terms.
-constexpr double triple_product_doubt = 0x1p-101;
+constexpr double triple_product_error_bound = 0x1p-101;
 
 /// The same by double-double, where that is off by no more than `tolerance` of itself.
 double triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p, const Vec3TwoTerm& q,
@@ -56,8 +56,8 @@ double triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p, const Vec3TwoT
         terms += std::abs(d[k].value) * (std::abs(left.value) + std::abs(right.value));
     }
     const bool in_range = terms > 0x1p-800;  // no product's error underflows
-    const double doubt = triple_product_doubt * terms;
-    if (in_range && tolerance * std::abs(volume.value) > doubt) return volume.value;
+    const double error_bound = triple_product_error_bound * terms;
+    if (in_range && tolerance * std::abs(volume.value) > error_bound) return volume.value;
     if (in_range && (are_parallel(d, p) || are_parallel(d, q))) return 0;
     return exact_triple_product(d, p, q);
 }

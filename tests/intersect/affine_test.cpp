@@ -102,10 +102,9 @@ TEMPLATE_TEST_CASE("Images: given a mirrored unit shape, then it is the same sha
     REQUIRE(hits > 300);
 }
 
-TEMPLATE_TEST_CASE(
-    "Images: given any ray, then exact arithmetic says what the sieve does not doubt", "",
-    Ellipsoid, ClosedCylinder) {
-    int doubts = 0, hits = 0, rays = 0;
+TEMPLATE_TEST_CASE("Images: given any ray, then exact arithmetic says what the sieve is certain of",
+                   "", Ellipsoid, ClosedCylinder) {
+    int uncertain_answers = 0, hits = 0, rays = 0;
     for (const ShapeCase& shape : shape_cases()) {
         if (shape.scene.geometry.primitives[0].kind != kind_of<TestType>()) continue;
         const TestType& image = shape.scene.geometry.all<TestType>()[0];
@@ -115,8 +114,8 @@ TEMPLATE_TEST_CASE(
             const auto sides = static_cast<Sides>(random.index(3));
             const double t = sieve(image, sides, query);
             ++rays;
-            doubts += t == in_doubt;
-            if (t == in_doubt) continue;
+            uncertain_answers += t == uncertain;
+            if (t == uncertain) continue;
             const Passage x = exact_passage(image, query.ray);
             const double exact = first_visible(x.entry, x.exit, sides, query.ray.tmin);
             CAPTURE(shape.name, i, t, exact);
@@ -125,21 +124,21 @@ TEMPLATE_TEST_CASE(
             if (t > 0) REQUIRE(std::abs(t - exact) <= t_tolerance * exact);
         }
     }
-    CAPTURE(doubts, hits, rays);
+    CAPTURE(uncertain_answers, hits, rays);
     REQUIRE(hits > rays / 5);
-    REQUIRE(doubts > rays / 100);  // or these rays would be too easy
+    REQUIRE(uncertain_answers > rays / 100);  // or these rays would be too easy
 }
 
 TEMPLATE_TEST_CASE("Images: given rays from a few sizes off, then the sieve doubts hardly any", "",
                    Ellipsoid, ClosedCylinder) {
     Random random(33);
-    int doubts = 0;
+    int uncertain_answers = 0;
     for (int i = 0; i < 50000; ++i) {
         const Affine map = any_map(random);
         const TestType shape(map);
-        doubts += sieve(shape, Sides::both, RayQuery(any_ray(map, random))) == in_doubt;
+        uncertain_answers += sieve(shape, Sides::both, RayQuery(any_ray(map, random))) == uncertain;
     }
-    REQUIRE(doubts <= 250);
+    REQUIRE(uncertain_answers <= 250);
 }
 
 TEMPLATE_TEST_CASE("Images: given a map and a ray of any size, then t is the same times that size",

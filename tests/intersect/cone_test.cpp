@@ -251,18 +251,18 @@ TEST_CASE("Cone: given a ray from the surface itself, then t is not zero but the
     }
 }
 
-TEMPLATE_TEST_CASE("Cone: given any ray, then exact arithmetic says what a tier does not doubt", "",
+TEMPLATE_TEST_CASE("Cone: given any ray, then exact arithmetic says what a tier is certain of", "",
                    ConeSieve, ConeFilter) {
     Random random(20);
-    int doubts = 0, hits = 0;
+    int uncertain_answers = 0, hits = 0;
     const int count = 200000;
     for (int i = 0; i < count; ++i) {
         const Cone cone = random_cone(random);
         const RayQuery query(random_ray(cone, random));
         const auto sides = static_cast<Sides>(random.index(3));
         const double t = TestType(cone, query).first_hit(sides);
-        doubts += t == in_doubt;
-        if (t == in_doubt) continue;
+        uncertain_answers += t == uncertain;
+        if (t == uncertain) continue;
         const Passage x = exact_passage(cone, query.ray);
         const double exact = first_visible(x.entry, x.exit, sides, query.ray.tmin);
         CAPTURE(i, t, exact);
@@ -271,9 +271,9 @@ TEMPLATE_TEST_CASE("Cone: given any ray, then exact arithmetic says what a tier 
         ++hits;
         REQUIRE(std::abs(t - exact) <= t_tolerance * exact);
     }
-    CAPTURE(doubts, hits);
+    CAPTURE(uncertain_answers, hits);
     REQUIRE(hits > count / 5);
-    REQUIRE(doubts > count / 100);  // or these rays would be too easy
+    REQUIRE(uncertain_answers > count / 100);  // or these rays would be too easy
 }
 
 TEST_CASE("Cone: given a cone and a ray of any size, then t is the same times that size") {
@@ -312,8 +312,8 @@ TEST_CASE("Cone: given rays from ten radii at its surroundings, then no tier dou
         const Cone& cone = i % 2 == 0 ? cylinder : pointed;
         const Vec3 origin = 10.0 * random.direction();
         const RayQuery query(Ray{origin, 2.0 * random.in_cube() - origin});
-        sieve += ConeSieve(cone, query).first_hit(Sides::both) == in_doubt;
-        filter += ConeFilter(cone, query).first_hit(Sides::both) == in_doubt;
+        sieve += ConeSieve(cone, query).first_hit(Sides::both) == uncertain;
+        filter += ConeFilter(cone, query).first_hit(Sides::both) == uncertain;
     }
     REQUIRE(sieve <= 500);
     REQUIRE(filter <= 5);

@@ -116,8 +116,8 @@ bool is_explained(const ShapeCase& shape, const Ray& ray, double t, double true_
     const Primitive primitive = shape.scene.geometry.primitives[0];
     // A quadric's place may be less certain than any length about it: its form's terms cancel.
     const bool cancels = primitive.kind == kind_of<Quadric>();
-    const double uncertain = cancels ? std::max(reach, max_abs(point.error) / 4) : reach;
-    branches.widen(uncertain / cosine + fair_ulps * 2 * unit_roundoff * where);
+    const double uncertainty = cancels ? std::max(reach, max_abs(point.error) / 4) : reach;
+    branches.widen(uncertainty / cosine + fair_ulps * 2 * unit_roundoff * where);
     return contains(branches, primitive.sides, ray.tmin, t);
 }
 

@@ -76,9 +76,9 @@ Interval range_of_kd(const Material& m) {
     for (int k = 0; k < 3; ++k) {
         const double a = m.absorption[k], d = m.diffuse[k];
         if (d <= 0) continue;
-        const double doubt = 0x1p-24 * std::max(a, 1.0);
-        if (a > 0) range.low = std::max(range.low, d / (1 - a + doubt));
-        if (1 - a > doubt) range.high = std::min(range.high, d / (1 - a - doubt));
+        const double error_bound = 0x1p-24 * std::max(a, 1.0);
+        if (a > 0) range.low = std::max(range.low, d / (1 - a + error_bound));
+        if (1 - a > error_bound) range.high = std::min(range.high, d / (1 - a - error_bound));
     }
     return range;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/intersect/clusters/doubt.h"
+#include "core/intersect/clusters/error_bounds.h"
 #include "core/intersect/shapes/triangle.h"
 
 namespace etalon {
@@ -36,7 +36,7 @@ void TriangleCluster::fill(const Geometry& geometry, const Frame& frame,
     for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
         exact[lane] = etalon::corners(geometry, Triangle{vertices[lane]});
     }
-    doubt = 0;
+    error_bound = 0;
     for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
         Box3 box;
         for (int c = 0; c < 3; ++c) {
@@ -46,7 +46,7 @@ void TriangleCluster::fill(const Geometry& geometry, const Frame& frame,
                 corners[c][k][lane] = lane < all.size() ? static_cast<float>(corner[k]) : nothing;
             }
         }
-        doubt = std::max(doubt, edge_doubt(max_abs(box.size())));
+        error_bound = std::max(error_bound, edge_error_bound(max_abs(box.size())));
     }
 }
 

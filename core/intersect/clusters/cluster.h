@@ -30,7 +30,7 @@ struct alignas(64) TriangleCluster {
     void fill(const Geometry& geometry, const Frame& frame, std::span<const std::uint32_t> all);
 
     std::array<std::array<Lanes, 3>, 3> corners;  ///< of each corner x, y and z
-    float doubt;  ///< bound on the error of an edge function, see TriangleFilter
+    float error_bound;  ///< bound on the error of an edge function, see TriangleFilter
     std::array<Sides, cluster_lanes> sides;
     alignas(32) Ids ids;
     std::array<std::array<std::uint32_t, 3>, cluster_lanes> vertices;

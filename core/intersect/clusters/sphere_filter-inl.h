@@ -6,7 +6,7 @@
 #define ETALON_CLUSTERS_SPHERE_FILTER_INL_H
 #endif
 
-#include "core/intersect/clusters/doubt.h"
+#include "core/intersect/clusters/error_bounds.h"
 #include "core/intersect/clusters/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,7 +17,7 @@ class SphereFilter {
   public:
     /// Of a ray that has left the primitive `left` (see Ray).
     HWY_INLINE SphereFilter(const FrameRay& ray, float tmin, std::uint32_t left)
-        : tmin_(broadcast(tmin - middle_doubt)), left_(left) {
+        : tmin_(broadcast(tmin - middle_error_bound)), left_(left) {
         const float length2 = ray.direction.dot(ray.direction), reciprocal = 1 / length2;
         length2_ = broadcast(length2);
         for (int k = 0; k < 3; ++k) {
@@ -34,7 +34,7 @@ class SphereFilter {
 
   private:
     /// The sphere's part of the line is `middle` +- sqrt(reach / length2), an interval that is too
-    /// wide rather than too narrow but for the middle's doubt.
+    /// wide rather than too narrow but for the middle's error bound.
     HWY_INLINE Mask meets(const SphereCluster& cluster, std::size_t i, float tmax) const {
         const Floats x = hn::Sub(load(cluster.centre[0], i), origin_[0]),
                      y = hn::Sub(load(cluster.centre[1], i), origin_[1]),
@@ -47,7 +47,7 @@ class SphereFilter {
         const Floats radius = load(cluster.radius, i);
         const Floats reach = hn::NegMulAdd(
             px, px, hn::NegMulAdd(py, py, hn::NegMulAdd(pz, pz, hn::Mul(radius, radius))));
-        const Floats beyond = hn::Sub(middle, broadcast(tmax + middle_doubt)),
+        const Floats beyond = hn::Sub(middle, broadcast(tmax + middle_error_bound)),
                      behind = hn::Sub(tmin_, middle);
         const Floats gap = hn::Max(hn::Max(beyond, behind), hn::Zero(Tag()));
         const Mask met = hn::Le(hn::Mul(hn::Mul(gap, gap), length2_), reach);

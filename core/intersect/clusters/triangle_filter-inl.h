@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "core/intersect/clusters/doubt.h"
+#include "core/intersect/clusters/error_bounds.h"
 #include "core/intersect/clusters/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -42,13 +42,13 @@ class TriangleFilter {
     HWY_INLINE Mask meets(const TriangleCluster& cluster, std::size_t i, float tmax) const {
         const Corner a = shear(cluster.corners[0], i), b = shear(cluster.corners[1], i),
                      c = shear(cluster.corners[2], i);
-        const Floats doubt = broadcast(cluster.doubt);
+        const Floats error_bound = broadcast(cluster.error_bound);
         const Floats u = edge(b, c), v = edge(c, a), w = edge(a, b);
-        const Mask around = hn::Or(hn::Ge(hn::Min(u, hn::Min(v, w)), hn::Neg(doubt)),
-                                   hn::Le(hn::Max(u, hn::Max(v, w)), doubt));
+        const Mask around = hn::Or(hn::Ge(hn::Min(u, hn::Min(v, w)), hn::Neg(error_bound)),
+                                   hn::Le(hn::Max(u, hn::Max(v, w)), error_bound));
         const Mask surrounds = hn::AndNot(holds(cluster.ids, i, left_), around);
         if (hn::AllFalse(Tag(), surrounds)) return surrounds;
-        return hn::AndNot(surely_beyond(tmax, {u, v, w}, {a.z, b.z, c.z}, doubt), surrounds);
+        return hn::AndNot(surely_beyond(tmax, {u, v, w}, {a.z, b.z, c.z}, error_bound), surrounds);
     }
 
     HWY_INLINE Corner shear(const std::array<Lanes, 3>& p, std::size_t i) const {
@@ -63,12 +63,13 @@ class TriangleFilter {
 
     /// The hit is at the mean of the corners' depths, weighted by |U|, |V|, |W|. It is beyond the
     /// depth of tmax if the sum of |U| q is positive, q being each corner's depth less that. What
-    /// is computed is off by doubt * (sum of |q|), with the share of the doubt that is kept for the
-    /// roundings of this sum, 3 u |U| <= 24 u L^2 <= 48 u L < 1.8 E L. Where the sign of U + V + W
-    /// is wrong none of the three is beyond twice the doubt in size, nor is the sum.
+    /// is computed is off by error bound * (sum of |q|), with the share of the error bound that is
+    /// kept for the roundings of this sum, 3 u |U| <= 24 u L^2 <= 48 u L < 1.8 E L. Where the sign
+    /// of U + V + W is wrong none of the three is beyond twice the error bound in size, nor is the
+    /// sum.
     HWY_INLINE Mask surely_beyond(float tmax, const Corner& weight, const Corner& depth,
-                                  Floats doubt) const {
-        const Floats limit = broadcast(std::clamp(tmax * speed_, -8.0F, 8.0F) + depth_doubt);
+                                  Floats error_bound) const {
+        const Floats limit = broadcast(std::clamp(tmax * speed_, -8.0F, 8.0F) + depth_error_bound);
         const Floats qx = hn::MulSub(forward_, depth.x, limit),
                      qy = hn::MulSub(forward_, depth.y, limit),
                      qz = hn::MulSub(forward_, depth.z, limit);
@@ -77,7 +78,7 @@ class TriangleFilter {
         const Floats sense = hn::Add(weight.x, hn::Add(weight.y, weight.z));
         const Floats turned = hn::IfThenElse(hn::Gt(sense, hn::Zero(Tag())), sum, hn::Neg(sum));
         const Floats size = hn::Add(hn::Abs(qx), hn::Add(hn::Abs(qy), hn::Abs(qz)));
-        return hn::Gt(turned, hn::Mul(hn::Add(doubt, doubt), size));
+        return hn::Gt(turned, hn::Mul(hn::Add(error_bound, error_bound), size));
     }
 
     int kx_, ky_, kz_;

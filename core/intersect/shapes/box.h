@@ -63,9 +63,10 @@ inline bool meets_box(const Box& b, const Ray& ray) {
 /// than that, as for a ray at an edge, the decision is exact.
 inline double first_hit(const Geometry&, const Box& b, Sides sides, const RayQuery& q) {
     const SlabCrossing c = cross_slabs(b, q.ray);
-    const double doubt = 3 * unit_roundoff * (std::abs(c.entry) + std::abs(c.exit));
-    if (!(c.entry - c.exit <= doubt) || c.entry == infinity) return no_hit;
-    if (is_degenerate(b) || (c.exit - c.entry <= doubt && !meets_box(b, q.ray))) return no_hit;
+    const double error_bound = 3 * unit_roundoff * (std::abs(c.entry) + std::abs(c.exit));
+    if (!(c.entry - c.exit <= error_bound) || c.entry == infinity) return no_hit;
+    if (is_degenerate(b) || (c.exit - c.entry <= error_bound && !meets_box(b, q.ray)))
+        return no_hit;
     return first_visible(c.entry, c.exit, sides, q.ray.tmin);
 }
 

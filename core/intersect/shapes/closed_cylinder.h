@@ -19,7 +19,7 @@ inline Box3 bounds(const Geometry&, const ClosedCylinder& c) {
     return box_around(centres.min, centres.max, reach(m.x, m.y));
 }
 
-/// The first visible t beyond tmin, good to t_tolerance; no_hit; or in_doubt.
+/// The first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
 inline double sieve(const ClosedCylinder& c, Sides sides, const RayQuery& q) {
     return ClosedCylinderSieve(c, q).first_hit(sides);
 }
@@ -27,7 +27,7 @@ inline double sieve(const ClosedCylinder& c, Sides sides, const RayQuery& q) {
 /// Hit or miss is right for every ray, and t good to t_tolerance.
 inline double first_hit(const Geometry&, const ClosedCylinder& c, Sides sides, const RayQuery& q) {
     const double t = sieve(c, sides, q);
-    if (t != in_doubt) return t;
+    if (t != uncertain) return t;
     const Passage x = exact_passage(c, q.ray);
     return first_visible(x.entry, x.exit, sides, q.ray.tmin);
 }

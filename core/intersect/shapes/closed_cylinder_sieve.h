@@ -15,18 +15,18 @@ class ClosedCylinderSieve {
           across_(c.frame.length(0) + c.frame.length(1)),
           along_(c.frame.length(2)) {}
 
-    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or in_doubt.
+    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
     double first_hit(Sides sides) const {
-        if (!line_.is_in_range(across_) || !line_.is_in_range(along_)) return in_doubt;
+        if (!line_.is_in_range(across_) || !line_.is_in_range(along_)) return uncertain;
         const Vec3 w(line_.w.x, line_.w.y, 0), d(line_.d.x, line_.d.y, 0);
         const UnitLine side(w, line_.error_of_w(across_), d, line_.error_of_d(across_));
         if (side.leaves() || side.misses()) return no_hit;
         if (side.is_parallel()) return first_between_caps(side, sides);
-        if (!side.is_certain()) return in_doubt;
+        if (!side.is_certain()) return uncertain;
         const Stretch inside = side.stretch();
         const Place entry = place(inside.entry), exit = place(inside.exit);
         if (entry == exit && (entry == below || entry == above)) return no_hit;
-        if (entry == unknown || (entry != between && exit == unknown)) return in_doubt;
+        if (entry == unknown || (entry != between && exit == unknown)) return uncertain;
         return first_ahead({end(entry, inside.entry), end(exit, inside.exit)}, sides, tmin_);
     }
 
@@ -49,7 +49,7 @@ class ClosedCylinderSieve {
         const Approximate base = cap(0), top = cap(1);
         const double longest = std::max(base.error + std::abs(base.value),  //
                                         top.error + std::abs(top.value));
-        if (!side.stays_clear(longest)) return in_doubt;
+        if (!side.stays_clear(longest)) return uncertain;
         if (!side.starts_inside()) return no_hit;
         const bool rises = line_.d.z > 0;
         return first_ahead({rises ? base : top, rises ? top : base}, sides, tmin_);

@@ -25,11 +25,11 @@ inline Box3 bounds(const Geometry&, const Cone& c) {
     return box;
 }
 
-/// What the sieve leaves in doubt: in plain double with all care, and in exact arithmetic where a
+/// What the sieve leaves uncertain: in plain double with all care, and in exact arithmetic where a
 /// doubt remains.
 [[gnu::noinline]] inline double careful_first_hit(const Cone& c, Sides sides, const RayQuery& q) {
     const double t = ConeFilter(c, q).first_hit(sides);
-    if (t != in_doubt) return t < infinity && !is_degenerate(c) ? t : no_hit;
+    if (t != uncertain) return t < infinity && !is_degenerate(c) ? t : no_hit;
     const Passage x = exact_passage(c, q.ray);
     return first_visible(x.entry, x.exit, sides, q.ray.tmin);
 }
@@ -37,7 +37,7 @@ inline Box3 bounds(const Geometry&, const Cone& c) {
 /// Hit or miss is right for every ray, and t good to t_tolerance.
 inline double first_hit(const Geometry&, const Cone& c, Sides sides, const RayQuery& q) {
     const double t = ConeSieve(c, q).first_hit(sides);
-    return t == in_doubt ? careful_first_hit(c, sides, q) : t;
+    return t == uncertain ? careful_first_hit(c, sides, q) : t;
 }
 
 /// The position is moved onto the circle at its height. At the apex the normal is the axis'.

@@ -1,5 +1,5 @@
 // Where a ray meets a cone, in plain double with a bound on all that rounding may have done. What
-// the bound leaves in doubt is for core/intersect/shapes/cone_exact.h to tell.
+// the bound leaves uncertain is for core/intersect/shapes/cone_exact.h to tell.
 #pragma once
 
 #include "core/intersect/ray.h"
@@ -33,13 +33,13 @@ class ConeFilter {
         bound_errors();
     }
 
-    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or in_doubt. Where alpha
+    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain. Where alpha
     /// is negative the line is steeper than the cone and crosses either nappe once: the mirror
     /// nappe is left out.
     double first_hit(Sides sides) const {
-        if (!in_range_) return in_doubt;
+        if (!in_range_) return uncertain;
         if (discriminant_ < -e_discriminant_) return no_hit;
-        if (!(discriminant_ > 4 * e_discriminant_)) return stays_clear() ? no_hit : in_doubt;
+        if (!(discriminant_ > 4 * e_discriminant_)) return stays_clear() ? no_hit : uncertain;
         const bool steep = is_steep();
         if (sides != Sides::back && !(steep && d_.r1 < 0)) {
             const double t = root(in);
@@ -93,7 +93,7 @@ class ConeFilter {
         const double radius = std::abs(r0_ + t * d_.r1);
         const double e_form = e * (3 * radius + 2 * e + 1e-7 * reach) + 6 * u * reach * reach;
         if (!(3 * (std::abs(alpha_) + e_alpha_) * e_form <= discriminant_)) {
-            return !near && is_out_of_reach(sum) ? no_hit : in_doubt;
+            return !near && is_out_of_reach(sum) ? no_hit : uncertain;
         }
         const double e_t = 0.75 * e_form / root + 7 * u * std::abs(t);
         return clipped(t, e_t);
@@ -111,7 +111,7 @@ class ConeFilter {
                            6 * unit_roundoff * axis_.height;
         if (z < lowest - e_z || z > highest + e_z) return no_hit;
         const bool certain = z > lowest + e_z && z < highest - e_z;
-        if (!(certain && e_t <= t_tolerance * std::abs(from_origin))) return in_doubt;
+        if (!(certain && e_t <= t_tolerance * std::abs(from_origin))) return uncertain;
         return from_origin > tmin ? from_origin : no_hit;
     }
 

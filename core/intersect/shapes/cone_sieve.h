@@ -35,17 +35,17 @@ class ConeSieve {
           slope_(spread_ / hh_),
           G_(d_.cross(h_)) {}
 
-    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or in_doubt.
+    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
     double first_hit(Sides sides) {
         const double m = w_.dot(G_), size2 = dd_ * scale_ * far2_;
         Vec3 V = cone_.base_radius * G_;  // all there is for a cylinder, to the bit
         if (spread_ != 0) V += spread_ * d_.cross(w_) + (slope_ * m) * h_;
         const double V2 = V.dot(V), m2 = m * m, difference = V2 - m2;
-        const double doubt2 = (96 * u) * (96 * u) * size2 * std::max(V2, m2);
-        const bool certain = difference * difference > doubt2 && doubt2 > 0x1p-1000;
-        if (!(certain && is_in_range(size2))) return in_doubt;
+        const double error_bound2 = (96 * u) * (96 * u) * size2 * std::max(V2, m2);
+        const bool certain = difference * difference > error_bound2 && error_bound2 > 0x1p-1000;
+        if (!(certain && is_in_range(size2))) return uncertain;
         if (difference < 0) return no_hit;
-        return first_crossing(sides, hh_ * difference, hh_ * (doubt2 / difference));
+        return first_crossing(sides, hh_ * difference, hh_ * (error_bound2 / difference));
     }
 
   private:
@@ -61,14 +61,16 @@ class ConeSieve {
                std::min(cone_.base_radius, cone_.top_radius) >= 0;
     }
 
-    /// The discriminant's root is off by less than the root of `root_doubt2`.
-    double first_crossing(Sides sides, double discriminant, double root_doubt2) {
+    /// The discriminant's root is off by less than the root of `root_error_bound2`.
+    double first_crossing(Sides sides, double discriminant, double root_error_bound2) {
         expand();
-        const double doubt2 = unit_ * unit_ * (dd_ * far2_);  // of B
-        const bool leaves = B_ > 0 && A_ > unit_ * dd_ && C_ > unit_ * far2_ && B_ * B_ > doubt2;
+        const double error_bound2 = unit_ * unit_ * (dd_ * far2_);  // of B
+        const bool leaves =
+            B_ > 0 && A_ > unit_ * dd_ && C_ > unit_ * far2_ && B_ * B_ > error_bound2;
         if (leaves) return no_hit;
         sum_ = std::abs(B_) + std::sqrt(discriminant);
-        if (!(root_doubt2 + doubt2 <= of_sum * of_sum * (sum_ * sum_))) return in_doubt;
+        if (!(root_error_bound2 + error_bound2 <= of_sum * of_sum * (sum_ * sum_)))
+            return uncertain;
         const double t = sides == Sides::back ? no_hit : crossing(in);
         return t <= infinity || sides == Sides::front ? t : crossing(out);
     }
@@ -87,9 +89,10 @@ class ConeSieve {
     /// By the sum of like signs: A t + B is -root at the entry and +root at the exit.
     double crossing(int way) const {
         const bool near = way * B_ > 0;
-        const double other = near ? -way * C_ : way * A_, doubt = unit_ * (near ? far2_ : dd_);
-        if (other < -doubt) return no_hit;  // behind
-        if (!(of_rest * other >= doubt)) return in_doubt;
+        const double other = near ? -way * C_ : way * A_,
+                     error_bound = unit_ * (near ? far2_ : dd_);
+        if (other < -error_bound) return no_hit;  // behind
+        if (!(of_rest * other >= error_bound)) return uncertain;
         return clipped(near ? other / sum_ : sum_ / other);
     }
 
@@ -98,9 +101,9 @@ class ConeSieve {
     double clipped(double t) const {
         if (!(t > tmin_)) return no_hit;
         const double climb = t * rise_, z = start_ + climb, inside = std::min(z, hh_ - z);
-        const double doubt2 = t_tolerance * t_tolerance * (climb * climb) +
-                              (16 * u) * (16 * u) * hh_ * (hh_ + far2_ + t * t * dd_);
-        if (!(inside * inside > doubt2)) return in_doubt;
+        const double error_bound2 = t_tolerance * t_tolerance * (climb * climb) +
+                                    (16 * u) * (16 * u) * hh_ * (hh_ + far2_ + t * t * dd_);
+        if (!(inside * inside > error_bound2)) return uncertain;
         return inside > 0 ? t : no_hit;
     }
 

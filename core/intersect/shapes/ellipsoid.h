@@ -19,21 +19,21 @@ inline Box3 bounds(const Geometry&, const Ellipsoid& e) {
     return box_around(e.to_world.origin, e.to_world.origin, reach(e));
 }
 
-/// The first visible t beyond tmin, good to t_tolerance; no_hit; or in_doubt.
+/// The first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
 inline double sieve(const Ellipsoid& e, Sides sides, const RayQuery& q) {
     const LocalLine line(e.to_world.origin, e.frame, q.ray);
     const double rows = e.frame.length(0) + e.frame.length(1) + e.frame.length(2);
-    if (!line.is_in_range(rows)) return in_doubt;
+    if (!line.is_in_range(rows)) return uncertain;
     const UnitLine unit(line.w, line.error_of_w(rows), line.d, line.error_of_d(rows));
     if (unit.leaves() || unit.misses()) return no_hit;
-    return unit.is_certain() ? first_ahead(unit.stretch(), sides, q.ray.tmin) : in_doubt;
+    return unit.is_certain() ? first_ahead(unit.stretch(), sides, q.ray.tmin) : uncertain;
 }
 
 /// Hit or miss is right for every ray, and t good to t_tolerance. The ray's direction is not made
 /// a unit vector in local coordinates, so t is the world's.
 inline double first_hit(const Geometry&, const Ellipsoid& e, Sides sides, const RayQuery& q) {
     const double t = sieve(e, sides, q);
-    if (t != in_doubt) return t;
+    if (t != uncertain) return t;
     const Passage x = exact_passage(e, q.ray);
     return first_visible(x.entry, x.exit, sides, q.ray.tmin);
 }

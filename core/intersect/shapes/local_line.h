@@ -13,10 +13,11 @@ struct Approximate {
     double value, error;
 };
 
-/// t, if it is good to half of t_tolerance; no_hit where it surely is not beyond tmin; or in_doubt.
+/// t, if it is good to half of t_tolerance; no_hit where it surely is not beyond tmin; or
+/// uncertain.
 inline double ahead(const Approximate& t, double tmin) {
     if (t.value + t.error <= tmin) return no_hit;
-    if (!(t.error <= t_tolerance / 2 * std::abs(t.value))) return in_doubt;
+    if (!(t.error <= t_tolerance / 2 * std::abs(t.value))) return uncertain;
     return is_ahead(t.value, tmin) ? t.value : no_hit;
 }
 
@@ -25,7 +26,7 @@ struct Stretch {
     Approximate entry, exit;
 };
 
-/// Of its ends, the first visible one beyond tmin; no_hit; or in_doubt.
+/// Of its ends, the first visible one beyond tmin; no_hit; or uncertain.
 inline double first_ahead(const Stretch& s, Sides sides, double tmin) {
     const double entry = sides == Sides::back ? no_hit : ahead(s.entry, tmin);
     return entry <= infinity || sides == Sides::front ? entry : ahead(s.exit, tmin);

@@ -97,11 +97,12 @@ inline PlanePassage passage(std::span<const Vec3> p, const Vec3& size, const Pol
     const double cosine = plane.normal.dot(d), distance = plane.normal.dot(to_first + plane.mean);
     constexpr double worst = t_tolerance / 2;
     const double roundings = 4 * (static_cast<double>(p.size()) + 8) * unit_roundoff;
-    const double cosine_doubt = roundings * plane.terms.dot(abs(d));
-    const double distance_doubt = roundings * plane.terms.dot(abs(to_first) + size);
-    const bool certain = std::abs(cosine) > cosine_doubt && std::abs(distance) > distance_doubt;
-    const bool good =
-        worst * std::abs(cosine) > cosine_doubt && worst * std::abs(distance) > distance_doubt;
+    const double cosine_error_bound = roundings * plane.terms.dot(abs(d));
+    const double distance_error_bound = roundings * plane.terms.dot(abs(to_first) + size);
+    const bool certain =
+        std::abs(cosine) > cosine_error_bound && std::abs(distance) > distance_error_bound;
+    const bool good = worst * std::abs(cosine) > cosine_error_bound &&
+                      worst * std::abs(distance) > distance_error_bound;
     if (good || (certain && (cosine > 0) != (distance > 0))) return {distance / cosine, cosine};
     return exact_passage(p, q);
 }

@@ -25,22 +25,22 @@ struct Evaluation {
         const auto terms = RealForm(magnitudes_of(s.coefficients)).on_line(abs(w), Vec3(0));
         value = line.C;
         slope = line.slope;
-        doubt = 10 * unit_roundoff * terms.C;
-        doubt_of_slope = 16 * unit_roundoff * max_abs(terms.slope);
+        error_bound = 10 * unit_roundoff * terms.C;
+        error_bound_of_slope = 16 * unit_roundoff * max_abs(terms.slope);
     }
 
-    bool is_flat() const { return !(max_abs(slope) > doubt_of_slope); }
+    bool is_flat() const { return !(max_abs(slope) > error_bound_of_slope); }
 
-    double value, doubt;
+    double value, error_bound;
     Vec3 slope;
-    double doubt_of_slope;
+    double error_bound_of_slope;
 };
 
 /// Down the slope onto the surface (Newton's method), as far as rounding lets one see.
 Vec3 refined(const Quadric& s, Vec3 w) {
     for (int step = 0; step < 4; ++step) {
         const Evaluation at(s, w);
-        if (std::abs(at.value) <= at.doubt || at.is_flat()) break;
+        if (std::abs(at.value) <= at.error_bound || at.is_flat()) break;
         const double unit = power_of_two_reciprocal(max_abs(at.slope));
         const Vec3 slope = unit * at.slope;  // its square may be out of range
         w -= unit * at.value / (2 * slope.dot(slope)) * slope;
@@ -50,17 +50,17 @@ Vec3 refined(const Quadric& s, Vec3 w) {
 
 }  // namespace
 
-/// The form at the point may differ from zero by twice the doubt: half of it as computed, half by
-/// rounding. So the surface is no further off than the doubt by the slope, which is half the
-/// gradient; where there is no slope to speak of, as on a double plane, the form grows with the
-/// square of the distance. Twice that, so that the kernel sees the difference.
+/// The form at the point may differ from zero by twice the error bound: half of it as computed,
+/// half by rounding. So the surface is no further off than the error bound by the slope, which is
+/// half the gradient; where there is no slope to speak of, as on a double plane, the form grows
+/// with the square of the distance. Twice that, so that the kernel sees the difference.
 SurfacePoint surface(const Geometry&, const Quadric& s, const RayQuery& q, double t) {
     const Vec3 w = refined(s, (q.ray.origin - s.centre) + t * q.ray.direction);
     const Evaluation at(s, w);
     const Vec3 row = steepest_row(RealForm(s.coefficients));
     const Vec3 normal = unit_vector(at.is_flat() ? row : at.slope), position = s.centre + w;
-    const double by_slope = at.doubt / max_abs(at.slope);
-    const double off = std::min(std::sqrt(at.doubt / max_abs(row)), by_slope);
+    const double by_slope = at.error_bound / max_abs(at.slope);
+    const double off = std::min(std::sqrt(at.error_bound / max_abs(row)), by_slope);
     const Vec3 error = position_error(abs(position) + abs(s.centre), 0) + Vec3(2 * off);
     return {position, error, normal, normal};
 }

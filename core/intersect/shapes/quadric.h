@@ -14,7 +14,7 @@ inline Box3 bounds(const Geometry&, const Quadric& s) {
 /// Hit or miss is right for every ray, and t good to t_tolerance.
 inline double first_hit(const Geometry&, const Quadric& s, Sides sides, const RayQuery& q) {
     const double t = QuadricSieve(s, q).first_hit(sides);
-    return t == in_doubt ? exact_first_hit(s, sides, q.ray) : t;
+    return t == uncertain ? exact_first_hit(s, sides, q.ray) : t;
 }
 
 SurfacePoint surface(const Geometry&, const Quadric& s, const RayQuery& q, double t);

@@ -72,8 +72,8 @@ bool ExactQuadric::is_within(int way, double t) const {
     for (int k = 0; k < 3; ++k) {
         const double o = ray_.origin[k], step = t * ray_.direction[k], p = o + step;
         // t is good to 6 roundings.
-        const double doubt = 16 * unit_roundoff * (std::abs(o) + std::abs(step)) + 0x1p-1000;
-        if (p - clip_.min[k] > doubt && clip_.max[k] - p > doubt) continue;
+        const double error_bound = 16 * unit_roundoff * (std::abs(o) + std::abs(step)) + 0x1p-1000;
+        if (p - clip_.min[k] > error_bound && clip_.max[k] - p > error_bound) continue;
         if (side(way, k, clip_.min[k]) < 0 || side(way, k, clip_.max[k]) > 0) return false;
     }
     return true;

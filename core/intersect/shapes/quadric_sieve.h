@@ -1,5 +1,5 @@
 // Where most rays meet a quadric, in plain double with a bound on all that rounding may have done.
-// What the bound leaves in doubt is for core/intersect/shapes/quadric_exact.h to tell.
+// What the bound leaves uncertain is for core/intersect/shapes/quadric_exact.h to tell.
 #pragma once
 
 #include "core/intersect/shapes/box.h"
@@ -24,22 +24,23 @@ class QuadricSieve {
           form_(s.coefficients),
           slabs_(cross_slabs(Box{s.clip.min, s.clip.max}, q.ray)) {}
 
-    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or in_doubt.
+    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
     double first_hit(Sides sides) {
-        doubt_of_slabs_ = 4 * u * (std::abs(slabs_.entry) + std::abs(slabs_.exit));
+        error_bound_of_slabs_ = 4 * u * (std::abs(slabs_.entry) + std::abs(slabs_.exit));
         const double start = std::max(slabs_.entry, ray_.tmin);
-        if (slabs_.entry == infinity || start - slabs_.exit > doubt_of_slabs_) return no_hit;
+        if (slabs_.entry == infinity || start - slabs_.exit > error_bound_of_slabs_) return no_hit;
         start_ = std::max(slabs_.entry, 0.0);
-        stretch_ = slabs_.exit - start_ + doubt_of_slabs_;
+        stretch_ = slabs_.exit - start_ + error_bound_of_slabs_;
         expand();
-        if (!is_in_range()) return in_doubt;
+        if (!is_in_range()) return uncertain;
         const double discriminant = B_ * B_ - A_ * C_;
-        const double doubt = (2 * std::abs(B_) + doubt_of_B_) * doubt_of_B_ +
-                             (std::abs(C_) + doubt_of_C_) * doubt_of_A_ +
-                             std::abs(A_) * doubt_of_C_ + 4 * u * (B_ * B_ + std::abs(A_ * C_));
-        if (!(doubt > 0x1p-900)) return in_doubt;
-        if (discriminant < -doubt) return no_hit;
-        if (!(discriminant > 2 * doubt)) return in_doubt;
+        const double error_bound = (2 * std::abs(B_) + error_bound_of_B_) * error_bound_of_B_ +
+                                   (std::abs(C_) + error_bound_of_C_) * error_bound_of_A_ +
+                                   std::abs(A_) * error_bound_of_C_ +
+                                   4 * u * (B_ * B_ + std::abs(A_ * C_));
+        if (!(error_bound > 0x1p-900)) return uncertain;
+        if (discriminant < -error_bound) return no_hit;
+        if (!(discriminant > 2 * error_bound)) return uncertain;
         root_ = std::sqrt(discriminant);
         sum_ = std::abs(B_) + root_;
         return first_root(sides);
@@ -56,9 +57,9 @@ class QuadricSieve {
         const auto terms =
             QuadricForm<double>(magnitudes_of(shape_.coefficients)).on_line(abs(w_) + e, abs(d));
         A_ = line.A, B_ = line.B, C_ = line.C;
-        doubt_of_A_ = 10 * u * terms.A;
-        doubt_of_B_ = 10 * u * terms.B + terms.Md.dot(e);
-        doubt_of_C_ = 10 * u * terms.C + 2 * terms.slope.dot(e);
+        error_bound_of_A_ = 10 * u * terms.A;
+        error_bound_of_B_ = 10 * u * terms.B + terms.Md.dot(e);
+        error_bound_of_C_ = 10 * u * terms.C + 2 * terms.slope.dot(e);
         speed_ = max_abs(d);
         reach_ = max_abs(w_) + stretch_ * speed_;
     }
@@ -66,7 +67,7 @@ class QuadricSieve {
     /// So that nothing underflows that counts, and nothing overflows.
     bool is_in_range() const {
         constexpr double least = 0x1p-120, most = 0x1p120;
-        return speed_ > least && speed_ < most && reach_ < most && doubt_of_C_ > 0x1p-460 &&
+        return speed_ > least && speed_ < most && reach_ < most && error_bound_of_C_ > 0x1p-460 &&
                is_finite(shape_.clip.min) && is_finite(shape_.clip.max) && !shape_.clip.isEmpty();
     }
 
@@ -76,37 +77,38 @@ class QuadricSieve {
     double first_root(Sides sides) const {
         const int rise = B_ < 0 ? -1 : 1;
         const double t = visible(-rise * C_ / sum_, rise, sides);
-        const bool is_far = sum_ > 3 * (std::abs(A_) + doubt_of_A_) * stretch_;
+        const bool is_far = sum_ > 3 * (std::abs(A_) + error_bound_of_A_) * stretch_;
         if (t <= infinity || is_far) return t;
         return visible(-rise * sum_ / A_, -rise, sides);
     }
 
     /// The computed t is a root of a form that differs from the true one, there, by no more than
-    /// doubt_of_form, and half of whose rise is half_rise or more: a true root is within the
+    /// error_bound_of_form, and half of whose rise is half_rise or more: a true root is within the
     /// quotient of the two, if A is small enough to leave it one.
     double visible(double t, int rise, Sides sides) const {
         if (sides == (rise < 0 ? Sides::back : Sides::front)) return no_hit;
         const double length = std::abs(t);
-        const double doubt_of_form =
-            (doubt_of_A_ * length + 2 * doubt_of_B_) * length + doubt_of_C_;
-        const double half_rise = root_ - (doubt_of_A_ * length + doubt_of_B_);
-        const bool certain = 2 * half_rise > root_ &&
-                             (std::abs(A_) + doubt_of_A_) * doubt_of_form <= half_rise * half_rise;
-        if (!certain) return in_doubt;
+        const double error_bound_of_form =
+            (error_bound_of_A_ * length + 2 * error_bound_of_B_) * length + error_bound_of_C_;
+        const double half_rise = root_ - (error_bound_of_A_ * length + error_bound_of_B_);
+        const bool certain =
+            2 * half_rise > root_ &&
+            (std::abs(A_) + error_bound_of_A_) * error_bound_of_form <= half_rise * half_rise;
+        if (!certain) return uncertain;
         const double roundings = u * length * (2 * sum_ / root_ + 6);
-        return clipped(start_ + t, 1.01 * (doubt_of_form / half_rise) + roundings);
+        return clipped(start_ + t, 1.01 * (error_bound_of_form / half_rise) + roundings);
     }
 
-    double clipped(double t, double doubt) const {
-        doubt += u * std::abs(t);
-        const double apart = doubt + doubt_of_slabs_;
+    double clipped(double t, double error_bound) const {
+        error_bound += u * std::abs(t);
+        const double apart = error_bound + error_bound_of_slabs_;
         const bool is_out =
-            t + doubt < ray_.tmin || t + apart < slabs_.entry || t - apart > slabs_.exit;
+            t + error_bound < ray_.tmin || t + apart < slabs_.entry || t - apart > slabs_.exit;
         if (is_out) return no_hit;
-        const bool certain =
-            t - apart > slabs_.entry && t + apart < slabs_.exit && doubt <= t_tolerance / 2 * t;
-        if (!certain) return in_doubt;
-        if (doubt > 0x1p-44 * t) t = polished(t);
+        const bool certain = t - apart > slabs_.entry && t + apart < slabs_.exit &&
+                             error_bound <= t_tolerance / 2 * t;
+        if (!certain) return uncertain;
+        if (error_bound > 0x1p-44 * t) t = polished(t);
         return t > ray_.tmin ? t : no_hit;
     }
 
@@ -123,8 +125,8 @@ class QuadricSieve {
     const QuadricForm<double> form_;
     const SlabCrossing slabs_;
     Vec3 w_;
-    double doubt_of_slabs_, start_, stretch_;
-    double A_, B_, C_, doubt_of_A_, doubt_of_B_, doubt_of_C_;
+    double error_bound_of_slabs_, start_, stretch_;
+    double A_, B_, C_, error_bound_of_A_, error_bound_of_B_, error_bound_of_C_;
     double speed_, reach_, root_, sum_;
 };
 

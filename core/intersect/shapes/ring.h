@@ -42,13 +42,15 @@ class RingPassage {
         in_range_ = std::min(std::min(nn, dd), far2) > 0x1p-250 && size2_ < 0x1p480;
     }
 
-    /// 1 for beyond the circle, -1 for within, 0 for in doubt.
+    /// 1 for beyond the circle, -1 for within, 0 for uncertain.
     int side(double radius) const {
-        constexpr double doubt = 32 * unit_roundoff;
+        constexpr double error_bound = 32 * unit_roundoff;
         const double circle2 = (radius * cosine_) * (radius * cosine_);
         const double difference = distance2_ - circle2;
-        const double doubt2 = doubt * doubt * size2_ * std::max(distance2_, circle2);
-        if (!(in_range_ && doubt2 > 0x1p-1000 && difference * difference > doubt2)) return 0;
+        const double error_bound2 =
+            error_bound * error_bound * size2_ * std::max(distance2_, circle2);
+        if (!(in_range_ && error_bound2 > 0x1p-1000 && difference * difference > error_bound2))
+            return 0;
         return difference > 0 ? 1 : -1;
     }
 

@@ -6,7 +6,7 @@
 namespace etalon {
 
 /// What a fast path returns in place of a t where its error bound cannot vouch for one.
-inline constexpr double in_doubt = -infinity;
+inline constexpr double uncertain = -infinity;
 
 /// Whether a root counts: beyond tmin, and not carried to infinity by a vanishing denominator.
 inline bool is_ahead(double t, double tmin) {

@@ -22,11 +22,11 @@ inline double first_root(double a, double b, double c, double sum, Sides sides, 
 }
 
 /// |o - centre|^2 - r^2 for origins next to the surface, where it cancels: off by no more than
-/// fine_doubt times the sum of the two squares (and u of itself). What is left of the squares is
-/// summed with its errors; those are at most 7 u of that sum together, of which their own
+/// fine_error_bound times the sum of the two squares (and u of itself). What is left of the squares
+/// is summed with its errors; those are at most 7 u of that sum together, of which their own
 /// roundings, a dozen, lose u each.
 double fine_gap(const Sphere& s, const Vec3& origin);
-inline constexpr double fine_doubt = 128 * unit_roundoff * unit_roundoff;
+inline constexpr double fine_error_bound = 128 * unit_roundoff * unit_roundoff;
 
 /// The same answer as first_hit, from exact arithmetic: hit and miss are right for every ray, and t
 /// to a few ulp. Slow.
@@ -44,26 +44,27 @@ inline double first_hit(const Geometry&, const Sphere& s, Sides sides, const Ray
     const Vec3 f = q.ray.origin - s.centre;
     const Vec3& d = q.ray.direction;
     const double a = d.dot(d), b = -f.dot(d), f2 = f.dot(f), r2 = s.radius * s.radius;
-    double c = f2 - r2, doubt_of_c = 8 * u * (f2 + r2);
-    if (worst * std::abs(c) < doubt_of_c) {  // as for rays that leave the surface
+    double c = f2 - r2, error_bound_of_c = 8 * u * (f2 + r2);
+    if (worst * std::abs(c) < error_bound_of_c) {  // as for rays that leave the surface
         c = fine_gap(s, q.ray.origin);
-        doubt_of_c = fine_doubt * (f2 + r2);
+        error_bound_of_c = fine_error_bound * (f2 + r2);
     }
-    if (c > doubt_of_c && b <= 0) return no_hit;  // outside, and on its way out
+    if (c > error_bound_of_c && b <= 0) return no_hit;  // outside, and on its way out
 
     const Vec3 m = f.cross(d);
     const double m2 = m.dot(m), ar2 = a * r2, largest = std::max(m2, ar2);
     const double discriminant = ar2 - m2;
-    const double doubt2 = (16 * u) * (16 * u) * largest * (a * f2 + largest);
+    const double error_bound2 = (16 * u) * (16 * u) * largest * (a * f2 + largest);
     const bool in_range = s.radius > 0 && std::min(a, r2) > 0x1p-900;
-    if (!in_range || !(discriminant * discriminant > doubt2)) return exact_first_hit(s, sides, q);
+    if (!in_range || !(discriminant * discriminant > error_bound2))
+        return exact_first_hit(s, sides, q);
     if (discriminant < 0) return no_hit;
 
     const double sum = std::abs(b) + std::sqrt(discriminant), sum2 = sum * sum;
     const bool from_c = (b > 0) == (c > 0);  // c / sum is a root ahead
-    const bool good = doubt2 <= worst * worst * discriminant * sum2 &&
+    const bool good = error_bound2 <= worst * worst * discriminant * sum2 &&
                       (8 * u) * (8 * u) * a * f2 <= worst * worst * sum2 &&
-                      (from_c ? worst : 1) * std::abs(c) >= doubt_of_c;
+                      (from_c ? worst : 1) * std::abs(c) >= error_bound_of_c;
     if (!good) return exact_first_hit(s, sides, q);
     return first_root(a, b, c, sum, sides, q.ray.tmin);
 }

@@ -54,7 +54,7 @@ inline Box3 bounds(const Geometry& geometry, const Triangle& t) {
 struct TriangleCrossing {
     std::array<double, 3> weight, depth;
     double sum;
-    double doubt;  ///< bound on the error of a weight
+    double error_bound;  ///< bound on the error of a weight
 
     bool is_inside() const {
         const auto [u, v, w] = weight;
@@ -72,7 +72,7 @@ inline double max_abs(double x, double y, double z) {
 
 /// Whether a triangle is so thin or edge-on that its weights mean little.
 inline bool is_thin(const TriangleCrossing& c) {
-    return !(std::abs(c.sum) > 0x1p28 * c.doubt);
+    return !(std::abs(c.sum) > 0x1p28 * c.error_bound);
 }
 
 /// Edge functions decided in double where their error bound allows it, exactly where not.
@@ -81,11 +81,11 @@ inline bool is_thin(const TriangleCrossing& c) {
     const ShearedCorner a = shear(p[0], q), b = shear(p[1], q), c = shear(p[2], q);
     const double u = edge_function(b, c), v = edge_function(c, a), w = edge_function(a, b);
     const double extent = std::max(max_abs(a.x, b.x, c.x), max_abs(a.y, b.y, c.y));
-    const double doubt = edge_error(extent, max_abs(a.z, b.z, c.z), q);
-    TriangleCrossing r{{u, v, w}, {a.z, b.z, c.z}, u + v + w, doubt};
+    const double error_bound = edge_error(extent, max_abs(a.z, b.z, c.z), q);
+    TriangleCrossing r{{u, v, w}, {a.z, b.z, c.z}, u + v + w, error_bound};
     const double least = std::min({u, v, w}), most = std::max({u, v, w});
-    const bool surely_outside = least < -doubt && most > doubt;
-    const bool surely_inside = (least > doubt || most < -doubt) && !is_thin(r);
+    const bool surely_outside = least < -error_bound && most > error_bound;
+    const bool surely_inside = (least > error_bound || most < -error_bound) && !is_thin(r);
     if (!surely_inside && !surely_outside) settle_weights(r, p, q);
     return r;
 }
@@ -109,10 +109,10 @@ inline bool is_plane_behind(const TriangleCorners& p, const RayQuery& q) {
         terms[k] = std::abs(plus) + std::abs(minus);
     }
     const double distance = n.dot(f), approach = n.dot(d);
-    const double doubt = 10 * unit_roundoff, least = 0x1p-900;  // no product underflows
+    const double error_bound = 10 * unit_roundoff, least = 0x1p-900;  // no product underflows
     return (distance < 0) != (approach < 0) &&
-           std::abs(distance) > std::max(doubt * terms.dot(abs(f)), least) &&
-           std::abs(approach) > std::max(doubt * terms.dot(abs(d)), least);
+           std::abs(distance) > std::max(error_bound * terms.dot(abs(f)), least) &&
+           std::abs(approach) > std::max(error_bound * terms.dot(abs(d)), least);
 }
 
 /// The mean of the corners' depths. It is good to t_tolerance, or taken exactly, unless it is
@@ -123,9 +123,10 @@ inline double distance_of(const TriangleCrossing& c, const TriangleCorners& p, c
     const double depth = (u * x + v * y + w * z) / c.sum, t = depth / q.dz;
     const double deepest = std::max({std::abs(x), std::abs(y), std::abs(z)});
     const double spread = std::max({x, y, z}) - std::min({x, y, z});
-    const double doubt = 4 * c.doubt / std::abs(c.sum) * spread + 8 * unit_roundoff * deepest;
-    const bool good = doubt <= t_tolerance * std::abs(depth);
-    if (good || (t < 0 && std::abs(depth) > doubt)) return t;
+    const double error_bound =
+        4 * c.error_bound / std::abs(c.sum) * spread + 8 * unit_roundoff * deepest;
+    const bool good = error_bound <= t_tolerance * std::abs(depth);
+    if (good || (t < 0 && std::abs(depth) > error_bound)) return t;
     if (is_plane_behind(p, q)) return no_hit;
     return exact_distance(c, p, q);
 }

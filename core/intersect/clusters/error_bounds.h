@@ -22,16 +22,16 @@ namespace etalon {
 /// line, so with L its largest extent along an axis |x|, |y| <= X = 2 L. U is off by
 /// 4 X E + 2 E^2 from its inputs and 4 u (X + E)^2 <= 0.58 E (X + E) from its roundings, as X <= 4:
 /// less than 9.2 E L + 2.6 E^2. Adding 1.8 E L, for the depth of the hit, gives the bound.
-inline float edge_doubt(double extent) {
+inline float edge_error_bound(double extent) {
     constexpr double e = 28 * unit_roundoff_f;
     return float_up(e * (11 * (extent + unit_roundoff_f) + 3 * e));
 }
 
 /// By how much the depths of a triangle and of a ray's end may be off: dz u and the product u, of
 /// at most 8, 16 u; a corner's depth 4.6 u; the differences of two, of at most 13, 8 u here and
-/// there; and 2 u for the kernel, whose t is good to u in the frame (doubt in distance_of(): at
-/// most 2^-26 of the triangle's depth, 2, and 2^-50 of the distance, 2^24).
-inline constexpr float depth_doubt = 48 * unit_roundoff_f;
+/// there; and 2 u for the kernel, whose t is good to u in the frame (error_bound in distance_of():
+/// at most 2^-26 of the triangle's depth, 2, and 2^-50 of the distance, 2^24).
+inline constexpr float depth_error_bound = 48 * unit_roundoff_f;
 
 /// A radius in the frame that is greater than what the filter finds the distance between a line and
 /// a centre to be, wherever that is at most `radius` in truth.
@@ -48,6 +48,6 @@ inline float enlarged_radius(double radius) {
 /// By how much t may be off in the middle of a sphere: 8 u from f, 3 times 7 u from d, 56 u as
 /// above, 2 u for the kernel; and up to 18 u for the roundings of comparing it with a bound of at
 /// most 7.
-inline constexpr float middle_doubt = 128 * unit_roundoff_f;
+inline constexpr float middle_error_bound = 128 * unit_roundoff_f;
 
 }  // namespace etalon
