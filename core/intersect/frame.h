@@ -17,7 +17,7 @@ struct FrameRay {
     double shift, scale;
 
     /// Rounded down, but no less than 0: before that there is nothing in the frame. Most rays begin
-    /// there and have no end, which is foreseen: nothing waits for the roundings then.
+    /// there and have no end, which is predicted: nothing waits for the roundings then.
     float tmin(double t) const { return t <= shift ? 0 : float_down((t - shift) * scale); }
 
     /// Rounded up, so what lies at t exactly is never culled; finite.

@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "core/intersect/clusters/targets.h"
-#include "native_accel/bvh/lowest_lane.h"
+#include "native_accel/bvh/lane_select.h"
 #include "native_accel/common/tally.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -53,16 +53,16 @@ HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const Fr
 
 void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
                   NearestHit& nearest) {
-    if (bvh.foresees(query.ray)) {
-        find_closest<ForeseenLane>(bvh, query, local, nearest, Uncounted());
+    if (bvh.predicts_branches(query.ray)) {
+        find_closest<BranchingLaneSelect>(bvh, query, local, nearest, Uncounted());
     } else {
-        find_closest<ComputedLane>(bvh, query, local, nearest, Uncounted());
+        find_closest<BranchlessLaneSelect>(bvh, query, local, nearest, Uncounted());
     }
 }
 
 void walk_closest_counted(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
                           NearestHit& nearest, TraversalCost& cost) {
-    find_closest<ComputedLane>(bvh, query, local, nearest, Counted{cost});
+    find_closest<BranchlessLaneSelect>(bvh, query, local, nearest, Counted{cost});
 }
 
 template <class LowestLane>
@@ -85,8 +85,8 @@ HWY_INLINE bool find_any(const BvhView& bvh, const RayQuery& query, const FrameR
 }
 
 bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
-    return bvh.foresees(query.ray) ? find_any<ForeseenLane>(bvh, query, local)
-                                   : find_any<ComputedLane>(bvh, query, local);
+    return bvh.predicts_branches(query.ray) ? find_any<BranchingLaneSelect>(bvh, query, local)
+                                            : find_any<BranchlessLaneSelect>(bvh, query, local);
 }
 
 BvhWalk bvh_walk() {

@@ -16,7 +16,9 @@ struct BvhView {
 
     /// Whether the ray is likely to take the same way through the tree as those before it: hardly
     /// where it enters very many nodes.
-    bool foresees(const Ray& ray) const { return ray.coherent && tree.expected_nodes < 16; }
+    bool predicts_branches(const Ray& ray) const {
+        return ray.coherent && tree.expected_nodes < 16;
+    }
 };
 
 /// The code for one instruction set.

@@ -1,5 +1,5 @@
 // Rays that are said to follow each other are walked by other code: it must find the same.
-#include "native_accel/bvh/lowest_lane.h"
+#include "native_accel/bvh/lane_select.h"
 #include "native_accel/bvh/wide_tree.h"
 #include "tests/backends/contenders.h"
 #include "tests/backends/rays.h"
@@ -9,10 +9,10 @@
 using namespace etalon;
 using namespace etalon::test;
 
-TEST_CASE("Given any lanes, the foreseen lowest is the computed one", "[backends]") {
+TEST_CASE("Given any lanes, the lowest found by branches is the one found without", "[backends]") {
     for (std::uint32_t mask = 1; mask < 256; ++mask) {
         CAPTURE(mask);
-        CHECK(ForeseenLane::of(mask) == ComputedLane::of(mask));
+        CHECK(BranchingLaneSelect::of(mask) == BranchlessLaneSelect::of(mask));
     }
 }
 

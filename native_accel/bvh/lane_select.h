@@ -1,6 +1,6 @@
 // Two ways to the lowest lane of a mask. A walk waits for a node's boxes to be tested, learns from
 // the mask which child comes next, and only then can fetch that. A branch for each lane tells the
-// same, but the processor foresees branches: where it is right, the next node is on its way before
+// same, but the processor predicts branches: where it is right, the next node is on its way before
 // this one's boxes are tested, and where it is wrong, work is thrown away.
 #pragma once
 
@@ -10,12 +10,12 @@
 namespace etalon {
 
 /// Computed from the mask.
-struct ComputedLane {
+struct BranchlessLaneSelect {
     static int of(std::uint32_t mask) { return std::countr_zero(mask); }
 };
 
 /// By branches, for rays that go where those before them went.
-struct ForeseenLane {
+struct BranchingLaneSelect {
     static int of(std::uint32_t mask) {
         switch (std::countr_zero(mask)) {
             case 0:
