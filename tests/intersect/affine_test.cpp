@@ -102,8 +102,9 @@ TEMPLATE_TEST_CASE("Images: given a mirrored unit shape, then it is the same sha
     REQUIRE(hits > 300);
 }
 
-TEMPLATE_TEST_CASE("Images: given any ray, then exact arithmetic says what the sieve is certain of",
-                   "", Ellipsoid, ClosedCylinder) {
+TEMPLATE_TEST_CASE(
+    "Images: given any ray, then exact arithmetic says what the fast path is certain of", "",
+    Ellipsoid, ClosedCylinder) {
     int uncertain_answers = 0, hits = 0, rays = 0;
     for (const ShapeCase& shape : shape_cases()) {
         if (shape.scene.geometry.primitives[0].kind != kind_of<TestType>()) continue;
@@ -112,7 +113,7 @@ TEMPLATE_TEST_CASE("Images: given any ray, then exact arithmetic says what the s
         for (int i = 0; i < 10000; ++i) {
             const RayQuery query(aimed_ray(shape, i, random).ray);
             const auto sides = static_cast<Sides>(random.index(3));
-            const double t = sieve(image, sides, query);
+            const double t = fast_path(image, sides, query);
             ++rays;
             uncertain_answers += t == uncertain;
             if (t == uncertain) continue;
@@ -129,14 +130,16 @@ TEMPLATE_TEST_CASE("Images: given any ray, then exact arithmetic says what the s
     REQUIRE(uncertain_answers > rays / 100);  // or these rays would be too easy
 }
 
-TEMPLATE_TEST_CASE("Images: given rays from a few sizes off, then the sieve doubts hardly any", "",
-                   Ellipsoid, ClosedCylinder) {
+TEMPLATE_TEST_CASE(
+    "Images: given rays from a few sizes off, then the fast path is uncertain of hardly any", "",
+    Ellipsoid, ClosedCylinder) {
     Random random(33);
     int uncertain_answers = 0;
     for (int i = 0; i < 50000; ++i) {
         const Affine map = any_map(random);
         const TestType shape(map);
-        uncertain_answers += sieve(shape, Sides::both, RayQuery(any_ray(map, random))) == uncertain;
+        uncertain_answers +=
+            fast_path(shape, Sides::both, RayQuery(any_ray(map, random))) == uncertain;
     }
     REQUIRE(uncertain_answers <= 250);
 }

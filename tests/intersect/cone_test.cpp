@@ -252,7 +252,7 @@ TEST_CASE("Cone: given a ray from the surface itself, then t is not zero but the
 }
 
 TEMPLATE_TEST_CASE("Cone: given any ray, then exact arithmetic says what a tier is certain of", "",
-                   ConeSieve, ConeFilter) {
+                   ConeFastPath, ConeBoundsCheck) {
     Random random(20);
     int uncertain_answers = 0, hits = 0;
     const int count = 200000;
@@ -307,15 +307,15 @@ TEST_CASE("Cone: given a cone and a ray of any size, then t is the same times th
 
 TEST_CASE("Cone: given rays from ten radii at its surroundings, then no tier doubts many") {
     Random random(21);
-    int sieve = 0, filter = 0;
+    int fast_path = 0, filter = 0;
     for (int i = 0; i < 50000; ++i) {
         const Cone& cone = i % 2 == 0 ? cylinder : pointed;
         const Vec3 origin = 10.0 * random.direction();
         const RayQuery query(Ray{origin, 2.0 * random.in_cube() - origin});
-        sieve += ConeSieve(cone, query).first_hit(Sides::both) == uncertain;
-        filter += ConeFilter(cone, query).first_hit(Sides::both) == uncertain;
+        fast_path += ConeFastPath(cone, query).first_hit(Sides::both) == uncertain;
+        filter += ConeBoundsCheck(cone, query).first_hit(Sides::both) == uncertain;
     }
-    REQUIRE(sieve <= 500);
+    REQUIRE(fast_path <= 500);
     REQUIRE(filter <= 5);
 }
 

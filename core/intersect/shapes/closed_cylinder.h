@@ -3,7 +3,7 @@
 #include "core/intersect/shapes/affine_exact.h"
 #include "core/intersect/shapes/affine_surface.h"
 #include "core/intersect/shapes/charts.h"
-#include "core/intersect/shapes/closed_cylinder_sieve.h"
+#include "core/intersect/shapes/closed_cylinder_fast.h"
 #include "core/intersect/surface.h"
 #include "core/scene/geometry.h"
 
@@ -20,13 +20,13 @@ inline Box3 bounds(const Geometry&, const ClosedCylinder& c) {
 }
 
 /// The first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
-inline double sieve(const ClosedCylinder& c, Sides sides, const RayQuery& q) {
-    return ClosedCylinderSieve(c, q).first_hit(sides);
+inline double fast_path(const ClosedCylinder& c, Sides sides, const RayQuery& q) {
+    return ClosedCylinderFastPath(c, q).first_hit(sides);
 }
 
 /// Hit or miss is right for every ray, and t good to t_tolerance.
 inline double first_hit(const Geometry&, const ClosedCylinder& c, Sides sides, const RayQuery& q) {
-    const double t = sieve(c, sides, q);
+    const double t = fast_path(c, sides, q);
     if (t != uncertain) return t;
     const Passage x = exact_passage(c, q.ray);
     return first_visible(x.entry, x.exit, sides, q.ray.tmin);

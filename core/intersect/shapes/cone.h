@@ -3,9 +3,9 @@
 #include "core/intersect/ray.h"
 #include "core/intersect/shapes/charts.h"
 #include "core/intersect/shapes/circle.h"
+#include "core/intersect/shapes/cone_bounds_check.h"
 #include "core/intersect/shapes/cone_exact.h"
-#include "core/intersect/shapes/cone_filter.h"
-#include "core/intersect/shapes/cone_sieve.h"
+#include "core/intersect/shapes/cone_fast.h"
 #include "core/intersect/shapes/roots.h"
 #include "core/intersect/surface.h"
 #include "core/numerics/transforms.h"
@@ -25,10 +25,10 @@ inline Box3 bounds(const Geometry&, const Cone& c) {
     return box;
 }
 
-/// What the sieve leaves uncertain: in plain double with all care, and in exact arithmetic where a
-/// doubt remains.
+/// What the fast path leaves uncertain: in plain double with all care, and in exact arithmetic
+/// where a doubt remains.
 [[gnu::noinline]] inline double careful_first_hit(const Cone& c, Sides sides, const RayQuery& q) {
-    const double t = ConeFilter(c, q).first_hit(sides);
+    const double t = ConeBoundsCheck(c, q).first_hit(sides);
     if (t != uncertain) return t < infinity && !is_degenerate(c) ? t : no_hit;
     const Passage x = exact_passage(c, q.ray);
     return first_visible(x.entry, x.exit, sides, q.ray.tmin);
@@ -36,7 +36,7 @@ inline Box3 bounds(const Geometry&, const Cone& c) {
 
 /// Hit or miss is right for every ray, and t good to t_tolerance.
 inline double first_hit(const Geometry&, const Cone& c, Sides sides, const RayQuery& q) {
-    const double t = ConeSieve(c, q).first_hit(sides);
+    const double t = ConeFastPath(c, q).first_hit(sides);
     return t == uncertain ? careful_first_hit(c, sides, q) : t;
 }
 

@@ -20,7 +20,7 @@ inline Box3 bounds(const Geometry&, const Ellipsoid& e) {
 }
 
 /// The first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
-inline double sieve(const Ellipsoid& e, Sides sides, const RayQuery& q) {
+inline double fast_path(const Ellipsoid& e, Sides sides, const RayQuery& q) {
     const LocalLine line(e.to_world.origin, e.frame, q.ray);
     const double rows = e.frame.length(0) + e.frame.length(1) + e.frame.length(2);
     if (!line.is_in_range(rows)) return uncertain;
@@ -32,7 +32,7 @@ inline double sieve(const Ellipsoid& e, Sides sides, const RayQuery& q) {
 /// Hit or miss is right for every ray, and t good to t_tolerance. The ray's direction is not made
 /// a unit vector in local coordinates, so t is the world's.
 inline double first_hit(const Geometry&, const Ellipsoid& e, Sides sides, const RayQuery& q) {
-    const double t = sieve(e, sides, q);
+    const double t = fast_path(e, sides, q);
     if (t != uncertain) return t;
     const Passage x = exact_passage(e, q.ray);
     return first_visible(x.entry, x.exit, sides, q.ray.tmin);

@@ -2,7 +2,7 @@
 
 #include "core/intersect/shapes/charts.h"
 #include "core/intersect/shapes/quadric_exact.h"
-#include "core/intersect/shapes/quadric_sieve.h"
+#include "core/intersect/shapes/quadric_fast.h"
 #include "core/intersect/surface.h"
 
 namespace etalon {
@@ -13,7 +13,7 @@ inline Box3 bounds(const Geometry&, const Quadric& s) {
 
 /// Hit or miss is right for every ray, and t good to t_tolerance.
 inline double first_hit(const Geometry&, const Quadric& s, Sides sides, const RayQuery& q) {
-    const double t = QuadricSieve(s, q).first_hit(sides);
+    const double t = QuadricFastPath(s, q).first_hit(sides);
     return t == uncertain ? exact_first_hit(s, sides, q.ray) : t;
 }
 

@@ -1,5 +1,5 @@
 // Where most rays meet a cone, at about the price of a textbook's formula. What this leaves in
-// doubt is for core/intersect/shapes/cone_filter.h to tell.
+// doubt is for core/intersect/shapes/cone_bounds_check.h to tell.
 #pragma once
 
 #include "core/intersect/ray.h"
@@ -19,9 +19,9 @@ namespace etalon {
 /// Schwarz V and m are less than size, and off by less than 28 u and 8 u of it; VV - mm is off by
 /// less than 96 u size max(|V|, |m|), if it is more than that. A, B and C are off by less than 52 u
 /// scale times dd, |d| far and far^2.
-class ConeSieve {
+class ConeFastPath {
   public:
-    ConeSieve(const Cone& c, const RayQuery& q)
+    ConeFastPath(const Cone& c, const RayQuery& q)
         : cone_(c),
           w_(q.ray.origin - c.base),
           d_(q.ray.direction),

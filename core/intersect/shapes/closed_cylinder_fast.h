@@ -7,9 +7,9 @@ namespace etalon {
 
 /// Where most rays meet a closed cylinder: the line's stretch inside its side, cut off at the caps.
 /// Which of the four points are its ends is told by the height at the two roots of the side.
-class ClosedCylinderSieve {
+class ClosedCylinderFastPath {
   public:
-    ClosedCylinderSieve(const ClosedCylinder& c, const RayQuery& q)
+    ClosedCylinderFastPath(const ClosedCylinder& c, const RayQuery& q)
         : line_(c.to_world.origin, c.frame, q.ray),
           tmin_(q.ray.tmin),
           across_(c.frame.length(0) + c.frame.length(1)),

@@ -16,9 +16,9 @@ namespace etalon {
 /// coordinate. The sums for A, B and C have terms of at most 9 roundings; what they are off by is
 /// bounded by 10 u times the same sums of magnitudes. That w is off by e adds (|M||d|).e to B, and
 /// to C twice (|M|(|w| + e) + |l|).e.
-class QuadricSieve {
+class QuadricFastPath {
   public:
-    QuadricSieve(const Quadric& s, const RayQuery& q)
+    QuadricFastPath(const Quadric& s, const RayQuery& q)
         : shape_(s),
           ray_(q.ray),
           form_(s.coefficients),

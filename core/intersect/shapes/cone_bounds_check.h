@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/intersect/ray.h"
+#include "core/intersect/shapes/cone_fast.h"
 #include "core/intersect/shapes/cone_line.h"
-#include "core/intersect/shapes/cone_sieve.h"
 #include "core/numerics/rounding.h"
 
 namespace etalon {
@@ -16,9 +16,9 @@ namespace etalon {
 /// less than e_place; (F, r0) and (G, r1), as vectors of the lengths rho and speed, by less than
 /// e_rho and e_speed. All else follows from these; their constants are rounded up by more than any
 /// higher order.
-class ConeFilter {
+class ConeBoundsCheck {
   public:
-    ConeFilter(const Cone& c, const RayQuery& q)
+    ConeBoundsCheck(const Cone& c, const RayQuery& q)
         : cone_(c), query_(q), axis_(c), d_(axis_, q.ray.direction) {
         const Vec3 f = q.ray.origin - c.base;
         middle_ = middle(c, axis_, d_, f);
