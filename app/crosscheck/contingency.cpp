@@ -38,8 +38,7 @@ std::string Contingency::in_words() const {
                               mcnemar() > five_percent ? "would rarely" : "may");
 }
 
-Contingency contingency(const std::vector<Trial>& trials, const Contestant& a,
-                        const Contestant& b) {
+Contingency contingency(const std::vector<Trial>& trials, const Tracer& a, const Tracer& b) {
     Contingency table{a.name, b.name};
     for (std::size_t t = 0; t < trials.size(); ++t) {
         for (std::size_t i = 0; i < trials[t].rays.size(); ++i) {
@@ -57,12 +56,12 @@ Contingency contingency(const std::vector<Trial>& trials, const Contestant& a,
 }
 
 std::vector<Contingency> contingencies(const std::vector<Trial>& trials,
-                                       const std::vector<Contestant>& contestants) {
+                                       const std::vector<Tracer>& tracers) {
     std::vector<Contingency> tables;
-    const std::size_t firsts = contestants.size() <= few ? contestants.size() : 1;
+    const std::size_t firsts = tracers.size() <= few ? tracers.size() : 1;
     for (std::size_t a = 0; a < firsts; ++a) {
-        for (std::size_t b = a + 1; b < contestants.size(); ++b) {
-            tables.push_back(contingency(trials, contestants[a], contestants[b]));
+        for (std::size_t b = a + 1; b < tracers.size(); ++b) {
+            tables.push_back(contingency(trials, tracers[a], tracers[b]));
         }
     }
     return tables;

@@ -19,10 +19,10 @@ struct Contingency {
     std::string in_words() const;
 };
 
-Contingency contingency(const std::vector<Trial>& trials, const Contestant& a, const Contestant& b);
+Contingency contingency(const std::vector<Trial>& trials, const Tracer& a, const Tracer& b);
 
 /// Of every pair of up to three, else of the first one with each of the others.
 std::vector<Contingency> contingencies(const std::vector<Trial>& trials,
-                                       const std::vector<Contestant>& contestants);
+                                       const std::vector<Tracer>& tracers);
 
 }  // namespace etalon::crosscheck

@@ -1,7 +1,7 @@
 // Whether an answer is right.
 #pragma once
 
-#include "app/crosscheck/contestant.h"
+#include "app/crosscheck/crosschecked_tracer.h"
 
 namespace etalon::crosscheck {
 

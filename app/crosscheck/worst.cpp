@@ -24,12 +24,11 @@ struct Case {
 
 /// Those for which `wanted` of the verdict holds, in the order of the trials.
 template <class F>
-std::vector<Case> cases(const std::vector<Trial>& trials, const Contestant& contestant,
-                        const F& wanted) {
+std::vector<Case> cases(const std::vector<Trial>& trials, const Tracer& tracer, const F& wanted) {
     std::vector<Case> found;
     for (std::size_t t = 0; t < trials.size(); ++t) {
         for (std::size_t i = 0; i < trials[t].rays.size(); ++i) {
-            const Verdict verdict = judge(trials[t].truth[i], contestant.answers[t].all[i]);
+            const Verdict verdict = judge(trials[t].truth[i], tracer.answers[t].all[i]);
             if (wanted(verdict)) found.push_back({t, i, verdict});
         }
     }
@@ -61,10 +60,10 @@ std::string what_is_wrong(const Verdict& v, const Answer& answer) {
 }  // namespace
 
 std::vector<WorstRay> worst_rays(const Scene& scene, const std::vector<Trial>& trials,
-                                 const Contestant& contestant, std::size_t limit) {
-    auto found = cases(trials, contestant, [](const Verdict& v) { return !v.right(); });
+                                 const Tracer& tracer, std::size_t limit) {
+    auto found = cases(trials, tracer, [](const Verdict& v) { return !v.right(); });
     if (found.empty()) {
-        found = cases(trials, contestant, [](const Verdict& v) { return v.t_ulp > 0; });
+        found = cases(trials, tracer, [](const Verdict& v) { return v.t_ulp > 0; });
     }
     std::stable_sort(found.begin(), found.end(),
                      [](const Case& a, const Case& b) { return a.graver_than(b); });
@@ -72,7 +71,7 @@ std::vector<WorstRay> worst_rays(const Scene& scene, const std::vector<Trial>& t
     std::vector<WorstRay> worst;
     for (const Case& c : found) {
         const Trial& trial = trials[c.trial];
-        const Answer& answer = contestant.answers[c.trial].all[c.ray];
+        const Answer& answer = tracer.answers[c.trial].all[c.ray];
         worst.push_back({trial.kind, what_is_wrong(c.verdict, answer),
                          describe(scene, trial.truth[c.ray]), describe(scene, answer),
                          trial.rays[c.ray]});

@@ -13,11 +13,11 @@ struct WorstRay {
     Ray ray;
 };
 
-/// Up to `limit` of the rays that the contestant answers wrongly: first those where hit or miss is
+/// Up to `limit` of the rays that the tracer answers wrongly: first those where hit or miss is
 /// wrong, then occlusion, then the primitive; of these the ones whose t is furthest off. If there
 /// is none, those with the largest errors of t.
 std::vector<WorstRay> worst_rays(const Scene& scene, const std::vector<Trial>& trials,
-                                 const Contestant& contestant, std::size_t limit);
+                                 const Tracer& tracer, std::size_t limit);
 
 /// Two lines: what is wrong, as a comment, and the ray in hexadecimal floats, so to the bit.
 std::string trace_lines(const WorstRay& worst);

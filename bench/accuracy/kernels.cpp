@@ -1,5 +1,5 @@
-#include "bench/accuracy/contender.h"
 #include "bench/accuracy/textbook/all.h"
+#include "bench/accuracy/tracer.h"
 #include "core/intersect/shapes/all.h"
 
 namespace etalon::accuracy {
@@ -35,10 +35,10 @@ const std::vector<RayForm>& rays_as(const RayBlock& block) {
 
 /// A kernel alone, inlined into the loop over the rays.
 template <class Kernel>
-class KernelContender final : public Contender {
+class KernelTracer final : public Tracer {
   public:
-    KernelContender(std::string_view name, Kernel kernel)
-        : Contender(std::string(name)), kernel_(std::move(kernel)) {}
+    KernelTracer(std::string_view name, Kernel kernel)
+        : Tracer(std::string(name)), kernel_(std::move(kernel)) {}
 
     void closest(const RayBlock& block, std::span<Answer> answers) const override {
         const auto& rays = rays_as<typename Kernel::RayForm>(block);
@@ -53,30 +53,29 @@ class KernelContender final : public Contender {
 };
 
 template <class Kernel>
-std::unique_ptr<Contender> contender(std::string_view name, Kernel kernel) {
-    return std::make_unique<KernelContender<Kernel>>(name, std::move(kernel));
+std::unique_ptr<Tracer> tracer(std::string_view name, Kernel kernel) {
+    return std::make_unique<KernelTracer<Kernel>>(name, std::move(kernel));
 }
 
 template <class Shape>
-std::vector<std::unique_ptr<Contender>> textbooks_of(const Scene& scene, const Shape& shape) {
-    std::vector<std::unique_ptr<Contender>> list;
-    std::apply([&](auto... k) { (list.push_back(contender(k.name, std::move(k.kernel))), ...); },
+std::vector<std::unique_ptr<Tracer>> textbooks_of(const Scene& scene, const Shape& shape) {
+    std::vector<std::unique_ptr<Tracer>> list;
+    std::apply([&](auto... k) { (list.push_back(tracer(k.name, std::move(k.kernel))), ...); },
                textbook_kernels(scene, shape));
     return list;
 }
 
 }  // namespace
 
-std::unique_ptr<Contender> kernel_contender(const Scene& scene) {
+std::unique_ptr<Tracer> kernel_tracer(const Scene& scene) {
     if (scene.geometry.primitives.size() != 1) return nullptr;
     const Primitive& p = scene.geometry.primitives.front();
     return with_shape(p.kind, [&]<class Shape>() {
-        return contender("kernel",
-                         ProjectKernel<Shape>{scene, scene.geometry.get<Shape>(p), p.sides});
+        return tracer("kernel", ProjectKernel<Shape>{scene, scene.geometry.get<Shape>(p), p.sides});
     });
 }
 
-std::vector<std::unique_ptr<Contender>> textbook_contenders(const Scene& scene) {
+std::vector<std::unique_ptr<Tracer>> textbook_tracers(const Scene& scene) {
     if (scene.geometry.primitives.size() != 1) return {};
     const Primitive& p = scene.geometry.primitives.front();
     return with_shape(

@@ -38,7 +38,7 @@ std::uint64_t seed_of(const hard::HardCase& c) {
     return h;
 }
 
-/// What one entrant has to show after some blocks.
+/// What one tracer has to show after some blocks.
 struct Result {
     Tally tally;
     std::vector<double> nanoseconds;  ///< a ray, by block
@@ -60,18 +60,18 @@ class Measurement {
           seed_(seed_of(hard_case)),
           effort_(effort) {
         for (const Backend* b : backends) {
-            enter(backend_contender(*b, setting_.scene), b->exact, true);
+            enter(backend_tracer(*b, setting_.scene), b->exact, true);
         }
         if (!effort.textbooks) return;
-        if (auto kernel = kernel_contender(setting_.scene)) enter(std::move(kernel), true, true);
+        if (auto kernel = kernel_tracer(setting_.scene)) enter(std::move(kernel), true, true);
         if (case_.judge != hard::Judge::oracle) return;
-        for (auto& textbook : textbook_contenders(setting_.scene)) {
+        for (auto& textbook : textbook_tracers(setting_.scene)) {
             enter(std::move(textbook), false, false);
         }
     }
 
     std::vector<Row> run() {
-        results_.resize(entrants_.size());
+        results_.resize(entries_.size());
         const std::uint64_t blocks = (effort_.rays + block_size - 1) / block_size;
         parallel_for(blocks, 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t block = begin; block < end; ++block) {
@@ -82,8 +82,8 @@ class Measurement {
     }
 
   private:
-    void enter(std::unique_ptr<Contender> contender, bool exact, bool refined) {
-        entrants_.push_back({std::move(contender), exact, refined});
+    void enter(std::unique_ptr<Tracer> tracer, bool exact, bool refined) {
+        entries_.push_back({std::move(tracer), exact, refined});
     }
 
     bool is_over_time() const {
@@ -91,9 +91,9 @@ class Measurement {
         return spent.count() > effort_.seconds;
     }
 
-    bool takes_part(const Entrant& entrant, std::uint64_t first_ray) const {
+    bool takes_part(const TracerEntry& entry, std::uint64_t first_ray) const {
         const std::uint64_t all = first_ray * setting_.scene.geometry.primitives.size();
-        return entrant.contender->name() != reference_backend || all < effort_.tests;
+        return entry.tracer->name() != reference_backend || all < effort_.tests;
     }
 
     /// One block, whose results are then added to those of all.
@@ -105,7 +105,7 @@ class Measurement {
             Random random(seed_, i);
             rays.push_back(setting_.ray(random));
         }
-        std::vector<Result> results(entrants_.size());
+        std::vector<Result> results(entries_.size());
         if (case_.judge == hard::Judge::spawned) {
             shoot_spawned(RayBlock(std::move(rays)), first, results);
         } else {
@@ -118,29 +118,29 @@ class Measurement {
     /// In turn from the first and from the last: a drift of the machine's speed meets all alike.
     std::vector<std::vector<Answer>> ask_all(const RayBlock& block, std::uint64_t first,
                                              std::vector<Result>& results) const {
-        const std::size_t count = entrants_.size();
+        const std::size_t count = entries_.size();
         std::vector<std::vector<Answer>> answers(count);
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t k = first / block_size % 2 == 0 ? i : count - 1 - i;
-            if (!takes_part(entrants_[k], first)) continue;
+            if (!takes_part(entries_[k], first)) continue;
             answers[k].resize(block.rays.size(), missed);
             const double start = thread_cpu_seconds();
-            entrants_[k].contender->closest(block, answers[k]);
+            entries_[k].tracer->closest(block, answers[k]);
             const double seconds = thread_cpu_seconds() - start;
             const auto rays = static_cast<double>(block.rays.size());
             results[k].nanoseconds.push_back(1e9 * seconds / rays);
             if (first / block_size % occlusion_every != 0) continue;
-            count_contradictions(entrants_[k], block, answers[k], results[k].tally);
+            count_contradictions(entries_[k], block, answers[k], results[k].tally);
         }
         count_deviations(answers, results);
         return answers;
     }
 
-    void count_contradictions(const Entrant& entrant, const RayBlock& block,
+    void count_contradictions(const TracerEntry& entry, const RayBlock& block,
                               const std::vector<Answer>& answers, Tally& tally) const {
-        if (!entrant.refined) return;  // a textbook's kernel has but one answer
+        if (!entry.refined) return;  // a textbook's kernel has but one answer
         std::vector<char> occluded(answers.size());
-        entrant.contender->occluded(block, occluded);
+        entry.tracer->occluded(block, occluded);
         for (std::size_t i = 0; i < answers.size(); ++i) {
             const bool hit = answers[i].primitive != no_index;
             tally.contradictions += hit != (occluded[i] != 0);
@@ -150,8 +150,8 @@ class Measurement {
     void count_deviations(const std::vector<std::vector<Answer>>& answers,
                           std::vector<Result>& results) const {
         std::optional<std::size_t> first;
-        for (std::size_t k = 0; k < entrants_.size(); ++k) {
-            if (!entrants_[k].exact || answers[k].empty()) continue;
+        for (std::size_t k = 0; k < entries_.size(); ++k) {
+            if (!entries_[k].exact || answers[k].empty()) continue;
             if (!first) first = k;
             for (std::size_t i = 0; i < answers[k].size(); ++i) {
                 const Answer &a = answers[k][i], &b = answers[*first][i];
@@ -164,10 +164,10 @@ class Measurement {
         const auto answers = ask_all(block, first, results);
         const std::vector<Truth> truth = truth_of(block);
         std::optional<Tally> shared;  // by all who gave the same bits
-        for (std::size_t k = 0; k < entrants_.size(); ++k) {
+        for (std::size_t k = 0; k < entries_.size(); ++k) {
             if (answers[k].empty()) continue;
-            const bool same = entrants_[k].exact && results[k].tally.deviations == 0;
-            const Tally tally = same && shared ? *shared : judge(entrants_[k], truth, answers[k]);
+            const bool same = entries_[k].exact && results[k].tally.deviations == 0;
+            const Tally tally = same && shared ? *shared : judge(entries_[k], truth, answers[k]);
             if (same) shared = tally;
             results[k].tally += tally;
         }
@@ -180,21 +180,21 @@ class Measurement {
         return truth;
     }
 
-    Tally judge(const Entrant& entrant, const std::vector<Truth>& truth,
+    Tally judge(const TracerEntry& entry, const std::vector<Truth>& truth,
                 const std::vector<Answer>& answers) const {
         Tally tally;
-        for (std::size_t i = 0; i < truth.size(); ++i) truth[i].judge(entrant, answers[i], tally);
+        for (std::size_t i = 0; i < truth.size(); ++i) truth[i].judge(entry, answers[i], tally);
         if (!truth.empty()) return tally;
         tally.rays = answers.size();
         for (const Answer& a : answers) tally.leaks += a.primitive == no_index;
         return tally;
     }
 
-    /// The hits are those of the first entrant: all that are exact find the same.
+    /// The hits are those of the first tracer: all that are exact find the same.
     void shoot_spawned(const RayBlock& block, std::uint64_t first,
                        std::vector<Result>& results) const {
         std::vector<Answer> hits(block.rays.size(), missed);
-        entrants_.front().contender->closest(block, hits);
+        entries_.front().tracer->closest(block, hits);
         std::vector<Spawned> spawned;
         std::vector<Ray> rays;
         for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -206,7 +206,7 @@ class Measurement {
         }
         if (rays.empty()) return;
         const auto answers = ask_all(RayBlock(std::move(rays)), first, results);
-        for (std::size_t k = 0; k < entrants_.size(); ++k) {
+        for (std::size_t k = 0; k < entries_.size(); ++k) {
             for (std::size_t i = 0; i < answers[k].size(); ++i) {
                 Tally& tally = results[k].tally;
                 ++tally.rays;
@@ -220,12 +220,12 @@ class Measurement {
         constexpr const char* judges[] = {"oracle", "enclosed", "spawned"};
         std::vector<Row> rows;
         double unit = 0;  // of cost: the first textbook kernel's
-        for (std::size_t k = 0; k < entrants_.size(); ++k) {
-            const Entrant& e = entrants_[k];
+        for (std::size_t k = 0; k < entries_.size(); ++k) {
+            const TracerEntry& e = entries_[k];
             const double ns = median(std::move(results_[k].nanoseconds));
             if (unit == 0 && !e.refined) unit = ns;
             rows.push_back({case_.id, case_.variant, case_.shape,
-                            judges[static_cast<int>(case_.judge)], e.contender->name(), e.exact,
+                            judges[static_cast<int>(case_.judge)], e.tracer->name(), e.exact,
                             results_[k].tally, ns, 0});
         }
         for (Row& row : rows) row.cost = unit > 0 ? row.nanoseconds / unit : 0;
@@ -238,7 +238,7 @@ class Measurement {
     const std::uint64_t seed_;
     const Effort effort_;
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    std::vector<Entrant> entrants_;
+    std::vector<TracerEntry> entries_;
     std::mutex mutex_;
     std::vector<Result> results_;
 };

@@ -1,4 +1,4 @@
-// How a contender fared on a hard case.
+// How a tracer fared on a hard case.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ struct Tally {
     std::uint64_t self_hits = 0;         ///< spawned rays that meet the surface they left
     std::uint64_t contradictions =
         0;                         ///< occluded() says other than closest(), in a quarter of all
-    std::uint64_t deviations = 0;  ///< other bits than those of the first exact contender
+    std::uint64_t deviations = 0;  ///< other bits than those of the first exact tracer
     Distribution float_ulps;       ///< |t - true t| in ulp of a float at the true t
     Distribution double_ulps;      ///< the same in ulp of a double
     Distribution conditioned;      ///< |t - true t| in units of what moving every input by one unit
@@ -47,7 +47,7 @@ struct Tally {
     Distribution position;         ///< |P - true P| / size, P as the shading gets it
     Distribution shift;            ///< |spawned origin - P| / size
 
-    /// All that must be zero for a contender that promises to be right.
+    /// All that must be zero for a tracer that promises to be right.
     std::uint64_t errors() const {
         return false_hits + false_misses + wrong_roots + wrong_primitives + leaks + self_hits +
                contradictions + deviations;
@@ -56,8 +56,8 @@ struct Tally {
 
 /// One line of the report.
 struct Row {
-    std::string id, variant, shape, judge, contender;
-    bool exact = false;  ///< the contender promises to be right
+    std::string id, variant, shape, judge, tracer;
+    bool exact = false;  ///< the tracer promises to be right
     Tally tally;
     double nanoseconds = 0;  ///< a ray, median over blocks of rays, CPU time
     double cost = 0;         ///< relative to the first textbook kernel on the same rays; 0 if none

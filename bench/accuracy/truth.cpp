@@ -23,8 +23,8 @@ double ulp_of_float(double x) {
 }
 
 /// What a renderer would go on from.
-Vec3 position(const Scene& scene, const Entrant& entrant, const Ray& ray, const Answer& answer) {
-    if (entrant.refined) return surface_at(scene.geometry, ray, answer).position;
+Vec3 position(const Scene& scene, const TracerEntry& entry, const Ray& ray, const Answer& answer) {
+    if (entry.refined) return surface_at(scene.geometry, ray, answer).position;
     return ray.origin + answer.t * ray.direction;
 }
 
@@ -51,7 +51,7 @@ Truth::Truth(const hard::Setting& setting, const Oracle& oracle, const Ray& ray)
     }
 }
 
-void Truth::judge(const Entrant& entrant, const Answer& answer, Tally& tally) const {
+void Truth::judge(const TracerEntry& entry, const Answer& answer, Tally& tally) const {
     ++tally.rays;
     const bool hit = answer.primitive != no_index;
     if (answer_.kind == OracleAnswer::undecidable) {
@@ -61,12 +61,12 @@ void Truth::judge(const Entrant& entrant, const Answer& answer, Tally& tally) co
     } else if (!hit) {
         ++tally.false_misses;
     } else {
-        tally.wrong_primitives += !is_right_primitive(entrant, answer);
-        judge_distance(entrant, answer, tally);
+        tally.wrong_primitives += !is_right_primitive(entry, answer);
+        judge_distance(entry, answer, tally);
     }
 }
 
-void Truth::judge_distance(const Entrant& entrant, const Answer& answer, Tally& tally) const {
+void Truth::judge_distance(const TracerEntry& entry, const Answer& answer, Tally& tally) const {
     const double off = t_.distance(answer.t);
     const double float_ulps = off / ulp_of_float(answer_.t);
     const bool is_far_off = off * ray_.direction.length() > other_root * setting_.size;
@@ -74,15 +74,15 @@ void Truth::judge_distance(const Entrant& entrant, const Answer& answer, Tally& 
     tally.float_ulps.add(float_ulps);
     tally.double_ulps.add(off / ulp_of_double(answer_.t));
     tally.conditioned.add(off / sensitivity_);
-    const Vec3 p = position(setting_.scene, entrant, ray_, answer);
+    const Vec3 p = position(setting_.scene, entry, ray_, answer);
     const Vec3 apart(position_[0].distance(p.x), position_[1].distance(p.y),
                      position_[2].distance(p.z));
     tally.position.add(apart.length() / setting_.size);
 }
 
-bool Truth::is_right_primitive(const Entrant& entrant, const Answer& answer) const {
+bool Truth::is_right_primitive(const TracerEntry& entry, const Answer& answer) const {
     const auto& tied = answer_.tied;
-    if (tied.size() == 1 || !entrant.exact) {
+    if (tied.size() == 1 || !entry.exact) {
         return std::binary_search(tied.begin(), tied.end(), answer.primitive);
     }
     return answer.primitive == lowest_of_the_nearest();

@@ -3,16 +3,16 @@
 
 #include <array>
 
-#include "bench/accuracy/contender.h"
 #include "bench/accuracy/tally.h"
+#include "bench/accuracy/tracer.h"
 #include "bench/hard_cases/hard_case.h"
 #include "core/intersect/oracle/oracle.h"
 
 namespace etalon::accuracy {
 
 /// Who answers, and what that one promises.
-struct Entrant {
-    std::unique_ptr<Contender> contender;
+struct TracerEntry {
+    std::unique_ptr<Tracer> tracer;
     bool exact = false;    ///< to be right, to the same bits as every other that promises it
     bool refined = false;  ///< positions are moved onto the surface, as the renderer does it
 };
@@ -36,11 +36,11 @@ class Truth {
   public:
     Truth(const hard::Setting& setting, const Oracle& oracle, const Ray& ray);
 
-    void judge(const Entrant& entrant, const Answer& answer, Tally& tally) const;
+    void judge(const TracerEntry& entry, const Answer& answer, Tally& tally) const;
 
   private:
-    void judge_distance(const Entrant& entrant, const Answer& answer, Tally& tally) const;
-    bool is_right_primitive(const Entrant& entrant, const Answer& answer) const;
+    void judge_distance(const TracerEntry& entry, const Answer& answer, Tally& tally) const;
+    bool is_right_primitive(const TracerEntry& entry, const Answer& answer) const;
     std::uint32_t lowest_of_the_nearest() const;
 
     const hard::Setting& setting_;

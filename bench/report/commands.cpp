@@ -12,7 +12,7 @@ namespace {
 
 /// The yardsticks take part unasked.
 std::vector<std::string> asked(const speed::Plan& plan) {
-    std::vector<std::string> names = plan.contenders;
+    std::vector<std::string> names = plan.tracers;
     std::erase_if(names, [](const std::string& name) {
         return name == speed::yardstick || name == speed::robust_yardstick;
     });

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "app/backends.h"
-#include "bench/speed/contender.h"
 #include "bench/speed/pinned.h"
+#include "bench/speed/timed_tracer.h"
 
 namespace etalon::bench_report {
 namespace {

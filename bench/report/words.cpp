@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "bench/speed/contender.h"
+#include "bench/speed/timed_tracer.h"
 
 namespace etalon::bench_report {
 
@@ -58,10 +58,10 @@ Cell wrong_of(std::uint64_t wrong, std::uint64_t all) {
             wrong > 0 ? Mark::bad : Mark::good};
 }
 
-int colour_of(std::string_view contender) {
-    const std::vector<std::string> names = speed::contender_names();
-    const bool is_backend = std::ranges::find(names, contender) != names.end();
-    return is_backend ? speed::find_contender(std::string(contender)).colour : Backend().colour;
+int colour_of(std::string_view tracer) {
+    const std::vector<std::string> names = speed::tracer_names();
+    const bool is_backend = std::ranges::find(names, tracer) != names.end();
+    return is_backend ? speed::find_tracer(std::string(tracer)).colour : Backend().colour;
 }
 
 }  // namespace etalon::bench_report

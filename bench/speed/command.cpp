@@ -10,11 +10,11 @@
 #include "app/output.h"
 #include "bench/commands.h"
 #include "bench/scenes/bench_scene.h"
-#include "bench/speed/contender.h"
 #include "bench/speed/pinned.h"
 #include "bench/speed/report/json.h"
 #include "bench/speed/report/table.h"
 #include "bench/speed/scene.h"
+#include "bench/speed/timed_tracer.h"
 #include "core/render/ray_sets.h"
 
 namespace etalon {
@@ -23,8 +23,8 @@ namespace {
 using namespace speed;
 
 /// The reference tests every primitive against every ray: only who asks for it is to wait for it.
-std::vector<std::string> usual_contenders() {
-    std::vector<std::string> names = contender_names();
+std::vector<std::string> usual_tracers() {
+    std::vector<std::string> names = tracer_names();
     std::erase(names, reference_backend);
     return names;
 }
@@ -32,7 +32,7 @@ std::vector<std::string> usual_contenders() {
 struct Arguments {
     std::vector<std::string> scenes{"terrain", "flake",        "soup",   "stadium",
                                     "slivers", "spheres:1000", "spheres"};
-    std::vector<std::string> backends = usual_contenders();
+    std::vector<std::string> backends = usual_tracers();
     std::vector<std::string> kinds{"camera", "bounce", "shadow", "random"};
     std::vector<int> threads{1};
     int repeats = 5;
@@ -123,7 +123,7 @@ void declare_what(Options& options, Arguments& a) {
         .add("--backends", a.backends,
              "Which, by commas; those that all are compared with take part always")
         .by_commas()
-        .one_of(contender_names())
+        .one_of(tracer_names())
         .show_default();
     options.add("--rays", a.kinds, "Kinds of rays, by commas")
         .by_commas()

@@ -1,4 +1,4 @@
-// Two contenders' answers to the same rays.
+// Two tracers' answers to the same rays.
 #pragma once
 
 #include <span>

@@ -13,9 +13,9 @@ std::vector<double> all_of(const std::vector<Duration>& durations) {
 }
 
 template <class Figures>
-std::vector<Runs> runs_of(const std::vector<Figures>& all, const std::string& contender) {
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const Figures& f) { return f.contender == contender; });
+std::vector<Runs> runs_of(const std::vector<Figures>& all, const std::string& tracer) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Figures& f) { return f.tracer == tracer; });
     return found == all.end() ? std::vector<Runs>() : found->by_threads;
 }
 

@@ -34,23 +34,23 @@ struct Runs {
 std::vector<Runs> runs_on(const std::vector<int>& threads);
 
 struct BuildFigures {
-    std::string contender, isa;
+    std::string tracer, isa;
     double bytes_per_primitive = 0;
     std::vector<Runs> by_threads;
 };
 
-/// How often a contender is wrong. A speed without it says nothing.
+/// How often a tracer is wrong. A speed without it says nothing.
 struct Errors {
     std::string reference;      ///< the exact backend that all of its answers are compared with
     Disagreement disagreement;  ///< with that one
     Judgement sample;           ///< by the oracle, of rays spread evenly over all
-    /// By the oracle, of the rays to which not all contenders have the same answer: whoever is
+    /// By the oracle, of the rays to which not all tracers have the same answer: whoever is
     /// wrong alone is found out here.
     Judgement disputed;
 };
 
 struct RayFigures {
-    std::string contender;
+    std::string tracer;
     std::vector<Runs> by_threads;
     Errors errors;
 };
@@ -59,7 +59,7 @@ struct KindFigures {
     std::string kind;        ///< of ray
     std::size_t rays = 0;    ///< that each repeat traces
     bool occlusion = false;  ///< only whether something is hit is asked
-    std::vector<RayFigures> contenders;
+    std::vector<RayFigures> tracers;
 };
 
 struct SceneFigures {
@@ -69,7 +69,7 @@ struct SceneFigures {
     std::vector<KindFigures> kinds;
 };
 
-/// Fills in what follows from comparing one contender's repeats with another's, and with its own on
+/// Fills in what follows from comparing one tracer's repeats with another's, and with its own on
 /// one thread. The yardsticks must be among them.
 void compare_with_yardsticks(std::vector<BuildFigures>& all);
 void compare_with_yardsticks(std::vector<RayFigures>& all);

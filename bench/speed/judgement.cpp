@@ -38,10 +38,10 @@ Judgement Truths::judge(std::span<const Answer> answers, bool exact) const {
 }
 
 Judgement Truths::judge_closest(std::span<const Answer> answers, bool exact) const {
-    const accuracy::Entrant entrant{nullptr, exact, true};
+    const accuracy::TracerEntry entry{nullptr, exact, true};
     accuracy::Tally tally;
     for (std::size_t i = 0; i < rays_.size(); ++i) {
-        truth_[i].judge(entrant, answers[rays_[i]], tally);
+        truth_[i].judge(entry, answers[rays_[i]], tally);
     }
     return {tally.rays,         tally.undecidable,      tally.false_hits,
             tally.false_misses, tally.wrong_primitives, tally.float_ulps.max()};

@@ -7,9 +7,9 @@ namespace etalon::speed {
 
 /// What to measure on a scene, and how thoroughly.
 struct Plan {
-    std::vector<std::string> contenders;  ///< with the yardsticks among them
-    std::vector<int> threads{1};          ///< 1 first; every measurement is made with each
-    int repeats = 5;                      ///< by turns; medians count
+    std::vector<std::string> tracers;  ///< with the yardsticks among them
+    std::vector<int> threads{1};       ///< 1 first; every measurement is made with each
+    int repeats = 5;                   ///< by turns; medians count
     double oracle_seconds =
         1;  ///< CPU seconds for a kind of ray: a sample, and again disputed rays
     std::vector<std::string> kinds{"camera", "bounce", "shadow", "random"};  ///< of ray_kinds

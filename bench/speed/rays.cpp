@@ -8,50 +8,50 @@ namespace etalon::speed {
 namespace {
 
 /// An exact backend that shares no tree with the one that is compared with it.
-std::string reference_of(const std::string& contender) {
-    return contender == default_backend ? second_backend : default_backend;
+std::string reference_of(const std::string& tracer) {
+    return tracer == default_backend ? second_backend : default_backend;
 }
 
-const Contender* find(const std::vector<Contender>& list, const std::string& name) {
-    const auto found = std::find_if(list.begin(), list.end(),
-                                    [&](const Contender& c) { return c.name() == name; });
+const Tracer* find(const std::vector<Tracer>& list, const std::string& name) {
+    const auto found =
+        std::find_if(list.begin(), list.end(), [&](const Tracer& c) { return c.name() == name; });
     return found == list.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
-RayMeasurement::RayMeasurement(const hard::Setting& setting,
-                               const std::vector<Contender>& contenders, const Plan& plan)
-    : setting_(setting), contenders_(contenders), plan_(plan), oracle_(setting.scene.geometry) {
+RayMeasurement::RayMeasurement(const hard::Setting& setting, const std::vector<Tracer>& tracers,
+                               const Plan& plan)
+    : setting_(setting), tracers_(tracers), plan_(plan), oracle_(setting.scene.geometry) {
     for (const std::string name : {default_backend, second_backend}) {
-        if (find(contenders, name) != nullptr) continue;
-        const Backend& backend = find_contender(name);
+        if (find(tracers, name) != nullptr) continue;
+        const Backend& backend = find_tracer(name);
         references_.push_back({&backend, backend.build(setting.scene.geometry)});
     }
 }
 
-const Contender& RayMeasurement::who(const std::string& name) const {
-    const Contender* contender = find(contenders_, name);
-    return contender != nullptr ? *contender : *find(references_, name);
+const Tracer& RayMeasurement::who(const std::string& name) const {
+    const Tracer* tracer = find(tracers_, name);
+    return tracer != nullptr ? *tracer : *find(references_, name);
 }
 
 KindFigures RayMeasurement::measure(const RaySet& set) const {
-    Answers answers(contenders_.size(), std::vector<Answer>(set.rays.size(), missed));
+    Answers answers(tracers_.size(), std::vector<Answer>(set.rays.size(), missed));
     KindFigures figures{set.kind, set.rays.size(), set.occlusion, time(set, answers)};
     find_errors(set, answers, figures);
     return figures;
 }
 
 std::vector<RayFigures> RayMeasurement::time(const RaySet& set, Answers& answers) const {
-    std::vector<RayFigures> all(contenders_.size());
+    std::vector<RayFigures> all(tracers_.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
-        all[i].contender = contenders_[i].name();
+        all[i].tracer = tracers_[i].name();
         all[i].by_threads = runs_on(plan_.threads);
     }
     const std::size_t ways = plan_.threads.size();
-    alternate(plan_.repeats, contenders_.size() * ways, [&](int, std::size_t k) {
+    alternate(plan_.repeats, tracers_.size() * ways, [&](int, std::size_t k) {
         const std::size_t i = k / ways;
-        const Intersector& intersector = *contenders_[i].intersector;
+        const Intersector& intersector = *tracers_[i].intersector;
         Runs& runs = all[i].by_threads[k % ways];
         runs.repeats.push_back(trace(intersector, set, runs.threads, answers[i]));
     });
@@ -61,8 +61,8 @@ std::vector<RayFigures> RayMeasurement::time(const RaySet& set, Answers& answers
 
 std::vector<Answer> RayMeasurement::answers_of(const std::string& name, const RaySet& set,
                                                const Answers& answers) const {
-    for (std::size_t i = 0; i < contenders_.size(); ++i) {
-        if (contenders_[i].name() == name) return answers[i];
+    for (std::size_t i = 0; i < tracers_.size(); ++i) {
+        if (tracers_[i].name() == name) return answers[i];
     }
     std::vector<Answer> found(set.rays.size(), missed);
     trace(*who(name).intersector, set, 1, found);
@@ -79,13 +79,13 @@ void RayMeasurement::find_errors(const RaySet& set, const Answers& answers,
     const std::vector<Answer> second = answers_of(second_backend, set, answers);
     const Truths sample = truths(set, scattered(set.rays.size()));
     const Truths quarrels = truths(set, disputed(answers, set.occlusion));
-    for (std::size_t i = 0; i < contenders_.size(); ++i) {
-        Errors& errors = figures.contenders[i].errors;
-        errors.reference = reference_of(contenders_[i].name());
+    for (std::size_t i = 0; i < tracers_.size(); ++i) {
+        Errors& errors = figures.tracers[i].errors;
+        errors.reference = reference_of(tracers_[i].name());
         errors.disagreement = compare(
             answers[i], errors.reference == default_backend ? first : second, set.occlusion);
-        errors.sample = sample.judge(answers[i], contenders_[i].backend->exact);
-        errors.disputed = quarrels.judge(answers[i], contenders_[i].backend->exact);
+        errors.sample = sample.judge(answers[i], tracers_[i].backend->exact);
+        errors.disputed = quarrels.judge(answers[i], tracers_[i].backend->exact);
     }
 }
 

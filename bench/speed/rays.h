@@ -1,16 +1,16 @@
-// How fast and how well the contenders answer rays.
+// How fast and how well the tracers answer rays.
 #pragma once
 
-#include "bench/speed/contender.h"
 #include "bench/speed/plan.h"
+#include "bench/speed/timed_tracer.h"
 
 namespace etalon::speed {
 
 class RayMeasurement {
   public:
-    /// The setting, of which only the scene and the tie matter, and the contenders, which are
+    /// The setting, of which only the scene and the tie matter, and the tracers, which are
     /// built, must outlive it.
-    RayMeasurement(const hard::Setting& setting, const std::vector<Contender>& contenders,
+    RayMeasurement(const hard::Setting& setting, const std::vector<Tracer>& tracers,
                    const Plan& plan);
 
     /// Who decides where rays start.
@@ -19,9 +19,9 @@ class RayMeasurement {
     KindFigures measure(const RaySet& set) const;
 
   private:
-    using Answers = std::vector<std::vector<Answer>>;  ///< of each contender
+    using Answers = std::vector<std::vector<Answer>>;  ///< of each tracer
 
-    const Contender& who(const std::string& name) const;
+    const Tracer& who(const std::string& name) const;
     std::vector<RayFigures> time(const RaySet& set, Answers& answers) const;
     std::vector<Answer> answers_of(const std::string& name, const RaySet& set,
                                    const Answers& answers) const;
@@ -29,10 +29,10 @@ class RayMeasurement {
     void find_errors(const RaySet& set, const Answers& answers, KindFigures& figures) const;
 
     const hard::Setting& setting_;
-    const std::vector<Contender>& contenders_;
+    const std::vector<Tracer>& tracers_;
     const Plan plan_;
     const Oracle oracle_;
-    std::vector<Contender> references_;  ///< others are compared with them; they do not take part
+    std::vector<Tracer> references_;  ///< others are compared with them; they do not take part
 };
 
 }  // namespace etalon::speed

@@ -7,12 +7,12 @@
 namespace etalon::speed {
 namespace {
 
-std::vector<Contender> enter(const Plan& plan) {
-    std::vector<Contender> contenders;
-    for (const std::string& name : plan.contenders) {
-        contenders.push_back({&find_contender(name), nullptr});
+std::vector<Tracer> enter(const Plan& plan) {
+    std::vector<Tracer> tracers;
+    for (const std::string& name : plan.tracers) {
+        tracers.push_back({&find_tracer(name), nullptr});
     }
-    return contenders;
+    return tracers;
 }
 
 }  // namespace
@@ -22,10 +22,10 @@ SceneFigures measure_scene(const std::string& name, Scene scene, const Imath::V2
     hard::Setting setting;
     setting.scene = std::move(scene);
     SceneFigures figures{name, setting.scene.geometry.primitives.size(), {}, {}};
-    std::vector<Contender> contenders = enter(plan);
-    figures.builds = measure_builds(contenders, setting.scene, plan.threads, plan.repeats);
+    std::vector<Tracer> tracers = enter(plan);
+    figures.builds = measure_builds(tracers, setting.scene, plan.threads, plan.repeats);
     if (!observer(figures) || plan.kinds.empty()) return figures;
-    const RayMeasurement measurement(setting, contenders, plan);
+    const RayMeasurement measurement(setting, tracers, plan);
     for (const char* kind : ray_kinds) {
         if (std::find(plan.kinds.begin(), plan.kinds.end(), kind) == plan.kinds.end()) continue;
         const RaySet set =

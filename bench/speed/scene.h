@@ -12,7 +12,7 @@ namespace etalon::speed {
 /// be all.
 using Observer = std::function<bool(const SceneFigures& figures)>;
 
-/// Builds every contender of the plan and gives it rays of every kind that the scene has, for a
+/// Builds every tracer of the plan and gives it rays of every kind that the scene has, for a
 /// picture of this resolution.
 SceneFigures measure_scene(const std::string& name, Scene scene, const Imath::V2i& resolution,
                            const Plan& plan, const Observer& observer);

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "app/stopwatch.h"
-#include "bench/accuracy/contender.h"
+#include "bench/accuracy/tracer.h"
 #include "core/render/ray_sets.h"
 
 namespace etalon::speed {

@@ -68,12 +68,12 @@ TEST_CASE("An error without bound has its place on the plot") {
     CHECK(error_of(tally) == 0x1p24);
 }
 
-TEST_CASE("A plot is well-formed XML that names every contender") {
+TEST_CASE("A plot is well-formed XML that names every tracer") {
     for (const char* shape : {"sphere", "scene"}) {
         const std::string svg = plot(sample_rows(), shape);
         CHECK(is_well_formed(svg));
         for (const Row& r : sample_rows()) {
-            if (r.shape == shape) CHECK_THAT(svg, ContainsSubstring(">" + r.contender + "</text>"));
+            if (r.shape == shape) CHECK_THAT(svg, ContainsSubstring(">" + r.tracer + "</text>"));
         }
     }
     CHECK_THAT(plot(sample_rows(), "sphere"), ContainsSubstring("1e3 &lt;radii&gt; &amp; more"));
@@ -99,7 +99,7 @@ TEST_CASE("There are ticks on both axes, however narrow the range, and the point
 TEST_CASE("Given a crowd of marks, no label covers another or a mark") {
     std::vector<Label> labels;
     for (const double x : {500.0, 504.0, 509.0, 520.0, 560.0}) {
-        labels.push_back({"a contender", x < 505, {x, 300}});
+        labels.push_back({"a tracer", x < 505, {x, 300}});
     }
     const Rectangle page{0, 0, 600, 320};
     place(labels, page, {});

@@ -4,14 +4,14 @@
 
 namespace etalon::accuracy {
 
-Row row(std::string id, std::string shape, std::string contender, double ulps, std::uint64_t errors,
+Row row(std::string id, std::string shape, std::string tracer, double ulps, std::uint64_t errors,
         double cost) {
     Row r;
     r.id = std::move(id);
     r.variant = "1e3 <radii> & more";
     r.shape = std::move(shape);
     r.judge = "oracle";
-    r.contender = std::move(contender);
+    r.tracer = std::move(tracer);
     r.exact = errors == 0;
     r.tally.rays = 1000000;
     r.tally.false_hits = errors;
@@ -37,10 +37,10 @@ std::vector<Row> sample_rows() {
         rows.push_back(row(id, "sphere", "float textbook", 4590, 46227, 1));
         rows.push_back(row(id, "sphere", "double textbook", 1e-6, 20, 1.1));
     }
-    for (const char* contender : {"bvh", "embree-builtin"}) {
+    for (const char* tracer : {"bvh", "embree-builtin"}) {
         for (const char* judge : {"enclosed", "spawned"}) {
-            Row r = row(judge, "scene", contender, 0, 0, 0);
-            r.exact = r.contender == "bvh";
+            Row r = row(judge, "scene", tracer, 0, 0, 0);
+            r.exact = r.tracer == "bvh";
             r.judge = judge;
             r.tally.leaks = r.judge == "enclosed" && !r.exact ? 240000 : 0;
             rows.push_back(r);

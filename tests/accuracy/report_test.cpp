@@ -27,7 +27,7 @@ std::vector<std::string> words(const std::string& text) {
 }
 
 /// The lines of the table that have cells.
-std::vector<std::string> lines_of_contenders(const std::string& table) {
+std::vector<std::string> lines_of_tracers(const std::string& table) {
     std::vector<std::string> lines;
     for (const std::string& line : split(table, '\n')) {
         if (line.starts_with("  ") && line[2] != ' ') lines.push_back(line);
@@ -80,7 +80,7 @@ TEST_CASE("A brief number takes at most six characters and keeps its size") {
 }
 
 TEST_CASE("The columns of the table line up, and no two cells touch") {
-    const std::vector<std::string> lines = lines_of_contenders(table(sample_rows()));
+    const std::vector<std::string> lines = lines_of_tracers(table(sample_rows()));
     REQUIRE(lines.size() == sample_rows().size());
     for (const std::string& line : lines) {
         INFO(line);
@@ -92,7 +92,7 @@ TEST_CASE("The columns of the table line up, and no two cells touch") {
 }
 
 TEST_CASE("The table shows errors, dots for none, and nothing that the judge does not look at") {
-    const std::vector<std::string> lines = lines_of_contenders(table(sample_rows()));
+    const std::vector<std::string> lines = lines_of_tracers(table(sample_rows()));
     const std::vector<std::string> bvh = words(lines[0]), builtin = words(lines[2]);
     CHECK(bvh[0] == "bvh");
     CHECK(bvh[2] == ".");
@@ -116,7 +116,7 @@ TEST_CASE("JSON keeps every number to the last bit through writing and reading")
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto& r = read["rows"][i];
         const Tally& t = rows[i].tally;
-        CHECK(r["contender"] == rows[i].contender);
+        CHECK(r["tracer"] == rows[i].tracer);
         CHECK(r["judge"] == rows[i].judge);
         CHECK(counts_in(r) == counts_of(t));
         CHECK(r["errors"].get<std::uint64_t>() == t.errors());

@@ -1,4 +1,4 @@
-#include "bench/accuracy/contender.h"
+#include "bench/accuracy/tracer.h"
 #include "core/intersect/kernels.h"
 #include "core/sampling/random.h"
 #include "tests/catch.h"
@@ -76,9 +76,9 @@ RayBlock benign_rays(const Scene& scene) {
     return RayBlock(std::move(rays));
 }
 
-std::vector<Answer> answers_of(const Contender& contender, const RayBlock& block) {
+std::vector<Answer> answers_of(const Tracer& tracer, const RayBlock& block) {
     std::vector<Answer> answers(block.rays.size());
-    contender.closest(block, answers);
+    tracer.closest(block, answers);
     return answers;
 }
 
@@ -93,11 +93,11 @@ TEST_CASE("Every shape has a scene in this test") {
 TEST_CASE("Given benign rays, every textbook kernel agrees with the project's to its precision") {
     for (const Scene& scene : scenes()) {
         const RayBlock block = benign_rays(scene);
-        const std::vector<Answer> expected = answers_of(*kernel_contender(scene), block);
-        for (const auto& contender : textbook_contenders(scene)) {
-            INFO(kind_name(scene.geometry.primitives.front().kind) << ", " << contender->name());
-            const std::vector<Answer> answers = answers_of(*contender, block);
-            const double tolerance = contender->name().starts_with("double") ? 1e-13 : 5e-5;
+        const std::vector<Answer> expected = answers_of(*kernel_tracer(scene), block);
+        for (const auto& tracer : textbook_tracers(scene)) {
+            INFO(kind_name(scene.geometry.primitives.front().kind) << ", " << tracer->name());
+            const std::vector<Answer> answers = answers_of(*tracer, block);
+            const double tolerance = tracer->name().starts_with("double") ? 1e-13 : 5e-5;
             std::size_t hits = 0, other_class = 0;
             double worst = 0;
             for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -116,16 +116,16 @@ TEST_CASE("Given benign rays, every textbook kernel agrees with the project's to
 
 TEST_CASE("The first textbook kernel of a shape is a plain one in float, and others follow") {
     for (const Scene& scene : scenes()) {
-        const auto textbooks = textbook_contenders(scene);
+        const auto textbooks = textbook_tracers(scene);
         REQUIRE(textbooks.size() >= 2);
         CHECK_THAT(textbooks.front()->name(), ContainsSubstring("float"));
     }
 }
 
-TEST_CASE("The project's kernel as a contender gives the bits that the backends get") {
+TEST_CASE("The project's kernel as a tracer gives the bits that the backends get") {
     for (const Scene& scene : scenes()) {
         const RayBlock block = benign_rays(scene);
-        const std::vector<Answer> answers = answers_of(*kernel_contender(scene), block);
+        const std::vector<Answer> answers = answers_of(*kernel_tracer(scene), block);
         for (std::size_t i = 0; i < answers.size(); ++i) {
             const double t = first_t(scene, block.rays[i]);
             REQUIRE(answers[i].primitive == (std::isnan(t) ? no_index : 0));
@@ -137,10 +137,10 @@ TEST_CASE("The project's kernel as a contender gives the bits that the backends 
 TEST_CASE("A kernel finds a ray occluded exactly where it finds a hit") {
     const Scene scene = scenes().front();
     const RayBlock block = benign_rays(scene);
-    const auto contender = kernel_contender(scene);
-    const std::vector<Answer> nearest = answers_of(*contender, block);
+    const auto tracer = kernel_tracer(scene);
+    const std::vector<Answer> nearest = answers_of(*tracer, block);
     std::vector<char> occluded(block.rays.size());
-    contender->occluded(block, occluded);
+    tracer->occluded(block, occluded);
     for (std::size_t i = 0; i < nearest.size(); ++i) {
         REQUIRE((occluded[i] != 0) == (nearest[i].primitive != no_index));
     }
@@ -150,7 +150,7 @@ TEST_CASE("A scene that is not one primitive has no kernel by itself") {
     Scene two = scenes().front();
     two.geometry.add(Sphere{Vec3(0), 2}, 0);
     for (const Scene& scene : {Scene(), two}) {
-        CHECK(kernel_contender(scene) == nullptr);
-        CHECK(textbook_contenders(scene).empty());
+        CHECK(kernel_tracer(scene) == nullptr);
+        CHECK(textbook_tracers(scene).empty());
     }
 }

@@ -26,10 +26,10 @@ HWY_AFTER_NAMESPACE();
 
 #include "core/render/aimed_rays.h"
 #include "native_accel/bvh/bvh.h"
-#include "tests/backends/contenders.h"
 #include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
 #include "tests/backends/targets.h"
+#include "tests/backends/tracers.h"
 
 namespace etalon {
 HWY_EXPORT(candidates);

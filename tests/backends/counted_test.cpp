@@ -1,7 +1,7 @@
 // What a nearest-hit query took is counted apart: it finds the same, and the counts mean something.
-#include "tests/backends/contenders.h"
 #include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/tracers.h"
 #include "tests/catch.h"
 
 using namespace etalon;

@@ -6,9 +6,9 @@
 
 #include "core/parallel/parallel.h"
 #include "embree_backend/backends.h"
-#include "tests/backends/contenders.h"
 #include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/tracers.h"
 #include "tests/catch.h"
 
 using namespace etalon;

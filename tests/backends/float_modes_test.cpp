@@ -2,9 +2,9 @@
 #if defined(__SSE2__)
 #include <immintrin.h>
 
-#include "tests/backends/contenders.h"
 #include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/tracers.h"
 #include "tests/catch.h"
 
 using namespace etalon;

@@ -2,10 +2,10 @@
 // scenes, and what it promises of its size.
 #include "native_accel/grid/grid.h"
 
-#include "tests/backends/contenders.h"
 #include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
 #include "tests/backends/targets.h"
+#include "tests/backends/tracers.h"
 
 using namespace etalon;
 using namespace etalon::test;

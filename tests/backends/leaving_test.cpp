@@ -1,8 +1,8 @@
 // Rays that say which primitive they have left, and so cannot meet again.
 #include "core/intersect/kernels.h"
-#include "tests/backends/contenders.h"
 #include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/tracers.h"
 #include "tests/catch.h"
 
 using namespace etalon;

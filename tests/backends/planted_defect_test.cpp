@@ -4,9 +4,9 @@
 
 #include "core/intersect/tree/scene_tree.h"
 #include "native_accel/bvh/walk.h"
-#include "tests/backends/contenders.h"
 #include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/tracers.h"
 #include "tests/catch.h"
 
 using namespace etalon;
@@ -129,7 +129,8 @@ TEST_CASE("Given a tree without a defect, the witnesses contradict neither it no
         const Scene scene = make_scene(family, 300);
         const Testimony testimony(scene);
         CHECK(testimony.contradictions() == 0);
-        CHECK_FALSE(testimony.refutes(tree_of(scene.geometry, SceneBounds::of(scene.geometry).bounded)));
+        CHECK_FALSE(
+            testimony.refutes(tree_of(scene.geometry, SceneBounds::of(scene.geometry).bounded)));
     }
 }
 

@@ -7,9 +7,9 @@
 #include "core/intersect/tree/scene_tree.h"
 #include "core/intersect/tree/triangle_pieces.h"
 #include "core/parallel/parallel.h"
-#include "tests/backends/contenders.h"
 #include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/tracers.h"
 #include "tests/catch.h"
 
 using namespace etalon;

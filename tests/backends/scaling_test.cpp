@@ -2,9 +2,9 @@
 // knows an absolute length.
 #include "embree_backend/backends.h"
 #include "native_accel/backends.h"
-#include "tests/backends/contenders.h"
 #include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/tracers.h"
 #include "tests/catch.h"
 
 using namespace etalon;

@@ -28,7 +28,7 @@ speed::SceneFigures scene() {
         speed::Errors errors;
         errors.sample.rays = 2174;
         errors.sample.false_hits = name == std::string("embree-builtin") ? 12 : 0;
-        figures.kinds[0].contenders.push_back({name, {runs(seconds)}, errors});
+        figures.kinds[0].tracers.push_back({name, {runs(seconds)}, errors});
         seconds += 0.25;
     }
     return figures;

@@ -83,7 +83,7 @@ TEST_CASE("speed finds no error of an exact backend, whichever takes part") {
     }
 }
 
-TEST_CASE("speed shows a line for each kind of ray, contender and number of threads") {
+TEST_CASE("speed shows a line for each kind of ray, tracer and number of threads") {
     const Folder f;
     const auto r = speed(f, quick + "--backends bvh --rays camera --threads 1");
     REQUIRE(r.status == 0);

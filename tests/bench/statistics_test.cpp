@@ -9,9 +9,9 @@ using namespace etalon::speed;
 
 namespace {
 
-RayFigures figures(const std::string& contender, const std::vector<double>& cpu_seconds) {
+RayFigures figures(const std::string& tracer, const std::vector<double>& cpu_seconds) {
     RayFigures f;
-    f.contender = contender;
+    f.tracer = tracer;
     f.by_threads = runs_on({1});
     for (const double s : cpu_seconds) f.by_threads[0].repeats.push_back({2 * s, s});
     return f;
@@ -55,7 +55,7 @@ TEST_CASE("A ratio is the median over repeats, which a slow spell of the machine
     CHECK(all[2].by_threads[0].ratio_robust.median == 1);
 }
 
-TEST_CASE("More threads are compared with one thread of the same contender") {
+TEST_CASE("More threads are compared with one thread of the same tracer") {
     std::vector<RayFigures> all{figures(yardstick, {1}), figures(robust_yardstick, {1})};
     for (RayFigures& f : all) {
         f.by_threads.push_back(f.by_threads[0]);

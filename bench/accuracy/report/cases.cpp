@@ -8,9 +8,9 @@ std::string CaseRows::name() const {
     return variant.empty() ? id : id + ", " + variant;
 }
 
-const Row* CaseRows::find(std::string_view contender) const {
-    const auto row = std::find_if(rows.begin(), rows.end(),
-                                  [&](const Row* r) { return r->contender == contender; });
+const Row* CaseRows::find(std::string_view tracer) const {
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const Row* r) { return r->tracer == tracer; });
     return row == rows.end() ? nullptr : *row;
 }
 
@@ -36,8 +36,8 @@ std::vector<CaseRows> cases_of(const std::vector<Row>& rows, const std::string& 
     return cases;
 }
 
-bool is_textbook(std::string_view contender) {
-    return contender.starts_with("float ") || contender.starts_with("double ");
+bool is_textbook(std::string_view tracer) {
+    return tracer.starts_with("float ") || tracer.starts_with("double ");
 }
 
 double errors_per_million(const Tally& tally) {

@@ -10,12 +10,12 @@
 
 namespace etalon::accuracy {
 
-/// What the contenders made of one case. The rows must outlive it.
+/// What the tracers made of one case. The rows must outlive it.
 struct CaseRows {
     std::string name() const;  ///< "SPH-1, 1e3 radii"
 
     /// Nothing if it took no part.
-    const Row* find(std::string_view contender) const;
+    const Row* find(std::string_view tracer) const;
 
     std::string id, variant, judge;
     std::vector<const Row*> rows;
@@ -24,12 +24,12 @@ struct CaseRows {
 std::vector<std::string> shapes_of(const std::vector<Row>& rows);
 std::vector<CaseRows> cases_of(const std::vector<Row>& rows, const std::string& shape);
 
-/// Names that the report looks for among the contenders.
+/// Names that the report looks for among the tracers.
 inline constexpr std::string_view yardstick = baseline_backend;
 inline constexpr std::string_view bare_kernel = "kernel";
 
-/// Whether a contender of that name is one of textbook_contenders().
-bool is_textbook(std::string_view contender);
+/// Whether a tracer of that name is one of textbook_tracers().
+bool is_textbook(std::string_view tracer);
 
 /// All that went wrong, in a million rays.
 double errors_per_million(const Tally& tally);

@@ -21,7 +21,7 @@ Json json_of(const Row& row) {
             {"variant", row.variant},
             {"shape", row.shape},
             {"judge", row.judge},
-            {"contender", row.contender},
+            {"tracer", row.tracer},
             {"exact", row.exact},
             {"rays", t.rays},
             {"undecidable", t.undecidable},

@@ -20,7 +20,7 @@ struct Column {
 
 const Row* first_textbook(const CaseRows& c) {
     const auto row = std::find_if(c.rows.begin(), c.rows.end(),
-                                  [](const Row* r) { return is_textbook(r->contender); });
+                                  [](const Row* r) { return is_textbook(r->tracer); });
     return row == c.rows.end() ? nullptr : *row;
 }
 
@@ -34,10 +34,9 @@ std::string exact_errors(const CaseRows& c) {
     std::string each;
     int backends = 0;
     for (const Row* row : c.rows) {
-        if (!row->exact || row->contender == bare_kernel) continue;
+        if (!row->exact || row->tracer == bare_kernel) continue;
         errors.insert(row->tally.errors());
-        each +=
-            fmt::format("{}{} {}", each.empty() ? "" : ", ", row->contender, row->tally.errors());
+        each += fmt::format("{}{} {}", each.empty() ? "" : ", ", row->tracer, row->tally.errors());
         ++backends;
     }
     if (errors.size() != 1) return each;
@@ -82,7 +81,7 @@ std::string float_ulps(const Row* row) {
 
 std::string textbook_name(const std::vector<CaseRows>& cases) {
     for (const CaseRows& c : cases) {
-        if (const Row* row = first_textbook(c)) return row->contender;
+        if (const Row* row = first_textbook(c)) return row->tracer;
     }
     return {};
 }

@@ -34,7 +34,7 @@ constexpr std::string_view error_axis =
 
 Kind kind_of(const Point& p) {
     if (p.exact) return exact;
-    return is_textbook(p.contender) ? textbook : other;
+    return is_textbook(p.tracer) ? textbook : other;
 }
 
 std::string cost_axis(const Scatter& scatter) {
@@ -113,8 +113,8 @@ std::vector<Place> along(const std::vector<Place>& corners) {
 
 void draw_points(Svg& svg, const Scatter& scatter, const Axes& axes) {
     for (const Point& p : scatter.points) {
-        const std::string hint = fmt::format("{}: cost {}, error {} in {}", p.contender,
-                                             brief(p.cost), brief(p.error), p.worst_case);
+        const std::string hint = fmt::format("{}: cost {}, error {} in {}", p.tracer, brief(p.cost),
+                                             brief(p.error), p.worst_case);
         svg.dot(axes.place(p.cost, p.error), 4.5, hint,
                 fmt::format("mark {}{}", colours[kind_of(p)], p.efficient ? "" : " hollow"));
     }
@@ -138,7 +138,7 @@ void draw_labels(Svg& svg, const Scatter& scatter, const Axes& axes, std::vector
             add_mark(axes.place(p.cost, p.error), avoid);
             continue;
         }
-        labels.push_back({p.contender, p.efficient, axes.place(p.cost, p.error)});
+        labels.push_back({p.tracer, p.efficient, axes.place(p.cost, p.error)});
         classes.push_back(colours[kind_of(p)]);
     }
     const Frame& frame = axes.frame();
@@ -168,7 +168,7 @@ std::string title_of(const std::string& shape) {
 std::string description_of(const Scatter& scatter) {
     std::string text = cost_axis(scatter) + "; " + std::string(error_axis) + ".";
     for (const Point& p : scatter.points) {
-        text += fmt::format(" {}: {}, {}{}.", p.contender, brief(p.cost), brief(p.error),
+        text += fmt::format(" {}: {}, {}{}.", p.tracer, brief(p.cost), brief(p.error),
                             p.efficient ? " (in the Pareto set)" : "");
     }
     return text;

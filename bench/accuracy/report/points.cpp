@@ -16,7 +16,7 @@ double median(std::vector<double> values) {
 std::string unit_of(const std::vector<CaseRows>& cases) {
     for (const CaseRows& c : cases) {
         for (const Row* row : c.rows) {
-            if (row->cost > 0 && is_textbook(row->contender)) return row->contender;
+            if (row->cost > 0 && is_textbook(row->tracer)) return row->tracer;
         }
     }
     for (const CaseRows& c : cases) {
@@ -33,13 +33,13 @@ double cost_of(const Row& row, const CaseRows& c, const std::string& unit) {
     return one && one->nanoseconds > 0 ? row.nanoseconds / one->nanoseconds : 0;
 }
 
-Point point_of(const std::string& contender, const std::vector<CaseRows>& cases,
+Point point_of(const std::string& tracer, const std::vector<CaseRows>& cases,
                const std::string& unit) {
     Point point;
-    point.contender = contender;
+    point.tracer = tracer;
     std::vector<double> costs;
     for (const CaseRows& c : cases) {
-        const Row* row = c.find(contender);
+        const Row* row = c.find(tracer);
         if (row == nullptr) continue;
         const double cost = cost_of(*row, c, unit), error = error_of(row->tally);
         if (cost > 0) costs.push_back(cost);
@@ -79,10 +79,10 @@ Scatter scatter_of(const std::vector<Row>& rows, const std::string& shape) {
     Scatter scatter{unit_of(cases), cases.size(), {}};
     std::vector<std::string> seen;
     for (const Row& row : rows) {
-        const bool known = std::find(seen.begin(), seen.end(), row.contender) != seen.end();
+        const bool known = std::find(seen.begin(), seen.end(), row.tracer) != seen.end();
         if (row.shape != shape || known) continue;
-        seen.push_back(row.contender);
-        const Point point = point_of(row.contender, cases, scatter.unit);
+        seen.push_back(row.tracer);
+        const Point point = point_of(row.tracer, cases, scatter.unit);
         if (point.cost > 0) scatter.points.push_back(point);
     }
     mark_efficient(scatter.points);

@@ -1,4 +1,4 @@
-// Error against cost: where each contender stands for a shape.
+// Error against cost: where each tracer stands for a shape.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace etalon::accuracy {
 
 struct Point {
-    std::string contender;
+    std::string tracer;
     bool exact = false;
     double cost = 0;   ///< median over the cases, in the unit of the scatter
     double error = 0;  ///< of the worst case: see error_of()

@@ -88,7 +88,7 @@ std::string heading(const std::string& shape) {
 }
 
 std::string line(const Row& row) {
-    std::string text = fmt::format("  {:{}}", row.contender, name_width - 2);
+    std::string text = fmt::format("  {:{}}", row.tracer, name_width - 2);
     for (const Column& c : columns) {
         text += fmt::format("{:>{}}", is_asked(c.asked, row.judge) ? c.cell(row) : "-", c.width);
     }

@@ -12,7 +12,7 @@
 #include <tuple>
 #include <type_traits>
 
-#include "bench/accuracy/contender.h"
+#include "bench/accuracy/tracer.h"
 
 namespace etalon::accuracy {
 

@@ -24,7 +24,7 @@ void measure(const std::string& name, Results& results, const Context& context) 
 /// A ray takes about a microsecond, whoever answers it.
 double seconds_for(const speed::Plan& plan) {
     const auto rays = static_cast<double>(plan.max_rays * plan.kinds.size() * plan.repeats);
-    const auto ways = static_cast<double>(plan.contenders.size() * plan.threads.size());
+    const auto ways = static_cast<double>(plan.tracers.size() * plan.threads.size());
     const double judging = 2 * plan.oracle_seconds * static_cast<double>(plan.kinds.size());
     return 0.5 + rays * ways * 0.6e-6 + 0.5 * judging;
 }

@@ -20,7 +20,7 @@ BarGroup times_of(const SceneFigures& scene) {
                                              : fmt::format("{} ms with {} threads",
                                                            three_digits(1e3 * median(most.wall())),
                                                            most.threads)};
-        group.bars.push_back({b.contender, colour_of(b.contender), 1e3 * seconds.median,
+        group.bars.push_back({b.tracer, colour_of(b.tracer), 1e3 * seconds.median,
                               1e3 * seconds.spread, three_digits(1e3 * seconds.median),
                               times(runs.ratio), note});
     }
@@ -31,8 +31,8 @@ BarGroup memory_of(const SceneFigures& scene) {
     BarGroup group{"memory", "B/prim", "in all", "", {}};
     for (const BuildFigures& b : scene.builds) {
         const double all = b.bytes_per_primitive * static_cast<double>(scene.primitives);
-        group.bars.push_back({b.contender,
-                              colour_of(b.contender),
+        group.bars.push_back({b.tracer,
+                              colour_of(b.tracer),
                               b.bytes_per_primitive,
                               0,
                               three_digits(b.bytes_per_primitive),

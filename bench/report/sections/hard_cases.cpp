@@ -22,7 +22,7 @@ constexpr const char* textbook = "textbook";
 const Row* find(const CaseRows& c, const std::string& name) {
     if (name != textbook) return c.find(name);
     const auto found = std::find_if(c.rows.begin(), c.rows.end(), [](const Row* row) {
-        return accuracy::is_textbook(row->contender);
+        return accuracy::is_textbook(row->tracer);
     });
     return found == c.rows.end() ? nullptr : *found;
 }
@@ -31,8 +31,8 @@ const Row* find(const CaseRows& c, const std::string& name) {
 std::vector<std::string> judged(const std::vector<Row>& rows) {
     std::vector<std::string> names;
     const auto add = [&](std::string_view name) {
-        const bool takes_part = std::any_of(rows.begin(), rows.end(),
-                                            [&](const Row& r) { return r.contender == name; });
+        const bool takes_part =
+            std::any_of(rows.begin(), rows.end(), [&](const Row& r) { return r.tracer == name; });
         if (takes_part) names.emplace_back(name);
     };
     const auto add_backends = [&](bool exact) {
@@ -48,11 +48,11 @@ std::vector<std::string> judged(const std::vector<Row>& rows) {
 }
 
 std::vector<Column> columns_for(const std::vector<std::string>& first,
-                                const std::vector<std::string>& contenders) {
+                                const std::vector<std::string>& tracers) {
     std::vector<Column> columns;
     for (const std::string& name : first)
         columns.push_back({name, columns.size() >= first.size() - 1});
-    for (const std::string& name : contenders) columns.push_back({name});
+    for (const std::string& name : tracers) columns.push_back({name});
     return columns;
 }
 
@@ -70,10 +70,10 @@ std::uint64_t rays_of(const CaseRows& c) {
 }
 
 /// "51 of 51" cases passed.
-Cell passed(const std::vector<CaseRows>& cases, const std::string& contender) {
+Cell passed(const std::vector<CaseRows>& cases, const std::string& tracer) {
     std::size_t tried = 0, right = 0;
     for (const CaseRows& c : cases) {
-        const Row* row = find(c, contender);
+        const Row* row = find(c, tracer);
         if (row == nullptr || row->tally.rays == 0) continue;
         ++tried;
         right += row->tally.errors() == 0;
@@ -83,14 +83,14 @@ Cell passed(const std::vector<CaseRows>& cases, const std::string& contender) {
 }
 
 Table by_shape(const std::vector<Row>& rows) {
-    const std::vector<std::string> contenders = judged(rows);
-    Table table{columns_for({"shape", "cases", "rays"}, contenders), {}};
+    const std::vector<std::string> tracers = judged(rows);
+    Table table{columns_for({"shape", "cases", "rays"}, tracers), {}};
     for (const std::string& shape : accuracy::shapes_of(rows)) {
         const std::vector<CaseRows> cases = accuracy::cases_of(rows, shape);
         std::uint64_t rays = 0;
         for (const CaseRows& c : cases) rays += rays_of(c);
         std::vector<Cell> line{{shape}, {grouped(cases.size())}, {grouped(rays)}};
-        for (const std::string& name : contenders) line.push_back(passed(cases, name));
+        for (const std::string& name : tracers) line.push_back(passed(cases, name));
         table.rows.push_back(std::move(line));
     }
     table.columns[1].is_number = true;
@@ -98,12 +98,12 @@ Table by_shape(const std::vector<Row>& rows) {
 }
 
 Table cases_of_shape(const std::vector<Row>& rows, const std::string& shape) {
-    const std::vector<std::string> contenders = judged(rows);
+    const std::vector<std::string> tracers = judged(rows);
     const std::vector<CaseRows> cases = accuracy::cases_of(rows, shape);
-    Table table{columns_for({"case", "rays"}, contenders), {}};
+    Table table{columns_for({"case", "rays"}, tracers), {}};
     for (const CaseRows& c : cases) {
         std::vector<Cell> line{{c.name()}, {grouped(rays_of(c))}};
-        for (const std::string& name : contenders) line.push_back(verdict(find(c, name)));
+        for (const std::string& name : tracers) line.push_back(verdict(find(c, name)));
         table.rows.push_back(std::move(line));
     }
     return table;

@@ -28,7 +28,7 @@ Table facts(const Results& results) {
 std::string isa_of(const Results& results, std::string_view backend) {
     for (const speed::SceneFigures& scene : results.scenes.list) {
         for (const speed::BuildFigures& b : scene.builds) {
-            if (b.contender == backend) return b.isa;
+            if (b.tracer == backend) return b.isa;
         }
     }
     return "–";

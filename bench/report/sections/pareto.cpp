@@ -17,7 +17,7 @@ using accuracy::Row;
 
 Table points_of(const std::vector<Row>& rows) {
     Table table{{{"shape", false},
-                 {"contender", false},
+                 {"tracer", false},
                  {"cost"},
                  {"error"},
                  {"worst case", false},
@@ -26,7 +26,7 @@ Table points_of(const std::vector<Row>& rows) {
     for (const std::string& shape : accuracy::shapes_of(rows)) {
         for (const accuracy::Point& p : accuracy::scatter_of(rows, shape).points) {
             table.rows.push_back({{shape},
-                                  {p.contender},
+                                  {p.tracer},
                                   {brief(p.cost)},
                                   {brief(p.error)},
                                   {p.worst_case},
@@ -41,7 +41,7 @@ Table points_of(const std::vector<Row>& rows) {
 Section pareto_section(const Results& results) {
     Section section{"pareto", "Cost against error", {}, {}};
     section.prose = {
-        "Where each contender stands on a shape’s hard cases: to the right what a ray costs, "
+        "Where each tracer stands on a shape’s hard cases: to the right what a ray costs, "
         "relative to the kernel of the textbooks in float; upwards its error in the worst case, "
         "the error of t in ulp of a float plus wrong answers in a million rays. Best is the "
         "lower left. Filled marks are the Pareto set, which nothing beats in both, and have their "

@@ -34,8 +34,8 @@ Bar bar_of(const KindFigures& kind, const RayFigures& r) {
     std::vector<double> rates;
     for (const double seconds : runs.cpu()) rates.push_back(rate(kind, {seconds}));
     const Estimate speed = estimate(rates);
-    return {r.contender,
-            colour_of(r.contender),
+    return {r.tracer,
+            colour_of(r.tracer),
             speed.median,
             speed.spread,
             three_digits(speed.median),
@@ -47,7 +47,7 @@ Figure figure_of(const Results& results, const SceneFigures& scene) {
     Bars bars;
     for (const KindFigures& kind : scene.kinds) {
         BarGroup group{kind.kind + " rays", "Mrays/s", "× builtin", "wrong", {}};
-        for (const RayFigures& r : kind.contenders) group.bars.push_back(bar_of(kind, r));
+        for (const RayFigures& r : kind.tracers) group.bars.push_back(bar_of(kind, r));
         bars.groups.push_back(std::move(group));
     }
     return {
@@ -57,7 +57,7 @@ Figure figure_of(const Results& results, const SceneFigures& scene) {
         speed_command(results.settings, scene.scene), results.scenes.date, std::move(bars)};
 }
 
-/// One contender over all scenes and kinds of rays.
+/// One tracer over all scenes and kinds of rays.
 struct Sum {
     std::vector<double> ratios;
     Wrong wrong;
@@ -68,10 +68,10 @@ Figure overview(const Results& results) {
     std::vector<std::string> names;
     for (const SceneFigures& scene : results.scenes.list) {
         for (const KindFigures& kind : scene.kinds) {
-            for (const RayFigures& r : kind.contenders) {
-                if (!sums.contains(r.contender)) names.push_back(r.contender);
-                sums[r.contender].ratios.push_back(r.by_threads.front().ratio.median);
-                sums[r.contender].wrong += r.errors;
+            for (const RayFigures& r : kind.tracers) {
+                if (!sums.contains(r.tracer)) names.push_back(r.tracer);
+                sums[r.tracer].ratios.push_back(r.by_threads.front().ratio.median);
+                sums[r.tracer].wrong += r.errors;
             }
         }
     }
@@ -105,7 +105,7 @@ std::vector<Cell> row_of(const SceneFigures& scene, const KindFigures& kind, con
     const Errors& e = r.errors;
     return {{scene.scene},
             {kind.kind},
-            {r.contender},
+            {r.tracer},
             {std::to_string(runs.threads)},
             {three_digits(rate(kind, runs.cpu()))},
             {three_digits(rate(kind, runs.wall()))},
@@ -124,7 +124,7 @@ Figure all_numbers(const Results& results) {
     Table table{columns, {}};
     for (const SceneFigures& scene : results.scenes.list) {
         for (const KindFigures& kind : scene.kinds) {
-            for (const RayFigures& r : kind.contenders) {
+            for (const RayFigures& r : kind.tracers) {
                 for (const Runs& runs : r.by_threads) {
                     table.rows.push_back(row_of(scene, kind, r, runs));
                 }

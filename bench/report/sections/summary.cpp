@@ -13,8 +13,8 @@ void add_speed(const std::vector<SceneFigures>& scenes, std::vector<Fact>& facts
     std::vector<double> fast, robust;
     for (const SceneFigures& scene : scenes) {
         for (const KindFigures& kind : scene.kinds) {
-            for (const RayFigures& r : kind.contenders) {
-                if (r.contender != default_backend) continue;
+            for (const RayFigures& r : kind.tracers) {
+                if (r.tracer != default_backend) continue;
                 fast.push_back(r.by_threads.front().ratio.median);
                 robust.push_back(r.by_threads.front().ratio_robust.median);
             }
@@ -31,7 +31,7 @@ void add_builds(const std::vector<SceneFigures>& scenes, std::vector<Fact>& fact
     std::vector<double> ratios, sizes;
     for (const SceneFigures& scene : scenes) {
         for (const BuildFigures& b : scene.builds) {
-            if (b.contender != default_backend) continue;
+            if (b.tracer != default_backend) continue;
             ratios.push_back(b.by_threads.front().ratio.median);
             sizes.push_back(b.bytes_per_primitive);
         }
@@ -46,7 +46,7 @@ void add_errors(const std::vector<accuracy::Row>& rows, std::vector<Fact>& facts
     std::uint64_t exact_rays = 0, exact_errors = 0, yardstick_rays = 0, yardstick_errors = 0;
     for (const accuracy::Row& row : rows) {
         if (row.exact) exact_rays += row.tally.rays, exact_errors += row.tally.errors();
-        if (row.contender != accuracy::yardstick) continue;
+        if (row.tracer != accuracy::yardstick) continue;
         yardstick_rays += row.tally.rays;
         yardstick_errors += row.tally.errors();
     }

@@ -40,7 +40,7 @@ std::string table(const std::vector<BuildFigures>& builds) {
     std::string text = heading("build", all);
     for (const BuildFigures& b : builds) {
         for (const Runs& runs : b.by_threads) {
-            text += text_of(beginning("build", b.contender), BuildLine{b, runs}, all);
+            text += text_of(beginning("build", b.tracer), BuildLine{b, runs}, all);
         }
     }
     return text;

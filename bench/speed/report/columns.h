@@ -20,8 +20,8 @@ struct Column {
 };
 
 /// How every line begins.
-inline std::string beginning(const std::string& what, const std::string& contender) {
-    return fmt::format("{:<8}{:<22}", what, contender);
+inline std::string beginning(const std::string& what, const std::string& tracer) {
+    return fmt::format("{:<8}{:<22}", what, tracer);
 }
 
 inline std::string without_trailing_blanks(const std::string& text) {

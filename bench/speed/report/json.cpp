@@ -80,8 +80,8 @@ Json json_of(const RayFigures& figures, double rays) {
 
 Json json_of(const KindFigures& kind) {
     Json json = Json::object();
-    for (const RayFigures& figures : kind.contenders) {
-        json[figures.contender] = json_of(figures, static_cast<double>(kind.rays));
+    for (const RayFigures& figures : kind.tracers) {
+        json[figures.tracer] = json_of(figures, static_cast<double>(kind.rays));
     }
     return json;
 }
@@ -109,7 +109,7 @@ Json json_of_circumstances(const Plan& plan) {
 
 Json json_of(const SceneFigures& scene) {
     Json json = {{"scene", scene.scene}, {"primitives", scene.primitives}};
-    for (const BuildFigures& build : scene.builds) json["build"][build.contender] = json_of(build);
+    for (const BuildFigures& build : scene.builds) json["build"][build.tracer] = json_of(build);
     for (const KindFigures& kind : scene.kinds) json["rays"][kind.kind] = json_of(kind);
     return json;
 }

@@ -100,9 +100,9 @@ std::string heading_of_rays() {
 std::string table(const KindFigures& kind) {
     const std::span<const Column<RayLine>> all(columns);
     std::string text;
-    for (const RayFigures& r : kind.contenders) {
+    for (const RayFigures& r : kind.tracers) {
         for (const Runs& runs : r.by_threads) {
-            text += text_of(beginning(kind.kind, r.contender), RayLine{kind, r, runs}, all);
+            text += text_of(beginning(kind.kind, r.tracer), RayLine{kind, r, runs}, all);
         }
     }
     return text;

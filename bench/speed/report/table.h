@@ -7,18 +7,18 @@
 
 namespace etalon::speed {
 
-/// A heading, and a line for each contender and number of threads.
+/// A heading, and a line for each tracer and number of threads.
 std::string table(const std::vector<BuildFigures>& builds);
 
 /// What stands above the lines of all kinds of rays. Mrays are by CPU second and by wall second;
 /// "of one" compares what several threads do with what one does.
 std::string heading_of_rays();
 
-/// A line for each contender and number of threads; errors, which do not depend on threads, in the
+/// A line for each tracer and number of threads; errors, which do not depend on threads, in the
 /// first one only. A "." is a zero.
 std::string table(const KindFigures& kind);
 
-/// One line: geometric means over the kinds of rays of every contender's ratios on one thread, and
+/// One line: geometric means over the kinds of rays of every tracer's ratios on one thread, and
 /// how often it was wrong.
 std::string summary(const SceneFigures& scene);
 

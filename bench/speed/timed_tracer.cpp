@@ -1,4 +1,4 @@
-#include "bench/speed/contender.h"
+#include "bench/speed/timed_tracer.h"
 
 #include <algorithm>
 
@@ -11,10 +11,10 @@
 namespace etalon::speed {
 namespace {
 
-Duration time_build(Contender& contender, const Scene& scene, int threads) {
+Duration time_build(Tracer& tracer, const Scene& scene, int threads) {
     const ThreadLimit limit(threads);
-    const auto build = [&] { contender.intersector = contender.backend->build(scene.geometry); };
-    contender.intersector.reset();
+    const auto build = [&] { tracer.intersector = tracer.backend->build(scene.geometry); };
+    tracer.intersector.reset();
     if (threads == 1) return run_pinned(1, build);
     Stopwatch watch;
     build();
@@ -23,19 +23,19 @@ Duration time_build(Contender& contender, const Scene& scene, int threads) {
 
 }  // namespace
 
-std::vector<std::string> contender_names() {
+std::vector<std::string> tracer_names() {
     std::vector<std::string> names = backend_names();
     names.emplace_back(embree_builtin_robust().name);
     return names;
 }
 
-const Backend& find_contender(const std::string& name) {
+const Backend& find_tracer(const std::string& name) {
     const Backend* backend = find_backend(name);
     return backend == nullptr ? embree_builtin_robust() : *backend;
 }
 
 std::vector<std::string> with_yardsticks(const std::vector<std::string>& asked) {
-    std::vector<std::string> names = contender_names();
+    std::vector<std::string> names = tracer_names();
     std::erase_if(names, [&](const std::string& name) {
         return name != yardstick && name != robust_yardstick &&
                std::find(asked.begin(), asked.end(), name) == asked.end();
@@ -43,18 +43,18 @@ std::vector<std::string> with_yardsticks(const std::vector<std::string>& asked) 
     return names;
 }
 
-std::vector<BuildFigures> measure_builds(std::vector<Contender>& contenders, const Scene& scene,
+std::vector<BuildFigures> measure_builds(std::vector<Tracer>& tracers, const Scene& scene,
                                          const std::vector<int>& threads, int repeats) {
-    std::vector<BuildFigures> all(contenders.size());
+    std::vector<BuildFigures> all(tracers.size());
     for (BuildFigures& figures : all) figures.by_threads = runs_on(threads);
-    alternate(repeats, contenders.size() * threads.size(), [&](int, std::size_t k) {
+    alternate(repeats, tracers.size() * threads.size(), [&](int, std::size_t k) {
         const std::size_t who = k / threads.size(), how = k % threads.size();
-        const Duration seconds = time_build(contenders[who], scene, threads[how]);
+        const Duration seconds = time_build(tracers[who], scene, threads[how]);
         all[who].by_threads[how].repeats.push_back(seconds);
     });
-    for (std::size_t i = 0; i < contenders.size(); ++i) {
-        const Intersector& built = *contenders[i].intersector;
-        all[i].contender = contenders[i].name();
+    for (std::size_t i = 0; i < tracers.size(); ++i) {
+        const Intersector& built = *tracers[i].intersector;
+        all[i].tracer = tracers[i].name();
         all[i].isa = built.isa();
         all[i].bytes_per_primitive = static_cast<double>(built.memory_bytes()) /
                                      static_cast<double>(scene.geometry.primitives.size());

@@ -38,7 +38,7 @@ struct PreparedRay : FloatRay {
     Vec3f shear;  ///< for triangles (Woop, Benthin & Wald 2013, JCGT 2(1))
 };
 
-/// Rays in every form that a contender may want, so that converting them costs none of them time.
+/// Rays in every form that a tracer may want, so that converting them costs none of them time.
 struct RayBlock {
     explicit RayBlock(std::vector<Ray> list);
 
@@ -48,16 +48,16 @@ struct RayBlock {
     std::vector<PreparedRay> prepared;
 };
 
-/// What a contender says of a ray; a miss has no primitive.
+/// What a tracer says of a ray; a miss has no primitive.
 using Answer = Hit;
 inline constexpr Answer missed{0, no_index};
 
-class Contender {
+class Tracer {
   public:
-    explicit Contender(std::string name) : name_(std::move(name)) {}
-    virtual ~Contender() = default;
-    Contender(const Contender&) = delete;
-    Contender& operator=(const Contender&) = delete;
+    explicit Tracer(std::string name) : name_(std::move(name)) {}
+    virtual ~Tracer() = default;
+    Tracer(const Tracer&) = delete;
+    Tracer& operator=(const Tracer&) = delete;
 
     const std::string& name() const { return name_; }
 
@@ -72,15 +72,15 @@ class Contender {
 };
 
 /// A backend over a scene, which must outlive it.
-std::unique_ptr<Contender> backend_contender(const Backend& backend, const Scene& scene);
+std::unique_ptr<Tracer> backend_tracer(const Backend& backend, const Scene& scene);
 
 /// The project's kernel of the scene's only primitive, called in a loop and nothing around it;
 /// nothing if the scene is not one primitive.
-std::unique_ptr<Contender> kernel_contender(const Scene& scene);
+std::unique_ptr<Tracer> kernel_tracer(const Scene& scene);
 
 /// What textbooks and other renderers do, for the scene's only primitive: first the plain kernel in
 /// float, which the cost of all others is relative to, then others. Named like "float textbook".
 /// Empty if the scene is not one primitive.
-std::vector<std::unique_ptr<Contender>> textbook_contenders(const Scene& scene);
+std::vector<std::unique_ptr<Tracer>> textbook_tracers(const Scene& scene);
 
 }  // namespace etalon::accuracy

@@ -7,22 +7,22 @@
 namespace etalon::speed {
 
 /// Every backend there is, and embree-builtin-robust.
-std::vector<std::string> contender_names();
-const Backend& find_contender(const std::string& name);
+std::vector<std::string> tracer_names();
+const Backend& find_tracer(const std::string& name);
 
-/// Those asked for and the yardsticks, in the order of contender_names().
+/// Those asked for and the yardsticks, in the order of tracer_names().
 std::vector<std::string> with_yardsticks(const std::vector<std::string>& asked);
 
-struct Contender {
+struct Tracer {
     const Backend* backend;
     std::unique_ptr<Intersector> intersector;
 
     std::string name() const { return std::string(backend->name); }
 };
 
-/// Builds each contender's intersector over and over and keeps the last one. With one thread it is
+/// Builds each tracer's intersector over and over and keeps the last one. With one thread it is
 /// pinned; of more, oneTBB decides where they run.
-std::vector<BuildFigures> measure_builds(std::vector<Contender>& contenders, const Scene& scene,
+std::vector<BuildFigures> measure_builds(std::vector<Tracer>& tracers, const Scene& scene,
                                          const std::vector<int>& threads, int repeats);
 
 }  // namespace etalon::speed

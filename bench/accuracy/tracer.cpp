@@ -1,12 +1,12 @@
-#include "bench/accuracy/contender.h"
+#include "bench/accuracy/tracer.h"
 
 namespace etalon::accuracy {
 namespace {
 
-class BackendContender final : public Contender {
+class BackendTracer final : public Tracer {
   public:
-    BackendContender(const Backend& backend, const Scene& scene)
-        : Contender(std::string(backend.name)), intersector_(backend.build(scene.geometry)) {}
+    BackendTracer(const Backend& backend, const Scene& scene)
+        : Tracer(std::string(backend.name)), intersector_(backend.build(scene.geometry)) {}
 
     void closest(const RayBlock& block, std::span<Answer> answers) const override {
         for (std::size_t i = 0; i < block.rays.size(); ++i) {
@@ -32,14 +32,14 @@ RayBlock::RayBlock(std::vector<Ray> list)
       floats(rays.begin(), rays.end()),
       prepared(rays.begin(), rays.end()) {}
 
-void Contender::occluded(const RayBlock& block, std::span<char> answers) const {
+void Tracer::occluded(const RayBlock& block, std::span<char> answers) const {
     std::vector<Answer> nearest(block.rays.size(), missed);
     closest(block, nearest);
     for (std::size_t i = 0; i < nearest.size(); ++i) answers[i] = nearest[i].primitive != no_index;
 }
 
-std::unique_ptr<Contender> backend_contender(const Backend& backend, const Scene& scene) {
-    return std::make_unique<BackendContender>(backend, scene);
+std::unique_ptr<Tracer> backend_tracer(const Backend& backend, const Scene& scene) {
+    return std::make_unique<BackendTracer>(backend, scene);
 }
 
 }  // namespace etalon::accuracy

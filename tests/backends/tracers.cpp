@@ -1,4 +1,4 @@
-#include "tests/backends/contenders.h"
+#include "tests/backends/tracers.h"
 
 #include <bit>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "app/crosscheck/contestant.h"
+#include "app/crosscheck/crosschecked_tracer.h"
 
 #include "app/backends.h"
 #include "app/stopwatch.h"
@@ -21,12 +21,12 @@ Answers ask(const Intersector& intersector, const std::vector<Ray>& rays) {
 
 }  // namespace
 
-Contestant ask(const std::string& backend, const Scene& scene, const std::vector<Trial>& trials) {
+Tracer ask(const std::string& backend, const Scene& scene, const std::vector<Trial>& trials) {
     const Backend* found = find_backend(backend);
     const auto intersector = found->build(scene.geometry);
-    Contestant contestant{backend, found->exact, {}};
-    for (const Trial& trial : trials) contestant.answers.push_back(ask(*intersector, trial.rays));
-    return contestant;
+    Tracer tracer{backend, found->exact, {}};
+    for (const Trial& trial : trials) tracer.answers.push_back(ask(*intersector, trial.rays));
+    return tracer;
 }
 
 }  // namespace etalon::crosscheck

@@ -17,12 +17,12 @@ struct Answers {
     double seconds = 0;  ///< processor time of closest(), one thread
 };
 
-struct Contestant {
+struct Tracer {
     std::string name;
     bool exact;                    ///< see Backend
     std::vector<Answers> answers;  ///< one for each trial
 };
 
-Contestant ask(const std::string& backend, const Scene& scene, const std::vector<Trial>& trials);
+Tracer ask(const std::string& backend, const Scene& scene, const std::vector<Trial>& trials);
 
 }  // namespace etalon::crosscheck
