@@ -6,7 +6,7 @@
 #include <mutex>
 #include <optional>
 
-#include "bench/accuracy/truth.h"
+#include "bench/accuracy/oracle_reference.h"
 #include "core/intersect/backend_roles.h"
 #include "core/parallel/parallel.h"
 
@@ -162,29 +162,31 @@ class Measurement {
 
     void shoot_at(const RayBlock& block, std::uint64_t first, std::vector<Result>& results) const {
         const auto answers = ask_all(block, first, results);
-        const std::vector<Truth> truth = truth_of(block);
+        const std::vector<OracleReference> references = references_of(block);
         std::optional<Tally> shared;  // by all who gave the same bits
         for (std::size_t k = 0; k < entries_.size(); ++k) {
             if (answers[k].empty()) continue;
             const bool same = entries_[k].exact && results[k].tally.deviations == 0;
-            const Tally tally = same && shared ? *shared : judge(entries_[k], truth, answers[k]);
+            const Tally tally =
+                same && shared ? *shared : judge(entries_[k], references, answers[k]);
             if (same) shared = tally;
             results[k].tally += tally;
         }
     }
 
-    std::vector<Truth> truth_of(const RayBlock& block) const {
-        std::vector<Truth> truth;
-        if (case_.judge != hard::Judge::oracle) return truth;
-        for (const Ray& ray : block.rays) truth.emplace_back(setting_, oracle_, ray);
-        return truth;
+    std::vector<OracleReference> references_of(const RayBlock& block) const {
+        std::vector<OracleReference> references;
+        if (case_.judge != hard::Judge::oracle) return references;
+        for (const Ray& ray : block.rays) references.emplace_back(setting_, oracle_, ray);
+        return references;
     }
 
-    Tally judge(const TracerEntry& entry, const std::vector<Truth>& truth,
+    Tally judge(const TracerEntry& entry, const std::vector<OracleReference>& references,
                 const std::vector<Answer>& answers) const {
         Tally tally;
-        for (std::size_t i = 0; i < truth.size(); ++i) truth[i].judge(entry, answers[i], tally);
-        if (!truth.empty()) return tally;
+        for (std::size_t i = 0; i < references.size(); ++i)
+            references[i].judge(entry, answers[i], tally);
+        if (!references.empty()) return tally;
         tally.rays = answers.size();
         for (const Answer& a : answers) tally.leaks += a.primitive == no_index;
         return tally;

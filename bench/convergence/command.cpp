@@ -48,7 +48,8 @@ void set_width(Imath::V2i& size, int width) {
     size.x = width;
 }
 
-Outcome<Truth> read_truth(const std::string& path, const RenderSettings& settings) {
+Outcome<ReferenceImage> read_reference_image(const std::string& path,
+                                             const RenderSettings& settings) {
     auto picture = read_reference(path, settings);
     return {{std::move(picture.value), path}, picture.error};
 }
@@ -78,13 +79,13 @@ nlohmann::ordered_json report_on(const Arguments& a, const Imath::V2i& size,
 /// The reference and the curves of one integrator.
 Outcome<Measured> measure_integrator(const Arguments& a, const bench::NamedScene& named,
                                      const RenderSettings& settings, const Watcher& watcher) {
-    Outcome<Truth> truth =
+    Outcome<ReferenceImage> reference =
         a.reference.empty()
-            ? Outcome<Truth>{render_truth(*named.scene, settings, a.plan, watcher), {}}
-            : read_truth(a.reference, settings);
-    if (!truth) return {{}, truth.error};
-    Measured measured{truth.value.description, {}};
-    measured.curves = measure(*named.scene, settings, truth.value, a.plan, watcher);
+            ? Outcome<ReferenceImage>{render_reference(*named.scene, settings, a.plan, watcher), {}}
+            : read_reference_image(a.reference, settings);
+    if (!reference) return {{}, reference.error};
+    Measured measured{reference.value.description, {}};
+    measured.curves = measure(*named.scene, settings, reference.value, a.plan, watcher);
     return {std::move(measured), {}};
 }
 

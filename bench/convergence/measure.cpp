@@ -15,7 +15,7 @@
 namespace etalon::convergence {
 namespace {
 
-constexpr std::uint32_t truth_seed = 0x7ea1;
+constexpr std::uint32_t reference_seed = 0x7ea1;
 
 /// An error that is never reached: an adaptive picture ends at its samples.
 constexpr double no_error = 1e-30;
@@ -43,9 +43,9 @@ class Studio {
 /// One picture, and what it is like after every round. The time it takes to look is not counted.
 class SeedRun {
   public:
-    SeedRun(const Studio& studio, const RenderSettings& settings, const Truth& truth, const Plan& plan,
-        const std::atomic<bool>& stop)
-        : studio_(studio), settings_(settings), truth_(truth), plan_(plan), stop_(stop) {}
+    SeedRun(const Studio& studio, const RenderSettings& settings, const ReferenceImage& reference,
+            const Plan& plan, const std::atomic<bool>& stop)
+        : studio_(studio), settings_(settings), reference_(reference), plan_(plan), stop_(stop) {}
 
     /// Empty if it was stopped.
     std::vector<Point> points(const std::string& sampler, std::uint32_t seed) {
@@ -71,7 +71,7 @@ class SeedRun {
         const std::vector<Color> pixels = film.pixels();
         const auto samples = static_cast<double>(film.total_count());
         Point point{samples / static_cast<double>(film.size()), seconds_,
-                    mse(pixels, truth_.pixels), relmse(pixels, truth_.pixels)};
+                    mse(pixels, reference_.pixels), relmse(pixels, reference_.pixels)};
         point.mse_least = point.mse_most = point.mse;
         points_.push_back(point);
         enough_ = point.samples >= plan_.samples;
@@ -80,7 +80,7 @@ class SeedRun {
 
     const Studio& studio_;
     const RenderSettings& settings_;
-    const Truth& truth_;
+    const ReferenceImage& reference_;
     const Plan& plan_;
     const std::atomic<bool>& stop_;
     std::atomic<bool> enough_ = false;
@@ -136,11 +136,11 @@ const std::vector<std::string>& sampler_names() {
     return names;
 }
 
-Truth render_truth(const Scene& scene, const RenderSettings& scene_settings, const Plan& plan,
-                   const Watcher& watcher) {
+ReferenceImage render_reference(const Scene& scene, const RenderSettings& scene_settings,
+                                const Plan& plan, const Watcher& watcher) {
     RenderSettings settings = scene_settings;
-    settings.samples_per_pixel = truth_times * plan.samples;
-    settings.seed = truth_seed;
+    settings.samples_per_pixel = reference_times * plan.samples;
+    settings.seed = reference_seed;
     RunControl control;
     control.stop = &watcher.stop;
     control.progress = watcher.progress;
@@ -149,8 +149,9 @@ Truth render_truth(const Scene& scene, const RenderSettings& scene_settings, con
     return {r.film.pixels(), fmt::format("{} samples per pixel", settings.samples_per_pixel)};
 }
 
-std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings, const Truth& truth,
-                           const Plan& plan, const Watcher& watcher) {
+std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings,
+                           const ReferenceImage& reference, const Plan& plan,
+                           const Watcher& watcher) {
     const ThreadLimit alone(1);
     std::vector<Curve> done;
     const std::vector<Curve> curves = wanted(plan, settings.integrator);
@@ -158,7 +159,7 @@ std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings, c
         const Studio studio(scene, curve.backend);
         std::vector<std::vector<Point>> seeds;
         for (int seed = 0; seed < plan.seeds && !watcher.stop; ++seed) {
-            seeds.push_back(SeedRun(studio, settings, truth, plan, watcher.stop)
+            seeds.push_back(SeedRun(studio, settings, reference, plan, watcher.stop)
                                 .points(curve.sampler, static_cast<std::uint32_t>(seed)));
             const double part = static_cast<double>(seed + 1) / plan.seeds;
             const auto before = static_cast<double>(done.size());

@@ -28,19 +28,20 @@ struct Watcher {
 
 /// The picture all curves come closer to: Sobol' points of a seed that no curve has, and so many
 /// times the samples at a curve's end that hardly any of what differs is its own.
-struct Truth {
+struct ReferenceImage {
     std::vector<Color> pixels;
     std::string description;
 };
 
-inline constexpr int truth_times = 32;
+inline constexpr int reference_times = 32;
 
-Truth render_truth(const Scene& scene, const RenderSettings& settings, const Plan& plan,
-                   const Watcher& watcher);
+ReferenceImage render_reference(const Scene& scene, const RenderSettings& settings,
+                                const Plan& plan, const Watcher& watcher);
 
 /// The curves, by the integrator of the settings, of all samplers with the first backend, and of
 /// the last sampler with the others. What is not finished when a stop comes is left out.
-std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings, const Truth& truth,
-                           const Plan& plan, const Watcher& watcher);
+std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings,
+                           const ReferenceImage& reference, const Plan& plan,
+                           const Watcher& watcher);
 
 }  // namespace etalon::convergence

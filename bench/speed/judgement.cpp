@@ -15,8 +15,9 @@ std::vector<std::size_t> scattered(std::size_t count) {
     return order;
 }
 
-Truths::Truths(const hard::Setting& setting, const Oracle& oracle, const RaySet& set,
-               const std::vector<std::size_t>& places, double seconds)
+OracleReferences::OracleReferences(const hard::Setting& setting, const Oracle& oracle,
+                                   const RaySet& set, const std::vector<std::size_t>& places,
+                                   double seconds)
     : set_(set) {
     Stopwatch watch;
     double spent = 0;
@@ -27,27 +28,27 @@ Truths::Truths(const hard::Setting& setting, const Oracle& oracle, const RaySet&
         if (set.occlusion) {
             is_occluded_.push_back(oracle.closest(ray, setting.tie).kind);
         } else {
-            truth_.emplace_back(setting, oracle, ray);
+            references_.emplace_back(setting, oracle, ray);
         }
         spent += watch.lap().cpu;
     }
 }
 
-Judgement Truths::judge(std::span<const Answer> answers, bool exact) const {
+Judgement OracleReferences::judge(std::span<const Answer> answers, bool exact) const {
     return set_.occlusion ? judge_occlusion(answers) : judge_closest(answers, exact);
 }
 
-Judgement Truths::judge_closest(std::span<const Answer> answers, bool exact) const {
+Judgement OracleReferences::judge_closest(std::span<const Answer> answers, bool exact) const {
     const accuracy::TracerEntry entry{nullptr, exact, true};
     accuracy::Tally tally;
     for (std::size_t i = 0; i < rays_.size(); ++i) {
-        truth_[i].judge(entry, answers[rays_[i]], tally);
+        references_[i].judge(entry, answers[rays_[i]], tally);
     }
     return {tally.rays,         tally.undecidable,      tally.false_hits,
             tally.false_misses, tally.wrong_primitives, tally.float_ulps.max()};
 }
 
-Judgement Truths::judge_occlusion(std::span<const Answer> answers) const {
+Judgement OracleReferences::judge_occlusion(std::span<const Answer> answers) const {
     Judgement j;
     j.rays = rays_.size();
     for (std::size_t i = 0; i < rays_.size(); ++i) {

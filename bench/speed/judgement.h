@@ -1,7 +1,7 @@
 // The oracle's word on as many rays as there is time for.
 #pragma once
 
-#include "bench/accuracy/truth.h"
+#include "bench/accuracy/oracle_reference.h"
 #include "bench/speed/tracing.h"
 
 namespace etalon::speed {
@@ -20,12 +20,12 @@ struct Judgement {
 std::vector<std::size_t> scattered(std::size_t count);
 
 /// What is true of some of a set's rays: the same for all tracers.
-class Truths {
+class OracleReferences {
   public:
     /// Asks the oracle about the rays at these places of the set, in this order, for so many CPU
     /// seconds, but at least about one. The setting and the set must outlive this.
-    Truths(const hard::Setting& setting, const Oracle& oracle, const RaySet& set,
-           const std::vector<std::size_t>& places, double seconds);
+    OracleReferences(const hard::Setting& setting, const Oracle& oracle, const RaySet& set,
+                     const std::vector<std::size_t>& places, double seconds);
 
     /// Of a tracer's answers to the whole set; see TracerEntry for `exact`.
     Judgement judge(std::span<const Answer> answers, bool exact) const;
@@ -35,8 +35,9 @@ class Truths {
     Judgement judge_occlusion(std::span<const Answer> answers) const;
 
     const RaySet& set_;
-    std::vector<std::size_t> rays_;                ///< their places in the set
-    std::vector<accuracy::Truth> truth_;           ///< of each, where the nearest hit is asked for
+    std::vector<std::size_t> rays_;  ///< their places in the set
+    std::vector<accuracy::OracleReference>
+        references_;                               ///< of each, where the nearest hit is asked for
     std::vector<OracleAnswer::Kind> is_occluded_;  ///< of each, where only occlusion is
 };
 

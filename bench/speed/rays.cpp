@@ -69,7 +69,8 @@ std::vector<Answer> RayMeasurement::answers_of(const std::string& name, const Ra
     return found;
 }
 
-Truths RayMeasurement::truths(const RaySet& set, const std::vector<std::size_t>& places) const {
+OracleReferences RayMeasurement::oracle_references(const RaySet& set,
+                                                   const std::vector<std::size_t>& places) const {
     return {setting_, oracle_, set, places, plan_.oracle_seconds};
 }
 
@@ -77,8 +78,8 @@ void RayMeasurement::find_errors(const RaySet& set, const Answers& answers,
                                  KindFigures& figures) const {
     const std::vector<Answer> first = answers_of(default_backend, set, answers);
     const std::vector<Answer> second = answers_of(second_backend, set, answers);
-    const Truths sample = truths(set, scattered(set.rays.size()));
-    const Truths quarrels = truths(set, disputed(answers, set.occlusion));
+    const OracleReferences sample = oracle_references(set, scattered(set.rays.size()));
+    const OracleReferences quarrels = oracle_references(set, disputed(answers, set.occlusion));
     for (std::size_t i = 0; i < tracers_.size(); ++i) {
         Errors& errors = figures.tracers[i].errors;
         errors.reference = reference_of(tracers_[i].name());

@@ -25,7 +25,8 @@ class RayMeasurement {
     std::vector<RayFigures> time(const RaySet& set, Answers& answers) const;
     std::vector<Answer> answers_of(const std::string& name, const RaySet& set,
                                    const Answers& answers) const;
-    Truths truths(const RaySet& set, const std::vector<std::size_t>& places) const;
+    OracleReferences oracle_references(const RaySet& set,
+                                       const std::vector<std::size_t>& places) const;
     void find_errors(const RaySet& set, const Answers& answers, KindFigures& figures) const;
 
     const hard::Setting& setting_;

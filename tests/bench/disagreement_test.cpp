@@ -37,7 +37,8 @@ Judgement judge(const std::vector<Answer>& answers, bool occlusion) {
     setting.scene = two_layers();
     const Oracle oracle(setting.scene.geometry);
     const RaySet set = four_rays(occlusion);
-    return Truths(setting, oracle, set, scattered(set.rays.size()), 100).judge(answers, true);
+    return OracleReferences(setting, oracle, set, scattered(set.rays.size()), 100)
+        .judge(answers, true);
 }
 
 }  // namespace
@@ -107,8 +108,8 @@ TEST_CASE("Without time the oracle still judges one ray") {
     setting.scene = two_layers();
     const Oracle oracle(setting.scene.geometry);
     const RaySet set = four_rays(false);
-    CHECK(Truths(setting, oracle, set, {3, 1}, 0).judge(right, true).rays == 1);
-    CHECK(Truths(setting, oracle, set, {}, 0).judge(right, true).rays == 0);
+    CHECK(OracleReferences(setting, oracle, set, {3, 1}, 0).judge(right, true).rays == 1);
+    CHECK(OracleReferences(setting, oracle, set, {}, 0).judge(right, true).rays == 0);
 }
 
 TEST_CASE("Rays are in dispute where anyone differs in more than the bits of t") {

@@ -18,9 +18,9 @@ struct Branch {
     void add(const Crossings& crossings, bool front) {
         bool certain = false;
         for (const Crossing& c : crossings) {
-            const Truth exists = c.exists & (front ? c.front : !c.front);
-            if (exists == Truth::no) continue;
-            certain |= exists == Truth::yes;
+            const Certainty exists = c.exists & (front ? c.front : !c.front);
+            if (exists == Certainty::no) continue;
+            certain |= exists == Certainty::yes;
             in_some = true;
             const double t = static_cast<double>(c.t.value);
             first = std::min({first, t, static_cast<double>(c.passage.value)});

@@ -42,11 +42,11 @@ TEST_CASE("Tracked: given exact operations, then there is no error") {
     const Tracked a = 0.1, b = 0.7;
     REQUIRE((a * b).error == 0);
     REQUIRE((a - b).error == 0);
-    REQUIRE(is_zero(a * b - b * a) == Truth::yes);
-    REQUIRE(is_zero(a * b * a * b - a * a * b * b) != Truth::no);
+    REQUIRE(is_zero(a * b - b * a) == Certainty::yes);
+    REQUIRE(is_zero(a * b * a * b - a * a * b * b) != Certainty::no);
     REQUIRE((a / b).error > 0);
-    REQUIRE(is_zero(a / b - a / b) == Truth::unknown);
-    REQUIRE(is_positive(Tracked(1.0) / (a - a)) == Truth::unknown);
+    REQUIRE(is_zero(a / b - a / b) == Certainty::unknown);
+    REQUIRE(is_positive(Tracked(1.0) / (a - a)) == Certainty::unknown);
 }
 
 TEST_CASE("square_root: given any quad, then it is right to the last bits") {

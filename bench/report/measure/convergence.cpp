@@ -18,11 +18,11 @@ void measure(const ConvergenceRequest& request, Results& results, const Context&
     if (!shipped) return;
     const auto& [scene, settings] = *shipped;
     const convergence::Plan plan = plan_of(request, results.settings);
-    const convergence::Truth truth =
-        render_truth(scene, settings, plan, {context.stop, context.part(0, 0.5).progress});
+    const convergence::ReferenceImage reference =
+        render_reference(scene, settings, plan, {context.stop, context.part(0, 0.5).progress});
     if (context.is_over()) return;
-    results.convergence.add({request, truth.description,
-                             convergence::measure(scene, settings, truth, plan,
+    results.convergence.add({request, reference.description,
+                             convergence::measure(scene, settings, reference, plan,
                                                   {context.stop, context.part(0.5, 1).progress})});
 }
 
@@ -30,7 +30,8 @@ void measure(const ConvergenceRequest& request, Results& results, const Context&
 double seconds_for(const ConvergenceRequest& request, const Settings& settings) {
     const auto curves = 3.0 + static_cast<double>(settings.convergence_backends.size() - 1);
     const double samples =
-        (convergence::truth_times / 2.0 + curves * settings.convergence_seeds) * request.samples;
+        (convergence::reference_times / 2.0 + curves * settings.convergence_seeds) *
+        request.samples;
     return 0.1 +
            1e-6 * microseconds_of_sample(request.scene) * samples * request.width * request.height;
 }

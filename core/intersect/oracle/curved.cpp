@@ -41,7 +41,7 @@ Crossings define(const Geometry&, const Cone& c, const Ray& ray) {
     for (std::size_t i = 0; i < roots.count; ++i) {
         const Root& root = roots.list[i];
         const Tracked z = fh + root.t * dh;
-        const Truth within = (z <= hh) & !is_negative(z);
+        const Certainty within = (z <= hh) & !is_negative(z);
         found.add({root.t, root.exists & within, root.falling});
     }
     return found;
@@ -51,17 +51,17 @@ namespace {
 
 /// Whether the root is at a face of the box or within: o + t d, or, where that cannot be told, that
 /// the form a t^2 + 2 b t + c is known to vanish at the face.
-Truth is_within(const Box3& box, const Ray& ray, const Tracked& t, const Tracked& a,
-                const Tracked& b, const Tracked& c) {
-    Truth within = Truth::yes;
+Certainty is_within(const Box3& box, const Ray& ray, const Tracked& t, const Tracked& a,
+                    const Tracked& b, const Tracked& c) {
+    Certainty within = Certainty::yes;
     for (int k = 0; k < 3; ++k) {
         const Tracked o = ray.origin[k], d = ray.direction[k], p = o + t * d;
         const auto is_at = [&](double face) {
             const Tracked w = Tracked(face) - o;
             return is_zero(a * w * w + 2 * (b * w * d) + c * d * d) & !is_zero(d);
         };
-        const auto is_not_beyond = [&](Truth inside, double face) {
-            return inside == Truth::unknown ? inside | is_at(face) : inside;
+        const auto is_not_beyond = [&](Certainty inside, double face) {
+            return inside == Certainty::unknown ? inside | is_at(face) : inside;
         };
         within = within & is_not_beyond(Tracked(box.min[k]) <= p, box.min[k]) &
                  is_not_beyond(p <= Tracked(box.max[k]), box.max[k]);
@@ -106,8 +106,8 @@ Crossings define(const Geometry&, const Ellipsoid& e, const Ray& ray) {
     Crossings found;
     if (!is_finite(e.to_world)) return found;
     const MappedRay r(e.to_world, ray);
-    const Truth exists = !is_zero(r.unit);
-    if (exists == Truth::no) return found;
+    const Certainty exists = !is_zero(r.unit);
+    if (exists == Certainty::no) return found;
     const TrackedVec &o = r.origin, &d = r.direction;
     const Roots roots = solve(dot(d, d), dot(o, d), dot(o, o) - r.unit * r.unit);
     for (std::size_t i = 0; i < roots.count; ++i) {

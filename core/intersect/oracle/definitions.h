@@ -13,14 +13,14 @@ namespace etalon {
 /// A point where the ray's line meets a surface.
 struct Crossing {
     Crossing() = default;
-    Crossing(const Tracked& at, Truth is_there, Truth is_front)
+    Crossing(const Tracked& at, Certainty is_there, Certainty is_front)
         : t(at), passage(at), exists(is_there), front(is_front) {}
 
     Tracked t;        ///< what a kernel should return
     Tracked passage;  ///< what must also be beyond tmin; t itself, but for polygons with corners
                       ///< off their plane: there the point where the plane is passed
-    Truth exists;
-    Truth front;  ///< whether the front is seen there
+    Certainty exists;
+    Certainty front;  ///< whether the front is seen there
 };
 
 /// At most two per shape, in no particular order.

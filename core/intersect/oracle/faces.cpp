@@ -43,20 +43,20 @@ Tracked volume(const Vec3& d, const Corner& a, const Corner& b) {
 /// Of a ray from the origin and a closed triangle (a, b, c): whether it passes through, seen along
 /// d, and whether through the outline. Collinear corners make no triangle.
 struct Passage {
-    Truth inside, on_edge;
+    Certainty inside, on_edge;
 };
 
 /// From the volumes d . (b x c), d . (c x a) and d . (a x b).
 Passage pass(const std::array<Tracked, 3>& volumes) {
-    Truth none_negative = Truth::yes, none_positive = Truth::yes, some_zero = Truth::no,
-          all_zero = Truth::yes;
+    Certainty none_negative = Certainty::yes, none_positive = Certainty::yes,
+              some_zero = Certainty::no, all_zero = Certainty::yes;
     for (const Tracked& v : volumes) {
         none_negative = none_negative & !is_negative(v);
         none_positive = none_positive & !is_positive(v);
         some_zero = some_zero | is_zero(v);
         all_zero = all_zero & is_zero(v);
     }
-    const Truth inside = (none_negative | none_positive) & !all_zero;
+    const Certainty inside = (none_negative | none_positive) & !all_zero;
     return {inside, inside & some_zero};
 }
 
@@ -71,9 +71,9 @@ Crossings define(const Geometry& geometry, const Triangle& triangle, const Ray& 
         c[i] = Corner(TrackedVec(corner) - ray.origin);
     }
     const Vec3& d = ray.direction;
-    const Truth inside =
+    const Certainty inside =
         pass({volume(d, c[1], c[2]), volume(d, c[2], c[0]), volume(d, c[0], c[1])}).inside;
-    if (inside == Truth::no) return found;
+    if (inside == Certainty::no) return found;
     const TrackedVec& p = c[0].exact;
     const TrackedVec n = cross(c[1].exact - p, c[2].exact - p);
     const Tracked cosine = dot(n, d);
@@ -100,40 +100,41 @@ struct Outline {
 };
 
 /// Whether the line along d passes through the closed side from corner i.
-Truth meets_side(const Outline& outline, std::size_t i) {
-    const Truth coplanar = is_zero(outline.sides[i]);
-    if (coplanar == Truth::no) return coplanar;
+Certainty meets_side(const Outline& outline, std::size_t i) {
+    const Certainty coplanar = is_zero(outline.sides[i]);
+    if (coplanar == Certainty::no) return coplanar;
     const TrackedVec &a = outline.corners[i].exact, &b = outline.corners[outline.next(i)].exact;
     return coplanar & !is_positive(dot(cross(a, outline.d), cross(b, outline.d)));
 }
 
 /// Even-odd: a point is inside where an odd number of the triangles of a fan cover it. Unknown
 /// where it is on a side of one.
-Truth is_inside_fan(const Outline& outline, const Corner& hub) {
+Certainty is_inside_fan(const Outline& outline, const Corner& hub) {
     bool odd = false;
     Tracked spoke = volume(outline.d, hub, outline.corners[0]);
     for (std::size_t i = 0; i < outline.corners.size(); ++i) {
         const Tracked next = volume(outline.d, hub, outline.corners[outline.next(i)]);
         const Passage passage = pass({outline.sides[i], -next, spoke});
-        if (passage.inside == Truth::unknown || passage.on_edge != Truth::no) return Truth::unknown;
-        odd ^= passage.inside == Truth::yes;
+        if (passage.inside == Certainty::unknown || passage.on_edge != Certainty::no)
+            return Certainty::unknown;
+        odd ^= passage.inside == Certainty::yes;
         spoke = next;
     }
-    return truth(odd);
+    return certainty(odd);
 }
 
-Truth is_inside(const Outline& outline) {
-    Truth on_outline = Truth::no, edge_on = Truth::yes;
+Certainty is_inside(const Outline& outline) {
+    Certainty on_outline = Certainty::no, edge_on = Certainty::yes;
     for (std::size_t i = 0; i < outline.sides.size(); ++i) {
         on_outline = on_outline | meets_side(outline, i);
         edge_on = edge_on & is_zero(outline.sides[i]);
     }
-    if (on_outline != Truth::no) return on_outline & !edge_on;
+    if (on_outline != Certainty::no) return on_outline & !edge_on;
     for (const Corner& hub : outline.corners) {
-        const Truth inside = is_inside_fan(outline, hub);
-        if (inside != Truth::unknown) return inside;
+        const Certainty inside = is_inside_fan(outline, hub);
+        if (inside != Certainty::unknown) return inside;
     }
-    return Truth::unknown;
+    return Certainty::unknown;
 }
 
 }  // namespace
@@ -151,9 +152,9 @@ Crossings define(const Geometry& geometry, const Polygon& polygon, const Ray& ra
         corners.emplace_back(TrackedVec(corner) - ray.origin);
     }
     const Outline outline(ray.direction, std::move(corners));
-    const Truth inside = is_inside(outline);
+    const Certainty inside = is_inside(outline);
     const auto stretch = within_box(box.min, box.max, ray);
-    if (inside == Truth::no || !stretch) return found;
+    if (inside == Certainty::no || !stretch) return found;
     TrackedVec sum, n;
     const TrackedVec& p0 = outline.corners[0].exact;
     for (std::size_t i = 0; i < polygon.count; ++i) {
@@ -161,13 +162,13 @@ Crossings define(const Geometry& geometry, const Polygon& polygon, const Ray& ra
         sum = sum + p;
         if (i > 0) n = n + cross(outline.corners[i - 1].exact - p0, p - p0);
     }
-    const Truth degenerate = is_zero(n.x) & is_zero(n.y) & is_zero(n.z);
+    const Certainty degenerate = is_zero(n.x) & is_zero(n.y) & is_zero(n.z);
     const Tracked cosine = dot(n, ray.direction);
     const Tracked passage = dot(n, sum) / (cosine * static_cast<double>(polygon.count));
     Crossing crossing(passage, inside & !degenerate, is_negative(cosine));
-    if ((passage < stretch->entry) == Truth::yes) crossing.t = stretch->entry;
-    if ((stretch->exit < passage) == Truth::yes) crossing.t = stretch->exit;
-    if (crossing.exists != Truth::no) found.add(crossing);
+    if ((passage < stretch->entry) == Certainty::yes) crossing.t = stretch->entry;
+    if ((stretch->exit < passage) == Certainty::yes) crossing.t = stretch->exit;
+    if (crossing.exists != Certainty::no) found.add(crossing);
     return found;
 }
 

@@ -29,9 +29,9 @@ Crossings define(const Geometry&, const Ring& r, const Ray& ray) {
         const Tracked r_times = cosine * radius;
         return r_times * r_times;
     };
-    const Truth beyond_inner = truth(r.inner == 0) | (on_circle(r.inner) <= p2);
-    const Truth between = beyond_inner & (p2 <= on_circle(r.outer));
-    const Truth passes = !is_zero(cosine);
+    const Certainty beyond_inner = certainty(r.inner == 0) | (on_circle(r.inner) <= p2);
+    const Certainty between = beyond_inner & (p2 <= on_circle(r.outer));
+    const Certainty passes = !is_zero(cosine);
     found.add({distance / cosine, passes & between, is_negative(cosine)});
     return found;
 }

@@ -10,17 +10,17 @@ namespace {
 
 struct Meeting {
     Tracked t;
-    Truth exists;
+    Certainty exists;
     std::uint32_t primitive;
 };
 
-Truth is_visible(const Crossing& c, Sides sides) {
-    if (sides == Sides::both) return Truth::yes;
+Certainty is_visible(const Crossing& c, Sides sides) {
+    if (sides == Sides::both) return Certainty::yes;
     return sides == Sides::front ? c.front : !c.front;
 }
 
 /// A kernel compares its rounded t with the ray's ends, and has none beyond the range of double.
-Truth is_within(const Crossing& c, const Ray& ray, double tie) {
+Certainty is_within(const Crossing& c, const Ray& ray, double tie) {
     const auto rounded = [tie](const Tracked& t) {
         return Tracked(t.value, t.error + magnitude(t.value) * Quad(tie));
     };
@@ -33,7 +33,7 @@ Truth is_within(const Crossing& c, const Ray& ray, double tie) {
 struct Meetings {
     void add(const Meeting& m) {
         all.push_back(m);
-        if (m.exists == Truth::yes && (!nearest || m.t.value < nearest->t.value)) nearest = m;
+        if (m.exists == Certainty::yes && (!nearest || m.t.value < nearest->t.value)) nearest = m;
     }
 
     std::vector<Meeting> all;
@@ -115,8 +115,8 @@ OracleAnswer Oracle::closest(const Ray& ray, double tie) const {
         if (meetings.nearest && Quad(candidate.entry) > meetings.nearest->t.value) break;
         const Sides sides = geometry_.primitives[candidate.primitive].sides;
         for (const Crossing& c : crossings(geometry_, candidate.primitive, ray)) {
-            const Truth exists = c.exists & is_visible(c, sides) & is_within(c, ray, tie);
-            if (exists != Truth::no) meetings.add({c.t, exists, candidate.primitive});
+            const Certainty exists = c.exists & is_visible(c, sides) & is_within(c, ray, tie);
+            if (exists != Certainty::no) meetings.add({c.t, exists, candidate.primitive});
         }
     }
     return answer_from(meetings, tie);

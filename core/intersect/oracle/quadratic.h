@@ -10,7 +10,7 @@ namespace etalon::definition {
 /// positive is then being entered.
 struct Root {
     Tracked t;
-    Truth exists, falling;
+    Certainty exists, falling;
 };
 struct Roots {
     std::array<Root, 2> list;

@@ -14,35 +14,35 @@ const Tracked beyond(Quad(0x1p1023) * Quad(0x1p1023), 0);
 
 /// The stretch of a line where a t^2 + 2 b t + c <= 0, for a >= 0.
 Stretch where_not_positive(const Tracked& a, const Tracked& b, const Tracked& c) {
-    Stretch stretch{-beyond, beyond, Truth::yes};
-    if ((is_zero(a) & is_zero(b)) == Truth::yes) {
+    Stretch stretch{-beyond, beyond, Certainty::yes};
+    if ((is_zero(a) & is_zero(b)) == Certainty::yes) {
         stretch.exists = !is_positive(c);
         return stretch;
     }
     const Roots roots = solve(a, b, c);
-    if (roots.count == 0) stretch.exists = Truth::no;
+    if (roots.count == 0) stretch.exists = Certainty::no;
     for (std::size_t i = 0; i < roots.count; ++i) {
         const Root& root = roots.list[i];
         stretch.exists = stretch.exists & root.exists;
-        if (root.falling != Truth::no) stretch.entry = root.t;
-        if (root.falling != Truth::yes) stretch.exit = root.t;
+        if (root.falling != Certainty::no) stretch.entry = root.t;
+        if (root.falling != Certainty::yes) stretch.exit = root.t;
     }
     return stretch;
 }
 
 /// The stretch of a line where 0 <= start + t rise <= top, for top > 0.
 Stretch where_between(const Tracked& start, const Tracked& rise, const Tracked& top) {
-    if (is_zero(rise) == Truth::yes) {
+    if (is_zero(rise) == Certainty::yes) {
         return {-beyond, beyond, (!is_negative(start)) & (start <= top)};
     }
     const Tracked low = -start / rise, high = (top - start) / rise;
-    if (rise.value > 0) return {low, high, Truth::yes};
-    return {high, low, Truth::yes};
+    if (rise.value > 0) return {low, high, Certainty::yes};
+    return {high, low, Certainty::yes};
 }
 
 Stretch both(const Stretch& a, const Stretch& b) {
-    const Tracked& entry = (a.entry < b.entry) == Truth::yes ? b.entry : a.entry;
-    const Tracked& exit = (b.exit < a.exit) == Truth::yes ? b.exit : a.exit;
+    const Tracked& entry = (a.entry < b.entry) == Certainty::yes ? b.entry : a.entry;
+    const Tracked& exit = (b.exit < a.exit) == Certainty::yes ? b.exit : a.exit;
     return {entry, exit, a.exists & b.exists & !(a.exit < b.entry) & !(b.exit < a.entry)};
 }
 
@@ -57,8 +57,8 @@ Crossings define(const Geometry&, const Box& b, const Ray& ray) {
 Crossings define(const Geometry&, const ClosedCylinder& c, const Ray& ray) {
     if (!is_finite(c.to_world)) return {};
     const MappedRay r(c.to_world, ray);
-    const Truth exists = !is_zero(r.unit);
-    if (exists == Truth::no) return {};
+    const Certainty exists = !is_zero(r.unit);
+    if (exists == Certainty::no) return {};
     const TrackedVec &o = r.origin, &d = r.direction;
     const Tracked square = r.unit * r.unit;
     const Stretch side = where_not_positive(d.x * d.x + d.y * d.y, o.x * d.x + o.y * d.y,

@@ -24,24 +24,24 @@ std::optional<Stretch> within_box(const Vec3& min, const Vec3& max, const Ray& r
         out[count++] = d > 0 ? Meeting{to_max, d} : Meeting{-to_min, -d};
     }
     std::size_t last_in = 0, first_out = 0;
-    Truth exists = Truth::yes;
+    Certainty exists = Certainty::yes;
     for (std::size_t i = 0; i < count; ++i) {
-        if (is_later(in[i], in[last_in]) == Truth::yes) last_in = i;
-        if (is_later(out[first_out], out[i]) == Truth::yes) first_out = i;
+        if (is_later(in[i], in[last_in]) == Certainty::yes) last_in = i;
+        if (is_later(out[first_out], out[i]) == Certainty::yes) first_out = i;
         for (std::size_t j = 0; j < count; ++j) {
             if (i != j) exists = exists & !is_later(in[i], out[j]);
         }
     }
-    if (exists == Truth::no) return std::nullopt;
+    if (exists == Certainty::no) return std::nullopt;
     return Stretch{in[last_in].distance / in[last_in].speed,
                    out[first_out].distance / out[first_out].speed, exists};
 }
 
 Crossings ends(const std::optional<Stretch>& stretch) {
     Crossings found;
-    if (!stretch || stretch->exists == Truth::no) return found;
-    found.add({stretch->entry, stretch->exists, Truth::yes});
-    found.add({stretch->exit, stretch->exists, Truth::no});
+    if (!stretch || stretch->exists == Certainty::no) return found;
+    found.add({stretch->entry, stretch->exists, Certainty::yes});
+    found.add({stretch->exit, stretch->exists, Certainty::no});
     return found;
 }
 

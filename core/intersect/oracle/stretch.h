@@ -9,7 +9,7 @@ namespace etalon::definition {
 /// The stretch of a line within a closed box, if there may be one.
 struct Stretch {
     Tracked entry, exit;
-    Truth exists;
+    Certainty exists;
 };
 
 std::optional<Stretch> within_box(const Vec3& min, const Vec3& max, const Ray& ray);

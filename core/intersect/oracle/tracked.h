@@ -9,19 +9,19 @@
 namespace etalon {
 
 /// Ordered, so that `and` is the least and `or` the greatest of the operands.
-enum class Truth { no, unknown, yes };
+enum class Certainty { no, unknown, yes };
 
-inline Truth truth(bool b) {
-    return b ? Truth::yes : Truth::no;
+inline Certainty certainty(bool b) {
+    return b ? Certainty::yes : Certainty::no;
 }
-inline Truth operator&(Truth a, Truth b) {
+inline Certainty operator&(Certainty a, Certainty b) {
     return std::min(a, b);
 }
-inline Truth operator|(Truth a, Truth b) {
+inline Certainty operator|(Certainty a, Certainty b) {
     return std::max(a, b);
 }
-inline Truth operator!(Truth a) {
-    return a == Truth::unknown ? a : truth(a == Truth::no);
+inline Certainty operator!(Certainty a) {
+    return a == Certainty::unknown ? a : certainty(a == Certainty::no);
 }
 
 /// A value computed in quad precision and a bound on its error (running error analysis, Higham
@@ -90,22 +90,22 @@ inline Tracked square_root(const Tracked& x) {
     return detail::bounded(root, x.error / root + 2 * root * quad_roundoff);
 }
 
-inline Truth is_positive(const Tracked& x) {
-    if (x.value > x.error) return Truth::yes;
-    return x.value <= -x.error ? Truth::no : Truth::unknown;
+inline Certainty is_positive(const Tracked& x) {
+    if (x.value > x.error) return Certainty::yes;
+    return x.value <= -x.error ? Certainty::no : Certainty::unknown;
 }
-inline Truth is_negative(const Tracked& x) {
+inline Certainty is_negative(const Tracked& x) {
     return is_positive(-x);
 }
-inline Truth is_zero(const Tracked& x) {
-    if (magnitude(x.value) > x.error) return Truth::no;
-    return x.value == 0 && x.error == 0 ? Truth::yes : Truth::unknown;
+inline Certainty is_zero(const Tracked& x) {
+    if (magnitude(x.value) > x.error) return Certainty::no;
+    return x.value == 0 && x.error == 0 ? Certainty::yes : Certainty::unknown;
 }
 
-inline Truth operator<(const Tracked& a, const Tracked& b) {
+inline Certainty operator<(const Tracked& a, const Tracked& b) {
     return is_positive(b - a);
 }
-inline Truth operator<=(const Tracked& a, const Tracked& b) {
+inline Certainty operator<=(const Tracked& a, const Tracked& b) {
     return !(b < a);
 }
 

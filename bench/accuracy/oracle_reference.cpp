@@ -1,4 +1,4 @@
-#include "bench/accuracy/truth.h"
+#include "bench/accuracy/oracle_reference.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,18 +30,19 @@ Vec3 position(const Scene& scene, const TracerEntry& entry, const Ray& ray, cons
 
 /// u (all magnitudes) / cosine: the change of t when origin, direction and shape move by a relative
 /// u each.
-double sensitivity(const hard::Setting& setting, const Ray& ray, const OracleAnswer& truth) {
-    const SurfacePoint p = surface_at(setting.scene.geometry, ray, {truth.t, truth.primitive});
+double sensitivity(const hard::Setting& setting, const Ray& ray, const OracleAnswer& reference) {
+    const SurfacePoint p =
+        surface_at(setting.scene.geometry, ray, {reference.t, reference.primitive});
     const double length = ray.direction.length();
     const double speed = std::abs(p.normal.dot(ray.direction)) - 4 * unit_roundoff * length;
     const double reach =
-        max_abs(ray.origin) + max_abs(p.position) + setting.size + std::abs(truth.t) * length;
+        max_abs(ray.origin) + max_abs(p.position) + setting.size + std::abs(reference.t) * length;
     return unit_roundoff * reach / std::max(speed, 0.0);
 }
 
 }  // namespace
 
-Truth::Truth(const hard::Setting& setting, const Oracle& oracle, const Ray& ray)
+OracleReference::OracleReference(const hard::Setting& setting, const Oracle& oracle, const Ray& ray)
     : setting_(setting), ray_(ray), answer_(oracle.closest(ray, setting.tie)) {
     if (answer_.kind != OracleAnswer::hit) return;
     sensitivity_ = sensitivity(setting, ray, answer_);
@@ -51,7 +52,7 @@ Truth::Truth(const hard::Setting& setting, const Oracle& oracle, const Ray& ray)
     }
 }
 
-void Truth::judge(const TracerEntry& entry, const Answer& answer, Tally& tally) const {
+void OracleReference::judge(const TracerEntry& entry, const Answer& answer, Tally& tally) const {
     ++tally.rays;
     const bool hit = answer.primitive != no_index;
     if (answer_.kind == OracleAnswer::undecidable) {
@@ -66,7 +67,8 @@ void Truth::judge(const TracerEntry& entry, const Answer& answer, Tally& tally) 
     }
 }
 
-void Truth::judge_distance(const TracerEntry& entry, const Answer& answer, Tally& tally) const {
+void OracleReference::judge_distance(const TracerEntry& entry, const Answer& answer,
+                                     Tally& tally) const {
     const double off = t_.distance(answer.t);
     const double float_ulps = off / ulp_of_float(answer_.t);
     const bool is_far_off = off * ray_.direction.length() > other_root * setting_.size;
@@ -80,7 +82,7 @@ void Truth::judge_distance(const TracerEntry& entry, const Answer& answer, Tally
     tally.position.add(apart.length() / setting_.size);
 }
 
-bool Truth::is_right_primitive(const TracerEntry& entry, const Answer& answer) const {
+bool OracleReference::is_right_primitive(const TracerEntry& entry, const Answer& answer) const {
     const auto& tied = answer_.tied;
     if (tied.size() == 1 || !entry.exact) {
         return std::binary_search(tied.begin(), tied.end(), answer.primitive);
@@ -89,7 +91,7 @@ bool Truth::is_right_primitive(const TracerEntry& entry, const Answer& answer) c
 }
 
 /// Among primitives too close to tell apart, the one that the rule for ties gives.
-std::uint32_t Truth::lowest_of_the_nearest() const {
+std::uint32_t OracleReference::lowest_of_the_nearest() const {
     NearestHit nearest(ray_.tmax);
     for (const std::uint32_t id : answer_.tied) {
         nearest.offer(primitive_first_hit(setting_.scene.geometry, id, RayQuery(ray_)), id);

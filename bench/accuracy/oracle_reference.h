@@ -32,9 +32,9 @@ class Remainder {
 };
 
 /// The oracle's answer to one ray, with what only the comparison needs.
-class Truth {
+class OracleReference {
   public:
-    Truth(const hard::Setting& setting, const Oracle& oracle, const Ray& ray);
+    OracleReference(const hard::Setting& setting, const Oracle& oracle, const Ray& ray);
 
     void judge(const TracerEntry& entry, const Answer& answer, Tally& tally) const;
 
