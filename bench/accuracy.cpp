@@ -71,7 +71,7 @@ std::vector<Row> measure_all(const Arguments& a, const std::vector<HardCase>& ca
 
 /// A backend or kernel that promises to be right, and was not.
 bool is_broken_promise(const Row& row) {
-    return row.exact && row.tally.errors() > 0;
+    return row.exact && row.stats.errors() > 0;
 }
 
 bool write_reports(const Arguments& a, const std::vector<Row>& rows) {

@@ -27,7 +27,7 @@ std::string by_backend(const Results& results, const std::string& before_name, c
     return all;
 }
 
-std::string row(const std::string& kind, const Tally& t) {
+std::string row(const std::string& kind, const CrosscheckCounts& t) {
     return fmt::format("  {:<6} {:>9} {:>11} {:>7} {:>9} {:>9} {:>10.3g} {:>9.3g} {:>9.3g}\n", kind,
                        t.rays, t.undecidable, t.class_errors, t.primitive_errors,
                        t.occlusion_errors, t.t_quantile(0.5), t.t_quantile(0.99), t.t_quantile(1));

@@ -7,7 +7,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json(const Tally& t) {
+Json to_json(const CrosscheckCounts& t) {
     const double rate = t.seconds > 0 ? static_cast<double>(t.rays) / t.seconds * 1e-6 : 0;
     return {{"rays", t.rays},
             {"undecidable", t.undecidable},

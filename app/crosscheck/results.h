@@ -2,16 +2,16 @@
 #pragma once
 
 #include "app/crosscheck/contingency.h"
-#include "app/crosscheck/tally.h"
+#include "app/crosscheck/crosscheck_counts.h"
 #include "app/crosscheck/worst.h"
 
 namespace etalon::crosscheck {
 
 struct BackendResults {
     std::string name;
-    bool exact;                  ///< see Backend
-    std::vector<Tally> by_kind;  ///< of ray
-    Tally total;
+    bool exact;                             ///< see Backend
+    std::vector<CrosscheckCounts> by_kind;  ///< of ray
+    CrosscheckCounts total;
     std::vector<WorstRay> worst;
 };
 

@@ -40,11 +40,11 @@ std::uint64_t seed_of(const hard::HardCase& c) {
 
 /// What one tracer has to show after some blocks.
 struct Result {
-    Tally tally;
+    ErrorStats stats;
     std::vector<double> nanoseconds;  ///< a ray, by block
 
     Result& operator+=(const Result& other) {
-        tally += other.tally;
+        stats += other.stats;
         nanoseconds.insert(nanoseconds.end(), other.nanoseconds.begin(), other.nanoseconds.end());
         return *this;
     }
@@ -130,20 +130,20 @@ class Measurement {
             const auto rays = static_cast<double>(block.rays.size());
             results[k].nanoseconds.push_back(1e9 * seconds / rays);
             if (first / block_size % occlusion_every != 0) continue;
-            count_contradictions(entries_[k], block, answers[k], results[k].tally);
+            count_contradictions(entries_[k], block, answers[k], results[k].stats);
         }
         count_deviations(answers, results);
         return answers;
     }
 
     void count_contradictions(const TracerEntry& entry, const RayBlock& block,
-                              const std::vector<Answer>& answers, Tally& tally) const {
+                              const std::vector<Answer>& answers, ErrorStats& stats) const {
         if (!entry.refined) return;  // a textbook's kernel has but one answer
         std::vector<char> occluded(answers.size());
         entry.tracer->occluded(block, occluded);
         for (std::size_t i = 0; i < answers.size(); ++i) {
             const bool hit = answers[i].primitive != no_index;
-            tally.contradictions += hit != (occluded[i] != 0);
+            stats.contradictions += hit != (occluded[i] != 0);
         }
     }
 
@@ -155,7 +155,7 @@ class Measurement {
             if (!first) first = k;
             for (std::size_t i = 0; i < answers[k].size(); ++i) {
                 const Answer &a = answers[k][i], &b = answers[*first][i];
-                results[k].tally.deviations += a.primitive != b.primitive || a.t != b.t;
+                results[k].stats.deviations += a.primitive != b.primitive || a.t != b.t;
             }
         }
     }
@@ -163,14 +163,14 @@ class Measurement {
     void shoot_at(const RayBlock& block, std::uint64_t first, std::vector<Result>& results) const {
         const auto answers = ask_all(block, first, results);
         const std::vector<OracleReference> references = references_of(block);
-        std::optional<Tally> shared;  // by all who gave the same bits
+        std::optional<ErrorStats> shared;  // by all who gave the same bits
         for (std::size_t k = 0; k < entries_.size(); ++k) {
             if (answers[k].empty()) continue;
-            const bool same = entries_[k].exact && results[k].tally.deviations == 0;
-            const Tally tally =
+            const bool same = entries_[k].exact && results[k].stats.deviations == 0;
+            const ErrorStats stats =
                 same && shared ? *shared : judge(entries_[k], references, answers[k]);
-            if (same) shared = tally;
-            results[k].tally += tally;
+            if (same) shared = stats;
+            results[k].stats += stats;
         }
     }
 
@@ -181,15 +181,15 @@ class Measurement {
         return references;
     }
 
-    Tally judge(const TracerEntry& entry, const std::vector<OracleReference>& references,
-                const std::vector<Answer>& answers) const {
-        Tally tally;
+    ErrorStats judge(const TracerEntry& entry, const std::vector<OracleReference>& references,
+                     const std::vector<Answer>& answers) const {
+        ErrorStats stats;
         for (std::size_t i = 0; i < references.size(); ++i)
-            references[i].judge(entry, answers[i], tally);
-        if (!references.empty()) return tally;
-        tally.rays = answers.size();
-        for (const Answer& a : answers) tally.leaks += a.primitive == no_index;
-        return tally;
+            references[i].judge(entry, answers[i], stats);
+        if (!references.empty()) return stats;
+        stats.rays = answers.size();
+        for (const Answer& a : answers) stats.leaks += a.primitive == no_index;
+        return stats;
     }
 
     /// The hits are those of the first tracer: all that are exact find the same.
@@ -210,10 +210,10 @@ class Measurement {
         const auto answers = ask_all(RayBlock(std::move(rays)), first, results);
         for (std::size_t k = 0; k < entries_.size(); ++k) {
             for (std::size_t i = 0; i < answers[k].size(); ++i) {
-                Tally& tally = results[k].tally;
-                ++tally.rays;
-                tally.self_hits += is_self_hit(setting_.scene, spawned[i], answers[k][i]);
-                tally.shift.add(spawned[i].shift);
+                ErrorStats& stats = results[k].stats;
+                ++stats.rays;
+                stats.self_hits += is_self_hit(setting_.scene, spawned[i], answers[k][i]);
+                stats.shift.add(spawned[i].shift);
             }
         }
     }
@@ -228,7 +228,7 @@ class Measurement {
             if (unit == 0 && !e.refined) unit = ns;
             rows.push_back({case_.id, case_.variant, case_.shape,
                             judges[static_cast<int>(case_.judge)], e.tracer->name(), e.exact,
-                            results_[k].tally, ns, 0});
+                            results_[k].stats, ns, 0});
         }
         for (Row& row : rows) row.cost = unit > 0 ? row.nanoseconds / unit : 0;
         return rows;

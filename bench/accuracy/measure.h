@@ -1,7 +1,7 @@
 // Shoots the rays of a hard case at everyone and sums up how they fared.
 #pragma once
 
-#include "bench/accuracy/tally.h"
+#include "bench/accuracy/error_stats.h"
 #include "bench/hard_cases/hard_case.h"
 #include "core/intersect/intersector.h"
 

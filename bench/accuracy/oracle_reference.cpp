@@ -52,34 +52,35 @@ OracleReference::OracleReference(const hard::Setting& setting, const Oracle& ora
     }
 }
 
-void OracleReference::judge(const TracerEntry& entry, const Answer& answer, Tally& tally) const {
-    ++tally.rays;
+void OracleReference::judge(const TracerEntry& entry, const Answer& answer,
+                            ErrorStats& stats) const {
+    ++stats.rays;
     const bool hit = answer.primitive != no_index;
     if (answer_.kind == OracleAnswer::undecidable) {
-        ++tally.undecidable;
+        ++stats.undecidable;
     } else if (answer_.kind == OracleAnswer::miss) {
-        tally.false_hits += hit;
+        stats.false_hits += hit;
     } else if (!hit) {
-        ++tally.false_misses;
+        ++stats.false_misses;
     } else {
-        tally.wrong_primitives += !is_right_primitive(entry, answer);
-        judge_distance(entry, answer, tally);
+        stats.wrong_primitives += !is_right_primitive(entry, answer);
+        judge_distance(entry, answer, stats);
     }
 }
 
 void OracleReference::judge_distance(const TracerEntry& entry, const Answer& answer,
-                                     Tally& tally) const {
+                                     ErrorStats& stats) const {
     const double off = t_.distance(answer.t);
     const double float_ulps = off / ulp_of_float(answer_.t);
     const bool is_far_off = off * ray_.direction.length() > other_root * setting_.size;
-    if (is_far_off && float_ulps > 1) ++tally.wrong_roots;
-    tally.float_ulps.add(float_ulps);
-    tally.double_ulps.add(off / ulp_of_double(answer_.t));
-    tally.conditioned.add(off / sensitivity_);
+    if (is_far_off && float_ulps > 1) ++stats.wrong_roots;
+    stats.float_ulps.add(float_ulps);
+    stats.double_ulps.add(off / ulp_of_double(answer_.t));
+    stats.conditioned.add(off / sensitivity_);
     const Vec3 p = position(setting_.scene, entry, ray_, answer);
     const Vec3 apart(position_[0].distance(p.x), position_[1].distance(p.y),
                      position_[2].distance(p.z));
-    tally.position.add(apart.length() / setting_.size);
+    stats.position.add(apart.length() / setting_.size);
 }
 
 bool OracleReference::is_right_primitive(const TracerEntry& entry, const Answer& answer) const {

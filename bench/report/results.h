@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/stopwatch.h"
-#include "bench/accuracy/tally.h"
+#include "bench/accuracy/error_stats.h"
 #include "bench/convergence/curve.h"
 #include "bench/report/settings.h"
 #include "bench/speed/figures.h"

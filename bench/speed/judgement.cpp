@@ -40,12 +40,12 @@ Judgement OracleReferences::judge(std::span<const Answer> answers, bool exact) c
 
 Judgement OracleReferences::judge_closest(std::span<const Answer> answers, bool exact) const {
     const accuracy::TracerEntry entry{nullptr, exact, true};
-    accuracy::Tally tally;
+    accuracy::ErrorStats stats;
     for (std::size_t i = 0; i < rays_.size(); ++i) {
-        references_[i].judge(entry, answers[rays_[i]], tally);
+        references_[i].judge(entry, answers[rays_[i]], stats);
     }
-    return {tally.rays,         tally.undecidable,      tally.false_hits,
-            tally.false_misses, tally.wrong_primitives, tally.float_ulps.max()};
+    return {stats.rays,         stats.undecidable,      stats.false_hits,
+            stats.false_misses, stats.wrong_primitives, stats.float_ulps.max()};
 }
 
 Judgement OracleReferences::judge_occlusion(std::span<const Answer> answers) const {

@@ -6,7 +6,7 @@
 
 namespace etalon::speed {
 
-/// See accuracy::Tally for what each counts.
+/// See accuracy::ErrorStats for what each counts.
 struct Judgement {
     std::uint64_t rays = 0, undecidable = 0;
     std::uint64_t false_hits = 0, false_misses = 0;

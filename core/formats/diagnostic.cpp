@@ -13,18 +13,18 @@ const char* name(Severity severity) {
 }
 
 /// The diagnostics of one kind and severity seen so far.
-struct Tally {
+struct KindCount {
     const Diagnostic* first;
     int shown = 0;
     std::size_t hidden = 0;
 };
 
-Tally& tally_of(const Diagnostic& d, std::vector<Tally>& tallies) {
-    const auto same = [&](const Tally& t) {
+KindCount& count_of(const Diagnostic& d, std::vector<KindCount>& counts) {
+    const auto same = [&](const KindCount& t) {
         return t.first->kind == d.kind && t.first->severity == d.severity;
     };
-    const auto found = std::find_if(tallies.begin(), tallies.end(), same);
-    return found != tallies.end() ? *found : tallies.emplace_back(Tally{&d});
+    const auto found = std::find_if(counts.begin(), counts.end(), same);
+    return found != counts.end() ? *found : counts.emplace_back(KindCount{&d});
 }
 
 }  // namespace
@@ -36,18 +36,18 @@ std::string to_string(const Diagnostic& d) {
 
 std::string report(const std::vector<Diagnostic>& diagnostics, int limit) {
     std::string text;
-    std::vector<Tally> tallies;
+    std::vector<KindCount> counts;
     for (const Diagnostic& d : diagnostics) {
-        Tally& tally = tally_of(d, tallies);
-        tally.hidden += d.more;
-        if (tally.shown == limit) {
-            ++tally.hidden;
+        KindCount& count = count_of(d, counts);
+        count.hidden += d.more;
+        if (count.shown == limit) {
+            ++count.hidden;
         } else {
-            ++tally.shown;
+            ++count.shown;
             text += to_string(d) + '\n';
         }
     }
-    for (const Tally& t : tallies) {
+    for (const KindCount& t : counts) {
         if (t.hidden == 0) continue;
         fmt::format_to(std::back_inserter(text), "{}: {}: {} more of this kind ({})\n",
                        t.first->file, name(t.first->severity), t.hidden, t.first->kind);

@@ -31,12 +31,12 @@ struct AsTheyCome {
 };
 
 /// A ray on its way through the tree.
-template <class Order, class Tally>
+template <class Order, class Counters>
 class Walk {
   public:
     HWY_INLINE Walk(const WideTree& tree, const FrameRay& ray, float tmin, StackSpace& space, Order,
-                    Tally tally)
-        : tree_(tree), slabs_(ray, tmin), stack_(space), tally_(tally), next_(tree.root) {}
+                    Counters counters)
+        : tree_(tree), slabs_(ray, tmin), stack_(space), counters_(counters), next_(tree.root) {}
 
     /// Whether the ray meets the tree before tmax at all: many do not, and need no more set up.
     HWY_INLINE bool begin(float tmax) { return next_.is_leaf() || descend(tmax); }
@@ -52,13 +52,13 @@ class Walk {
         } while (stack_.pop(tmax, next_));
     }
 
-    HWY_INLINE Tally tally() const { return tally_; }
+    HWY_INLINE Counters counters() const { return counters_; }
 
   private:
     /// From a node to a child; false where none is entered.
     HWY_INLINE bool descend(float tmax) {
         const WideNode& node = tree_.nodes[next_.node()];
-        tally_.boxes(node);
+        counters_.boxes(node);
         alignas(32) Lanes entry;
         const std::uint32_t entered = slabs_.entered(node, tmax, entry);
         if (entered == 0) return false;
@@ -69,7 +69,7 @@ class Walk {
     const WideTree& tree_;
     const Slabs slabs_;
     TraversalStack stack_;
-    [[no_unique_address]] const Tally tally_;
+    [[no_unique_address]] const Counters counters_;
     ChildRef next_;
 };
 

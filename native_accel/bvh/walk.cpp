@@ -29,13 +29,13 @@ HWY_INLINE void visit(const BvhView& bvh, ClusterRef ref, const ClusterFilter& f
     }
 }
 
-template <class LowestLane, class Tally>
+template <class LowestLane, class Counters>
 HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
-                             NearestHit& nearest, Tally tally) {
+                             NearestHit& nearest, Counters counters) {
     const float tmin = local.tmin(query.ray.tmin);
     float tmax = local.tmax(nearest.t);
     StackSpace space;
-    Walk walk(bvh.tree, local, tmin, space, NearestFirst<LowestLane>(), tally);
+    Walk walk(bvh.tree, local, tmin, space, NearestFirst<LowestLane>(), counters);
     if (!walk.begin(tmax)) return;
     const ClusterFilter filter(bvh.clusters, query, local, tmin);
     const auto offer = [&](double t, std::uint32_t id) HWY_ATTR {
@@ -44,7 +44,7 @@ HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const Fr
     };
     walk.finish(tmax, [&](ClusterRef ref) HWY_ATTR {
         const double before = nearest.t;
-        walk.tally().members(bvh.clusters, ref);
+        walk.counters().members(bvh.clusters, ref);
         visit(bvh, ref, filter, tmax, query, offer);
         if (nearest.t < before) tmax = local.tmax(nearest.t);
         return true;

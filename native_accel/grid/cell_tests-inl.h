@@ -19,15 +19,15 @@ HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
 /// Calls offer(id) for the spheres that could be hit; it returns the tmax from then on.
-template <class Offer, class Tally>
+template <class Offer, class Counters>
 class SphereTest {
   public:
-    HWY_INLINE SphereTest(const FrameRay& ray, const Offer& offer, Tally to)
-        : tally(to), filter_(ray), offer_(offer) {}
+    HWY_INLINE SphereTest(const FrameRay& ray, const Offer& offer, Counters to)
+        : counters(to), filter_(ray), offer_(offer) {}
 
     HWY_INLINE float operator()(std::span<const SpherePack> packs, float, float, float tmax) const {
         for (const SpherePack& pack : packs) {
-            tally.members(pack);
+            counters.members(pack);
             std::uint32_t lanes = filter_.candidates(pack);
             for (; lanes != 0 && tmax >= 0; lanes &= lanes - 1) {
                 tmax = offer_(pack.ids[std::countr_zero(lanes)]);
@@ -36,7 +36,7 @@ class SphereTest {
         return tmax;
     }
 
-    [[no_unique_address]] const Tally tally;
+    [[no_unique_address]] const Counters counters;
 
   private:
     const SpherePackFilter filter_;
@@ -46,13 +46,13 @@ class SphereTest {
 /// Calls offer(cluster, lane) for the primitives that could be hit, of clusters whose boxes the ray
 /// enters; it returns the tmax from then on. A cluster is tested only in the cell in which the ray
 /// enters its box, so once, however many cells list it. That cell does list it: see GridWalk.
-template <class Offer, class Tally>
+template <class Offer, class Counters>
 class ClusterTest {
   public:
     /// For what a ray meets from `entry` on.
     HWY_INLINE ClusterTest(const Clusters& clusters, const RayQuery& query, const FrameRay& ray,
-                           float entry, const Offer& offer, Tally to)
-        : tally(to),
+                           float entry, const Offer& offer, Counters to)
+        : counters(to),
           clusters_(clusters),
           slabs_(ray, entry),
           filter_(clusters, query, ray, entry),
@@ -68,7 +68,7 @@ class ClusterTest {
         return tmax;
     }
 
-    [[no_unique_address]] const Tally tally;
+    [[no_unique_address]] const Counters counters;
 
   private:
     static constexpr std::size_t most = 64 / node_width;  ///< packs whose lanes have a bit each
@@ -78,7 +78,7 @@ class ClusterTest {
         alignas(32) std::array<Lanes, most> entry;
         std::uint64_t entered = 0;
         for (std::size_t i = 0; i < packs.size(); ++i) {
-            tally.boxes(packs[i].boxes);
+            counters.boxes(packs[i].boxes);
             const std::uint64_t lanes = entered_in(packs[i].boxes, from, to, entry[i]);
             entered |= lanes << (i * node_width);
         }
@@ -101,7 +101,7 @@ class ClusterTest {
     }
 
     HWY_INLINE float test(ClusterRef ref, float tmax) const {
-        tally.members(clusters_, ref);
+        counters.members(clusters_, ref);
         std::uint32_t lanes = filter_.candidates(clusters_, ref, tmax);
         for (; lanes != 0 && tmax >= 0; lanes &= lanes - 1) {
             tmax = offer_(ref, std::countr_zero(lanes));

@@ -16,9 +16,9 @@ namespace etalon::HWY_NAMESPACE {
 
 /// Calls offer(t, id), which returns the tmax from then on, for what the ray could hit from tmin to
 /// tmax in the frame.
-template <class Tally, class Offer>
+template <class Counters, class Offer>
 HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const FrameRay& local,
-                      const float& tmax, Tally tally, const Offer& offer) {
+                      const float& tmax, Counters counters, const Offer& offer) {
     const GridRay ray(local);
     const float tmin = local.tmin(query.ray.tmin);
     const PackedGrid<BoxPack>& boxes = grid.others.boxes();
@@ -30,7 +30,7 @@ HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const FrameRa
             return offer(t, id);
         };
         if (!passage.empty()) {
-            const ClusterTest test(clusters, query, local, passage.entry, ask, tally);
+            const ClusterTest test(clusters, query, local, passage.entry, ask, counters);
             GridVisit(boxes, ray, test, tmax).visit(passage);
         }
     }
@@ -40,17 +40,17 @@ HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const FrameRa
             return offer(primitive_first_hit(grid.geometry, id, query), id);
         };
         if (!passage.empty()) {
-            const SphereTest test(local, ask, tally);
+            const SphereTest test(local, ask, counters);
             GridVisit(grid.spheres, ray, test, tmax).visit(passage);
         }
     }
 }
 
-template <class Tally>
+template <class Counters>
 HWY_INLINE void find_closest(const GridView& grid, const RayQuery& query, const FrameRay& local,
-                             NearestHit& nearest, Tally tally) {
+                             NearestHit& nearest, Counters counters) {
     float tmax = local.tmax(nearest.t);
-    trace(grid, query, local, tmax, tally, [&](double t, std::uint32_t id) HWY_ATTR {
+    trace(grid, query, local, tmax, counters, [&](double t, std::uint32_t id) HWY_ATTR {
         const double before = nearest.t;
         nearest.offer(t, id);
         if (nearest.t < before) tmax = local.tmax(nearest.t);

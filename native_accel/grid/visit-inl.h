@@ -70,7 +70,7 @@ class GridVisit {
         auto [entry, end] = passage;
         GridWalk walk(node, ray_, entry);
         while (entry <= end) {
-            test_.tally.cell();
+            test_.counters.cell();
             const GridCell c = grid_.cell(walk.cell());
             const Float4 exit = walk.exit();
             walk.advance(exit);

@@ -62,10 +62,10 @@ TEST_CASE("Where no textbook gives the unit of cost, embree-builtin does, and el
 }
 
 TEST_CASE("An error without bound has its place on the plot") {
-    Tally tally;
-    tally.rays = 1;
-    tally.float_ulps.add(std::numeric_limits<double>::infinity());
-    CHECK(error_of(tally) == 0x1p24);
+    ErrorStats stats;
+    stats.rays = 1;
+    stats.float_ulps.add(std::numeric_limits<double>::infinity());
+    CHECK(error_of(stats) == 0x1p24);
 }
 
 TEST_CASE("A plot is well-formed XML that names every tracer") {

@@ -13,14 +13,14 @@ Row row(std::string id, std::string shape, std::string tracer, double ulps, std:
     r.judge = "oracle";
     r.tracer = std::move(tracer);
     r.exact = errors == 0;
-    r.tally.rays = 1000000;
-    r.tally.false_hits = errors;
+    r.stats.rays = 1000000;
+    r.stats.false_hits = errors;
     for (const double share : {0.0, 0.3, 1.0}) {
-        r.tally.float_ulps.add(share * ulps);
-        r.tally.double_ulps.add(share * std::ldexp(ulps, 29));
-        r.tally.conditioned.add(share * 3.1e10);
-        r.tally.position.add(share * 5.123e-10);
-        r.tally.shift.add(share * 2.5e-12);
+        r.stats.float_ulps.add(share * ulps);
+        r.stats.double_ulps.add(share * std::ldexp(ulps, 29));
+        r.stats.conditioned.add(share * 3.1e10);
+        r.stats.position.add(share * 5.123e-10);
+        r.stats.shift.add(share * 2.5e-12);
     }
     r.cost = cost;
     r.nanoseconds = 10.0 / 3 * (cost > 0 ? cost : 1);
@@ -42,7 +42,7 @@ std::vector<Row> sample_rows() {
             Row r = row(judge, "scene", tracer, 0, 0, 0);
             r.exact = r.tracer == "bvh";
             r.judge = judge;
-            r.tally.leaks = r.judge == "enclosed" && !r.exact ? 240000 : 0;
+            r.stats.leaks = r.judge == "enclosed" && !r.exact ? 240000 : 0;
             rows.push_back(r);
         }
     }

@@ -1,7 +1,7 @@
 // Rows to make reports of.
 #pragma once
 
-#include "bench/accuracy/tally.h"
+#include "bench/accuracy/error_stats.h"
 
 namespace etalon::accuracy {
 

@@ -37,7 +37,7 @@ std::vector<std::string> lines_of_tracers(const std::string& table) {
 
 using Counts = std::vector<std::uint64_t>;
 
-Counts counts_of(const Tally& t) {
+Counts counts_of(const ErrorStats& t) {
     return {t.rays,           t.undecidable,      t.false_hits, t.false_misses,
             t.wrong_roots,    t.wrong_primitives, t.leaks,      t.self_hits,
             t.contradictions, t.deviations};
@@ -106,7 +106,7 @@ TEST_CASE("The table shows errors, dots for none, and nothing that the judge doe
 
 TEST_CASE("JSON keeps every number to the last bit through writing and reading") {
     std::vector<Row> rows = sample_rows();
-    rows[0].tally = {12345678901234567U, 2, 3, 4, 5, 6, 7, 8, 9, 10, {}, {}, {}, {}, {}};
+    rows[0].stats = {12345678901234567U, 2, 3, 4, 5, 6, 7, 8, 9, 10, {}, {}, {}, {}, {}};
     const auto written = json(rows, {"a machine", "g++", "-O3", "1.0"});
     const auto read = nlohmann::ordered_json::parse(written.dump());
     CHECK(read == written);
@@ -115,7 +115,7 @@ TEST_CASE("JSON keeps every number to the last bit through writing and reading")
     REQUIRE(read["rows"].size() == rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto& r = read["rows"][i];
-        const Tally& t = rows[i].tally;
+        const ErrorStats& t = rows[i].stats;
         CHECK(r["tracer"] == rows[i].tracer);
         CHECK(r["judge"] == rows[i].judge);
         CHECK(counts_in(r) == counts_of(t));
@@ -151,6 +151,6 @@ TEST_CASE("Markdown has one figure for the exact backends, and all of them where
     std::vector<Row> rows{row("SPH-1", "sphere", "bvh", 0, 0, 0),
                           row("SPH-1", "sphere", "embree", 0, 0, 0)};
     CHECK_THAT(markdown(rows), ContainsSubstring("| 0 in 2 backends |"));
-    rows[1].tally.leaks = 3;
+    rows[1].stats.leaks = 3;
     CHECK_THAT(markdown(rows), ContainsSubstring("| bvh 0, embree 3 |"));
 }

@@ -44,12 +44,12 @@ TEST_CASE("An answer is judged by class, primitive, occlusion and distance", "[c
     CHECK_FALSE(judge(undecidable(), ball_at_2).decided);
 }
 
-TEST_CASE("A tally leaves out what is undecidable and orders the errors of t", "[crosscheck]") {
+TEST_CASE("The counts leave out what is undecidable and order the errors of t", "[crosscheck]") {
     const Trial trial{"aimed",
                       std::vector<Ray>(5),
                       {hit_at(2, {7}), hit_at(2, {7}), hit_at(2, {7}), undecidable(), {}}};
     const Answers answers{{{Hit{2 + 0x1p-49, 7}, true}, ball_at_2, nothing, ball_at_2, nothing}};
-    const Tally t = tally(trial, answers);
+    const CrosscheckCounts t = counts_of(trial, answers);
     CHECK(t.rays == 5);
     CHECK(t.undecidable == 1);
     CHECK(t.class_errors == 1);
@@ -59,8 +59,8 @@ TEST_CASE("A tally leaves out what is undecidable and orders the errors of t", "
 }
 
 TEST_CASE("The sum of tallies is the sum of each of their numbers", "[crosscheck]") {
-    const Tally a{1, 2, 4, 8, 16, {0, 4}, 0.5}, b{100, 200, 400, 800, 1600, {2}, 0.25};
-    const Tally both = sum({a, b});
+    const CrosscheckCounts a{1, 2, 4, 8, 16, {0, 4}, 0.5}, b{100, 200, 400, 800, 1600, {2}, 0.25};
+    const CrosscheckCounts both = sum({a, b});
     CHECK(both.rays == 101);
     CHECK(both.undecidable == 202);
     CHECK(both.class_errors == 404);
@@ -101,7 +101,7 @@ TEST_CASE("McNemar's test weighs what one and what the other got wrong", "[cross
 
 TEST_CASE("Only a backend that promises to be exact breaks the promise by an error",
           "[crosscheck]") {
-    Tally wrong;
+    CrosscheckCounts wrong;
     wrong.occlusion_errors = 1;
     CHECK(Results{{}, {{"free", false, {}, wrong, {}}}, {}}.as_promised());
     CHECK_FALSE(Results{{}, {{"exact", true, {}, wrong, {}}}, {}}.as_promised());

@@ -40,9 +40,9 @@ bool is_textbook(std::string_view tracer) {
     return tracer.starts_with("float ") || tracer.starts_with("double ");
 }
 
-double errors_per_million(const Tally& tally) {
-    if (tally.rays == 0) return 0;
-    return 1e6 * static_cast<double>(tally.errors()) / static_cast<double>(tally.rays);
+double errors_per_million(const ErrorStats& stats) {
+    if (stats.rays == 0) return 0;
+    return 1e6 * static_cast<double>(stats.errors()) / static_cast<double>(stats.rays);
 }
 
 }  // namespace etalon::accuracy

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/accuracy/tally.h"
+#include "bench/accuracy/error_stats.h"
 #include "core/intersect/backend_roles.h"
 
 namespace etalon::accuracy {
@@ -32,6 +32,6 @@ inline constexpr std::string_view bare_kernel = "kernel";
 bool is_textbook(std::string_view tracer);
 
 /// All that went wrong, in a million rays.
-double errors_per_million(const Tally& tally);
+double errors_per_million(const ErrorStats& stats);
 
 }  // namespace etalon::accuracy

@@ -16,7 +16,7 @@ Json json_of(const Distribution& d) {
 }
 
 Json json_of(const Row& row) {
-    const Tally& t = row.tally;
+    const ErrorStats& t = row.stats;
     return {{"id", row.id},
             {"variant", row.variant},
             {"shape", row.shape},

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/accuracy/tally.h"
+#include "bench/accuracy/error_stats.h"
 
 namespace etalon::accuracy {
 

@@ -25,7 +25,7 @@ const Row* first_textbook(const CaseRows& c) {
 }
 
 std::string rays(const CaseRows& c) {
-    return brief_count(c.rows.front()->tally.rays);
+    return brief_count(c.rows.front()->stats.rays);
 }
 
 /// "0 in 4 backends", or what each found where they differ, which they must not.
@@ -35,8 +35,8 @@ std::string exact_errors(const CaseRows& c) {
     int backends = 0;
     for (const Row* row : c.rows) {
         if (!row->exact || row->tracer == bare_kernel) continue;
-        errors.insert(row->tally.errors());
-        each += fmt::format("{}{} {}", each.empty() ? "" : ", ", row->tracer, row->tally.errors());
+        errors.insert(row->stats.errors());
+        each += fmt::format("{}{} {}", each.empty() ? "" : ", ", row->tracer, row->stats.errors());
         ++backends;
     }
     if (errors.size() != 1) return each;
@@ -44,7 +44,7 @@ std::string exact_errors(const CaseRows& c) {
 }
 
 std::string undecidable(const CaseRows& c) {
-    return brief_count(c.rows.front()->tally.undecidable);
+    return brief_count(c.rows.front()->stats.undecidable);
 }
 
 /// Of the kernel by itself; where it was not asked, of an exact backend that calls it.
@@ -53,14 +53,14 @@ std::string kernel_ulps(const CaseRows& c) {
     for (const Row* other : c.rows) {
         if (row == nullptr && other->exact) row = other;
     }
-    if (row == nullptr || row->tally.double_ulps.count() == 0) return {};
-    const Distribution& ulps = row->tally.double_ulps;
+    if (row == nullptr || row->stats.double_ulps.count() == 0) return {};
+    const Distribution& ulps = row->stats.double_ulps;
     return fmt::format("{} / {}", brief(ulps.quantile(0.5)), brief(ulps.max()));
 }
 
 std::string kernel_condition(const CaseRows& c) {
     const Row* row = c.find(bare_kernel);
-    return row && row->tally.conditioned.count() > 0 ? brief(row->tally.conditioned.max()) : "";
+    return row && row->stats.conditioned.count() > 0 ? brief(row->stats.conditioned.max()) : "";
 }
 
 std::string kernel_cost(const CaseRows& c) {
@@ -70,13 +70,13 @@ std::string kernel_cost(const CaseRows& c) {
 
 std::string error_rate(const Row* row) {
     if (row == nullptr) return {};
-    const double errors = errors_per_million(row->tally);
+    const double errors = errors_per_million(row->stats);
     return errors < 10 ? fmt::format("{:.2g}", errors) : fmt::format("{:.0f}", errors);
 }
 
 std::string float_ulps(const Row* row) {
-    if (row == nullptr || row->tally.float_ulps.count() == 0) return {};
-    return brief(row->tally.float_ulps.quantile(0.5)) + " / " + brief(row->tally.float_ulps.max());
+    if (row == nullptr || row->stats.float_ulps.count() == 0) return {};
+    return brief(row->stats.float_ulps.quantile(0.5)) + " / " + brief(row->stats.float_ulps.max());
 }
 
 std::string textbook_name(const std::vector<CaseRows>& cases) {

@@ -41,7 +41,7 @@ Point point_of(const std::string& tracer, const std::vector<CaseRows>& cases,
     for (const CaseRows& c : cases) {
         const Row* row = c.find(tracer);
         if (row == nullptr) continue;
-        const double cost = cost_of(*row, c, unit), error = error_of(row->tally);
+        const double cost = cost_of(*row, c, unit), error = error_of(row->stats);
         if (cost > 0) costs.push_back(cost);
         if (point.worst_case.empty() || error > point.error) {
             point.error = error;
@@ -63,8 +63,8 @@ bool dominates(const Point& a, const Point& b) {
 
 }  // namespace
 
-double error_of(const Tally& tally) {
-    return std::min(tally.float_ulps.max(), 0x1p24) + errors_per_million(tally);
+double error_of(const ErrorStats& stats) {
+    return std::min(stats.float_ulps.max(), 0x1p24) + errors_per_million(stats);
 }
 
 void mark_efficient(std::vector<Point>& points) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/accuracy/tally.h"
+#include "bench/accuracy/error_stats.h"
 
 namespace etalon::accuracy {
 
@@ -25,7 +25,7 @@ struct Scatter {
 
 /// The largest error of t in ulp of a float, plus all that went wrong in a million rays. An ulp
 /// count is taken as 2^24 at most: there no digit of a float is right.
-double error_of(const Tally& tally);
+double error_of(const ErrorStats& stats);
 
 /// Cost is relative to the first textbook kernel where rows are, else to `yardstick`, else in
 /// nanoseconds. Who has no cost has no point.

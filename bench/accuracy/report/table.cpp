@@ -20,19 +20,19 @@ struct Column {
     std::string (*cell)(const Row& row);
 };
 
-template <std::uint64_t Tally::*Count>
+template <std::uint64_t ErrorStats::*Count>
 std::string count(const Row& row) {
-    return row.tally.*Count == 0 ? "." : brief_count(row.tally.*Count);
+    return row.stats.*Count == 0 ? "." : brief_count(row.stats.*Count);
 }
 
-template <Distribution Tally::*Values, int Percent>
+template <Distribution ErrorStats::*Values, int Percent>
 std::string quantile(const Row& row) {
-    return brief((row.tally.*Values).quantile(Percent / 100.0));
+    return brief((row.stats.*Values).quantile(Percent / 100.0));
 }
 
-template <Distribution Tally::*Values>
+template <Distribution ErrorStats::*Values>
 std::string largest(const Row& row) {
-    return brief((row.tally.*Values).max());
+    return brief((row.stats.*Values).max());
 }
 
 std::string cost(const Row& row) {
@@ -40,25 +40,25 @@ std::string cost(const Row& row) {
 }
 
 constexpr Column columns[] = {
-    {"", "rays", 7, Asked::always, count<&Tally::rays>},
-    {"false", "hits", 7, Asked::by_oracle, count<&Tally::false_hits>},
-    {"false", "misses", 7, Asked::by_oracle, count<&Tally::false_misses>},
-    {"wrong", "roots", 7, Asked::by_oracle, count<&Tally::wrong_roots>},
-    {"wrong", "prims", 7, Asked::by_oracle, count<&Tally::wrong_primitives>},
-    {"", "leaks", 7, Asked::of_enclosed, count<&Tally::leaks>},
-    {"self-", "hits", 7, Asked::of_spawned, count<&Tally::self_hits>},
-    {"contra", "dicted", 7, Asked::always, count<&Tally::contradictions>},
-    {"other", "bits", 7, Asked::always, count<&Tally::deviations>},
-    {"", "unsure", 7, Asked::always, count<&Tally::undecidable>},
-    {"t, in", "p50", 8, Asked::by_oracle, quantile<&Tally::float_ulps, 50>},
-    {"float", "p99", 7, Asked::by_oracle, quantile<&Tally::float_ulps, 99>},
-    {"ulp", "max", 7, Asked::by_oracle, largest<&Tally::float_ulps>},
-    {"double", "p50", 8, Asked::by_oracle, quantile<&Tally::double_ulps, 50>},
-    {"ulp", "p99", 7, Asked::by_oracle, quantile<&Tally::double_ulps, 99>},
-    {"", "max", 7, Asked::by_oracle, largest<&Tally::double_ulps>},
-    {"", "K", 7, Asked::by_oracle, largest<&Tally::conditioned>},
-    {"", "|dP|", 7, Asked::by_oracle, largest<&Tally::position>},
-    {"", "shift", 7, Asked::of_spawned, quantile<&Tally::shift, 50>},
+    {"", "rays", 7, Asked::always, count<&ErrorStats::rays>},
+    {"false", "hits", 7, Asked::by_oracle, count<&ErrorStats::false_hits>},
+    {"false", "misses", 7, Asked::by_oracle, count<&ErrorStats::false_misses>},
+    {"wrong", "roots", 7, Asked::by_oracle, count<&ErrorStats::wrong_roots>},
+    {"wrong", "prims", 7, Asked::by_oracle, count<&ErrorStats::wrong_primitives>},
+    {"", "leaks", 7, Asked::of_enclosed, count<&ErrorStats::leaks>},
+    {"self-", "hits", 7, Asked::of_spawned, count<&ErrorStats::self_hits>},
+    {"contra", "dicted", 7, Asked::always, count<&ErrorStats::contradictions>},
+    {"other", "bits", 7, Asked::always, count<&ErrorStats::deviations>},
+    {"", "unsure", 7, Asked::always, count<&ErrorStats::undecidable>},
+    {"t, in", "p50", 8, Asked::by_oracle, quantile<&ErrorStats::float_ulps, 50>},
+    {"float", "p99", 7, Asked::by_oracle, quantile<&ErrorStats::float_ulps, 99>},
+    {"ulp", "max", 7, Asked::by_oracle, largest<&ErrorStats::float_ulps>},
+    {"double", "p50", 8, Asked::by_oracle, quantile<&ErrorStats::double_ulps, 50>},
+    {"ulp", "p99", 7, Asked::by_oracle, quantile<&ErrorStats::double_ulps, 99>},
+    {"", "max", 7, Asked::by_oracle, largest<&ErrorStats::double_ulps>},
+    {"", "K", 7, Asked::by_oracle, largest<&ErrorStats::conditioned>},
+    {"", "|dP|", 7, Asked::by_oracle, largest<&ErrorStats::position>},
+    {"", "shift", 7, Asked::of_spawned, quantile<&ErrorStats::shift, 50>},
     {"ns", "a ray", 7, Asked::always, [](const Row& row) { return brief(row.nanoseconds); }},
     {"", "cost", 6, Asked::always, cost},
 };

@@ -57,15 +57,15 @@ std::vector<Column> columns_for(const std::vector<std::string>& first,
 }
 
 Cell verdict(const Row* row) {
-    if (row == nullptr || row->tally.rays == 0) return {"–"};
-    const std::uint64_t errors = row->tally.errors();
+    if (row == nullptr || row->stats.rays == 0) return {"–"};
+    const std::uint64_t errors = row->stats.errors();
     if (errors == 0) return {"pass", Mark::good};
     return {fmt::format("fail: {}", grouped(errors)), Mark::bad};
 }
 
 std::uint64_t rays_of(const CaseRows& c) {
     std::uint64_t most = 0;
-    for (const Row* row : c.rows) most = std::max(most, row->tally.rays);
+    for (const Row* row : c.rows) most = std::max(most, row->stats.rays);
     return most;
 }
 
@@ -74,9 +74,9 @@ Cell passed(const std::vector<CaseRows>& cases, const std::string& tracer) {
     std::size_t tried = 0, right = 0;
     for (const CaseRows& c : cases) {
         const Row* row = find(c, tracer);
-        if (row == nullptr || row->tally.rays == 0) continue;
+        if (row == nullptr || row->stats.rays == 0) continue;
         ++tried;
-        right += row->tally.errors() == 0;
+        right += row->stats.errors() == 0;
     }
     if (tried == 0) return {"–"};
     return {fmt::format("{} of {}", right, tried), right == tried ? Mark::good : Mark::bad};

@@ -45,10 +45,10 @@ void add_builds(const std::vector<SceneFigures>& scenes, std::vector<Fact>& fact
 void add_errors(const std::vector<accuracy::Row>& rows, std::vector<Fact>& facts) {
     std::uint64_t exact_rays = 0, exact_errors = 0, yardstick_rays = 0, yardstick_errors = 0;
     for (const accuracy::Row& row : rows) {
-        if (row.exact) exact_rays += row.tally.rays, exact_errors += row.tally.errors();
+        if (row.exact) exact_rays += row.stats.rays, exact_errors += row.stats.errors();
         if (row.tracer != accuracy::yardstick) continue;
-        yardstick_rays += row.tally.rays;
-        yardstick_errors += row.tally.errors();
+        yardstick_rays += row.stats.rays;
+        yardstick_errors += row.stats.errors();
     }
     if (exact_rays == 0) return;
     facts.push_back({grouped(exact_errors), "wrong answers",

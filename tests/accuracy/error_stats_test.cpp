@@ -5,15 +5,17 @@ using namespace etalon::accuracy;
 
 namespace {
 
-constexpr std::uint64_t Tally::*counts[] = {
-    &Tally::rays,           &Tally::undecidable,      &Tally::false_hits, &Tally::false_misses,
-    &Tally::wrong_roots,    &Tally::wrong_primitives, &Tally::leaks,      &Tally::self_hits,
-    &Tally::contradictions, &Tally::deviations};
-constexpr Distribution Tally::*distributions[] = {
-    &Tally::float_ulps, &Tally::double_ulps, &Tally::conditioned, &Tally::position, &Tally::shift};
-static_assert(sizeof(Tally) == std::size(counts) * sizeof(std::uint64_t) +
-                                   std::size(distributions) * sizeof(Distribution),
-              "a member of Tally is not in these lists");
+constexpr std::uint64_t ErrorStats::*counts[] = {
+    &ErrorStats::rays,         &ErrorStats::undecidable, &ErrorStats::false_hits,
+    &ErrorStats::false_misses, &ErrorStats::wrong_roots, &ErrorStats::wrong_primitives,
+    &ErrorStats::leaks,        &ErrorStats::self_hits,   &ErrorStats::contradictions,
+    &ErrorStats::deviations};
+constexpr Distribution ErrorStats::*distributions[] = {
+    &ErrorStats::float_ulps, &ErrorStats::double_ulps, &ErrorStats::conditioned,
+    &ErrorStats::position, &ErrorStats::shift};
+static_assert(sizeof(ErrorStats) == std::size(counts) * sizeof(std::uint64_t) +
+                                        std::size(distributions) * sizeof(Distribution),
+              "a member of ErrorStats is not in these lists");
 
 }  // namespace
 
@@ -45,7 +47,7 @@ TEST_CASE("Values beyond the buckets' range are kept at its ends") {
 }
 
 TEST_CASE("The sum of tallies is the sum of each of their counts") {
-    Tally a, b;
+    ErrorStats a, b;
     for (std::size_t i = 0; i < std::size(counts); ++i) {
         a.*counts[i] = i + 1;
         b.*counts[i] = 100 * (i + 1);
@@ -58,7 +60,7 @@ TEST_CASE("The sum of tallies is the sum of each of their counts") {
 }
 
 TEST_CASE("The distributions of a sum of tallies are of the values of both") {
-    Tally a, b;
+    ErrorStats a, b;
     for (std::size_t i = 0; i < std::size(distributions); ++i) {
         const double value = std::exp2(static_cast<double>(i));
         for (const double part : {1, 2}) (a.*distributions[i]).add(part * value);
@@ -78,7 +80,7 @@ TEST_CASE("The distributions of a sum of tallies are of the values of both") {
 TEST_CASE("Every kind of error is an error, and a ray is none") {
     std::uint64_t errors = 0;
     for (const auto count : counts) {
-        Tally t;
+        ErrorStats t;
         t.*count = 1;
         errors += t.errors();
     }

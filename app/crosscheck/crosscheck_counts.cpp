@@ -1,4 +1,4 @@
-#include "app/crosscheck/tally.h"
+#include "app/crosscheck/crosscheck_counts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,25 +6,25 @@
 namespace etalon::crosscheck {
 namespace {
 
-void count(const Verdict& verdict, bool found, Tally& tally) {
-    tally.undecidable += verdict.decided ? 0 : 1;
-    tally.class_errors += verdict.wrong_class ? 1 : 0;
-    tally.primitive_errors += verdict.wrong_primitive ? 1 : 0;
-    tally.occlusion_errors += verdict.wrong_occlusion ? 1 : 0;
+void count(const Verdict& verdict, bool found, CrosscheckCounts& counts) {
+    counts.undecidable += verdict.decided ? 0 : 1;
+    counts.class_errors += verdict.wrong_class ? 1 : 0;
+    counts.primitive_errors += verdict.wrong_primitive ? 1 : 0;
+    counts.occlusion_errors += verdict.wrong_occlusion ? 1 : 0;
     const bool on_target = verdict.decided && !verdict.wrong_class && !verdict.wrong_primitive;
-    if (found && on_target) tally.t_ulp.push_back(verdict.t_ulp);
+    if (found && on_target) counts.t_ulp.push_back(verdict.t_ulp);
 }
 
 }  // namespace
 
-double Tally::t_quantile(double q) const {
+double CrosscheckCounts::t_quantile(double q) const {
     if (t_ulp.empty()) return 0;
     const double rank = std::ceil(q * static_cast<double>(t_ulp.size()));
     return t_ulp[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
 }
 
-Tally tally(const Trial& trial, const Answers& answers) {
-    Tally result;
+CrosscheckCounts counts_of(const Trial& trial, const Answers& answers) {
+    CrosscheckCounts result;
     result.rays = trial.rays.size();
     result.seconds = answers.seconds;
     for (std::size_t i = 0; i < trial.rays.size(); ++i) {
@@ -35,9 +35,9 @@ Tally tally(const Trial& trial, const Answers& answers) {
     return result;
 }
 
-Tally sum(const std::vector<Tally>& tallies) {
-    Tally all;
-    for (const Tally& t : tallies) {
+CrosscheckCounts sum(const std::vector<CrosscheckCounts>& all_counts) {
+    CrosscheckCounts all;
+    for (const CrosscheckCounts& t : all_counts) {
         all.rays += t.rays;
         all.undecidable += t.undecidable;
         all.class_errors += t.class_errors;

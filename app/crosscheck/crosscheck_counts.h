@@ -6,7 +6,7 @@
 namespace etalon::crosscheck {
 
 /// Rays that the oracle cannot decide count for nothing but the first two.
-struct Tally {
+struct CrosscheckCounts {
     std::size_t rays = 0, undecidable = 0;
     std::size_t class_errors = 0, primitive_errors = 0, occlusion_errors = 0;  ///< see Verdict
     std::vector<double> t_ulp;  ///< of the hits on the right primitive, ascending
@@ -18,9 +18,9 @@ struct Tally {
     double t_quantile(double q) const;
 };
 
-Tally tally(const Trial& trial, const Answers& answers);
+CrosscheckCounts counts_of(const Trial& trial, const Answers& answers);
 
 /// Of all of them together.
-Tally sum(const std::vector<Tally>& tallies);
+CrosscheckCounts sum(const std::vector<CrosscheckCounts>& all_counts);
 
 }  // namespace etalon::crosscheck

@@ -1,4 +1,4 @@
-#include "bench/accuracy/tally.h"
+#include "bench/accuracy/error_stats.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,15 +31,17 @@ double Distribution::quantile(double q) const {
     return std::min(max_, std::exp2(static_cast<double>(b) / steps - octaves / 2));
 }
 
-Tally& Tally::operator+=(const Tally& other) {
+ErrorStats& ErrorStats::operator+=(const ErrorStats& other) {
     for (const auto count :
-         {&Tally::rays, &Tally::undecidable, &Tally::false_hits, &Tally::false_misses,
-          &Tally::wrong_roots, &Tally::wrong_primitives, &Tally::leaks, &Tally::self_hits,
-          &Tally::contradictions, &Tally::deviations}) {
+         {&ErrorStats::rays, &ErrorStats::undecidable, &ErrorStats::false_hits,
+          &ErrorStats::false_misses, &ErrorStats::wrong_roots, &ErrorStats::wrong_primitives,
+          &ErrorStats::leaks, &ErrorStats::self_hits, &ErrorStats::contradictions,
+          &ErrorStats::deviations}) {
         this->*count += other.*count;
     }
-    for (const auto values : {&Tally::float_ulps, &Tally::double_ulps, &Tally::conditioned,
-                              &Tally::position, &Tally::shift}) {
+    for (const auto values :
+         {&ErrorStats::float_ulps, &ErrorStats::double_ulps, &ErrorStats::conditioned,
+          &ErrorStats::position, &ErrorStats::shift}) {
         this->*values += other.*values;
     }
     return *this;

@@ -28,8 +28,8 @@ class Distribution {
 };
 
 /// Sums over rays. `rays` counts those judged; the oracle decides none of the `undecidable`.
-struct Tally {
-    Tally& operator+=(const Tally& other);
+struct ErrorStats {
+    ErrorStats& operator+=(const ErrorStats& other);
 
     std::uint64_t rays = 0, undecidable = 0;
     std::uint64_t false_hits = 0, false_misses = 0;
@@ -58,7 +58,7 @@ struct Tally {
 struct Row {
     std::string id, variant, shape, judge, tracer;
     bool exact = false;  ///< the tracer promises to be right
-    Tally tally;
+    ErrorStats stats;
     double nanoseconds = 0;  ///< a ray, median over blocks of rays, CPU time
     double cost = 0;         ///< relative to the first textbook kernel on the same rays; 0 if none
 };
