@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/intersect/kernels.h"
-#include "core/render/eye_rays.h"
+#include "core/render/camera_sampler.h"
 #include "core/render/tiles.h"
 #include "core/shading/encounter.h"
 
@@ -47,7 +47,7 @@ Color albedo_of(const Material& m) {
 std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector& intersector,
                                           const RenderSettings& settings,
                                           const std::atomic<bool>* stop) {
-    const EyeRays rays(scene.camera, settings);
+    const CameraSampler rays(scene.camera, settings);
     const Imath::Box2i window = rays.sampled(settings.window());
     const int samples = std::clamp(settings.samples_per_pixel, 1, most_samples);
     SurfaceMeans means{Film(window), Film(window)};

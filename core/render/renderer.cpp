@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/render/adaptive_rounds.h"
-#include "core/render/eye_rays.h"
+#include "core/render/camera_sampler.h"
 #include "core/render/tiles.h"
 #include "core/render/uniform_rounds.h"
 
@@ -98,7 +98,7 @@ class Renderer {
 
     const RenderSettings& settings_;
     const RunControl& control_;
-    EyeRays rays_;
+    CameraSampler rays_;
     const Integrator& integrator_;
     Film film_;
     std::vector<Imath::Box2i> tiles_;

@@ -9,7 +9,7 @@
 namespace etalon {
 
 /// Of what angle a highlight is a power: between N and the half of eye and light (Blinn 1977), or
-/// between the mirrored eye ray and the light (Phong 1975).
+/// between the mirrored camera ray and the light (Phong 1975).
 enum class Highlight : std::uint8_t { blinn, phong };
 
 struct Material {

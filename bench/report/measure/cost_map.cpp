@@ -26,8 +26,8 @@ PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
     });
 }
 
-std::optional<PixelPlane> tests_of_eye_rays(const Scene& scene, const RenderSettings& settings,
-                                            const std::string& backend, const Context& context) {
+std::optional<PixelPlane> tests_of_camera_rays(const Scene& scene, const RenderSettings& settings,
+                                               const std::string& backend, const Context& context) {
     const auto intersector = find_backend(backend)->build(scene.geometry);
     const std::optional<CentreHits> hits =
         centre_hits(scene, *intersector, settings, &context.stop);

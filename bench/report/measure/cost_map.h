@@ -14,9 +14,9 @@ namespace etalon::bench_report {
 PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
                            const Context& context);
 
-/// How many boxes and primitives an eye ray is tested against by a backend; nothing if that does
+/// How many boxes and primitives a camera ray is tested against by a backend; nothing if that does
 /// not count.
-std::optional<PixelPlane> tests_of_eye_rays(const Scene& scene, const RenderSettings& settings,
-                                            const std::string& backend, const Context& context);
+std::optional<PixelPlane> tests_of_camera_rays(const Scene& scene, const RenderSettings& settings,
+                                               const std::string& backend, const Context& context);
 
 }  // namespace etalon::bench_report

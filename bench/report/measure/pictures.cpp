@@ -74,8 +74,8 @@ void measure(const PictureRequest& request, Results& results, const Context& con
     RenderSettings fewer = settings;
     fewer.samples_per_pixel = request.fewer_samples;
     add_cost("Rays of a sample", rays_of_samples(scene, fewer, context), figures);
-    if (const auto tests = tests_of_eye_rays(scene, settings, default_backend, context)) {
-        add_cost(std::string("Tests of an eye ray by ") + default_backend, *tests, figures);
+    if (const auto tests = tests_of_camera_rays(scene, settings, default_backend, context)) {
+        add_cost(std::string("Tests of a camera ray by ") + default_backend, *tests, figures);
     }
     results.pictures.add(std::move(figures));
 }

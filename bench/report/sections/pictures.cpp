@@ -27,7 +27,7 @@ Section pictures_section(const Results& results) {
         "et "
         "al. 2020; black is no difference), how many rays a sample takes, and against how many "
         "boxes "
-        "and primitives an eye ray is tested."};
+        "and primitives a camera ray is tested."};
     for (const PictureFigures& p : results.pictures.list) {
         section.figures.push_back(figure_of(p, results.pictures.date));
     }

@@ -96,7 +96,8 @@ Section spd_section(const Results& results) {
     Section section{"spd", "The classic scenes", {}, {}};
     section.prose = {
         "The subjects of the Standard Procedural Databases, in constructions of this project’s "
-        "own, by the rules of that benchmark: 513 × 513 eye rays through the pixels’ corners, at "
+        "own, by the rules of that benchmark: 513 × 513 camera rays through the pixels’ corners, "
+        "at "
         "most five rays in a row, a mirrored ray from all glass, no shadow ray where a surface "
         "faces away from the light. The counts must be the same for every exact backend.",
         "Rays are counted and shaded here, so that these speeds are those of a whole renderer."};

@@ -59,7 +59,7 @@ void read_height(Loader& loader, Reader& in) {
     if (const auto n = read_integer(in, 1, 65536)) loader.settings.resolution.y = *n;
 }
 
-/// The number of mirrored rays after the eye's.
+/// The number of mirrored rays after the camera ray.
 void read_recursion(Loader& loader, Reader& in) {
     if (const auto n = read_integer(in, 0, 999)) loader.settings.max_depth = *n + 1;
 }

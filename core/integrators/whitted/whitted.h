@@ -23,8 +23,8 @@ class Whitted final : public Integrator {
                    RayCounts& counts) const override;
 
   private:
-    /// A ray on its way: its depth (1 for the eye's), its place in the tree of rays, which names
-    /// the sample dimensions used at its end, and what the matter around it absorbs.
+    /// A ray on its way: its depth (1 for the camera ray), its place in the tree of rays, which
+    /// names the sample dimensions used at its end, and what the matter around it absorbs.
     struct Path {
         Ray ray;
         int depth;

@@ -6,9 +6,9 @@
 namespace etalon {
 
 /// The rays from the eye that make a picture: one for each sample of a pixel.
-class EyeRays {
+class CameraSampler {
   public:
-    EyeRays(const Camera& camera, const RenderSettings& settings);
+    CameraSampler(const Camera& camera, const RenderSettings& settings);
 
     /// Whether each ray counts for the four pixels about its corner.
     bool shares_corners() const { return shares_corners_; }

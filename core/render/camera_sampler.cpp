@@ -1,21 +1,21 @@
-#include "core/render/eye_rays.h"
+#include "core/render/camera_sampler.h"
 
 #include "core/sampling/dimensions.h"
 
 namespace etalon {
 
-EyeRays::EyeRays(const Camera& camera, const RenderSettings& settings)
+CameraSampler::CameraSampler(const Camera& camera, const RenderSettings& settings)
     : camera_(camera, settings.resolution),
       has_samples_(settings.samples_per_pixel > 0),
       shares_corners_(!has_samples_ && settings.pixel_rays == PixelRays::shared_corners),
       in_pixel_(settings.pixel_rays == PixelRays::centre ? 0.5 : 0.0) {}
 
-Imath::Box2i EyeRays::sampled(Imath::Box2i window) const {
+Imath::Box2i CameraSampler::sampled(Imath::Box2i window) const {
     if (shares_corners_) window.max += Imath::V2i(1);
     return window;
 }
 
-Ray EyeRays::ray(int x, int y, const SampleSource& sample) const {
+Ray CameraSampler::ray(int x, int y, const SampleSource& sample) const {
     Vec2 pixel = Vec2(x, y) + in_pixel_, lens(0.5);
     if (has_samples_) {
         pixel = Vec2(x, y) + sample.point(pixel_dimension);
