@@ -6,7 +6,7 @@
 #include "core/intersect/kernels.h"
 #include "core/render/camera_sampler.h"
 #include "core/render/tiles.h"
-#include "core/shading/encounter.h"
+#include "core/shading/surface_interaction.h"
 
 namespace etalon {
 namespace {
@@ -54,9 +54,9 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
     const auto add = [&](int x, int y, const Ray& ray) {
         const std::optional<Hit> hit = intersector.closest(ray);
         if (!hit) return means.albedo.add(x, y, Color(0)), means.normal.add(x, y, Color(0));
-        const Encounter at = encounter(scene, ray, *hit);
+        const SurfaceInteraction at = surface_interaction(scene, ray, *hit);
         means.albedo.add(x, y, albedo_of(at.material));
-        means.normal.add(x, y, Color(at.normal));
+        means.normal.add(x, y, Color(at.ns));
     };
     const bool complete = visit_pixels(window, stop, [&](int x, int y, std::size_t) {
         for (int s = 0; s < samples; ++s) {
@@ -104,7 +104,7 @@ std::optional<CentreParametrizations> centre_parametrizations(const Scene& scene
         const Ray ray = centre_ray(camera, x, y);
         const std::optional<Hit> hit = intersector.closest(ray);
         if (!hit) return;
-        const Parametrization at = parametrization(scene, encounter(scene, ray, *hit));
+        const Parametrization at = parametrization(scene, surface_interaction(scene, ray, *hit));
         result.uv[pixel] = Imath::V2f(at.uv);
         result.dpdu[pixel] = Vec3f(at.dpdu);
         result.dpdv[pixel] = Vec3f(at.dpdv);

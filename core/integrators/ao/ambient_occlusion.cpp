@@ -2,7 +2,7 @@
 
 #include "core/sampling/dimensions.h"
 #include "core/sampling/hemisphere.h"
-#include "core/shading/encounter.h"
+#include "core/shading/surface_interaction.h"
 
 namespace etalon {
 namespace {
@@ -26,12 +26,12 @@ Color AmbientOcclusion::radiance(const Ray& camera_ray, const SampleSource& samp
     const std::optional<Hit> hit = intersector_.closest(camera_ray);
     if (!hit) return Color(0.0F);
     ++counts.camera_hits;
-    const Encounter at = encounter(scene_, camera_ray, *hit);
+    const SurfaceInteraction at = surface_interaction(scene_, camera_ray, *hit);
     const std::uint32_t dimension = occlusion_dimension(camera_ray_name);
     std::uint32_t blocked = 0;
     for (std::uint32_t k = 0; k < rays_; ++k) {
         const Vec2 uv = sample.part(dimension, k, rays_);
-        Ray ray = ray_from(at.surface, cosine_direction(at.facing, uv));
+        Ray ray = ray_from(at.surface, cosine_direction(at.ng, uv));
         ray.tmax = max_distance_;
         if (intersector_.occluded(ray)) ++blocked;
     }

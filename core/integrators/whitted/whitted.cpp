@@ -50,7 +50,8 @@ Whitted::Whitted(const Scene& scene, const Intersector& intersector, const Rende
       environment_(scene.look.environment, problems),
       max_depth_(settings.max_depth),
       rules_(settings.whitted) {
-    for (const Light& light : scene.look.lights) lights_.emplace_back(light, settings.samples_per_pixel);
+    for (const Light& light : scene.look.lights)
+        lights_.emplace_back(light, settings.samples_per_pixel);
 }
 
 Color Whitted::radiance(const Ray& camera_ray, const SampleSource& sample,
@@ -66,7 +67,7 @@ Color Whitted::radiance(const Ray& camera_ray, const SampleSource& sample,
 Color Whitted::trace(const Path& path, std::optional<Hit> hit, Context& context) const {
     Color color;
     if (hit) {
-        const Encounter at = encounter(scene_, path.ray, *hit);
+        const SurfaceInteraction at = surface_interaction(scene_, path.ray, *hit);
         color = at.material.ambient + direct(path, at, context);
         if (path.depth < max_depth_) color += secondary(path, at, context);
         if (!is_black(path.absorption)) color *= transmittance(path.absorption, hit->t);
@@ -76,7 +77,7 @@ Color Whitted::trace(const Path& path, std::optional<Hit> hit, Context& context)
     return rules_.clamp_each_ray ? clamped(color) : color;
 }
 
-Color Whitted::direct(const Path& path, const Encounter& at, Context& context) const {
+Color Whitted::direct(const Path& path, const SurfaceInteraction& at, Context& context) const {
     Color sum(0.0F);
     if (is_black(at.material.diffuse) && is_black(at.material.specular)) return sum;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
@@ -93,11 +94,11 @@ Color Whitted::direct(const Path& path, const Encounter& at, Context& context) c
 }
 
 /// The part of a white point light's colour that the surface sends back along the ray.
-Color Whitted::lit_by(const Vec3& light, const Path& path, const Encounter& at,
+Color Whitted::lit_by(const Vec3& light, const Path& path, const SurfaceInteraction& at,
                       Context& context) const {
     const Vec3 towards = normalized(light - at.surface.position);
-    const double cosine = at.normal.dot(towards);
-    if (!(cosine > 0) || !(at.facing.dot(towards) > 0)) return Color(0.0F);
+    const double cosine = at.ns.dot(towards);
+    if (!(cosine > 0) || !(at.ng.dot(towards) > 0)) return Color(0.0F);
 
     Ray shadow = ray_between(at.surface, light);
     if (rules_.fixed_bias != 0) {
@@ -113,17 +114,17 @@ Color Whitted::lit_by(const Vec3& light, const Path& path, const Encounter& at,
     }
     Color reflected = at.material.diffuse * static_cast<float>(cosine);
     if (!is_black(at.material.specular)) {
-        const double highlight = highlight_of(at.material, path.ray.direction, at.normal, towards);
+        const double highlight = highlight_of(at.material, path.ray.direction, at.ns, towards);
         reflected += at.material.specular * static_cast<float>(highlight);
     }
     return reflected;
 }
 
-Color Whitted::secondary(const Path& path, const Encounter& at, Context& context) const {
+Color Whitted::secondary(const Path& path, const SurfaceInteraction& at, Context& context) const {
     const Material& m = at.material;
     const Vec3& direction = path.ray.direction;
     Color reflection = m.reflection, transmission = m.transmission;
-    const Vec3& normal = direction.dot(at.normal) < 0 ? at.normal : at.facing;
+    const Vec3& normal = direction.dot(at.ns) < 0 ? at.ns : at.ng;
     const double cosine = std::clamp(-direction.dot(normal), 0.0, 1.0);
     const double eta = at.entering ? 1 / m.ior : m.ior;
     Vec3 refracted;
@@ -151,15 +152,15 @@ Color Whitted::secondary(const Path& path, const Encounter& at, Context& context
     return sum;
 }
 
-Ray Whitted::leave(const Encounter& at, const Vec3& direction, bool crosses) const {
+Ray Whitted::leave(const SurfaceInteraction& at, const Vec3& direction, bool crosses) const {
     const double bias = rules_.fixed_bias;
     if (bias == 0) return ray_from(at.surface, direction);
-    return {at.surface.position + (crosses ? -bias : bias) * at.facing, direction};
+    return {at.surface.position + (crosses ? -bias : bias) * at.ng, direction};
 }
 
 /// `inside`: the new ray runs behind the surface.
-Color Whitted::follow(const Path& from, const Encounter& at, const Vec3& direction, bool inside,
-                      Context& context) const {
+Color Whitted::follow(const Path& from, const SurfaceInteraction& at, const Vec3& direction,
+                      bool inside, Context& context) const {
     const bool crosses = inside == at.entering;
     Color absorption = from.absorption;
     if (crosses) absorption = inside ? at.material.absorption : Color(0.0F);

@@ -7,9 +7,9 @@
 #include "core/integrators/integrator.h"
 #include "core/intersect/intersector.h"
 #include "core/scene/render_settings.h"
-#include "core/shading/encounter.h"
 #include "core/shading/environment_map.h"
 #include "core/shading/light_samples.h"
+#include "core/shading/surface_interaction.h"
 
 namespace etalon {
 
@@ -38,11 +38,12 @@ class Whitted final : public Integrator {
     };
 
     Color trace(const Path& path, std::optional<Hit> hit, Context& context) const;
-    Color direct(const Path& path, const Encounter& at, Context& context) const;
-    Color lit_by(const Vec3& light, const Path& path, const Encounter& at, Context& context) const;
-    Color secondary(const Path& path, const Encounter& at, Context& context) const;
-    Ray leave(const Encounter& at, const Vec3& direction, bool crosses) const;
-    Color follow(const Path& from, const Encounter& at, const Vec3& direction, bool inside,
+    Color direct(const Path& path, const SurfaceInteraction& at, Context& context) const;
+    Color lit_by(const Vec3& light, const Path& path, const SurfaceInteraction& at,
+                 Context& context) const;
+    Color secondary(const Path& path, const SurfaceInteraction& at, Context& context) const;
+    Ray leave(const SurfaceInteraction& at, const Vec3& direction, bool crosses) const;
+    Color follow(const Path& from, const SurfaceInteraction& at, const Vec3& direction, bool inside,
                  Context& context) const;
 
     const Scene& scene_;

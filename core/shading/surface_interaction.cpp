@@ -1,23 +1,23 @@
-#include "core/shading/encounter.h"
+#include "core/shading/surface_interaction.h"
 
 #include "core/intersect/kernels.h"
 
 namespace etalon {
 
-Encounter encounter(const Scene& scene, const Ray& ray, const Hit& hit) {
+SurfaceInteraction surface_interaction(const Scene& scene, const Ray& ray, const Hit& hit) {
     const Material& material =
         scene.look.materials[scene.geometry.primitives[hit.primitive].material];
-    Encounter at{surface_at(scene.geometry, ray, hit), material, false, Vec3(0), Vec3(0)};
+    SurfaceInteraction at{surface_at(scene.geometry, ray, hit), material, false, Vec3(0), Vec3(0)};
     const SurfacePoint& p = at.surface;
     at.entering = ray.direction.dot(p.normal) < 0;
-    at.facing = at.entering ? p.normal : -p.normal;
+    at.ng = at.entering ? p.normal : -p.normal;
     // Where an interpolated normal turns away from the ray it is still the surface's other side
     // that is dark: what decides is the geometric normal alone.
-    at.normal = at.facing.dot(p.shading_normal) > 0 ? p.shading_normal : -p.shading_normal;
+    at.ns = at.ng.dot(p.shading_normal) > 0 ? p.shading_normal : -p.shading_normal;
     return at;
 }
 
-Parametrization parametrization(const Scene& scene, const Encounter& at) {
+Parametrization parametrization(const Scene& scene, const SurfaceInteraction& at) {
     return parametrization_at(scene.geometry, at.surface);
 }
 

@@ -7,18 +7,18 @@
 namespace etalon {
 
 /// A hit seen from where the ray came.
-struct Encounter {
+struct SurfaceInteraction {
     SurfacePoint surface;
     const Material& material;
     bool entering;  ///< the ray came from in front of the surface
-    Vec3 facing;    ///< geometric normal, on the ray's side
-    Vec3 normal;    ///< for shading, on the same side of the surface as `facing`
+    Vec3 ng;        ///< geometric normal, on the ray's side
+    Vec3 ns;        ///< for shading, on the same side of the surface as `ng`
 };
 
-Encounter encounter(const Scene& scene, const Ray& ray, const Hit& hit);
+SurfaceInteraction surface_interaction(const Scene& scene, const Ray& ray, const Hit& hit);
 
 /// Returns (u, v), dpdu and dpdv at the hit. Not stored in it: shading that needs none of them does
 /// not pay for them.
-Parametrization parametrization(const Scene& scene, const Encounter& at);
+Parametrization parametrization(const Scene& scene, const SurfaceInteraction& at);
 
 }  // namespace etalon
