@@ -44,8 +44,8 @@ class Render {
         scene_ = std::move(*loaded.scene);
         settings_ = std::move(loaded.settings);
         stats_.parse = watch_.lap();
-        const std::string unwise = apply(a_, settings_);
-        if (!unwise.empty()) return complain(unwise), exit_usage;
+        const std::string error = apply(a_, settings_);
+        if (!error.empty()) return complain(error), exit_usage;
         if (a_.outputs.empty()) a_.outputs = {default_output(a_.scene.path)};
         if (!outputs_are_writable()) return exit_not_written;
         if (!open_reference() || !build()) return exit_unusable;

@@ -91,7 +91,7 @@ std::string check_aovs(const RenderArguments& a, const RenderSettings& settings)
 
 }  // namespace
 
-std::string apply(const RenderArguments& a, RenderSettings& settings) {
+std::string apply_overrides(const RenderArguments& a, RenderSettings& settings) {
     apply_samples(a, settings);
     if (!a.backend.empty()) settings.backend = a.backend;
     settings.variance = need_variance(a.aovs);
