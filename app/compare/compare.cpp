@@ -53,7 +53,7 @@ std::string obstacle(const Arguments& a) {
     return {};
 }
 
-int judge(const Arguments& a, const Metrics& metrics) {
+int check_limits(const Arguments& a, const Metrics& metrics) {
     int status = exit_done;
     for (const std::string& text : a.limits) {
         const std::string worse = violation(parse_limit(text).value, metrics);
@@ -72,7 +72,7 @@ int run(const Arguments& a) {
     const PixelPlane map = flip_map(first, second, pictures.value.width);
     const Metrics metrics = measure(first, second, map);
     const int status = write(a, metrics, map);
-    return status == exit_done ? judge(a, metrics) : status;
+    return status == exit_done ? check_limits(a, metrics) : status;
 }
 
 }  // namespace

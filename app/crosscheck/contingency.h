@@ -1,7 +1,7 @@
 // Two backends, and which of them is right where they differ.
 #pragma once
 
-#include "app/crosscheck/verdict.h"
+#include "app/crosscheck/classification.h"
 
 namespace etalon::crosscheck {
 

@@ -6,13 +6,14 @@
 namespace etalon::crosscheck {
 namespace {
 
-void count(const Verdict& verdict, bool found, CrosscheckCounts& counts) {
-    counts.undecidable += verdict.decided ? 0 : 1;
-    counts.class_errors += verdict.wrong_class ? 1 : 0;
-    counts.primitive_errors += verdict.wrong_primitive ? 1 : 0;
-    counts.occlusion_errors += verdict.wrong_occlusion ? 1 : 0;
-    const bool on_target = verdict.decided && !verdict.wrong_class && !verdict.wrong_primitive;
-    if (found && on_target) counts.t_ulp.push_back(verdict.t_ulp);
+void count(const Classification& classification, bool found, CrosscheckCounts& counts) {
+    counts.undecidable += classification.decided ? 0 : 1;
+    counts.class_errors += classification.wrong_class ? 1 : 0;
+    counts.primitive_errors += classification.wrong_primitive ? 1 : 0;
+    counts.occlusion_errors += classification.wrong_occlusion ? 1 : 0;
+    const bool on_target =
+        classification.decided && !classification.wrong_class && !classification.wrong_primitive;
+    if (found && on_target) counts.t_ulp.push_back(classification.t_ulp);
 }
 
 }  // namespace
@@ -29,7 +30,7 @@ CrosscheckCounts counts_of(const Trial& trial, const Answers& answers) {
     result.seconds = answers.seconds;
     for (std::size_t i = 0; i < trial.rays.size(); ++i) {
         const Answer& answer = answers.all[i];
-        count(judge(trial.truth[i], answer), answer.closest.has_value(), result);
+        count(classify(trial.truth[i], answer), answer.closest.has_value(), result);
     }
     std::sort(result.t_ulp.begin(), result.t_ulp.end());
     return result;

@@ -1,15 +1,16 @@
 // How one backend fared on many rays.
 #pragma once
 
-#include "app/crosscheck/verdict.h"
+#include "app/crosscheck/classification.h"
 
 namespace etalon::crosscheck {
 
 /// Rays that the oracle cannot decide count for nothing but the first two.
 struct CrosscheckCounts {
     std::size_t rays = 0, undecidable = 0;
-    std::size_t class_errors = 0, primitive_errors = 0, occlusion_errors = 0;  ///< see Verdict
-    std::vector<double> t_ulp;  ///< of the hits on the right primitive, ascending
+    std::size_t class_errors = 0, primitive_errors = 0,
+                occlusion_errors = 0;  ///< see Classification
+    std::vector<double> t_ulp;         ///< of the hits on the right primitive, ascending
     double seconds = 0;
 
     bool clean() const { return class_errors + primitive_errors + occlusion_errors == 0; }

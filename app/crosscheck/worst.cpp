@@ -11,25 +11,26 @@ namespace {
 /// A ray among the trials', and how it was answered.
 struct Case {
     std::size_t trial, ray;
-    Verdict verdict;
+    Classification classification;
 
     bool graver_than(const Case& other) const { return rank() > other.rank(); }
 
   private:
     std::tuple<bool, bool, bool, double> rank() const {
-        const Verdict& v = verdict;
+        const Classification& v = classification;
         return {v.wrong_class, v.wrong_occlusion, v.wrong_primitive, v.t_ulp};
     }
 };
 
-/// Those for which `wanted` of the verdict holds, in the order of the trials.
+/// Those for which `wanted` of the classification holds, in the order of the trials.
 template <class F>
 std::vector<Case> cases(const std::vector<Trial>& trials, const Tracer& tracer, const F& wanted) {
     std::vector<Case> found;
     for (std::size_t t = 0; t < trials.size(); ++t) {
         for (std::size_t i = 0; i < trials[t].rays.size(); ++i) {
-            const Verdict verdict = judge(trials[t].truth[i], tracer.answers[t].all[i]);
-            if (wanted(verdict)) found.push_back({t, i, verdict});
+            const Classification classification =
+                classify(trials[t].truth[i], tracer.answers[t].all[i]);
+            if (wanted(classification)) found.push_back({t, i, classification});
         }
     }
     return found;
@@ -50,7 +51,7 @@ std::string describe(const Scene& scene, const Answer& answer) {
     return describe_hit(scene, answer.closest->t, answer.closest->primitive);
 }
 
-std::string what_is_wrong(const Verdict& v, const Answer& answer) {
+std::string what_is_wrong(const Classification& v, const Answer& answer) {
     if (v.wrong_class) return answer.closest ? "hit where there is none" : "hit not found";
     if (v.wrong_occlusion) return answer.occluded ? "called occluded" : "not called occluded";
     if (v.wrong_primitive) return "not the nearest primitive";
@@ -61,9 +62,9 @@ std::string what_is_wrong(const Verdict& v, const Answer& answer) {
 
 std::vector<WorstRay> worst_rays(const Scene& scene, const std::vector<Trial>& trials,
                                  const Tracer& tracer, std::size_t limit) {
-    auto found = cases(trials, tracer, [](const Verdict& v) { return !v.right(); });
+    auto found = cases(trials, tracer, [](const Classification& v) { return !v.right(); });
     if (found.empty()) {
-        found = cases(trials, tracer, [](const Verdict& v) { return v.t_ulp > 0; });
+        found = cases(trials, tracer, [](const Classification& v) { return v.t_ulp > 0; });
     }
     std::stable_sort(found.begin(), found.end(),
                      [](const Case& a, const Case& b) { return a.graver_than(b); });
@@ -72,7 +73,7 @@ std::vector<WorstRay> worst_rays(const Scene& scene, const std::vector<Trial>& t
     for (const Case& c : found) {
         const Trial& trial = trials[c.trial];
         const Answer& answer = tracer.answers[c.trial].all[c.ray];
-        worst.push_back({trial.kind, what_is_wrong(c.verdict, answer),
+        worst.push_back({trial.kind, what_is_wrong(c.classification, answer),
                          describe(scene, trial.truth[c.ray]), describe(scene, answer),
                          trial.rays[c.ray]});
     }

@@ -1,7 +1,7 @@
 // The rays that a backend answers worst, for `etalon trace` to ask again.
 #pragma once
 
-#include "app/crosscheck/verdict.h"
+#include "app/crosscheck/classification.h"
 
 namespace etalon::crosscheck {
 

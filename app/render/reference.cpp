@@ -28,7 +28,7 @@ void Reference::note(const RenderedRound& round) {
     watch_.lap();
 }
 
-Metrics Reference::judge(const Film& film) const {
+Metrics Reference::metrics_of(const Film& film) const {
     const std::vector<Color> pixels = film.pixels();
     return measure(pixels, pixels_, flip_map(pixels, pixels_, width_));
 }

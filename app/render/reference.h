@@ -23,7 +23,7 @@ class Reference {
     void note(const RenderedRound& round);
 
     /// All metrics of the finished picture.
-    Metrics judge(const Film& film) const;
+    Metrics metrics_of(const Film& film) const;
 
     /// One entry for each note.
     const nlohmann::ordered_json& history() const { return history_; }

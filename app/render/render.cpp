@@ -149,7 +149,7 @@ class Render {
     nlohmann::ordered_json stats_json(const Rendering& rendering) const {
         nlohmann::ordered_json json = to_json(stats_);
         if (reference_) {
-            json["error"] = compare::as_json(reference_->judge(rendering.film));
+            json["error"] = compare::as_json(reference_->metrics_of(rendering.film));
             json["convergence"] = reference_->history();
         }
         if (rendering.expected_error > 0) {

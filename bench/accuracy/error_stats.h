@@ -56,7 +56,7 @@ struct ErrorStats {
 
 /// One line of the report.
 struct Row {
-    std::string id, variant, shape, judge, tracer;
+    std::string id, variant, shape, criterion, tracer;
     bool exact = false;  ///< the tracer promises to be right
     ErrorStats stats;
     double nanoseconds = 0;  ///< a ray, median over blocks of rays, CPU time

@@ -64,7 +64,7 @@ class Measurement {
         }
         if (!effort.textbooks) return;
         if (auto kernel = kernel_tracer(setting_.scene)) enter(std::move(kernel), true, true);
-        if (case_.judge != hard::Judge::oracle) return;
+        if (case_.criterion != hard::Criterion::oracle) return;
         for (auto& textbook : textbook_tracers(setting_.scene)) {
             enter(std::move(textbook), false, false);
         }
@@ -106,7 +106,7 @@ class Measurement {
             rays.push_back(setting_.ray(random));
         }
         std::vector<Result> results(entries_.size());
-        if (case_.judge == hard::Judge::spawned) {
+        if (case_.criterion == hard::Criterion::spawned) {
             shoot_spawned(RayBlock(std::move(rays)), first, results);
         } else {
             shoot_at(RayBlock(std::move(rays)), first, results);
@@ -168,7 +168,7 @@ class Measurement {
             if (answers[k].empty()) continue;
             const bool same = entries_[k].exact && results[k].stats.deviations == 0;
             const ErrorStats stats =
-                same && shared ? *shared : judge(entries_[k], references, answers[k]);
+                same && shared ? *shared : classify(entries_[k], references, answers[k]);
             if (same) shared = stats;
             results[k].stats += stats;
         }
@@ -176,16 +176,16 @@ class Measurement {
 
     std::vector<OracleReference> references_of(const RayBlock& block) const {
         std::vector<OracleReference> references;
-        if (case_.judge != hard::Judge::oracle) return references;
+        if (case_.criterion != hard::Criterion::oracle) return references;
         for (const Ray& ray : block.rays) references.emplace_back(setting_, oracle_, ray);
         return references;
     }
 
-    ErrorStats judge(const TracerEntry& entry, const std::vector<OracleReference>& references,
-                     const std::vector<Answer>& answers) const {
+    ErrorStats classify(const TracerEntry& entry, const std::vector<OracleReference>& references,
+                        const std::vector<Answer>& answers) const {
         ErrorStats stats;
         for (std::size_t i = 0; i < references.size(); ++i)
-            references[i].judge(entry, answers[i], stats);
+            references[i].classify(entry, answers[i], stats);
         if (!references.empty()) return stats;
         stats.rays = answers.size();
         for (const Answer& a : answers) stats.leaks += a.primitive == no_index;
@@ -219,7 +219,7 @@ class Measurement {
     }
 
     std::vector<Row> rows() {
-        constexpr const char* judges[] = {"oracle", "enclosed", "spawned"};
+        constexpr const char* criteria[] = {"oracle", "enclosed", "spawned"};
         std::vector<Row> rows;
         double unit = 0;  // of cost: the first textbook kernel's
         for (std::size_t k = 0; k < entries_.size(); ++k) {
@@ -227,7 +227,7 @@ class Measurement {
             const double ns = median(std::move(results_[k].nanoseconds));
             if (unit == 0 && !e.refined) unit = ns;
             rows.push_back({case_.id, case_.variant, case_.shape,
-                            judges[static_cast<int>(case_.judge)], e.tracer->name(), e.exact,
+                            criteria[static_cast<int>(case_.criterion)], e.tracer->name(), e.exact,
                             results_[k].stats, ns, 0});
         }
         for (Row& row : rows) row.cost = unit > 0 ? row.nanoseconds / unit : 0;

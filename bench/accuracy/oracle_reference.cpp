@@ -52,8 +52,8 @@ OracleReference::OracleReference(const hard::Setting& setting, const Oracle& ora
     }
 }
 
-void OracleReference::judge(const TracerEntry& entry, const Answer& answer,
-                            ErrorStats& stats) const {
+void OracleReference::classify(const TracerEntry& entry, const Answer& answer,
+                               ErrorStats& stats) const {
     ++stats.rays;
     const bool hit = answer.primitive != no_index;
     if (answer_.kind == OracleAnswer::undecidable) {
@@ -64,12 +64,12 @@ void OracleReference::judge(const TracerEntry& entry, const Answer& answer,
         ++stats.false_misses;
     } else {
         stats.wrong_primitives += !is_right_primitive(entry, answer);
-        judge_distance(entry, answer, stats);
+        classify_distance(entry, answer, stats);
     }
 }
 
-void OracleReference::judge_distance(const TracerEntry& entry, const Answer& answer,
-                                     ErrorStats& stats) const {
+void OracleReference::classify_distance(const TracerEntry& entry, const Answer& answer,
+                                        ErrorStats& stats) const {
     const double off = t_.distance(answer.t);
     const double float_ulps = off / ulp_of_float(answer_.t);
     const bool is_far_off = off * ray_.direction.length() > other_root * setting_.size;

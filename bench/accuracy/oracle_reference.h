@@ -36,10 +36,10 @@ class OracleReference {
   public:
     OracleReference(const hard::Setting& setting, const Oracle& oracle, const Ray& ray);
 
-    void judge(const TracerEntry& entry, const Answer& answer, ErrorStats& stats) const;
+    void classify(const TracerEntry& entry, const Answer& answer, ErrorStats& stats) const;
 
   private:
-    void judge_distance(const TracerEntry& entry, const Answer& answer, ErrorStats& stats) const;
+    void classify_distance(const TracerEntry& entry, const Answer& answer, ErrorStats& stats) const;
     bool is_right_primitive(const TracerEntry& entry, const Answer& answer) const;
     std::uint32_t lowest_of_the_nearest() const;
 

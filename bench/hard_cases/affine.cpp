@@ -118,7 +118,7 @@ void add_shape(Rows& rows, const std::string& id, const NamedMap& named) {
     const Affine map = named.map;
     rows.add_both(id, named.name, [map] { return aimed<Shape>(map); });
     rows.add(
-        id, named.name + ", leaving", [map] { return arriving<Shape>(map); }, Judge::spawned);
+        id, named.name + ", leaving", [map] { return arriving<Shape>(map); }, Criterion::spawned);
 }
 
 template <class Shape>

@@ -155,7 +155,7 @@ void add_rows(const Example& e, std::vector<HardCase>& cases) {
     rows.add("AIM-3", e.name, [e] { return shot_at(e, through_two); });
     if (!has_tip(*e.scene) && !is_concave(*e.scene)) {
         rows.add(
-            "SPN-0", e.name, [e] { return shot_at(e, approach); }, Judge::spawned);
+            "SPN-0", e.name, [e] { return shot_at(e, approach); }, Criterion::spawned);
     }
     for (HardCase& c : rows.take()) cases.push_back(std::move(c));
 }

@@ -95,7 +95,7 @@ void add_spawned(Rows& rows) {
             rows.add(
                 "SPN-3", s.name + std::string(side),
                 [=] { return distance < 1 ? from_within(b, 0) : aimed(b, 1, distance); },
-                Judge::spawned);
+                Criterion::spawned);
         }
     }
 }

@@ -105,7 +105,7 @@ void add_spawned(Rows& rows) {
             const std::string name = s.name + std::string(inside ? ", inside" : ", outside");
             const Cone cone = s.cone;
             rows.add(
-                "SPN-1", name, [=] { return arriving(cone, inside); }, Judge::spawned);
+                "SPN-1", name, [=] { return arriving(cone, inside); }, Criterion::spawned);
         }
     }
 }

@@ -12,7 +12,7 @@
 namespace etalon::hard {
 
 /// What the answers to a case's rays are held against.
-enum class Judge {
+enum class Criterion {
     oracle,    ///< the oracle's answer to each ray
     enclosed,  ///< every ray starts inside a closed surface: a miss is a leak
     spawned    ///< the rays that leave the hits: meeting the same surface again is a self-hit
@@ -35,7 +35,7 @@ struct HardCase {
     /// The shape's name where the scene is one primitive, which kernels by themselves can then be
     /// asked too; else "scene".
     std::string shape;
-    Judge judge = Judge::oracle;
+    Criterion criterion = Criterion::oracle;
     std::function<Setting()> make;
 };
 

@@ -71,7 +71,7 @@ std::vector<HardCase> mesh_cases() {
     Rows rows("scene");
     for (const Aim& aim : aims) {
         const auto add = [&](const char* id, const std::string& mesh, const MakeSetting& make) {
-            rows.add_both(id, mesh + ": " + aim.name, make, Judge::enclosed);
+            rows.add_both(id, mesh + ": " + aim.name, make, Criterion::enclosed);
         };
         const Feature feature = aim.feature;
         for (const Ellipsoid& e : near) {

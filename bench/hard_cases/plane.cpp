@@ -85,7 +85,7 @@ std::vector<HardCase> plane_cases() {
         rows.add(
             "SPN-2", name,
             [=] { return only(plane, 1, [=](Random& random) { return at_plane(plane, random); }); },
-            Judge::spawned);
+            Criterion::spawned);
     }
     return rows.take();
 }

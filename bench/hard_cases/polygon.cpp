@@ -92,13 +92,13 @@ std::vector<HardCase> polygon_cases() {
                       [k] { return aimed_at_face(rounded(bent(std::pow(10.0, -k))), 1); });
     }
     rows.add(
-        "SPN-5", "star", [] { return aimed_at_face(star(7, 0.4), 1); }, Judge::spawned);
+        "SPN-5", "star", [] { return aimed_at_face(star(7, 0.4), 1); }, Criterion::spawned);
     rows.add(
         "SPN-5", "off the plane by 1e-6", [] { return aimed_at_face(bent(1e-6), 1); },
-        Judge::spawned);
+        Criterion::spawned);
     rows.add(
         "SPN-5", "star at 3e5", [] { return aimed_at_face(moved(star(5, 0.3), far_place()), 1); },
-        Judge::spawned);
+        Criterion::spawned);
     return rows.take();
 }
 
@@ -108,7 +108,7 @@ std::vector<HardCase> polygon_group_cases() {
                                       std::pair{"two with a shared edge at 3e5", far_place()}}) {
         const auto make = [place = place] { return shared_edge(place); };
         rows.add_both("POL-1", name, make);
-        rows.add_both("POL-1", std::string(name) + ": leaks", make, Judge::enclosed);
+        rows.add_both("POL-1", std::string(name) + ": leaks", make, Criterion::enclosed);
     }
     rows.add("POL-2", "degenerate neighbours", degenerate_neighbours);
     return rows.take();

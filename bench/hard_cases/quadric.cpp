@@ -162,9 +162,9 @@ void add_clipped(Rows& rows) {
     rows.add_both("QUA-2", "touching the box", [] { return aimed(usual(sphere), -1, 4); });
     rows.add(
         "QUA-2", "touching the box, along the axes", [] { return touching(Vec3(0)); },
-        Judge::enclosed);
+        Criterion::enclosed);
     rows.add("QUA-2", "cut exactly where it is hit", [] { return cut_exactly(1); });
-    rows.add("QUA-2", "planes that are faces of the box", coincident, Judge::enclosed);
+    rows.add("QUA-2", "planes that are faces of the box", coincident, Criterion::enclosed);
 }
 
 void add_conditions(Rows& rows) {
@@ -196,11 +196,11 @@ std::vector<HardCase> quadric_group_cases() {
         [] {
             return pieces(Vec3(0), {0.25, -0.125, 0});
         },
-        Judge::enclosed);
+        Criterion::enclosed);
     rows.add(
         "QUA-2", "a sphere in eight pieces, oblique",
         [] { return pieces(usual_place(), usual_place() + Vec3(0.1, -0.2, 0.3)); },
-        Judge::enclosed);
+        Criterion::enclosed);
     return rows.take();
 }
 

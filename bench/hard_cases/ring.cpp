@@ -86,7 +86,7 @@ std::vector<HardCase> ring_cases() {
 
 std::vector<HardCase> ring_pair_cases() {
     Rows rows("scene");
-    rows.add("RNG-1", "a ring in another's hole", abutting, Judge::enclosed);
+    rows.add("RNG-1", "a ring in another's hole", abutting, Criterion::enclosed);
     return rows.take();
 }
 

@@ -3,12 +3,12 @@
 namespace etalon::hard {
 
 void Rows::add(const std::string& id, const std::string& variant, const MakeSetting& make,
-               Judge judge) {
-    list_.push_back({id, variant, shape_, judge, make});
+               Criterion criterion) {
+    list_.push_back({id, variant, shape_, criterion, make});
 }
 
 void Rows::add_in_float(const std::string& id, const std::string& variant, const MakeSetting& make,
-                        Judge judge) {
+                        Criterion criterion) {
     add(
         id, variant + ", float",
         [make] {
@@ -18,13 +18,13 @@ void Rows::add_in_float(const std::string& id, const std::string& variant, const
             };
             return setting;
         },
-        judge);
+        criterion);
 }
 
 void Rows::add_both(const std::string& id, const std::string& variant, const MakeSetting& make,
-                    Judge judge) {
-    add(id, variant, make, judge);
-    add_in_float(id, variant, make, judge);
+                    Criterion criterion) {
+    add(id, variant, make, criterion);
+    add_in_float(id, variant, make, criterion);
 }
 
 std::string power_of_ten(int exponent) {

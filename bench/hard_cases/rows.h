@@ -15,13 +15,13 @@ class Rows {
     explicit Rows(std::string shape) : shape_(std::move(shape)) {}
 
     void add(const std::string& id, const std::string& variant, const MakeSetting& make,
-             Judge judge = Judge::oracle);
+             Criterion criterion = Criterion::oracle);
     void add_in_float(const std::string& id, const std::string& variant, const MakeSetting& make,
-                      Judge judge = Judge::oracle);
+                      Criterion criterion = Criterion::oracle);
 
     /// A row of rays as they are made and one of them in float.
     void add_both(const std::string& id, const std::string& variant, const MakeSetting& make,
-                  Judge judge = Judge::oracle);
+                  Criterion criterion = Criterion::oracle);
 
     std::vector<HardCase> take() { return std::move(list_); }
 

@@ -161,7 +161,7 @@ void add_spawned(Rows& rows) {
                            Place{"radius 1e-3", 1e-3, 0}, Place{"radius 1e3", 1e3, 0},
                            Place{"radius 1e6", 1e6, 0}}) {
         rows.add(
-            "SPH-5", p.variant, [p] { return arriving(p.radius, p.offset); }, Judge::spawned);
+            "SPH-5", p.variant, [p] { return arriving(p.radius, p.offset); }, Criterion::spawned);
     }
 }
 

@@ -112,7 +112,7 @@ Scene spikes() {
 std::vector<HardCase> tree_cases() {
     Rows rows("scene");
     rows.add(
-        "BVH-1", "1e4 times one sphere", [] { return same_spheres(10000); }, Judge::enclosed);
+        "BVH-1", "1e4 times one sphere", [] { return same_spheres(10000); }, Criterion::enclosed);
     rows.add("BVH-1", "256 times one sphere", [] { return same_spheres(256); });
     rows.add_both("BVH-1", "256 times one triangle", [] { return same_triangles(256); });
     rows.add("BVH-1", "concentric spheres", concentric);

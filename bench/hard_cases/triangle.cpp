@@ -98,12 +98,12 @@ std::vector<HardCase> triangle_cases() {
     rows.add_both("TRI-6", "level", in_level_plane);
     rows.add_both("TRI-6", "tilted", [] { return along_face(rounded(usual()), 1); });
     rows.add(
-        "SPN-4", "usual", [] { return aimed_at_face(usual(), 1); }, Judge::spawned);
+        "SPN-4", "usual", [] { return aimed_at_face(usual(), 1); }, Criterion::spawned);
     rows.add(
-        "SPN-4", "sliver", [] { return aimed_at_face(sliver(1e-6, true), 1); }, Judge::spawned);
+        "SPN-4", "sliver", [] { return aimed_at_face(sliver(1e-6, true), 1); }, Criterion::spawned);
     rows.add(
         "SPN-4", "at 3e5", [] { return aimed_at_face(moved(usual(), far_place()), 1); },
-        Judge::spawned);
+        Criterion::spawned);
     return rows.take();
 }
 

@@ -6,7 +6,7 @@
 
 #include "app/stopwatch.h"
 #include "bench/speed/disagreement.h"
-#include "bench/speed/judgement.h"
+#include "bench/speed/oracle_check.h"
 #include "bench/speed/statistics.h"
 #include "core/intersect/backend_roles.h"
 
@@ -43,10 +43,10 @@ struct BuildFigures {
 struct Errors {
     std::string reference;      ///< the exact backend that all of its answers are compared with
     Disagreement disagreement;  ///< with that one
-    Judgement sample;           ///< by the oracle, of rays spread evenly over all
+    OracleCheck sample;         ///< by the oracle, of rays spread evenly over all
     /// By the oracle, of the rays to which not all tracers have the same answer: whoever is
     /// wrong alone is found out here.
-    Judgement disputed;
+    OracleCheck disputed;
 };
 
 struct RayFigures {

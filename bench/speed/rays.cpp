@@ -85,8 +85,8 @@ void RayMeasurement::find_errors(const RaySet& set, const Answers& answers,
         errors.reference = reference_of(tracers_[i].name());
         errors.disagreement = compare(
             answers[i], errors.reference == default_backend ? first : second, set.occlusion);
-        errors.sample = sample.judge(answers[i], tracers_[i].backend->exact);
-        errors.disputed = quarrels.judge(answers[i], tracers_[i].backend->exact);
+        errors.sample = sample.check(answers[i], tracers_[i].backend->exact);
+        errors.disputed = quarrels.check(answers[i], tracers_[i].backend->exact);
     }
 }
 

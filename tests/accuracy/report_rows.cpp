@@ -10,7 +10,7 @@ Row row(std::string id, std::string shape, std::string tracer, double ulps, std:
     r.id = std::move(id);
     r.variant = "1e3 <radii> & more";
     r.shape = std::move(shape);
-    r.judge = "oracle";
+    r.criterion = "oracle";
     r.tracer = std::move(tracer);
     r.exact = errors == 0;
     r.stats.rays = 1000000;
@@ -41,8 +41,8 @@ std::vector<Row> sample_rows() {
         for (const char* judge : {"enclosed", "spawned"}) {
             Row r = row(judge, "scene", tracer, 0, 0, 0);
             r.exact = r.tracer == "bvh";
-            r.judge = judge;
-            r.stats.leaks = r.judge == "enclosed" && !r.exact ? 240000 : 0;
+            r.criterion = judge;
+            r.stats.leaks = r.criterion == "enclosed" && !r.exact ? 240000 : 0;
             rows.push_back(r);
         }
     }

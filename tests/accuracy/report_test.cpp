@@ -91,7 +91,8 @@ TEST_CASE("The columns of the table line up, and no two cells touch") {
     }
 }
 
-TEST_CASE("The table shows errors, dots for none, and nothing that the judge does not look at") {
+TEST_CASE(
+    "The table shows errors, dots for none, and nothing that the criterion does not look at") {
     const std::vector<std::string> lines = lines_of_tracers(table(sample_rows()));
     const std::vector<std::string> bvh = words(lines[0]), builtin = words(lines[2]);
     CHECK(bvh[0] == "bvh");
@@ -117,7 +118,7 @@ TEST_CASE("JSON keeps every number to the last bit through writing and reading")
         const auto& r = read["rows"][i];
         const ErrorStats& t = rows[i].stats;
         CHECK(r["tracer"] == rows[i].tracer);
-        CHECK(r["judge"] == rows[i].judge);
+        CHECK(r["judge"] == rows[i].criterion);
         CHECK(counts_in(r) == counts_of(t));
         CHECK(r["errors"].get<std::uint64_t>() == t.errors());
         CHECK(r["nanoseconds"].get<double>() == rows[i].nanoseconds);

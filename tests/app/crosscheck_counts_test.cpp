@@ -32,16 +32,16 @@ Tracer tracer(const std::string& name, std::vector<Answer> answers) {
 
 }  // namespace
 
-TEST_CASE("An answer is judged by class, primitive, occlusion and distance", "[crosscheck]") {
+TEST_CASE("An answer is classified by class, primitive, occlusion and distance", "[crosscheck]") {
     const OracleAnswer truth = hit_at(2, {5, 7});
-    CHECK(judge(truth, ball_at_2).right());
-    CHECK(judge(truth, {Hit{2 + 0x1p-50, 5}, true}).t_ulp == 2);
-    CHECK(judge(truth, {Hit{2, 6}, true}).wrong_primitive);
-    CHECK(judge(truth, {Hit{2, 7}, false}).wrong_occlusion);
-    CHECK(judge(truth, nothing).wrong_class);
-    CHECK(judge(OracleAnswer{}, ball_at_2).wrong_class);
-    CHECK(judge(OracleAnswer{}, nothing).right());
-    CHECK_FALSE(judge(undecidable(), ball_at_2).decided);
+    CHECK(classify(truth, ball_at_2).right());
+    CHECK(classify(truth, {Hit{2 + 0x1p-50, 5}, true}).t_ulp == 2);
+    CHECK(classify(truth, {Hit{2, 6}, true}).wrong_primitive);
+    CHECK(classify(truth, {Hit{2, 7}, false}).wrong_occlusion);
+    CHECK(classify(truth, nothing).wrong_class);
+    CHECK(classify(OracleAnswer{}, ball_at_2).wrong_class);
+    CHECK(classify(OracleAnswer{}, nothing).right());
+    CHECK_FALSE(classify(undecidable(), ball_at_2).decided);
 }
 
 TEST_CASE("The counts leave out what is undecidable and order the errors of t", "[crosscheck]") {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bench/speed/judgement.h"
+#include "bench/speed/oracle_check.h"
 #include "tests/catch.h"
 
 using namespace etalon;
@@ -32,13 +32,13 @@ RaySet four_rays(bool occlusion) {
 const std::vector<Answer> right{{2, 0}, {2, 0}, {2, 0}, missed};
 
 /// Of what the oracle says when it has all the time.
-Judgement judge(const std::vector<Answer>& answers, bool occlusion) {
+OracleCheck check(const std::vector<Answer>& answers, bool occlusion) {
     hard::Setting setting;
     setting.scene = two_layers();
     const Oracle oracle(setting.scene.geometry);
     const RaySet set = four_rays(occlusion);
     return OracleReferences(setting, oracle, set, scattered(set.rays.size()), 100)
-        .judge(answers, true);
+        .check(answers, true);
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ TEST_CASE("Zeros of either sign have other bits") {
 
 TEST_CASE("The oracle finds nothing wrong with right answers") {
     for (const bool occlusion : {false, true}) {
-        const Judgement j = judge(right, occlusion);
+        const OracleCheck j = check(right, occlusion);
         CHECK(j.rays == 4);
         CHECK(j.undecidable == 0);
         CHECK(j.errors() == 0);
@@ -88,16 +88,16 @@ TEST_CASE("The oracle finds nothing wrong with right answers") {
 
 TEST_CASE("The oracle counts each planted error as what it is") {
     const double off = 2 + 3 * 0x1p-22;  // ulp of a float at 2: 2^-22
-    const Judgement j = judge({{off, 0}, {3, 1}, missed, {7, 0}}, false);
+    const OracleCheck j = check({{off, 0}, {3, 1}, missed, {7, 0}}, false);
     CHECK(j.false_hits == 1);
     CHECK(j.false_misses == 1);
     CHECK(j.wrong_primitives == 1);
     CHECK(j.errors() == 3);
-    CHECK(judge({{off, 0}, {2, 0}, {2, 0}, missed}, false).t_ulps == 3);
+    CHECK(check({{off, 0}, {2, 0}, {2, 0}, missed}, false).t_ulps == 3);
 }
 
 TEST_CASE("The oracle counts false shadows and missing ones") {
-    const Judgement j = judge({{0, 0}, missed, missed, {0, 0}}, true);
+    const OracleCheck j = check({{0, 0}, missed, missed, {0, 0}}, true);
     CHECK(j.false_hits == 1);
     CHECK(j.false_misses == 2);
     CHECK(j.wrong_primitives == 0);
@@ -108,8 +108,8 @@ TEST_CASE("Without time the oracle still judges one ray") {
     setting.scene = two_layers();
     const Oracle oracle(setting.scene.geometry);
     const RaySet set = four_rays(false);
-    CHECK(OracleReferences(setting, oracle, set, {3, 1}, 0).judge(right, true).rays == 1);
-    CHECK(OracleReferences(setting, oracle, set, {}, 0).judge(right, true).rays == 0);
+    CHECK(OracleReferences(setting, oracle, set, {3, 1}, 0).check(right, true).rays == 1);
+    CHECK(OracleReferences(setting, oracle, set, {}, 0).check(right, true).rays == 0);
 }
 
 TEST_CASE("Rays are in dispute where anyone differs in more than the bits of t") {

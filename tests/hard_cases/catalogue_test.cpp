@@ -133,7 +133,7 @@ bool is_flat(const HardCase& c) {
 }
 
 Share wanted_share(const HardCase& c) {
-    if (c.judge == Judge::enclosed) return {1, 1};
+    if (c.criterion == Criterion::enclosed) return {1, 1};
     // On the surface, or within it: whether there is a hit is a matter of rounding.
     if (c.id == "AIM-3" || (c.id == "AIM-2" && is_flat(c))) return {0, 1};
     const auto special = special_shares.find(without_float(name_of(c)));

@@ -3,7 +3,7 @@
 #include "core/intersect/kernels.h"
 #include "tests/catch.h"
 #include "tests/intersect/aimed_rays.h"
-#include "tests/intersect/judge.h"
+#include "tests/intersect/kernel_classification.h"
 
 using namespace etalon;
 
@@ -20,10 +20,10 @@ void require_right_answers(int rays_per_case) {
             shape.scene.geometry.primitives = PrimitiveRuns(primitives);
             const AimedRay aimed = aimed_ray(shape, i, random);
             const double t = primitive_first_hit(shape.scene.geometry, 0, RayQuery(aimed.ray));
-            const Verdict verdict = judge(shape, oracle, aimed.ray, t);
+            const Classification classification = classify(shape, oracle, aimed.ray, t);
             CAPTURE(shape.name, *aimed.target, aimed.approach, i, t);
-            REQUIRE(verdict != Verdict::wrong);
-            undecidable += verdict == Verdict::undecidable;
+            REQUIRE(classification != Classification::wrong);
+            undecidable += classification == Classification::undecidable;
             hits += t <= infinity;
         }
         CAPTURE(shape.name, undecidable, hits, rays_per_case);

@@ -1,7 +1,7 @@
 #include "core/intersect/kernels.h"
 #include "tests/catch.h"
 #include "tests/intersect/aimed_rays.h"
-#include "tests/intersect/judge.h"
+#include "tests/intersect/kernel_classification.h"
 
 using namespace etalon;
 
@@ -48,11 +48,12 @@ bool hits_itself(const ShapeCase& shape, const Oracle& oracle, const Spawned& s)
     const bool hit = t <= infinity;
     const OracleAnswer answer = oracle.closest(s.ray);
     const bool truly_hit = answer.kind == OracleAnswer::hit;
-    if (hit && is_elsewhere(shape, s, t)) return judge(shape, oracle, s.ray, t) == Verdict::wrong;
+    if (hit && is_elsewhere(shape, s, t))
+        return classify(shape, oracle, s.ray, t) == Classification::wrong;
     if (s.outward) return hit || truly_hit;
     if (hit && surface_at(shape.scene.geometry, s.ray, {t, 0}).normal.dot(s.ray.direction) < 0)
         return true;
-    return judge(shape, oracle, s.ray, t) == Verdict::wrong;
+    return classify(shape, oracle, s.ray, t) == Classification::wrong;
 }
 
 void require_no_self_hits(int rays_per_case) {

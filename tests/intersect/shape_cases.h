@@ -23,7 +23,7 @@ struct ShapeCase {
     Vec3 centre;
     double size;
     /// Whether hit or miss is right for every ray. Otherwise it is right for a ray that starts a
-    /// few roundings from the one asked for: see judge.h.
+    /// few roundings from the one asked for: see kernel_classification.h.
     bool exact;
     std::vector<Target> targets;
     std::vector<Vec3> tips;  ///< next to which the shape is thinner than a rounding

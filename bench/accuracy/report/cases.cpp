@@ -28,9 +28,10 @@ std::vector<CaseRows> cases_of(const std::vector<Row>& rows, const std::string& 
     for (const Row& row : rows) {
         if (row.shape != shape) continue;
         auto same = std::find_if(cases.begin(), cases.end(), [&](const CaseRows& c) {
-            return c.id == row.id && c.variant == row.variant && c.judge == row.judge;
+            return c.id == row.id && c.variant == row.variant && c.criterion == row.criterion;
         });
-        if (same == cases.end()) same = cases.insert(same, {row.id, row.variant, row.judge, {}});
+        if (same == cases.end())
+            same = cases.insert(same, {row.id, row.variant, row.criterion, {}});
         same->rows.push_back(&row);
     }
     return cases;

@@ -17,7 +17,7 @@ struct CaseRows {
     /// Nothing if it took no part.
     const Row* find(std::string_view tracer) const;
 
-    std::string id, variant, judge;
+    std::string id, variant, criterion;
     std::vector<const Row*> rows;
 };
 

@@ -20,7 +20,7 @@ Json json_of(const Row& row) {
     return {{"id", row.id},
             {"variant", row.variant},
             {"shape", row.shape},
-            {"judge", row.judge},
+            {"judge", row.criterion},
             {"tracer", row.tracer},
             {"exact", row.exact},
             {"rays", t.rays},

@@ -63,14 +63,14 @@ constexpr Column columns[] = {
     {"", "cost", 6, Asked::always, cost},
 };
 
-bool is_asked(Asked asked, const std::string& judge) {
+bool is_asked(Asked asked, const std::string& criterion) {
     switch (asked) {
         case Asked::by_oracle:
-            return judge == "oracle";
+            return criterion == "oracle";
         case Asked::of_enclosed:
-            return judge == "enclosed";
+            return criterion == "enclosed";
         case Asked::of_spawned:
-            return judge == "spawned";
+            return criterion == "spawned";
         case Asked::always:
             break;
     }
@@ -90,7 +90,8 @@ std::string heading(const std::string& shape) {
 std::string line(const Row& row) {
     std::string text = fmt::format("  {:{}}", row.tracer, name_width - 2);
     for (const Column& c : columns) {
-        text += fmt::format("{:>{}}", is_asked(c.asked, row.judge) ? c.cell(row) : "-", c.width);
+        text +=
+            fmt::format("{:>{}}", is_asked(c.asked, row.criterion) ? c.cell(row) : "-", c.width);
     }
     return text + "\n";
 }
@@ -102,7 +103,7 @@ std::string table(const std::vector<Row>& rows, const std::string& heading_above
     for (const std::string& shape : shapes_of(rows)) {
         if (shape != heading_above) text += (text.empty() ? "" : "\n") + heading(shape);
         for (const CaseRows& c : cases_of(rows, shape)) {
-            text += fmt::format("{} ({})\n", c.name(), c.judge);
+            text += fmt::format("{} ({})\n", c.name(), c.criterion);
             for (const Row* row : c.rows) text += line(*row);
         }
     }

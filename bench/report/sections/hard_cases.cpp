@@ -56,7 +56,7 @@ std::vector<Column> columns_for(const std::vector<std::string>& first,
     return columns;
 }
 
-Cell verdict(const Row* row) {
+Cell classification(const Row* row) {
     if (row == nullptr || row->stats.rays == 0) return {"–"};
     const std::uint64_t errors = row->stats.errors();
     if (errors == 0) return {"pass", Mark::good};
@@ -103,7 +103,7 @@ Table cases_of_shape(const std::vector<Row>& rows, const std::string& shape) {
     Table table{columns_for({"case", "rays"}, tracers), {}};
     for (const CaseRows& c : cases) {
         std::vector<Cell> line{{c.name()}, {grouped(rays_of(c))}};
-        for (const std::string& name : tracers) line.push_back(verdict(find(c, name)));
+        for (const std::string& name : tracers) line.push_back(classification(find(c, name)));
         table.rows.push_back(std::move(line));
     }
     return table;

@@ -48,7 +48,7 @@ Json json_of(const Runs& runs, double rays) {
     return json;
 }
 
-Json json_of(const Judgement& j) {
+Json json_of(const OracleCheck& j) {
     return {{"rays", j.rays},
             {"undecidable", j.undecidable},
             {"false_hits", j.false_hits},

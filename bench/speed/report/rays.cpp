@@ -51,7 +51,7 @@ std::string disagreement(const Errors& e) {
     return count(e.disagreement.*Count);
 }
 
-template <std::uint64_t Judgement::*Count>
+template <std::uint64_t OracleCheck::*Count>
 std::string sample(const Errors& e) {
     return count(e.sample.*Count);
 }
@@ -82,10 +82,10 @@ constexpr Column<RayLine> columns[] = {
     {"hit or", "miss", 7, any_query<disagreement<&Disagreement::hit_or_miss>>},
     {"", "prim", 7, nearest_hit<disagreement<&Disagreement::primitive>>},
     {"bits", "of t", 8, nearest_hit<disagreement<&Disagreement::distance>>},
-    {"oracle:", "rays", 9, any_query<sample<&Judgement::rays>>},
-    {"false", "hits", 7, any_query<sample<&Judgement::false_hits>>},
-    {"false", "misses", 7, any_query<sample<&Judgement::false_misses>>},
-    {"wrong", "prim", 7, nearest_hit<sample<&Judgement::wrong_primitives>>},
+    {"oracle:", "rays", 9, any_query<sample<&OracleCheck::rays>>},
+    {"false", "hits", 7, any_query<sample<&OracleCheck::false_hits>>},
+    {"false", "misses", 7, any_query<sample<&OracleCheck::false_misses>>},
+    {"wrong", "prim", 7, nearest_hit<sample<&OracleCheck::wrong_primitives>>},
     {"t, in", "ulp max", 8, nearest_hit<ulps>},
     {"in", "dispute", 9, any_query<disputed_rays>},
     {"", "wrong", 7, any_query<disputed_errors>},

@@ -5,7 +5,7 @@
 
 namespace etalon::crosscheck {
 
-struct Verdict {
+struct Classification {
     bool decided = true;           ///< false: the oracle cannot tell, and the rest says nothing
     bool wrong_class = false;      ///< a hit where there is none, or none where there is one
     bool wrong_primitive = false;  ///< another one than the nearest
@@ -15,6 +15,6 @@ struct Verdict {
     bool right() const { return !wrong_class && !wrong_primitive && !wrong_occlusion; }
 };
 
-Verdict judge(const OracleAnswer& truth, const Answer& answer);
+Classification classify(const OracleAnswer& truth, const Answer& answer);
 
 }  // namespace etalon::crosscheck

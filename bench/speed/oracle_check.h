@@ -7,7 +7,7 @@
 namespace etalon::speed {
 
 /// See accuracy::ErrorStats for what each counts.
-struct Judgement {
+struct OracleCheck {
     std::uint64_t rays = 0, undecidable = 0;
     std::uint64_t false_hits = 0, false_misses = 0;
     std::uint64_t wrong_primitives = 0;  ///< of occlusion queries none is known
@@ -28,11 +28,11 @@ class OracleReferences {
                      const std::vector<std::size_t>& places, double seconds);
 
     /// Of a tracer's answers to the whole set; see TracerEntry for `exact`.
-    Judgement judge(std::span<const Answer> answers, bool exact) const;
+    OracleCheck check(std::span<const Answer> answers, bool exact) const;
 
   private:
-    Judgement judge_closest(std::span<const Answer> answers, bool exact) const;
-    Judgement judge_occlusion(std::span<const Answer> answers) const;
+    OracleCheck check_closest(std::span<const Answer> answers, bool exact) const;
+    OracleCheck check_occlusion(std::span<const Answer> answers) const;
 
     const RaySet& set_;
     std::vector<std::size_t> rays_;  ///< their places in the set

@@ -1,4 +1,4 @@
-#include "app/crosscheck/verdict.h"
+#include "app/crosscheck/classification.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,18 +17,18 @@ bool is_nearest(std::uint32_t primitive, const OracleAnswer& truth) {
 
 }  // namespace
 
-Verdict judge(const OracleAnswer& truth, const Answer& answer) {
-    Verdict verdict;
-    verdict.decided = truth.kind != OracleAnswer::undecidable;
-    if (!verdict.decided) return verdict;
+Classification classify(const OracleAnswer& truth, const Answer& answer) {
+    Classification classification;
+    classification.decided = truth.kind != OracleAnswer::undecidable;
+    if (!classification.decided) return classification;
     const bool is_hit = truth.kind == OracleAnswer::hit;
-    verdict.wrong_class = answer.closest.has_value() != is_hit;
-    verdict.wrong_occlusion = answer.occluded != is_hit;
+    classification.wrong_class = answer.closest.has_value() != is_hit;
+    classification.wrong_occlusion = answer.occluded != is_hit;
     if (answer.closest && is_hit) {
-        verdict.wrong_primitive = !is_nearest(answer.closest->primitive, truth);
-        verdict.t_ulp = error_in_ulp(answer.closest->t, truth);
+        classification.wrong_primitive = !is_nearest(answer.closest->primitive, truth);
+        classification.t_ulp = error_in_ulp(answer.closest->t, truth);
     }
-    return verdict;
+    return classification;
 }
 
 }  // namespace etalon::crosscheck

@@ -1,4 +1,4 @@
-#include "bench/speed/judgement.h"
+#include "bench/speed/oracle_check.h"
 
 #include <bit>
 
@@ -34,22 +34,22 @@ OracleReferences::OracleReferences(const hard::Setting& setting, const Oracle& o
     }
 }
 
-Judgement OracleReferences::judge(std::span<const Answer> answers, bool exact) const {
-    return set_.occlusion ? judge_occlusion(answers) : judge_closest(answers, exact);
+OracleCheck OracleReferences::check(std::span<const Answer> answers, bool exact) const {
+    return set_.occlusion ? check_occlusion(answers) : check_closest(answers, exact);
 }
 
-Judgement OracleReferences::judge_closest(std::span<const Answer> answers, bool exact) const {
+OracleCheck OracleReferences::check_closest(std::span<const Answer> answers, bool exact) const {
     const accuracy::TracerEntry entry{nullptr, exact, true};
     accuracy::ErrorStats stats;
     for (std::size_t i = 0; i < rays_.size(); ++i) {
-        references_[i].judge(entry, answers[rays_[i]], stats);
+        references_[i].classify(entry, answers[rays_[i]], stats);
     }
     return {stats.rays,         stats.undecidable,      stats.false_hits,
             stats.false_misses, stats.wrong_primitives, stats.float_ulps.max()};
 }
 
-Judgement OracleReferences::judge_occlusion(std::span<const Answer> answers) const {
-    Judgement j;
+OracleCheck OracleReferences::check_occlusion(std::span<const Answer> answers) const {
+    OracleCheck j;
     j.rays = rays_.size();
     for (std::size_t i = 0; i < rays_.size(); ++i) {
         const bool said = answers[rays_[i]].primitive != no_index;

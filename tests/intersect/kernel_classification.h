@@ -6,7 +6,7 @@
 
 namespace etalon {
 
-enum class Verdict {
+enum class Classification {
     right,         ///< the oracle's class, and its t to within 4 ulp
     nearly_right,  ///< right for a ray that starts a few roundings away
     undecidable,
@@ -19,8 +19,8 @@ enum class Verdict {
 /// it is loose exactly where the geometry is ill-conditioned (grazing rays, far origins), and
 /// nowhere else. Whether the ray's line meets the shape must be the oracle's very answer for the
 /// shapes that promise it (ShapeCase::exact).
-Verdict judge(const ShapeCase& shape, const Oracle& oracle, const Ray& ray, double t,
-              double roundings = 8);
+Classification classify(const ShapeCase& shape, const Oracle& oracle, const Ray& ray, double t,
+                        double roundings = 8);
 
 /// |t - the true t| in units of the last place of the true t.
 double ulps_off(const OracleAnswer& answer, double t);

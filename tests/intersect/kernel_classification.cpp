@@ -1,4 +1,4 @@
-#include "tests/intersect/judge.h"
+#include "tests/intersect/kernel_classification.h"
 
 #include "core/intersect/kernels.h"
 #include "core/intersect/oracle/definitions.h"
@@ -128,19 +128,20 @@ double ulps_off(const OracleAnswer& answer, double t) {
     return answer.relative_error(t) * std::abs(answer.t) / ulp;
 }
 
-Verdict judge(const ShapeCase& shape, const Oracle& oracle, const Ray& ray, double t,
-              double roundings) {
+Classification classify(const ShapeCase& shape, const Oracle& oracle, const Ray& ray, double t,
+                        double roundings) {
     const OracleAnswer answer = oracle.closest(ray);
-    if (answer.kind == OracleAnswer::undecidable) return Verdict::undecidable;
+    if (answer.kind == OracleAnswer::undecidable) return Classification::undecidable;
     const bool hit = t > ray.tmin;
     const bool truly_hit = answer.kind == OracleAnswer::hit;
-    if (hit == truly_hit && (!hit || ulps_off(answer, t) <= fair_ulps)) return Verdict::right;
+    if (hit == truly_hit && (!hit || ulps_off(answer, t) <= fair_ulps))
+        return Classification::right;
 
     if (is_explained(shape, ray, t, truly_hit ? answer.t : 0, roundings, 12)) {
-        return Verdict::nearly_right;
+        return Classification::nearly_right;
     }
     const bool explained = is_explained(shape, ray, t, truly_hit ? answer.t : 0, roundings, 200);
-    return explained ? Verdict::nearly_right : Verdict::wrong;
+    return explained ? Classification::nearly_right : Classification::wrong;
 }
 
 }  // namespace etalon
