@@ -10,7 +10,7 @@ namespace etalon {
 /// embree, embree-user, embree-builtin.
 std::span<const Backend> embree_backends();
 
-/// embree-builtin with RTC_SCENE_FLAG_ROBUST, a second yardstick for measurements; no program
+/// embree-builtin with RTC_SCENE_FLAG_ROBUST, a second baseline for measurements; no program
 /// offers it to render with.
 const Backend& embree_builtin_robust();
 

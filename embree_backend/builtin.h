@@ -9,7 +9,7 @@
 
 namespace etalon {
 
-/// The backend `embree-builtin`: Embree's own float triangles, quads and spheres, as the yardstick
+/// The backend `embree-builtin`: Embree's own float triangles, quads and spheres, as the baseline
 /// in speed and in accuracy. One-sided primitives, and what Embree has no geometry for, are tested
 /// as by the backend `embree`.
 class EmbreeBuiltin final : public Intersector {

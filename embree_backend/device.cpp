@@ -15,7 +15,7 @@ namespace etalon {
 namespace {
 
 /// For single rays Embree's AVX-512 kernels are 4 to 12 % slower than those for AVX2 on Zen 4, and
-/// within 4 % on a recent Xeon; and the yardstick should measure the same code everywhere.
+/// within 4 % on a recent Xeon; and the baseline should measure the same code everywhere.
 constexpr const char* configuration = "max_isa=avx2";
 
 const char* describe(RTCError error) {

@@ -10,11 +10,11 @@
 namespace etalon::bench_report {
 namespace {
 
-/// The yardsticks take part unasked.
+/// The baselines take part unasked.
 std::vector<std::string> asked(const speed::Plan& plan) {
     std::vector<std::string> names = plan.tracers;
     std::erase_if(names, [](const std::string& name) {
-        return name == speed::yardstick || name == speed::robust_yardstick;
+        return name == speed::baseline || name == speed::robust_baseline;
     });
     return names;
 }

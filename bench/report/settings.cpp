@@ -47,8 +47,8 @@ Settings quick_settings() {
     s.seconds_limit = 160;
     s.speed_scenes = {"terrain:50000", "flake:50000",  "soup:100000",  "stadium:30000",
                       "slivers:10000", "spheres:1000", "spheres:20000"};
-    s.plan = {speed::with_yardsticks(all_but_reference()), {1},    3, 0.2,
-              {"camera", "bounce", "shadow", "random"},    1 << 15};
+    s.plan = {speed::with_baselines(all_but_reference()), {1},    3, 0.2,
+              {"camera", "bounce", "shadow", "random"},   1 << 15};
     s.accuracy_backends = all_but_reference();
     s.case_rays = 1024;
     s.case_seconds = 0.1;

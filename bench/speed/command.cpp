@@ -44,7 +44,7 @@ struct Arguments {
     Plan plan() const {
         std::set<int> counts(threads.begin(), threads.end());
         counts.insert(1);
-        return {with_yardsticks(backends),
+        return {with_baselines(backends),
                 {counts.begin(), counts.end()},
                 repeats,
                 oracle_seconds,

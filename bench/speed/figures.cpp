@@ -21,7 +21,7 @@ std::vector<Runs> runs_of(const std::vector<Figures>& all, const std::string& tr
 
 template <class Figures>
 void compare(std::vector<Figures>& all) {
-    const std::vector<Runs> fast = runs_of(all, yardstick), robust = runs_of(all, robust_yardstick);
+    const std::vector<Runs> fast = runs_of(all, baseline), robust = runs_of(all, robust_baseline);
     for (Figures& figures : all) {
         const Runs alone = figures.by_threads.front();
         for (std::size_t k = 0; k < figures.by_threads.size(); ++k) {
@@ -50,11 +50,11 @@ std::vector<double> Runs::wall() const {
     return all_of<&Duration::wall>(repeats);
 }
 
-void compare_with_yardsticks(std::vector<BuildFigures>& all) {
+void compare_with_baselines(std::vector<BuildFigures>& all) {
     compare(all);
 }
 
-void compare_with_yardsticks(std::vector<RayFigures>& all) {
+void compare_with_baselines(std::vector<RayFigures>& all) {
     compare(all);
 }
 

@@ -13,15 +13,15 @@
 namespace etalon::speed {
 
 /// Who every other is compared with, in the same run.
-inline constexpr const char* yardstick = baseline_backend;
-inline constexpr const char* robust_yardstick = "embree-builtin-robust";
+inline constexpr const char* baseline = baseline_backend;
+inline constexpr const char* robust_baseline = "embree-builtin-robust";
 
 /// The same work over and over, on so many threads.
 struct Runs {
     int threads = 1;
     std::vector<Duration> repeats;
     Estimate ratio,
-        ratio_robust;  ///< of CPU seconds, the yardstick's over these: above 1 is faster
+        ratio_robust;  ///< of CPU seconds, the baseline's over these: above 1 is faster
     /// Seconds on one thread over these: what the work of a thread is still worth, and how much
     /// sooner it is done. 1 for one thread.
     Estimate cpu_scaling, wall_scaling;
@@ -70,8 +70,8 @@ struct SceneFigures {
 };
 
 /// Fills in what follows from comparing one tracer's repeats with another's, and with its own on
-/// one thread. The yardsticks must be among them.
-void compare_with_yardsticks(std::vector<BuildFigures>& all);
-void compare_with_yardsticks(std::vector<RayFigures>& all);
+/// one thread. The baselines must be among them.
+void compare_with_baselines(std::vector<BuildFigures>& all);
+void compare_with_baselines(std::vector<RayFigures>& all);
 
 }  // namespace etalon::speed

@@ -7,7 +7,7 @@ namespace etalon::speed {
 
 /// What to measure on a scene, and how thoroughly.
 struct Plan {
-    std::vector<std::string> tracers;  ///< with the yardsticks among them
+    std::vector<std::string> tracers;  ///< with the baselines among them
     std::vector<int> threads{1};       ///< 1 first; every measurement is made with each
     int repeats = 5;                   ///< by turns; medians count
     double oracle_seconds =

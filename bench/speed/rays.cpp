@@ -55,7 +55,7 @@ std::vector<RayFigures> RayMeasurement::time(const RaySet& set, Answers& answers
         Runs& runs = all[i].by_threads[k % ways];
         runs.repeats.push_back(trace(intersector, set, runs.threads, answers[i]));
     });
-    compare_with_yardsticks(all);
+    compare_with_baselines(all);
     return all;
 }
 

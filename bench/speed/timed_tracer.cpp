@@ -34,10 +34,10 @@ const Backend& find_tracer(const std::string& name) {
     return backend == nullptr ? embree_builtin_robust() : *backend;
 }
 
-std::vector<std::string> with_yardsticks(const std::vector<std::string>& asked) {
+std::vector<std::string> with_baselines(const std::vector<std::string>& asked) {
     std::vector<std::string> names = tracer_names();
     std::erase_if(names, [&](const std::string& name) {
-        return name != yardstick && name != robust_yardstick &&
+        return name != baseline && name != robust_baseline &&
                std::find(asked.begin(), asked.end(), name) == asked.end();
     });
     return names;
@@ -59,7 +59,7 @@ std::vector<BuildFigures> measure_builds(std::vector<Tracer>& tracers, const Sce
         all[i].bytes_per_primitive = static_cast<double>(built.memory_bytes()) /
                                      static_cast<double>(scene.geometry.primitives.size());
     }
-    compare_with_yardsticks(all);
+    compare_with_baselines(all);
     return all;
 }
 

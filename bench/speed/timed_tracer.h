@@ -10,8 +10,8 @@ namespace etalon::speed {
 std::vector<std::string> tracer_names();
 const Backend& find_tracer(const std::string& name);
 
-/// Those asked for and the yardsticks, in the order of tracer_names().
-std::vector<std::string> with_yardsticks(const std::vector<std::string>& asked);
+/// Those asked for and the baselines, in the order of tracer_names().
+std::vector<std::string> with_baselines(const std::vector<std::string>& asked);
 
 struct Tracer {
     const Backend* backend;

@@ -59,9 +59,9 @@ TEST_CASE("speed gives every figure its ratios and every speed its errors") {
             CHECK(rays["errors"]["oracle"]["rays"] > 0);
         }
     }
-    for (const char* yardstick : {"camera", "random"}) {
-        CHECK(scene["rays"][yardstick]["embree-builtin"]["ratio"] == 1);
-        CHECK(scene["rays"][yardstick]["embree-builtin-robust"]["ratio_robust"] == 1);
+    for (const char* baseline : {"camera", "random"}) {
+        CHECK(scene["rays"][baseline]["embree-builtin"]["ratio"] == 1);
+        CHECK(scene["rays"][baseline]["embree-builtin-robust"]["ratio_robust"] == 1);
     }
 }
 

@@ -44,9 +44,9 @@ TEST_CASE("Repeats go forwards and backwards in turn") {
 TEST_CASE("A ratio is the median over repeats, which a slow spell of the machine leaves alone") {
     // The machine is ten times slower in the second repeat and five times in the third: medians of
     // either's seconds alone would give 4 and 10, and a ratio of 2.5.
-    std::vector<RayFigures> all{figures("bvh", {1, 10, 4}), figures(yardstick, {2, 20, 10}),
-                                figures(robust_yardstick, {3, 30, 12})};
-    compare_with_yardsticks(all);
+    std::vector<RayFigures> all{figures("bvh", {1, 10, 4}), figures(baseline, {2, 20, 10}),
+                                figures(robust_baseline, {3, 30, 12})};
+    compare_with_baselines(all);
     const Runs& bvh = all[0].by_threads[0];
     CHECK(bvh.ratio.median == 2);
     CHECK(bvh.ratio.spread == 0.25);
@@ -56,13 +56,13 @@ TEST_CASE("A ratio is the median over repeats, which a slow spell of the machine
 }
 
 TEST_CASE("More threads are compared with one thread of the same tracer") {
-    std::vector<RayFigures> all{figures(yardstick, {1}), figures(robust_yardstick, {1})};
+    std::vector<RayFigures> all{figures(baseline, {1}), figures(robust_baseline, {1})};
     for (RayFigures& f : all) {
         f.by_threads.push_back(f.by_threads[0]);
         f.by_threads[1].threads = 2;
         f.by_threads[1].repeats[0] = {1.25, 1.6};  // wall, CPU; alone: 2, 1
     }
-    compare_with_yardsticks(all);
+    compare_with_baselines(all);
     CHECK(all[0].by_threads[0].cpu_scaling.median == 1);
     CHECK(all[0].by_threads[1].cpu_scaling.median == Approx(1 / 1.6));
     CHECK(all[0].by_threads[1].wall_scaling.median == Approx(2 / 1.25));

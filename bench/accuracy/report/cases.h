@@ -25,7 +25,7 @@ std::vector<std::string> shapes_of(const std::vector<Row>& rows);
 std::vector<CaseRows> cases_of(const std::vector<Row>& rows, const std::string& shape);
 
 /// Names that the report looks for among the tracers.
-inline constexpr std::string_view yardstick = baseline_backend;
+inline constexpr std::string_view baseline = baseline_backend;
 inline constexpr std::string_view bare_kernel = "kernel";
 
 /// Whether a tracer of that name is one of textbook_tracers().

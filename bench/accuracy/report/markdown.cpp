@@ -87,7 +87,7 @@ std::string textbook_name(const std::vector<CaseRows>& cases) {
 }
 
 std::vector<Column> all_columns(const std::vector<CaseRows>& cases) {
-    const std::string builtin(yardstick), textbook = textbook_name(cases);
+    const std::string builtin(baseline), textbook = textbook_name(cases);
     return {
         {"case", [](const CaseRows& c) { return c.name(); }},
         {"rays", rays},
@@ -97,8 +97,8 @@ std::vector<Column> all_columns(const std::vector<CaseRows>& cases) {
         {"K", kernel_condition},
         {"cost", kernel_cost},
         {builtin + ": errors per 10⁶",
-         [](const CaseRows& c) { return error_rate(c.find(yardstick)); }},
-        {"t, float ulp", [](const CaseRows& c) { return float_ulps(c.find(yardstick)); }},
+         [](const CaseRows& c) { return error_rate(c.find(baseline)); }},
+        {"t, float ulp", [](const CaseRows& c) { return float_ulps(c.find(baseline)); }},
         {textbook + ": errors per 10⁶",
          [](const CaseRows& c) { return error_rate(first_textbook(c)); }},
         {"t, float ulp", [](const CaseRows& c) { return float_ulps(first_textbook(c)); }},

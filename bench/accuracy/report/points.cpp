@@ -20,7 +20,7 @@ std::string unit_of(const std::vector<CaseRows>& cases) {
         }
     }
     for (const CaseRows& c : cases) {
-        if (c.find(yardstick)) return std::string(yardstick);
+        if (c.find(baseline)) return std::string(baseline);
     }
     return {};
 }
@@ -28,8 +28,8 @@ std::string unit_of(const std::vector<CaseRows>& cases) {
 /// 0 if the case has no cost in this unit.
 double cost_of(const Row& row, const CaseRows& c, const std::string& unit) {
     if (unit.empty()) return row.nanoseconds;
-    if (unit != yardstick) return row.cost;
-    const Row* one = c.find(yardstick);
+    if (unit != baseline) return row.cost;
+    const Row* one = c.find(baseline);
     return one && one->nanoseconds > 0 ? row.nanoseconds / one->nanoseconds : 0;
 }
 

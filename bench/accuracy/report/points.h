@@ -27,7 +27,7 @@ struct Scatter {
 /// count is taken as 2^24 at most: there no digit of a float is right.
 double error_of(const ErrorStats& stats);
 
-/// Cost is relative to the first textbook kernel where rows are, else to `yardstick`, else in
+/// Cost is relative to the first textbook kernel where rows are, else to `baseline`, else in
 /// nanoseconds. Who has no cost has no point.
 Scatter scatter_of(const std::vector<Row>& rows, const std::string& shape);
 

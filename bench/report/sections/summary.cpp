@@ -43,22 +43,22 @@ void add_builds(const std::vector<SceneFigures>& scenes, std::vector<Fact>& fact
 }
 
 void add_errors(const std::vector<accuracy::Row>& rows, std::vector<Fact>& facts) {
-    std::uint64_t exact_rays = 0, exact_errors = 0, yardstick_rays = 0, yardstick_errors = 0;
+    std::uint64_t exact_rays = 0, exact_errors = 0, baseline_rays = 0, baseline_errors = 0;
     for (const accuracy::Row& row : rows) {
         if (row.exact) exact_rays += row.stats.rays, exact_errors += row.stats.errors();
-        if (row.tracer != accuracy::yardstick) continue;
-        yardstick_rays += row.stats.rays;
-        yardstick_errors += row.stats.errors();
+        if (row.tracer != accuracy::baseline) continue;
+        baseline_rays += row.stats.rays;
+        baseline_errors += row.stats.errors();
     }
     if (exact_rays == 0) return;
     facts.push_back({grouped(exact_errors), "wrong answers",
                      fmt::format("exact backends, {} hard rays", grouped(exact_rays))});
-    if (yardstick_rays == 0) return;
+    if (baseline_rays == 0) return;
     const double share =
-        100 * static_cast<double>(yardstick_errors) / static_cast<double>(yardstick_rays);
+        100 * static_cast<double>(baseline_errors) / static_cast<double>(baseline_rays);
     facts.push_back(
         {fmt::format("{} %", three_digits(share)), "wrong answers",
-         fmt::format("{}, {} of the same rays", baseline_backend, grouped(yardstick_rays))});
+         fmt::format("{}, {} of the same rays", baseline_backend, grouped(baseline_rays))});
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ Json json_of_machine() {
 
 Json json_of_circumstances(const Plan& plan) {
     Json json = json_of_machine();
-    json["yardsticks"] = {yardstick, robust_yardstick};
+    json["baselines"] = {baseline, robust_baseline};
     json["repeats"] = plan.repeats;
     json["threads"] = plan.threads;
     return json;
