@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/intersect/tree/prospect.h"
+#include "core/intersect/tree/split_candidate.h"
 #include "core/intersect/tree/triangle_pieces.h"
 #include "core/parallel/chunks.h"
 
@@ -17,9 +17,10 @@ constexpr std::size_t sample_size = 4096;
 constexpr double no_limit = 0x1p40;
 
 /// Of every so many-th primitive.
-std::vector<Prospect> sample(const Geometry& geometry, const Frame& frame, Primitives primitives) {
+std::vector<SplitCandidate> sample(const Geometry& geometry, const Frame& frame,
+                                   Primitives primitives) {
     const std::size_t step = primitives.size() / sample_size + 1;
-    std::vector<Prospect> result;
+    std::vector<SplitCandidate> result;
     for (std::size_t i = 0; i < primitives.size(); i += step) {
         result.emplace_back(geometry, frame, primitives[i]);
     }
@@ -30,11 +31,11 @@ std::vector<Prospect> sample(const Geometry& geometry, const Frame& frame, Primi
 struct Candidates {
     void add(const Candidates& other) {
         places.insert(places.end(), other.places.begin(), other.places.end());
-        prospects.insert(prospects.end(), other.prospects.begin(), other.prospects.end());
+        candidates.insert(candidates.end(), other.candidates.begin(), other.candidates.end());
     }
 
     std::vector<std::size_t> places;
-    std::vector<Prospect> prospects;
+    std::vector<SplitCandidate> candidates;
 };
 
 /// All that a factor up to `limit` might cut.
@@ -46,7 +47,7 @@ Candidates find_candidates(const Geometry& geometry, const Frame& frame, Primiti
         for (std::size_t i = begin; i < end; ++i) {
             if (!might_be_cut(primitives[i], limit)) continue;
             of_chunk[chunk].places.push_back(i);
-            of_chunk[chunk].prospects.emplace_back(geometry, frame, primitives[i]);
+            of_chunk[chunk].candidates.emplace_back(geometry, frame, primitives[i]);
         }
     });
     Candidates all;
@@ -106,19 +107,19 @@ std::optional<Presplit> presplit(const Geometry& geometry, const Frame& frame,
     const auto budget = [&](std::size_t number) {
         return config.budget * static_cast<double>(number);
     };
-    const std::vector<Prospect> some = sample(geometry, frame, primitives);
+    const std::vector<SplitCandidate> some = sample(geometry, frame, primitives);
     const double limit = best_factor(some, budget(some.size()), no_limit);
     if (!(gain(some, limit) >= config.least_gain)) return std::nullopt;
 
-    const auto [places, prospects] = find_candidates(geometry, frame, primitives, limit);
+    const auto [places, candidates] = find_candidates(geometry, frame, primitives, limit);
     const double most = budget(primitives.size());
-    const double factor = best_factor(prospects, most, limit);
+    const double factor = best_factor(candidates, most, limit);
     Presplit result{copy(primitives, primitives.size() + static_cast<std::size_t>(most)), {}};
     const Chunks chunks(places.size(), chunk_size / 16);
     std::vector<Cutter> of_chunk(chunks.number(), Cutter(geometry, frame));
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const int cuts = prospects[i].cuts(factor);
+            const int cuts = candidates[i].cuts(factor);
             if (cuts > 0) of_chunk[chunk].cut(result.references[places[i]], cuts);
         }
     });

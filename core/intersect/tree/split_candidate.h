@@ -10,8 +10,8 @@
 namespace etalon {
 
 /// A primitive as something to cut.
-struct Prospect {
-    Prospect(const Geometry& geometry, const Frame& frame, const BoundedPrimitive& p);
+struct SplitCandidate {
+    SplitCandidate(const Geometry& geometry, const Frame& frame, const BoundedPrimitive& p);
 
     /// For a factor that is the same for all.
     int cuts(double factor) const;
@@ -30,9 +30,9 @@ bool might_be_cut(const BoundedPrimitive& p, double limit);
 std::array<Vec3, 3> corners_of(const Geometry& geometry, const BoundedPrimitive& triangle);
 
 /// The largest factor up to `limit` that makes no more cuts than may be.
-double best_factor(std::span<const Prospect> prospects, double cuts, double limit);
+double best_factor(std::span<const SplitCandidate> candidates, double cuts, double limit);
 
 /// The share of the boxes' surface that cutting saves.
-double gain(std::span<const Prospect> prospects, double factor);
+double gain(std::span<const SplitCandidate> candidates, double factor);
 
 }  // namespace etalon

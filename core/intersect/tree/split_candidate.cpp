@@ -1,4 +1,4 @@
-#include "core/intersect/tree/prospect.h"
+#include "core/intersect/tree/split_candidate.h"
 
 #include <cmath>
 
@@ -14,9 +14,9 @@ double box_surface(const BoundedPrimitive& p) {
     return 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
 }
 
-double total_cuts(std::span<const Prospect> prospects, double factor) {
+double total_cuts(std::span<const SplitCandidate> candidates, double factor) {
     double total = 0;
-    for (const Prospect& p : prospects) total += p.cuts(factor);
+    for (const SplitCandidate& p : candidates) total += p.cuts(factor);
     return total;
 }
 
@@ -26,7 +26,8 @@ std::array<Vec3, 3> corners_of(const Geometry& geometry, const BoundedPrimitive&
     return corners(geometry, geometry.get<Triangle>(geometry.primitives[triangle.id]));
 }
 
-Prospect::Prospect(const Geometry& geometry, const Frame& frame, const BoundedPrimitive& p)
+SplitCandidate::SplitCandidate(const Geometry& geometry, const Frame& frame,
+                               const BoundedPrimitive& p)
     : surface(box_surface(p)), least(surface) {
     if (p.kind != kind_of<Triangle>()) return;
     const auto world = corners_of(geometry, p);
@@ -36,7 +37,7 @@ Prospect::Prospect(const Geometry& geometry, const Frame& frame, const BoundedPr
     priority = std::cbrt(surface - least);
 }
 
-int Prospect::cuts(double factor) const {
+int SplitCandidate::cuts(double factor) const {
     return static_cast<int>(std::min(factor * priority, most_cuts));
 }
 
@@ -48,24 +49,24 @@ bool might_be_cut(const BoundedPrimitive& p, double limit) {
 }
 
 /// Rounding down takes less than one cut from each, which brackets the factor.
-double best_factor(std::span<const Prospect> prospects, double cuts, double limit) {
-    if (total_cuts(prospects, limit) <= cuts) return limit;
+double best_factor(std::span<const SplitCandidate> candidates, double cuts, double limit) {
+    if (total_cuts(candidates, limit) <= cuts) return limit;
     double sum = 0, number = 0;
-    for (const Prospect& p : prospects) {
+    for (const SplitCandidate& p : candidates) {
         sum += p.priority;
         number += p.priority > 0 ? 1 : 0;
     }
     double low = cuts / sum, high = (cuts + number) / sum;
     for (int i = 0; i < 12; ++i) {
         const double middle = (low + high) / 2;
-        (total_cuts(prospects, middle) <= cuts ? low : high) = middle;
+        (total_cuts(candidates, middle) <= cuts ? low : high) = middle;
     }
     return low;
 }
 
-double gain(std::span<const Prospect> prospects, double factor) {
+double gain(std::span<const SplitCandidate> candidates, double factor) {
     double before = 0, after = 0;
-    for (const Prospect& p : prospects) {
+    for (const SplitCandidate& p : candidates) {
         before += p.surface;
         after += p.surface_after(p.cuts(factor));
     }
