@@ -60,7 +60,7 @@ struct UserQuery : EmbreeContext {
         }
         if constexpr (kind == ClusterRef::spheres) {
             const auto make = [&]() HWY_ATTR {
-                return SphereFilter(local, ray.tnear, query.ray.left);
+                return SphereFilter(local, ray.tnear, query.ray.exclude);
             };
             return spheres.get(make).candidates(clusters.spheres(ref), ray.tfar);
         }

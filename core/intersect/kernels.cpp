@@ -12,7 +12,7 @@ Box3 primitive_bounds(const Geometry& geometry, std::uint32_t primitive) {
 
 double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive,
                            const RayQuery& query) {
-    if (primitive == query.ray.left) return no_hit;
+    if (primitive == query.ray.exclude) return no_hit;
     const Primitive p = geometry.primitives[primitive];
     return with_shape(p.kind, [&]<class Shape>() {
         return first_hit(geometry, geometry.get<Shape>(p), p.sides, query);

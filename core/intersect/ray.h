@@ -15,7 +15,7 @@ struct Ray {
     double tmax = infinity;
     /// The number of a primitive that the ray has just left and cannot meet again, if there is one:
     /// it need not be tested to learn that.
-    std::uint32_t left = no_index;
+    std::uint32_t exclude = no_index;
     /// A hint, which changes no hit: rays traced just before it by the same thread went nearly the
     /// same way.
     bool coherent = false;

@@ -57,7 +57,7 @@ inline Ray ray_between(const SurfacePoint& p, const Vec3& target) {
     ray.direction = target - ray.origin;
     ray.tmax = 1;
     const bool moves_away = side_of(p, towards) * p.normal.dot(ray.direction) > 0;
-    if (!moves_away) ray.left = no_index;
+    if (!moves_away) ray.exclude = no_index;
     return ray;
 }
 

@@ -78,9 +78,9 @@ class Trial {
   private:
     void shoot(const Ray& ray, const FrameRay& local, ClusterRef ref, std::uint32_t lane) {
         const float tmin = local.tmin(ray.tmin);
-        const auto passes = [&](double tmax, std::uint32_t left = no_index) {
+        const auto passes = [&](double tmax, std::uint32_t exclude = no_index) {
             RayQuery query(ray);
-            query.ray.left = left;
+            query.ray.exclude = exclude;
             const std::uint32_t lanes = HWY_DYNAMIC_DISPATCH(candidates)(
                 clusters_, ref, query, local, tmin, local.tmax(tmax));
             return (lanes >> lane & 1) != 0;

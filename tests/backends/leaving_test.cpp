@@ -11,7 +11,7 @@ using namespace etalon::test;
 namespace {
 
 Ray without_hint(Ray ray) {
-    ray.left = no_index;
+    ray.exclude = no_index;
     return ray;
 }
 
@@ -54,11 +54,11 @@ TEST_CASE(
     SurfacePoint p{Vec3(0), Vec3(1e-15), Vec3(0, 0, 1), Vec3(0, 0, 1), 7, Form::any};
     const Vec3 outward(1, 0, 1), inward(1, 0, -1);
     p.form = Form::flat;
-    CHECK(ray_from(p, outward).left == 7);
-    CHECK(ray_from(p, inward).left == 7);
+    CHECK(ray_from(p, outward).exclude == 7);
+    CHECK(ray_from(p, inward).exclude == 7);
     p.form = Form::convex;
-    CHECK(ray_from(p, outward).left == 7);
-    CHECK(ray_from(p, inward).left == no_index);
+    CHECK(ray_from(p, outward).exclude == 7);
+    CHECK(ray_from(p, inward).exclude == no_index);
     p.form = Form::any;
-    CHECK(ray_from(p, outward).left == no_index);
+    CHECK(ray_from(p, outward).exclude == no_index);
 }

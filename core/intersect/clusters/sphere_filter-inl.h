@@ -15,9 +15,9 @@ namespace etalon::HWY_NAMESPACE {
 /// By the distance between the ray's line and the centre.
 class SphereFilter {
   public:
-    /// Of a ray that has left the primitive `left` (see Ray).
-    HWY_INLINE SphereFilter(const FrameRay& ray, float tmin, std::uint32_t left)
-        : tmin_(broadcast(tmin - middle_error_bound)), left_(left) {
+    /// Of a ray that skips the primitive `exclude` (see Ray).
+    HWY_INLINE SphereFilter(const FrameRay& ray, float tmin, std::uint32_t exclude)
+        : tmin_(broadcast(tmin - middle_error_bound)), exclude_(exclude) {
         const float length2 = ray.direction.dot(ray.direction), reciprocal = 1 / length2;
         length2_ = broadcast(length2);
         for (int k = 0; k < 3; ++k) {
@@ -51,12 +51,12 @@ class SphereFilter {
                      behind = hn::Sub(tmin_, middle);
         const Floats gap = hn::Max(hn::Max(beyond, behind), hn::Zero(Tag()));
         const Mask met = hn::Le(hn::Mul(hn::Mul(gap, gap), length2_), reach);
-        return hn::AndNot(holds(cluster.ids, i, left_), met);
+        return hn::AndNot(holds(cluster.ids, i, exclude_), met);
     }
 
     std::array<Floats, 3> origin_, direction_, along_;
     Floats length2_, tmin_;
-    std::uint32_t left_;
+    std::uint32_t exclude_;
 };
 
 }  // namespace etalon::HWY_NAMESPACE

@@ -18,7 +18,7 @@ namespace etalon::HWY_NAMESPACE {
 class TriangleFilter {
   public:
     HWY_INLINE TriangleFilter(const RayQuery& query, const FrameRay& ray)
-        : kx_(query.kx), ky_(query.ky), kz_(query.kz), left_(query.ray.left) {
+        : kx_(query.kx), ky_(query.ky), kz_(query.kz), exclude_(query.ray.exclude) {
         const float dz = ray.direction[kz_];
         slope_x_ = broadcast(ray.direction[kx_] / dz);
         slope_y_ = broadcast(ray.direction[ky_] / dz);
@@ -46,7 +46,7 @@ class TriangleFilter {
         const Floats u = edge(b, c), v = edge(c, a), w = edge(a, b);
         const Mask around = hn::Or(hn::Ge(hn::Min(u, hn::Min(v, w)), hn::Neg(error_bound)),
                                    hn::Le(hn::Max(u, hn::Max(v, w)), error_bound));
-        const Mask surrounds = hn::AndNot(holds(cluster.ids, i, left_), around);
+        const Mask surrounds = hn::AndNot(holds(cluster.ids, i, exclude_), around);
         if (hn::AllFalse(Tag(), surrounds)) return surrounds;
         return hn::AndNot(surely_beyond(tmax, {u, v, w}, {a.z, b.z, c.z}, error_bound), surrounds);
     }
@@ -84,7 +84,7 @@ class TriangleFilter {
     int kx_, ky_, kz_;
     Floats origin_x_, origin_y_, origin_z_, slope_x_, slope_y_, forward_;
     float speed_;
-    std::uint32_t left_;
+    std::uint32_t exclude_;
 };
 
 }  // namespace etalon::HWY_NAMESPACE
