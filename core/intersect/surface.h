@@ -43,7 +43,7 @@ inline Vec3 spawn_origin(const SurfacePoint& p, const Vec3& direction) {
 }
 
 /// A ray that leaves `p`.
-inline Ray ray_from(const SurfacePoint& p, const Vec3& direction) {
+inline Ray spawn_ray(const SurfacePoint& p, const Vec3& direction) {
     const bool outward = p.normal.dot(direction) > 0;
     const bool for_good = p.form == Form::flat || (p.form == Form::convex && outward);
     return {spawn_origin(p, direction), direction, 0, infinity, for_good ? p.primitive : no_index};
@@ -51,9 +51,9 @@ inline Ray ray_from(const SurfacePoint& p, const Vec3& direction) {
 
 /// The same for a target, at t = 1. One that is nearer than the origin was moved lies behind the
 /// surface from there.
-inline Ray ray_between(const SurfacePoint& p, const Vec3& target) {
+inline Ray spawn_ray_to(const SurfacePoint& p, const Vec3& target) {
     const Vec3 towards = target - p.position;
-    Ray ray = ray_from(p, towards);
+    Ray ray = spawn_ray(p, towards);
     ray.direction = target - ray.origin;
     ray.tmax = 1;
     const bool moves_away = side_of(p, towards) * p.normal.dot(ray.direction) > 0;

@@ -66,7 +66,7 @@ class RaySetMaker {
         RaySet set{"bounce", false, {}};
         for_each_hit([&](const SurfacePoint& p, const Vec3& normal, const SampleSource& sample) {
             const Vec3 direction = cosine_direction(normal, sample.point(bounce_dimension));
-            set.rays.push_back(ray_from(p, direction));
+            set.rays.push_back(spawn_ray(p, direction));
         });
         return set;
     }
@@ -77,7 +77,7 @@ class RaySetMaker {
         for_each_hit([&](const SurfacePoint& p, const Vec3&, const SampleSource& sample) {
             const Light& light = scene_.look.lights[set.rays.size() % scene_.look.lights.size()];
             const Vec3 target = LightSamples(light, 1).position(0, sample, shadow_dimension);
-            set.rays.push_back(ray_between(p, target));
+            set.rays.push_back(spawn_ray_to(p, target));
             set.rays.back().coherent = true;
         });
         return set;

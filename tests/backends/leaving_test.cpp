@@ -23,8 +23,8 @@ std::vector<Ray> leaving_rays(const Scene& scene, std::size_t count) {
         const auto hit = brute_force(scene, ray);
         if (!hit) continue;
         const SurfacePoint p = surface_at(scene.geometry, ray, *hit);
-        rays.push_back(ray_from(p, random.direction()));
-        rays.push_back(ray_between(p, p.position + random.direction()));
+        rays.push_back(spawn_ray(p, random.direction()));
+        rays.push_back(spawn_ray_to(p, p.position + random.direction()));
     }
     return rays;
 }
@@ -54,11 +54,11 @@ TEST_CASE(
     SurfacePoint p{Vec3(0), Vec3(1e-15), Vec3(0, 0, 1), Vec3(0, 0, 1), 7, Form::any};
     const Vec3 outward(1, 0, 1), inward(1, 0, -1);
     p.form = Form::flat;
-    CHECK(ray_from(p, outward).exclude == 7);
-    CHECK(ray_from(p, inward).exclude == 7);
+    CHECK(spawn_ray(p, outward).exclude == 7);
+    CHECK(spawn_ray(p, inward).exclude == 7);
     p.form = Form::convex;
-    CHECK(ray_from(p, outward).exclude == 7);
-    CHECK(ray_from(p, inward).exclude == no_index);
+    CHECK(spawn_ray(p, outward).exclude == 7);
+    CHECK(spawn_ray(p, inward).exclude == no_index);
     p.form = Form::any;
-    CHECK(ray_from(p, outward).exclude == no_index);
+    CHECK(spawn_ray(p, outward).exclude == no_index);
 }

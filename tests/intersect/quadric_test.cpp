@@ -146,7 +146,7 @@ TEST_CASE("Quadric: given a plane twice, then it is met once, and not again by w
         REQUIRE(t == Approx((1.0 / 3 - n.dot(ray.origin)) / n.dot(ray.direction)));
         const SurfacePoint p = surface_at(scene.geometry, ray, {t, 0});
         REQUIRE(std::abs(p.normal.dot(n)) == Approx(1));
-        const Ray leaving = ray_from(p, random.direction());
+        const Ray leaving = spawn_ray(p, random.direction());
         REQUIRE(std::isnan(primitive_first_hit(scene.geometry, 0, RayQuery(leaving))));
     }
 }

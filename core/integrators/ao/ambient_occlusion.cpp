@@ -31,7 +31,7 @@ Color AmbientOcclusion::radiance(const Ray& camera_ray, const SampleSource& samp
     std::uint32_t blocked = 0;
     for (std::uint32_t k = 0; k < rays_; ++k) {
         const Vec2 uv = sample.part(dimension, k, rays_);
-        Ray ray = ray_from(at.surface, cosine_direction(at.ng, uv));
+        Ray ray = spawn_ray(at.surface, cosine_direction(at.ng, uv));
         ray.tmax = max_distance_;
         if (intersector_.occluded(ray)) ++blocked;
     }

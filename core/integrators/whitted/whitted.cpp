@@ -100,7 +100,7 @@ Color Whitted::lit_by(const Vec3& light, const Path& path, const SurfaceInteract
     const double cosine = at.ns.dot(towards);
     if (!(cosine > 0) || !(at.ng.dot(towards) > 0)) return Color(0.0F);
 
-    Ray shadow = ray_between(at.surface, light);
+    Ray shadow = spawn_ray_to(at.surface, light);
     if (rules_.fixed_bias != 0) {
         shadow = leave(at, towards, false);
         shadow.direction = light - shadow.origin;
@@ -154,7 +154,7 @@ Color Whitted::secondary(const Path& path, const SurfaceInteraction& at, Context
 
 Ray Whitted::leave(const SurfaceInteraction& at, const Vec3& direction, bool crosses) const {
     const double bias = rules_.fixed_bias;
-    if (bias == 0) return ray_from(at.surface, direction);
+    if (bias == 0) return spawn_ray(at.surface, direction);
     return {at.surface.position + (crosses ? -bias : bias) * at.ng, direction};
 }
 
