@@ -13,18 +13,18 @@ std::string Reference::open(const std::string& path, const RenderSettings& setti
     return picture.error;
 }
 
-void Reference::note(const RenderedRound& round) {
+void Reference::note(const RenderedPass& pass) {
     const Duration lap = watch_.lap();
     spent_.wall += lap.wall;
     spent_.cpu += lap.cpu;
-    const std::vector<Color> pixels = round.film.pixels();
-    const auto samples = static_cast<double>(round.film.total_count());
-    history_.push_back({{"spp", samples / static_cast<double>(round.film.size())},
+    const std::vector<Color> pixels = pass.film.pixels();
+    const auto samples = static_cast<double>(pass.film.total_count());
+    history_.push_back({{"spp", samples / static_cast<double>(pass.film.size())},
                         {"seconds", spent_.wall},
                         {"cpu_seconds", spent_.cpu},
                         {"mse", mse(pixels, pixels_)},
                         {"relmse", relmse(pixels, pixels_)}});
-    if (round.expected_error > 0) history_.back()["expected_relmse"] = round.expected_error;
+    if (pass.expected_error > 0) history_.back()["expected_relmse"] = pass.expected_error;
     watch_.lap();
 }
 

@@ -20,7 +20,7 @@ class Reference {
     void start() { watch_.lap(); }
 
     /// Notes the errors of a picture, and the times since the start without those spent in here.
-    void note(const RenderedRound& round);
+    void note(const RenderedPass& pass);
 
     /// All metrics of the finished picture.
     Metrics metrics_of(const Film& film) const;

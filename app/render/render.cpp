@@ -93,7 +93,7 @@ class Render {
         control.stop = &signals_.raised();
         if (reference_) {
             reference_->start();
-            control.after_round = [&](const RenderedRound& round) { reference_->note(round); };
+            control.after_pass = [&](const RenderedPass& pass) { reference_->note(pass); };
         }
         if (progress) control.progress = [&](double part) { progress->update(part); };
         Rendering rendering = render(scene_.camera, *integrator_, settings_, control);

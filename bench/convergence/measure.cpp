@@ -40,7 +40,7 @@ class Studio {
     std::unique_ptr<Intersector> intersector_;
 };
 
-/// One picture, and what it is like after every round. The time it takes to look is not counted.
+/// One picture, and what it is like after every pass. The time it takes to look is not counted.
 class SeedRun {
   public:
     SeedRun(const Studio& studio, const RenderSettings& settings, const ReferenceImage& reference,
@@ -58,7 +58,7 @@ class SeedRun {
         RunControl control;
         control.stop = &enough_;
         control.progress = [&](double) { enough_ = enough_ || stop_; };
-        control.after_round = [&](const RenderedRound& round) { note(round.film); };
+        control.after_pass = [&](const RenderedPass& pass) { note(pass.film); };
         const auto integrator = studio_.integrator(settings);
         watch_.lap();
         render(studio_.camera(), *integrator, settings, control);
@@ -89,13 +89,13 @@ class SeedRun {
     std::vector<Point> points_;
 };
 
-/// Round by round, as many as all have.
+/// Pass by pass, as many as all have.
 std::vector<Point> mean_of(const std::vector<std::vector<Point>>& seeds) {
-    std::size_t rounds = std::numeric_limits<std::size_t>::max();
-    for (const auto& points : seeds) rounds = std::min(rounds, points.size());
+    std::size_t passes = std::numeric_limits<std::size_t>::max();
+    for (const auto& points : seeds) passes = std::min(passes, points.size());
     std::vector<Point> means;
     const auto count = static_cast<double>(seeds.size());
-    for (std::size_t i = 0; i < rounds; ++i) {
+    for (std::size_t i = 0; i < passes; ++i) {
         Point mean;
         mean.mse_least = std::numeric_limits<double>::infinity();
         for (const auto& points : seeds) {

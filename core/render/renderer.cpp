@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "core/render/adaptive_rounds.h"
+#include "core/render/adaptive_passes.h"
 #include "core/render/camera_sampler.h"
 #include "core/render/tiles.h"
-#include "core/render/uniform_rounds.h"
+#include "core/render/uniform_passes.h"
 
 namespace etalon {
 namespace {
@@ -25,18 +25,18 @@ class Renderer {
           counts_(tiles_.size()) {}
 
     Rendering run() {
-        const std::unique_ptr<Rounds> rounds = make_rounds();
+        const std::unique_ptr<SamplingPasses> passes = make_passes();
         bool complete = false;
         while (!stopped()) {
-            const std::optional<Goals> goals = rounds->next(film_);
-            show(*rounds);
-            complete = !goals;
+            const std::optional<SamplingGoal> goal = passes->next(film_);
+            show(*passes);
+            complete = !goal;
             if (complete) break;
-            render_round(*goals, *rounds);
+            render_pass(*goal, *passes);
             is_picture_ = true;
         }
-        show(*rounds);  // where it was stopped: what there is of the last round
-        return finished(*rounds, complete);
+        show(*passes);  // where it was stopped: what there is of the last pass
+        return finished(*passes, complete);
     }
 
   private:
@@ -47,46 +47,46 @@ class Renderer {
     }
 
     /// The film, if there is anything new in it.
-    void show(const Rounds& rounds) {
-        if (control_.after_round && shown_ < samples_done_) {
-            control_.after_round({film_, rounds.expected_error()});
+    void show(const SamplingPasses& passes) {
+        if (control_.after_pass && shown_ < samples_done_) {
+            control_.after_pass({film_, passes.expected_error()});
         }
         shown_ = samples_done_;
     }
 
-    std::unique_ptr<Rounds> make_rounds() const {
+    std::unique_ptr<SamplingPasses> make_passes() const {
         const auto samples = static_cast<std::uint32_t>(std::max(1, settings_.samples_per_pixel));
         if (settings_.target_error > 0) {
-            return std::make_unique<AdaptiveRounds>(film_, settings_.target_error, samples);
+            return std::make_unique<AdaptivePasses>(film_, settings_.target_error, samples);
         }
-        return std::make_unique<UniformRounds>(samples, film_.size(), control_.deadline);
+        return std::make_unique<UniformPasses>(samples, film_.size(), control_.deadline);
     }
 
-    Rendering finished(const Rounds& rounds, bool complete) {
+    Rendering finished(const SamplingPasses& passes, bool complete) {
         Rendering result{rays_.shares_corners() ? film_.cells() : std::move(film_), {}};
         result.samples =
             static_cast<double>(samples_done_) / static_cast<double>(result.film.size());
-        result.expected_error = rounds.expected_error();
+        result.expected_error = passes.expected_error();
         result.complete = complete;
         for (const RayCounts& c : counts_) result.counts += c;
         return result;
     }
 
-    void render_round(const Goals& goals, const Rounds& rounds) {
+    void render_pass(const SamplingGoal& goal, const SamplingPasses& passes) {
         const auto stop = [&] { return stopped(); };
         for_each_tile(tiles_, stop, [&](std::size_t i, const Imath::Box2i& tile) {
             std::uint64_t done = 0;
             for_each_pixel(tile, stop,
-                           [&](int x, int y) { done += render_pixel(x, y, goals, counts_[i]); });
+                           [&](int x, int y) { done += render_pixel(x, y, goal, counts_[i]); });
             const std::uint64_t total = samples_done_.fetch_add(done) + done;
-            if (control_.progress) control_.progress(rounds.part_done(total));
+            if (control_.progress) control_.progress(passes.part_done(total));
         });
     }
 
     /// Returns the number of samples.
-    std::uint32_t render_pixel(int x, int y, const Goals& goals, RayCounts& counts) {
+    std::uint32_t render_pixel(int x, int y, const SamplingGoal& goal, RayCounts& counts) {
         const std::size_t pixel = film_.index(x, y);
-        const std::uint32_t first = film_.counts()[pixel], last = goals.of(pixel);
+        const std::uint32_t first = film_.counts()[pixel], last = goal.of(pixel);
         for (std::uint32_t s = first; s < last; ++s) film_.add(x, y, sample(x, y, s, counts));
         return last - first;
     }
@@ -105,7 +105,7 @@ class Renderer {
     std::vector<RayCounts> counts_;
     std::atomic<std::uint64_t> samples_done_ = 0;
     std::uint64_t shown_ = 0;
-    bool is_picture_ = false;  ///< the first round is over
+    bool is_picture_ = false;  ///< the first pass is over
 };
 
 }  // namespace

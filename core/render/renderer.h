@@ -1,4 +1,4 @@
-// From camera and integrator to a film: tiles over threads, rounds of samples.
+// From camera and integrator to a film: tiles over threads, passes of samples.
 #pragma once
 
 #include <atomic>
@@ -13,8 +13,8 @@
 
 namespace etalon {
 
-/// A picture as it is after a round, or after what a stop left of it.
-struct RenderedRound {
+/// A picture as it is after a pass, or after what a stop left of it.
+struct RenderedPass {
     const Film& film;
     double expected_error;  ///< relMSE; 0 unless an error was asked for
 };
@@ -24,7 +24,7 @@ struct RunControl {
     Deadline deadline{};
     const std::atomic<bool>* stop = nullptr;  ///< set: give up soon and return what there is
     std::function<void(double)> progress{};   ///< called with the part done, from any thread
-    std::function<void(const RenderedRound&)> after_round{};
+    std::function<void(const RenderedPass&)> after_pass{};
 };
 
 struct Rendering {

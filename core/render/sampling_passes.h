@@ -1,4 +1,4 @@
-// Which samples are taken when. A picture is rendered in rounds; after each one it is whole.
+// Which samples are taken when. A picture is rendered in passes; after each one it is whole.
 #pragma once
 
 #include <optional>
@@ -8,20 +8,20 @@
 
 namespace etalon {
 
-/// How many samples pixels have at the end of a round.
-struct Goals {
+/// How many samples pixels have at the end of a pass.
+struct SamplingGoal {
     std::uint32_t all = 0;                  ///< of every pixel, unless
     std::vector<std::uint32_t> of_pixel{};  ///< each one has its own
 
     std::uint32_t of(std::size_t pixel) const { return of_pixel.empty() ? all : of_pixel[pixel]; }
 };
 
-class Rounds {
+class SamplingPasses {
   public:
-    virtual ~Rounds() = default;
+    virtual ~SamplingPasses() = default;
 
-    /// What the next round aims at; nothing when the picture is done.
-    virtual std::optional<Goals> next(const Film& film) = 0;
+    /// What the next pass aims at; nothing when the picture is done.
+    virtual std::optional<SamplingGoal> next(const Film& film) = 0;
 
     /// The picture's expected relMSE, as far as it is known; 0 where nobody asks for it.
     virtual double expected_error() const { return 0; }

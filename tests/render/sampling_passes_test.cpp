@@ -4,7 +4,7 @@
 
 #include "core/image/metrics/metrics.h"
 #include "core/parallel/parallel.h"
-#include "core/render/uniform_rounds.h"
+#include "core/render/uniform_passes.h"
 #include "tests/catch.h"
 #include "tests/render/pictures.h"
 #include "tests/render/test_scenes.h"
@@ -55,7 +55,7 @@ double set_time = 0;
 }  // namespace
 
 TEST_CASE("A picture ends near the error asked for, with fewer samples than all pixels need",
-          "[rounds]") {
+          "[passes]") {
     for (const double error : {3e-3, 1e-3}) {
         const Rendering r = rendered(scene(), up_to_error(scene(), error));
         const double real = relmse(r.film.pixels(), truth());
@@ -69,7 +69,7 @@ TEST_CASE("A picture ends near the error asked for, with fewer samples than all 
     }
 }
 
-TEST_CASE("An adaptive picture has the same mean as a uniform one", "[rounds]") {
+TEST_CASE("An adaptive picture has the same mean as a uniform one", "[passes]") {
     Vec3 adaptive(0), uniform(0);
     constexpr int seeds = 16;
     for (std::uint32_t seed = 0; seed < seeds; ++seed) {
@@ -84,7 +84,7 @@ TEST_CASE("An adaptive picture has the same mean as a uniform one", "[rounds]") 
     }
 }
 
-TEST_CASE("An adaptive picture is the same for every backend and number of threads", "[rounds]") {
+TEST_CASE("An adaptive picture is the same for every backend and number of threads", "[passes]") {
     const RenderSettings settings = up_to_error(scene(), 5e-3);
     const Rendering reference = rendered(scene(), settings);
     for (const char* backend : {"grid", "embree", "embree-user"}) {
@@ -97,7 +97,7 @@ TEST_CASE("An adaptive picture is the same for every backend and number of threa
     }
 }
 
-TEST_CASE("No pixel has more samples than allowed, nor a sixty-fourth of another's", "[rounds]") {
+TEST_CASE("No pixel has more samples than allowed, nor a sixty-fourth of another's", "[passes]") {
     RenderSettings settings = up_to_error(scene(), 1e-12);
     settings.samples_per_pixel = 256;
     const Rendering r = rendered(scene(), settings);
@@ -107,7 +107,7 @@ TEST_CASE("No pixel has more samples than allowed, nor a sixty-fourth of another
     CHECK(r.expected_error > 1e-12);
 }
 
-TEST_CASE("One pixel, and one sample at most, are pictures too", "[rounds]") {
+TEST_CASE("One pixel, and one sample at most, are pictures too", "[passes]") {
     const TestScene small = mixed_scene(1, 1);
     const Rendering r = rendered(small, up_to_error(small, 1e-4));
     CHECK(r.complete);
@@ -117,32 +117,32 @@ TEST_CASE("One pixel, and one sample at most, are pictures too", "[rounds]") {
     CHECK(rendered(scene(), single).film.total_count() == scene().settings.resolution.x * 72U);
 }
 
-TEST_CASE("Every round of a picture is shown, whole", "[rounds]") {
+TEST_CASE("Every pass of a picture is shown, whole", "[passes]") {
     const RenderSettings settings = samples(scene(), 6);
     std::vector<std::uint32_t> counts;
     RunControl control;
-    control.after_round = [&](const RenderedRound& round) {
-        const auto& all = round.film.counts();
+    control.after_pass = [&](const RenderedPass& pass) {
+        const auto& all = pass.film.counts();
         CHECK(*std::min_element(all.begin(), all.end()) ==
               *std::max_element(all.begin(), all.end()));
-        CHECK(round.expected_error == 0);
+        CHECK(pass.expected_error == 0);
         counts.push_back(all[0]);
     };
     rendered(scene(), settings, control);
     CHECK(counts == std::vector<std::uint32_t>{1, 2, 4, 6});
 }
 
-TEST_CASE("A picture is over when its time is", "[rounds]") {
+TEST_CASE("A picture is over when its time is", "[passes]") {
     clock_reads = 0;
     const RenderSettings settings = samples(scene(), 1 << 20);
     RunControl control;
     control.deadline = Deadline(2000, second_per_read);
     const Rendering r = rendered(scene(), settings, control);
-    CHECK(r.samples >= 4);  // the clock is read some 500 times a round
+    CHECK(r.samples >= 4);  // the clock is read some 500 times a pass
     CHECK(r.samples < 2000);
 }
 
-TEST_CASE("However short the time is, every pixel has a sample", "[rounds]") {
+TEST_CASE("However short the time is, every pixel has a sample", "[passes]") {
     for (const double error : {0.0, 1e-4}) {
         const RenderSettings settings = up_to_error(scene(), error);
         RunControl control;
@@ -154,30 +154,30 @@ TEST_CASE("However short the time is, every pixel has a sample", "[rounds]") {
     }
 }
 
-TEST_CASE("What there is of a round that was stopped is shown, once", "[rounds]") {
+TEST_CASE("What there is of a pass that was stopped is shown, once", "[passes]") {
     std::atomic<bool> stop = false;
     const RenderSettings settings = samples(scene(), 64);
     RunControl control;
     control.stop = &stop;
     control.progress = [&](double) { stop = true; };
     int shown = 0;
-    control.after_round = [&](const RenderedRound& round) {
-        CHECK(round.film.total_count() > 0);
+    control.after_pass = [&](const RenderedPass& pass) {
+        CHECK(pass.film.total_count() > 0);
         ++shown;
     };
     rendered(scene(), settings, control);
     CHECK(shown == 1);
 }
 
-TEST_CASE("The last round before a deadline is as large as there is time for", "[rounds]") {
+TEST_CASE("The last pass before a deadline is as large as there is time for", "[passes]") {
     const Film film({{0, 0}, {0, 0}});
     set_time = 0;
     const Deadline soon(10, [] { return set_time; });
-    UniformRounds rounds(1000, 1, soon);
+    UniformPasses passes(1000, 1, soon);
     const auto next_at = [&](double time) {
         set_time = time;
-        const std::optional<Goals> goals = rounds.next(film);
-        return goals ? goals->all : 0;
+        const std::optional<SamplingGoal> goal = passes.next(film);
+        return goal ? goal->all : 0;
     };
     CHECK(next_at(0) == 1);
     CHECK(next_at(1) == 2);
@@ -185,7 +185,7 @@ TEST_CASE("The last round before a deadline is as large as there is time for", "
     CHECK(next_at(8) == 5);  // 4 took 8 seconds of 10
     CHECK(next_at(9.5) == 0);
     const Deadline never;
-    UniformRounds all(5, 1, never);
+    UniformPasses all(5, 1, never);
     for (const std::uint32_t goal : {1U, 2U, 4U, 5U}) CHECK(all.next(film)->all == goal);
     CHECK_FALSE(all.next(film).has_value());
 }

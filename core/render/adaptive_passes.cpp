@@ -1,4 +1,4 @@
-#include "core/render/adaptive_rounds.h"
+#include "core/render/adaptive_passes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ constexpr std::uint32_t fewest = 4;
 /// The expected error is no better known than that.
 constexpr double tolerance = 0.03;
 
-/// A round adds at most this part of the samples there are, and goes at most this part of the way
+/// A pass adds at most this part of the samples there are, and goes at most this part of the way
 /// to the error asked for: then it is time to look again.
 constexpr double most_samples = 0.5, most_of_the_way = 0.7;
 
@@ -24,33 +24,33 @@ constexpr std::uint32_t most_to_fewest = 64;
 
 }  // namespace
 
-AdaptiveRounds::AdaptiveRounds(const Film& film, double error, std::uint32_t samples)
+AdaptivePasses::AdaptivePasses(const Film& film, double error, std::uint32_t samples)
     : estimate_(film.width(), static_cast<int>(film.size()) / film.width()),
       error_(error),
       samples_(samples) {}
 
-std::optional<Goals> AdaptiveRounds::next(const Film& film) {
+std::optional<SamplingGoal> AdaptivePasses::next(const Film& film) {
     estimate_.look(film);
     expected_ = estimate_.total();
     if (is_enough()) return std::nullopt;
-    if (knows_too_little()) return Goals{of_all_ = std::max(1U, 2 * of_all_)};
-    Goals goals = worthwhile(film);
-    if (goals.of_pixel == film.counts()) return std::nullopt;  // all have as many as they may
-    return goals;
+    if (knows_too_little()) return SamplingGoal{of_all_ = std::max(1U, 2 * of_all_)};
+    SamplingGoal goal = worthwhile(film);
+    if (goal.of_pixel == film.counts()) return std::nullopt;  // all have as many as they may
+    return goal;
 }
 
-bool AdaptiveRounds::is_enough() const {
+bool AdaptivePasses::is_enough() const {
     return estimate_.exists() && expected_ <= (1 + tolerance) * error_;
 }
 
 /// Not where twice the samples for all would be more than was asked for.
-bool AdaptiveRounds::knows_too_little() const {
+bool AdaptivePasses::knows_too_little() const {
     if (2 * of_all_ > samples_) return false;
     return of_all_ < 2 || (of_all_ < fewest && expected_ / 2 > error_);
 }
 
 /// The best ones first.
-std::vector<AdaptiveRounds::Candidate> AdaptiveRounds::candidates(const Film& film) const {
+std::vector<AdaptivePasses::Candidate> AdaptivePasses::candidates(const Film& film) const {
     std::vector<Candidate> result(film.size());
     parallel_for(film.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -69,24 +69,24 @@ std::vector<AdaptiveRounds::Candidate> AdaptiveRounds::candidates(const Film& fi
     return result;
 }
 
-Goals AdaptiveRounds::worthwhile(const Film& film) const {
-    Goals goals{0, film.counts()};
-    const std::uint32_t most = *std::max_element(goals.of_pixel.begin(), goals.of_pixel.end());
+SamplingGoal AdaptivePasses::worthwhile(const Film& film) const {
+    SamplingGoal goal{0, film.counts()};
+    const std::uint32_t most = *std::max_element(goal.of_pixel.begin(), goal.of_pixel.end());
     const auto pixels = static_cast<double>(film.size());
     double to_gain = most_of_the_way * (expected_ - error_) * pixels;
     double budget = most_samples * static_cast<double>(film.total_count());
     for (const Candidate& c : candidates(film)) {
-        std::uint32_t& count = goals.of_pixel[c.pixel];
+        std::uint32_t& count = goal.of_pixel[c.pixel];
         const bool lags = count * most_to_fewest <= most;
         if (!lags && (to_gain <= 0 || budget <= 0)) continue;
         to_gain -= c.gain * count;
         budget -= count;
         count *= 2;
     }
-    return goals;
+    return goal;
 }
 
-double AdaptiveRounds::part_done(std::uint64_t) const {
+double AdaptivePasses::part_done(std::uint64_t) const {
     return expected_ > 0 ? std::min(1.0, error_ / expected_) : 0;
 }
 

@@ -1,18 +1,18 @@
 #pragma once
 
 #include "core/render/error_estimate.h"
-#include "core/render/rounds.h"
+#include "core/render/sampling_passes.h"
 
 namespace etalon {
 
 /// Samples where they lower the error most, until the picture's expected relMSE is `error`. A
 /// pixel's samples are doubled each time, so that they stay well distributed.
-class AdaptiveRounds : public Rounds {
+class AdaptivePasses : public SamplingPasses {
   public:
     /// For films like this one; at most `samples` of a pixel.
-    AdaptiveRounds(const Film& film, double error, std::uint32_t samples);
+    AdaptivePasses(const Film& film, double error, std::uint32_t samples);
 
-    std::optional<Goals> next(const Film& film) override;
+    std::optional<SamplingGoal> next(const Film& film) override;
     double expected_error() const override { return expected_; }
     double part_done(std::uint64_t samples) const override;
 
@@ -26,7 +26,7 @@ class AdaptiveRounds : public Rounds {
     bool is_enough() const;
     bool knows_too_little() const;
     std::vector<Candidate> candidates(const Film& film) const;
-    Goals worthwhile(const Film& film) const;
+    SamplingGoal worthwhile(const Film& film) const;
 
     ErrorEstimate estimate_;
     double error_, expected_ = 0;

@@ -1,24 +1,24 @@
-#include "core/render/uniform_rounds.h"
+#include "core/render/uniform_passes.h"
 
 #include <algorithm>
 
 namespace etalon {
 
 /// How many samples there will be at the deadline if they go on taking as long as those before.
-std::uint32_t UniformRounds::affordable() const {
+std::uint32_t UniformPasses::affordable() const {
     const double part = deadline_.part_over();
     if (!(part > 0)) return samples_;
     return static_cast<std::uint32_t>(std::min<double>(goal_ / part, samples_));
 }
 
-std::optional<Goals> UniformRounds::next(const Film&) {
-    if (goal_ == 0) return Goals{goal_ = 1};
+std::optional<SamplingGoal> UniformPasses::next(const Film&) {
+    if (goal_ == 0) return SamplingGoal{goal_ = 1};
     const std::uint32_t next = std::min({2 * goal_, samples_, affordable()});
     if (next <= goal_) return std::nullopt;
-    return Goals{goal_ = next};
+    return SamplingGoal{goal_ = next};
 }
 
-double UniformRounds::part_done(std::uint64_t samples) const {
+double UniformPasses::part_done(std::uint64_t samples) const {
     const double all = static_cast<double>(samples_) * static_cast<double>(pixels_);
     return std::max(static_cast<double>(samples) / all, deadline_.part_over());
 }

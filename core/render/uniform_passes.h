@@ -1,19 +1,19 @@
 #pragma once
 
 #include "core/render/deadline.h"
-#include "core/render/rounds.h"
+#include "core/render/sampling_passes.h"
 
 namespace etalon {
 
 /// The same number of samples for every pixel, doubled round by round: what there is at any time is
-/// well distributed. The last round before a deadline is as large as there is time for.
-class UniformRounds : public Rounds {
+/// well distributed. The last pass before a deadline is as large as there is time for.
+class UniformPasses : public SamplingPasses {
   public:
     /// `samples` of each of `pixels`, at least 1.
-    UniformRounds(std::uint32_t samples, std::size_t pixels, const Deadline& deadline)
+    UniformPasses(std::uint32_t samples, std::size_t pixels, const Deadline& deadline)
         : samples_(samples), pixels_(pixels), deadline_(deadline) {}
 
-    std::optional<Goals> next(const Film& film) override;
+    std::optional<SamplingGoal> next(const Film& film) override;
     double part_done(std::uint64_t samples) const override;
 
   private:
