@@ -33,7 +33,7 @@ SurfacePoint surface_at(const Geometry& geometry, const Ray& ray, const Hit& hit
     return with_shape(p.kind, [&]<class Shape>() {
         SurfacePoint point = surface(geometry, geometry.get<Shape>(p), query, hit.t);
         point.primitive = hit.primitive;
-        point.form = Shape::form;
+        point.convexity = Shape::convexity;
         return point;
     });
 }

@@ -14,7 +14,7 @@ struct SurfacePoint {
     Vec3 normal;          ///< geometric, unit, as the shape defines it (outward, or by winding)
     Vec3 shading_normal;  ///< unit; interpolated where the shape has corner normals
     std::uint32_t primitive = no_index;
-    Form form = Form::any;  ///< of the primitive
+    Convexity convexity = Convexity::any;  ///< of the primitive
 };
 
 /// The bound used by the kernels: both the position's rounding and the kernel's own evaluation are
@@ -45,7 +45,8 @@ inline Vec3 spawn_origin(const SurfacePoint& p, const Vec3& direction) {
 /// A ray that leaves `p`.
 inline Ray spawn_ray(const SurfacePoint& p, const Vec3& direction) {
     const bool outward = p.normal.dot(direction) > 0;
-    const bool for_good = p.form == Form::flat || (p.form == Form::convex && outward);
+    const bool for_good =
+        p.convexity == Convexity::flat || (p.convexity == Convexity::convex && outward);
     return {spawn_origin(p, direction), direction, 0, infinity, for_good ? p.primitive : no_index};
 }
 

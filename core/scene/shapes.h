@@ -18,11 +18,11 @@ inline constexpr std::uint32_t no_index = 0xFFFFFFFFU;
 
 /// What is known of all shapes of a kind: that a ray that leaves one to the outside, or to either
 /// side, does not meet it again.
-enum class Form : std::uint8_t { any, convex, flat };
+enum class Convexity : std::uint8_t { any, convex, flat };
 
 struct Sphere {
     static constexpr std::string_view name = "sphere";
-    static constexpr Form form = Form::convex;
+    static constexpr Convexity convexity = Convexity::convex;
     Vec3 centre;
     double radius;  ///< > 0; an inside-only sphere is a matter of Sides
 };
@@ -31,15 +31,16 @@ struct Sphere {
 /// counter-clockwise.
 struct Triangle {
     static constexpr std::string_view name = "triangle";
-    static constexpr Form form = Form::flat;
+    static constexpr Convexity convexity = Convexity::flat;
     TriangleIndices vertices;
     std::uint32_t normal_offset = no_index;  ///< see Primitive
 };
 
-/// A planar polygon with count >= 4 corners, concave or not: geometry.vertices[first ... first+count).
+/// A planar polygon with count >= 4 corners, concave or not: geometry.vertices[first ...
+/// first+count).
 struct Polygon {
     static constexpr std::string_view name = "polygon";
-    static constexpr Form form = Form::any;  // corners may lie off their plane
+    static constexpr Convexity convexity = Convexity::any;  // corners may lie off their plane
     std::uint32_t first;
     std::uint32_t count;
     std::uint32_t normals = no_index;  ///< first of `count` consecutive normals
@@ -48,14 +49,14 @@ struct Polygon {
 /// An axis-aligned box, both sides visible; min <= max in each axis.
 struct Box {
     static constexpr std::string_view name = "box";
-    static constexpr Form form = Form::convex;
+    static constexpr Convexity convexity = Convexity::convex;
     Vec3 min, max;
 };
 
 /// The infinite plane through `point`; `normal` need not be of unit length.
 struct Plane {
     static constexpr std::string_view name = "plane";
-    static constexpr Form form = Form::flat;
+    static constexpr Convexity convexity = Convexity::flat;
     Vec3 point, normal;
 };
 
@@ -63,7 +64,7 @@ struct Plane {
 /// agree, a cone where one is zero. No caps.
 struct Cone {
     static constexpr std::string_view name = "cone";
-    static constexpr Form form = Form::convex;
+    static constexpr Convexity convexity = Convexity::convex;
     Vec3 base, top;
     double base_radius, top_radius;
 };
@@ -72,7 +73,7 @@ struct Cone {
 /// The front is where the normal points; it need not be of unit length.
 struct Ring {
     static constexpr std::string_view name = "ring";
-    static constexpr Form form = Form::flat;
+    static constexpr Convexity convexity = Convexity::flat;
     Vec3 centre, normal;
     double inner, outer;  ///< 0 <= inner <= outer, outer > 0
 };
@@ -88,7 +89,7 @@ struct Ring {
 /// surface meets it nowhere.
 struct Quadric {
     static constexpr std::string_view name = "quadric";
-    static constexpr Form form = Form::any;
+    static constexpr Convexity convexity = Convexity::any;
     Vec3 centre;
     std::array<double, 10> coefficients;  ///< a, b, ... j
     Box3 clip;
@@ -97,7 +98,7 @@ struct Quadric {
 /// The image of the unit sphere about the origin under `to_world`.
 struct Ellipsoid {
     static constexpr std::string_view name = "ellipsoid";
-    static constexpr Form form = Form::convex;
+    static constexpr Convexity convexity = Convexity::convex;
 
     explicit Ellipsoid(const Affine& map) : to_world(map), frame(map, Symmetry::sphere) {}
 
@@ -109,7 +110,7 @@ struct Ellipsoid {
 /// caps.
 struct ClosedCylinder {
     static constexpr std::string_view name = "cylinder";
-    static constexpr Form form = Form::convex;
+    static constexpr Convexity convexity = Convexity::convex;
 
     explicit ClosedCylinder(const Affine& map) : to_world(map), frame(map, Symmetry::about_z) {}
 
