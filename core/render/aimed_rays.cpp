@@ -41,7 +41,7 @@ class Picture {
 
     /// Brings `a` and `b` together until there is no point between them; `a` goes on showing what
     /// it shows, `b` something else.
-    void approach_border(Vec2& a, Vec2& b) const {
+    void approach_edge(Vec2& a, Vec2& b) const {
         const std::uint32_t at_a = at(a);
         for (Vec2 middle = (a + b) / 2; middle != a && middle != b; middle = (a + b) / 2) {
             (at(middle) == at_a ? a : b) = middle;
@@ -77,7 +77,7 @@ void add_rays_at_borders(const Intersector& exact, const CameraRays& camera,
     for (std::size_t i = 1; i < pixels.size() && rays.size() + 1 < limit; ++i) {
         Vec2 a = pixels[i - 1], b = pixels[i];
         if (picture.at(a) == picture.at(b)) continue;
-        picture.approach_border(a, b);
+        picture.approach_edge(a, b);
         rays.push_back(picture.through(a));
         rays.push_back(picture.through(b));
     }

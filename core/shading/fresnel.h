@@ -5,18 +5,18 @@
 namespace etalon {
 
 /// How light meets the border between two transparent media.
-struct DielectricBorder {
+struct FresnelTerms {
     double reflectance;  ///< of unpolarised light; 1 where it is totally reflected
     double cos_refracted;
     bool total;
 };
 
 /// eta = n_here / n_beyond; cos_incident in [0, 1]. By the Fresnel equations.
-DielectricBorder dielectric_border(double eta, double cos_incident);
+FresnelTerms fresnel_dielectric(double eta, double cos_incident);
 
 /// Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering": the same border with
 /// an approximate reflectance, taken at the angle in the thinner medium.
-DielectricBorder schlick_border(double eta, double cos_incident);
+FresnelTerms fresnel_schlick(double eta, double cos_incident);
 
 inline Vec3 reflect(const Vec3& direction, const Vec3& normal) {
     return direction - 2 * direction.dot(normal) * normal;

@@ -9,17 +9,17 @@ using namespace etalon;
 TEST_CASE("At normal incidence the reflectance is ((n-1)/(n+1))^2", "[shading]") {
     for (const double n : {1.0, 1.15, 1.33, 1.5, 2.4}) {
         const double expected = (n - 1) * (n - 1) / ((n + 1) * (n + 1));
-        CHECK(dielectric_border(1 / n, 1).reflectance == Approx(expected).margin(1e-15));
-        CHECK(dielectric_border(n, 1).reflectance == Approx(expected).margin(1e-15));
-        CHECK(schlick_border(1 / n, 1).reflectance == Approx(expected).margin(1e-15));
+        CHECK(fresnel_dielectric(1 / n, 1).reflectance == Approx(expected).margin(1e-15));
+        CHECK(fresnel_dielectric(n, 1).reflectance == Approx(expected).margin(1e-15));
+        CHECK(fresnel_schlick(1 / n, 1).reflectance == Approx(expected).margin(1e-15));
     }
 }
 
 TEST_CASE("The reflectance is the same from both sides of a border", "[shading]") {
     const double eta = 1 / 1.5;
     for (double cosine = 0.05; cosine < 1; cosine += 0.05) {
-        const DielectricBorder in = dielectric_border(eta, cosine);
-        const DielectricBorder out = dielectric_border(1 / eta, in.cos_refracted);
+        const FresnelTerms in = fresnel_dielectric(eta, cosine);
+        const FresnelTerms out = fresnel_dielectric(1 / eta, in.cos_refracted);
         CHECK(out.reflectance == Approx(in.reflectance));
         CHECK(out.cos_refracted == Approx(cosine));
     }
@@ -28,15 +28,15 @@ TEST_CASE("The reflectance is the same from both sides of a border", "[shading]"
 TEST_CASE("At Brewster's angle only the perpendicular part is reflected", "[shading]") {
     const double n = 1.5, cosine = std::cos(std::atan(n));
     const double perpendicular = std::pow((n * n - 1) / (n * n + 1), 2);
-    CHECK(dielectric_border(1 / n, cosine).reflectance == Approx(perpendicular / 2));
+    CHECK(fresnel_dielectric(1 / n, cosine).reflectance == Approx(perpendicular / 2));
 }
 
 TEST_CASE("Beyond the critical angle everything is reflected", "[shading]") {
     const double n = 1.5, critical = std::sqrt(1 - 1 / (n * n));
-    CHECK(dielectric_border(n, critical * 0.999).total);
-    CHECK(dielectric_border(n, critical * 0.999).reflectance == 1);
-    CHECK_FALSE(dielectric_border(n, critical * 1.001).total);
-    CHECK(dielectric_border(1 / n, 0.0).reflectance == Approx(1));
+    CHECK(fresnel_dielectric(n, critical * 0.999).total);
+    CHECK(fresnel_dielectric(n, critical * 0.999).reflectance == 1);
+    CHECK_FALSE(fresnel_dielectric(n, critical * 1.001).total);
+    CHECK(fresnel_dielectric(1 / n, 0.0).reflectance == Approx(1));
 }
 
 TEST_CASE("Refracted directions are unit vectors that obey Snell's law", "[shading]") {
@@ -44,8 +44,8 @@ TEST_CASE("Refracted directions are unit vectors that obey Snell's law", "[shadi
     for (double angle = 0; angle < 1.5; angle += 0.1) {
         const Vec3 direction(std::sin(angle), 0, -std::cos(angle));
         const double eta = 1 / 1.33;
-        const DielectricBorder border = dielectric_border(eta, std::cos(angle));
-        const Vec3 r = refract(direction, normal, eta, std::cos(angle), border.cos_refracted);
+        const FresnelTerms fresnel = fresnel_dielectric(eta, std::cos(angle));
+        const Vec3 r = refract(direction, normal, eta, std::cos(angle), fresnel.cos_refracted);
         CHECK(r.length() == Approx(1));
         CHECK(r.x == Approx(std::sin(angle) / 1.33).margin(1e-15));
         CHECK(r.z < 0);

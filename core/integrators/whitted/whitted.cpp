@@ -129,14 +129,14 @@ Color Whitted::secondary(const Path& path, const SurfaceInteraction& at, Context
     const double eta = at.entering ? 1 / m.ior : m.ior;
     Vec3 refracted;
     if (!is_black(m.transmission)) {
-        const DielectricBorder border =
-            rules_.schlick ? schlick_border(eta, cosine) : dielectric_border(eta, cosine);
+        const FresnelTerms fresnel =
+            rules_.schlick ? fresnel_schlick(eta, cosine) : fresnel_dielectric(eta, cosine);
         if (m.fresnel) {
-            reflection *= static_cast<float>(border.reflectance);
-            transmission *= static_cast<float>(1 - border.reflectance);
+            reflection *= static_cast<float>(fresnel.reflectance);
+            transmission *= static_cast<float>(1 - fresnel.reflectance);
         }
-        if (border.total) transmission = Color(0.0F);
-        refracted = normalized(refract(direction, normal, eta, cosine, border.cos_refracted));
+        if (fresnel.total) transmission = Color(0.0F);
+        refracted = normalized(refract(direction, normal, eta, cosine, fresnel.cos_refracted));
     }
     Color sum(0.0F);
     const bool counted = rules_.mirror_all_glass && !is_black(m.transmission);
