@@ -91,8 +91,8 @@ HWY_INLINE void ask(const UserQuery& query, std::uint32_t cluster, std::uint32_t
         offer(primitive_first_hit(query.geometry, id, query.query), id);
     } else {
         for (; lanes != 0; lanes &= lanes - 1) {
-            const auto [id, t] = query.clusters.ask(query.geometry, ClusterRef(kind, cluster),
-                                                    std::countr_zero(lanes), query.query);
+            const auto [id, t] = query.clusters.intersect_lane(
+                query.geometry, ClusterRef(kind, cluster), std::countr_zero(lanes), query.query);
             if (!offer(t, id)) return;
         }
     }

@@ -24,7 +24,8 @@ HWY_INLINE void visit(const BvhView& bvh, ClusterRef ref, const ClusterFilter& f
                       const RayQuery& query, const Offer& offer) {
     std::uint32_t lanes = filter.candidates(bvh.clusters, ref, tmax);
     for (; lanes != 0; lanes &= lanes - 1) {
-        const auto [id, t] = bvh.clusters.ask(bvh.geometry, ref, std::countr_zero(lanes), query);
+        const auto [id, t] =
+            bvh.clusters.intersect_lane(bvh.geometry, ref, std::countr_zero(lanes), query);
         if (!offer(t, id)) return;
     }
 }

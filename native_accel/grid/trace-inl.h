@@ -26,7 +26,7 @@ HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const FrameRa
         const Passage passage(boxes.box(), ray, tmin, tmax);
         const Clusters& clusters = grid.others.clusters();
         const auto ask = [&](ClusterRef ref, std::size_t lane) HWY_ATTR {
-            const auto [id, t] = clusters.ask(grid.geometry, ref, lane, query);
+            const auto [id, t] = clusters.intersect_lane(grid.geometry, ref, lane, query);
             return offer(t, id);
         };
         if (!passage.empty()) {

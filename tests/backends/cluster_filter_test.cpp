@@ -85,7 +85,7 @@ class Trial {
                 clusters_, ref, query, local, tmin, local.tmax(tmax));
             return (lanes >> lane & 1) != 0;
         };
-        const auto [id, t] = clusters_.ask(scene_.geometry, ref, lane, RayQuery(ray));
+        const auto [id, t] = clusters_.intersect_lane(scene_.geometry, ref, lane, RayQuery(ray));
         if (passes(infinity, id)) ++left_and_passed;
         if (std::isnan(t)) {
             ++missed;

@@ -51,8 +51,8 @@ class Clusters {
     };
 
     /// What is at a lane that is taken; of a list, at any, with no_index where none is.
-    Candidate ask(const Geometry& geometry, ClusterRef ref, std::size_t lane,
-                  const RayQuery& query) const;
+    Candidate intersect_lane(const Geometry& geometry, ClusterRef ref, std::size_t lane,
+                             const RayQuery& query) const;
 
     const TriangleCluster& triangles(ClusterRef ref) const { return triangles_[ref.index()]; }
     const SphereCluster& spheres(ClusterRef ref) const { return spheres_[ref.index()]; }
@@ -76,8 +76,8 @@ class Clusters {
     std::vector<List> lists_;
 };
 
-inline Clusters::Candidate Clusters::ask(const Geometry& geometry, ClusterRef ref, std::size_t lane,
-                                         const RayQuery& query) const {
+inline Clusters::Candidate Clusters::intersect_lane(const Geometry& geometry, ClusterRef ref,
+                                                    std::size_t lane, const RayQuery& query) const {
     switch (ref.kind()) {
         case ClusterRef::triangles: {
             const TriangleCluster& cluster = triangles(ref);
