@@ -37,16 +37,16 @@ std::string Bvh::isa() const {
 }
 
 void Bvh::closest_bounded(const RayQuery& query, const FrameRay& local, NearestHit& nearest) const {
-    if (!tree_.empty()) walk_.closest(view(), query, local, nearest);
+    if (!tree_.empty()) traversal_.closest(view(), query, local, nearest);
 }
 
 void Bvh::closest_counted(const RayQuery& query, const FrameRay& local, NearestHit& nearest,
                           TraversalCost& cost) const {
-    if (!tree_.empty()) walk_.closest_counted(view(), query, local, nearest, cost);
+    if (!tree_.empty()) traversal_.closest_counted(view(), query, local, nearest, cost);
 }
 
 bool Bvh::occluded_bounded(const RayQuery& query, const FrameRay& local) const {
-    return !tree_.empty() && walk_.occluded(view(), query, local);
+    return !tree_.empty() && traversal_.occluded(view(), query, local);
 }
 
 }  // namespace etalon

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/intersect/intersector.h"
-#include "native_accel/bvh/walk.h"
+#include "native_accel/bvh/traversal.h"
 
 namespace etalon {
 
@@ -24,7 +24,7 @@ class Bvh final : public Intersector {
 
     WideTree tree_;
     Clusters clusters_;
-    const BvhWalk walk_ = bvh_walk();
+    const BvhTraversal traversal_ = bvh_traversal();
 };
 
 }  // namespace etalon

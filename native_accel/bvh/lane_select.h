@@ -1,7 +1,7 @@
-// Two ways to the lowest lane of a mask. A walk waits for a node's boxes to be tested, learns from
-// the mask which child comes next, and only then can fetch that. A branch for each lane tells the
-// same, but the processor predicts branches: where it is right, the next node is on its way before
-// this one's boxes are tested, and where it is wrong, work is thrown away.
+// Two ways to the lowest lane of a mask. A traversal waits for a node's boxes to be tested, learns
+// from the mask which child comes next, and only then can fetch that. A branch for each lane tells
+// the same, but the processor predicts branches: where it is right, the next node is on its way
+// before this one's boxes are tested, and where it is wrong, work is thrown away.
 #pragma once
 
 #include <bit>

@@ -42,8 +42,8 @@ class TraversalStack {
     explicit TraversalStack(StackSpace& space) : bottom_(space.data()), top_(bottom_) {}
 
     /// Takes the lanes `entered` of a node, at least one, and gives back the nearest; the others
-    /// are kept, the nearer the later. The walk waits for what comes back: so of one lane, or of
-    /// two in the order predicted, it depends on no place of entry.
+    /// are kept, the nearer the later. The traversal waits for what comes back: so of one lane, or
+    /// of two in the order predicted, it depends on no place of entry.
     template <class LowestLane>
     ChildRef descend(const WideNode& node, const Lanes& entry, std::uint32_t entered) {
         const int lane = LowestLane::of(entered);

@@ -45,7 +45,7 @@ class SphereTest {
 
 /// Calls offer(cluster, lane) for the primitives that could be hit, of clusters whose boxes the ray
 /// enters; it returns the tmax from then on. A cluster is tested only in the cell in which the ray
-/// enters its box, so once, however many cells list it. That cell does list it: see GridWalk.
+/// enters its box, so once, however many cells list it. That cell does list it: see GridTraversal.
 template <class Offer, class Counters>
 class ClusterTest {
   public:

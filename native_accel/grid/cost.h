@@ -11,7 +11,7 @@ struct GridCost {
     std::uint32_t pack_size;  ///< as many items are tested at once
     double pack;              ///< of testing them
     double open;              ///< of a cell with anything in it
-    double enter;             ///< of beginning to walk through a grid
+    double enter;             ///< of beginning to traverse a grid
 
     double list(std::uint32_t items) const {
         return items == 0 ? 0 : open + pack * ((items + pack_size - 1) / pack_size);

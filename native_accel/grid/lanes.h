@@ -1,4 +1,4 @@
-// What a walk through a grid does with four floats at once.
+// What a traversal through a grid does with four floats at once.
 #pragma once
 
 #if defined(__SSE2__)
@@ -42,7 +42,7 @@ HWY_INLINE Float4 to_float(Mask4 v) {
     return __builtin_convertvector(v, Float4);
 }
 
-/// Three components, and what the walk wants in the fourth lane.
+/// Three components, and what the traversal wants in the fourth lane.
 HWY_INLINE Float4 lanes(const Vec3f& v, float fourth) {
     return Float4{v.x, v.y, v.z, fourth};
 }

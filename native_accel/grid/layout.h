@@ -4,9 +4,9 @@
 
 namespace etalon {
 
-/// By how much the list of a cell reaches beyond the cell, so that GridWalk loses nothing, not even
-/// a box that the ray enters at a time that is itself off by 20 u (see Slabs); 9 u of it for the
-/// roundings of GridLayout::cells_of. That boxes come to the grid padded is not counted on.
+/// By how much the list of a cell reaches beyond the cell, so that GridTraversal loses nothing, not
+/// even a box that the ray enters at a time that is itself off by 20 u (see Slabs); 9 u of it for
+/// the roundings of GridLayout::cells_of. That boxes come to the grid padded is not counted on.
 inline constexpr float grid_padding = 64 * 0x1p-24F;
 
 /// Half the surface of a box of that size.

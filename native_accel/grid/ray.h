@@ -5,8 +5,8 @@
 
 namespace etalon {
 
-/// A ray as the walk through grids wants it: time per length and length per time along each axis,
-/// without signs, which are apart.
+/// A ray as the traversal through grids wants it: time per length and length per time along each
+/// axis, without signs, which are apart.
 struct GridRay {
     HWY_INLINE explicit GridRay(const FrameRay& ray) : origin(lanes(ray.origin, 0)) {
         // No smaller than 2^-40 of the largest component: no infinity times zero, and over the

@@ -6,8 +6,8 @@
 #define ETALON_GRID_VISIT_INL_H
 #endif
 
+#include "native_accel/grid/grid_traversal.h"
 #include "native_accel/grid/packed_grid.h"
-#include "native_accel/grid/walk.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
@@ -48,7 +48,7 @@ class GridVisit {
     HWY_INLINE void visit(const Passage& passage) {
         const GridCell& root = grid_.root();
         if (root.is_grid()) {
-            walk(grid_.node(root), passage);
+            traverse(grid_.node(root), passage);
         } else {
             test(root, passage);
         }
@@ -59,21 +59,21 @@ class GridVisit {
         if (!c.is_grid()) return test(c, passage);
         const GridNode& node = grid_.node(c);
         const Passage inside(node.low, node.high, ray_, passage.entry, passage.exit);
-        if (!inside.empty()) walk(node, inside);
+        if (!inside.empty()) traverse(node, inside);
     }
 
     HWY_INLINE void test(const GridCell& c, const Passage& passage) {
         tmax_ = test_(grid_.packs(c), passage.entry, passage.exit, tmax_);
     }
 
-    void walk(const GridNode& node, const Passage& passage) {
+    void traverse(const GridNode& node, const Passage& passage) {
         auto [entry, end] = passage;
-        GridWalk walk(node, ray_, entry);
+        GridTraversal traversal(node, ray_, entry);
         while (entry <= end) {
             test_.counters.cell();
-            const GridCell c = grid_.cell(walk.cell());
-            const Float4 exit = walk.exit();
-            walk.advance(exit);
+            const GridCell c = grid_.cell(traversal.cell());
+            const Float4 exit = traversal.exit();
+            traversal.advance(exit);
             if (c.count != 0) {
                 visit(c, {entry, std::min(exit[0], end)});
                 end = std::min(end, tmax_);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/intersect/tree/scene_tree.h"
-#include "native_accel/bvh/walk.h"
+#include "native_accel/bvh/traversal.h"
 #include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
 #include "tests/backends/tracers.h"
@@ -43,7 +43,7 @@ class BvhOfTree final : public Intersector {
   private:
     Clusters clusters_;
     WideTree tree_;
-    const BvhWalk walk_ = bvh_walk();
+    const BvhTraversal walk_ = bvh_traversal();
 };
 
 BvhTree tree_of(const Geometry& geometry, std::vector<BoundedPrimitive> primitives) {

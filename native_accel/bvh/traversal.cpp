@@ -1,4 +1,4 @@
-#include "native_accel/bvh/walk.h"
+#include "native_accel/bvh/traversal.h"
 
 #include <algorithm>
 #include <bit>
@@ -8,12 +8,12 @@
 #include "native_accel/common/tally.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "native_accel/bvh/walk.cpp"
+#define HWY_TARGET_INCLUDE "native_accel/bvh/traversal.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include "core/intersect/clusters/filter-inl.h"
-#include "native_accel/bvh/walk-inl.h"
+#include "native_accel/bvh/traversal-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
@@ -36,24 +36,24 @@ HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const Fr
     const float tmin = local.tmin(query.ray.tmin);
     float tmax = local.tmax(nearest.t);
     StackSpace space;
-    Walk walk(bvh.tree, local, tmin, space, NearestFirst<LowestLane>(), counters);
-    if (!walk.begin(tmax)) return;
+    Traversal traversal(bvh.tree, local, tmin, space, FrontToBack<LowestLane>(), counters);
+    if (!traversal.begin(tmax)) return;
     const ClusterFilter filter(bvh.clusters, query, local, tmin);
     const auto offer = [&](double t, std::uint32_t id) HWY_ATTR {
         nearest.offer(t, id);
         return true;
     };
-    walk.finish(tmax, [&](ClusterRef ref) HWY_ATTR {
+    traversal.finish(tmax, [&](ClusterRef ref) HWY_ATTR {
         const double before = nearest.t;
-        walk.counters().members(bvh.clusters, ref);
+        traversal.counters().members(bvh.clusters, ref);
         visit(bvh, ref, filter, tmax, query, offer);
         if (nearest.t < before) tmax = local.tmax(nearest.t);
         return true;
     });
 }
 
-void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
-                  NearestHit& nearest) {
+void traverse_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+                      NearestHit& nearest) {
     if (bvh.predicts_branches(query.ray)) {
         find_closest<BranchingLaneSelect>(bvh, query, local, nearest, Uncounted());
     } else {
@@ -61,8 +61,8 @@ void walk_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& loc
     }
 }
 
-void walk_closest_counted(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
-                          NearestHit& nearest, TraversalCost& cost) {
+void traverse_closest_counted(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+                              NearestHit& nearest, TraversalCost& cost) {
     find_closest<BranchlessLaneSelect>(bvh, query, local, nearest, Counted{cost});
 }
 
@@ -70,28 +70,28 @@ template <class LowestLane>
 HWY_INLINE bool find_any(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
     const float tmin = local.tmin(query.ray.tmin), tmax = local.tmax(query.ray.tmax);
     StackSpace space;
-    Walk walk(bvh.tree, local, tmin, space, AsTheyCome<LowestLane>(), Uncounted());
-    if (!walk.begin(tmax)) return false;
+    Traversal traversal(bvh.tree, local, tmin, space, AnyOrder<LowestLane>(), Uncounted());
+    if (!traversal.begin(tmax)) return false;
     const ClusterFilter filter(bvh.clusters, query, local, tmin);
     bool found = false;
     const auto offer = [&](double t, std::uint32_t) HWY_ATTR {
         found = t <= query.ray.tmax;
         return !found;
     };
-    walk.finish(tmax, [&](ClusterRef ref) HWY_ATTR {
+    traversal.finish(tmax, [&](ClusterRef ref) HWY_ATTR {
         visit(bvh, ref, filter, tmax, query, offer);
         return !found;
     });
     return found;
 }
 
-bool walk_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
+bool traverse_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
     return bvh.predicts_branches(query.ray) ? find_any<BranchingLaneSelect>(bvh, query, local)
                                             : find_any<BranchlessLaneSelect>(bvh, query, local);
 }
 
-BvhWalk bvh_walk() {
-    return {walk_closest, walk_closest_counted, walk_occluded};
+BvhTraversal bvh_traversal() {
+    return {traverse_closest, traverse_closest_counted, traverse_occluded};
 }
 
 }  // namespace etalon::HWY_NAMESPACE
@@ -100,10 +100,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace etalon {
 
-HWY_EXPORT(bvh_walk);
+HWY_EXPORT(bvh_traversal);
 
-BvhWalk bvh_walk() {
-    return HWY_DYNAMIC_DISPATCH(bvh_walk)();
+BvhTraversal bvh_traversal() {
+    return HWY_DYNAMIC_DISPATCH(bvh_traversal)();
 }
 
 }  // namespace etalon

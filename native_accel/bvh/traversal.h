@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// What a walk needs.
+/// What a traversal needs.
 struct BvhView {
     const Geometry& geometry;
     const WideTree& tree;
@@ -22,7 +22,7 @@ struct BvhView {
 };
 
 /// The code for one instruction set.
-struct BvhWalk {
+struct BvhTraversal {
     /// Offers `nearest` every primitive that could be hit no later than nearest.t.
     void (*closest)(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
                     NearestHit& nearest);
@@ -36,6 +36,6 @@ struct BvhWalk {
 };
 
 /// For the instruction set in use now.
-BvhWalk bvh_walk();
+BvhTraversal bvh_traversal();
 
 }  // namespace etalon

@@ -14,7 +14,7 @@ namespace etalon::HWY_NAMESPACE {
 
 /// The nearest child that a ray enters, the others being kept.
 template <class LowestLane>
-struct NearestFirst {
+struct FrontToBack {
     HWY_INLINE ChildRef operator()(TraversalStack& stack, const WideNode& node, const Lanes& entry,
                                    std::uint32_t entered) const {
         return stack.descend<LowestLane>(node, entry, entered);
@@ -23,7 +23,7 @@ struct NearestFirst {
 
 /// Any child that a ray enters.
 template <class LowestLane>
-struct AsTheyCome {
+struct AnyOrder {
     HWY_INLINE ChildRef operator()(TraversalStack& stack, const WideNode& node, const Lanes&,
                                    std::uint32_t entered) const {
         return stack.descend<LowestLane>(node, entered);
@@ -32,10 +32,10 @@ struct AsTheyCome {
 
 /// A ray on its way through the tree.
 template <class Order, class Counters>
-class Walk {
+class Traversal {
   public:
-    HWY_INLINE Walk(const WideTree& tree, const FrameRay& ray, float tmin, StackSpace& space, Order,
-                    Counters counters)
+    HWY_INLINE Traversal(const WideTree& tree, const FrameRay& ray, float tmin, StackSpace& space,
+                         Order, Counters counters)
         : tree_(tree), slabs_(ray, tmin), stack_(space), counters_(counters), next_(tree.root) {}
 
     /// Whether the ray meets the tree before tmax at all: many do not, and need no more set up.

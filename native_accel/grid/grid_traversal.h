@@ -2,10 +2,10 @@
 // the cells of an axis is always computed from their index, so that errors do not add up.
 //
 // That nothing is lost: let t be where the ray hits a primitive or enters a box. On each axis the
-// walk is, at time t, in the cell whose time of entry is the last one <= t; the walk passes through
-// those cells whatever happens on the other axes. That cell is where the ray is at t but for the
-// error of a time of entry, which as a length, with u = 2^-24, |o| <= 3 and |plane| <= 1, so
-// |plane - o| <= 4, is
+// traversal is, at time t, in the cell whose time of entry is the last one <= t; the traversal
+// passes through those cells whatever happens on the other axes. That cell is where the ray is at t
+// but for the error of a time of entry, which as a length, with u = 2^-24, |o| <= 3 and |plane| <=
+// 1, so |plane - o| <= 4, is
 //   22 u for the time itself: 4 u each for the difference from the origin, the reciprocal of the
 //     direction, their product and the last sum, 2 u each for the pace, its product with the cell's
 //     size and that with the index;
@@ -13,7 +13,7 @@
 //   6.1 u for the ray, whose float origin and direction are off by 2.1 u and 4 u.
 // Together 31.1 u, and 20 u for when a box is entered; what comes within grid_padding of a cell is
 // in the cell's list. The ends of a grid need no care: on each axis the first and the last cell
-// have no end, and the walk stops at a time that is its caller's.
+// have no end, and the traversal stops at a time that is its caller's.
 #pragma once
 
 #include "native_accel/grid/layout.h"
@@ -21,11 +21,11 @@
 
 namespace etalon {
 
-class GridWalk {
+class GridTraversal {
   public:
     /// From where the ray is at time `t`. Cells are counted along the ray: from the high end where
     /// it runs backward.
-    HWY_INLINE GridWalk(const GridNode& node, const GridRay& ray, float t) {
+    HWY_INLINE GridTraversal(const GridNode& node, const GridRay& ray, float t) {
         const Float4 near = select(ray.forward, node.low, node.high);
         entry_ = (near - ray.origin) * ray.reciprocal;
         pace_ = node.cell_size * ray.pace;
