@@ -13,7 +13,7 @@ namespace {
 /// the frame (0.6 of that was seen), so a ray that leaves it at an angle meets it again before t =
 /// u (1 + |o|) / cosine. The margin clears all rays but those within 1/128 of tangent, and loses
 /// contacts nearer than 1e-5 of the scene's size. Slivers are further off.
-float first_t(const FrameRay& ray, double tmin) {
+float first_t(const NormalizedRay& ray, double tmin) {
     constexpr float margin = 128 * unit_roundoff_f;
     const Vec3f& o = ray.origin;
     const float size = 1 + std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)});
@@ -28,7 +28,7 @@ EmbreeBuiltin::EmbreeBuiltin(const Geometry& geometry, Traversal traversal)
     if (traversal == Traversal::robust) {
         rtcSetSceneFlags(embree_scene_.get(), RTC_SCENE_FLAG_ROBUST);
     }
-    const FloatGeometry floats(device_, geometry, scene_bounds().frame);
+    const FloatGeometry floats(device_, geometry, scene_bounds().space);
     std::map<RTCGeometryType, std::vector<std::uint32_t>> by_type;
     std::vector<BoundedPrimitive> others;
     for (const BoundedPrimitive& p : take_bounded()) {
@@ -44,7 +44,7 @@ EmbreeBuiltin::EmbreeBuiltin(const Geometry& geometry, Traversal traversal)
         ids_.emplace_back(std::move(ids));
     }
     others_.build(device_, embree_scene_.get(), static_cast<unsigned>(ids_.size()),
-                  scene_bounds().frame, std::move(others));
+                  scene_bounds().space, std::move(others));
 }
 
 std::size_t EmbreeBuiltin::memory_bytes() const {
@@ -53,7 +53,7 @@ std::size_t EmbreeBuiltin::memory_bytes() const {
     return device_.bytes() + tables;
 }
 
-void EmbreeBuiltin::closest_bounded(const RayQuery& query, const FrameRay& local,
+void EmbreeBuiltin::closest_bounded(const RayQuery& query, const NormalizedRay& local,
                                     NearestHit& nearest) const {
     RTCRayHit ray;
     set_ray(ray.ray, local, first_t(local, query.ray.tmin), local.tmax(nearest.t));
@@ -68,7 +68,7 @@ void EmbreeBuiltin::closest_bounded(const RayQuery& query, const FrameRay& local
     nearest.offer(std::min(t, nearest.t), ids_[ray.hit.geomID][ray.hit.primID]);
 }
 
-bool EmbreeBuiltin::occluded_bounded(const RayQuery& query, const FrameRay& local) const {
+bool EmbreeBuiltin::occluded_bounded(const RayQuery& query, const NormalizedRay& local) const {
     const float tfar = local.tmax(query.ray.tmax);
     if (tfar < 0) return false;  // which is how Embree would tell that there is a hit
     RTCRay ray;

@@ -23,15 +23,15 @@ std::size_t vertex_count(const Geometry& geometry) {
 }
 
 EmbreeOwned<RTCBuffer> float_vertices(const EmbreeDevice& device, const Geometry& geometry,
-                                      const Frame& frame) {
+                                      const NormalizedSpace& space) {
     constexpr std::size_t overread = sizeof(float);  // Embree loads the last vertex as a vector
     EmbreeOwned<RTCBuffer> buffer(
         rtcNewBuffer(device.handle(), vertex_count(geometry) * sizeof(Vec3f) + overread));
     device.check();
     auto* to = static_cast<Vec3f*>(rtcGetBufferData(buffer.get()));
-    for (const Vec3& v : geometry.vertices) *to++ = Vec3f(frame.point(v));
+    for (const Vec3& v : geometry.vertices) *to++ = Vec3f(space.point(v));
     for (std::uint32_t i = 0; i < geometry.decimal_vertices.size(); ++i) {
-        *to++ = Vec3f(frame.point(geometry.vertex(i | decimal_vertex)));
+        *to++ = Vec3f(space.point(geometry.vertex(i | decimal_vertex)));
     }
     return buffer;
 }
@@ -46,11 +46,11 @@ Item* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std
 }  // namespace
 
 FloatGeometry::FloatGeometry(const EmbreeDevice& device, const Geometry& geometry,
-                             const Frame& frame)
+                             const NormalizedSpace& space)
     : device_(device),
       geometry_(geometry),
-      frame_(frame),
-      vertices_(float_vertices(device, geometry, frame)) {}
+      space_(space),
+      vertices_(float_vertices(device, geometry, space)) {}
 
 std::optional<RTCGeometryType> FloatGeometry::type_of(std::uint32_t primitive) const {
     const Primitive p = geometry_.primitives[primitive];
@@ -69,7 +69,7 @@ bool FloatGeometry::is_quad(const Polygon& polygon) const {
     if (polygon.count != 4) return false;
     const Vec3* p = &geometry_.vertices[polygon.first];
     const Vec3 normal = (p[2] - p[0]).cross(p[3] - p[1]);
-    const double height = unit_roundoff_f / frame_.scale() * std::sqrt(normal.dot(normal));
+    const double height = unit_roundoff_f / space_.scale() * std::sqrt(normal.dot(normal));
     for (int i = 0; i < 4; ++i) {
         const Vec3 edge = p[(i + 1) % 4] - p[i], next = p[(i + 2) % 4] - p[(i + 1) % 4];
         const bool convex = normal.dot(edge.cross(next)) > 0;
@@ -129,8 +129,8 @@ void FloatGeometry::fill_spheres(RTCGeometry geometry,
     device_.check();
     for (const std::uint32_t id : ids) {
         const auto& sphere = get<Sphere>(id);
-        const double radius = sphere.radius * frame_.scale();
-        *to++ = {Vec3f(frame_.point(sphere.centre)), static_cast<float>(radius)};
+        const double radius = sphere.radius * space_.scale();
+        *to++ = {Vec3f(space_.point(sphere.centre)), static_cast<float>(radius)};
     }
 }
 

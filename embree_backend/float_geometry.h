@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/intersect/frame.h"
+#include "core/intersect/normalized_space.h"
 #include "core/scene/geometry.h"
 #include "embree_backend/device.h"
 
@@ -12,7 +12,8 @@ namespace etalon {
 /// Makes geometries of Embree's own from a scene's primitives, in the floats of a frame.
 class FloatGeometry {
   public:
-    FloatGeometry(const EmbreeDevice& device, const Geometry& geometry, const Frame& frame);
+    FloatGeometry(const EmbreeDevice& device, const Geometry& geometry,
+                  const NormalizedSpace& space);
 
     /// What Embree has for a primitive and hits on the same sides, if it has something.
     std::optional<RTCGeometryType> type_of(std::uint32_t primitive) const;
@@ -34,7 +35,7 @@ class FloatGeometry {
 
     const EmbreeDevice& device_;
     const Geometry& geometry_;
-    const Frame& frame_;
+    const NormalizedSpace& space_;
     EmbreeOwned<RTCBuffer> vertices_;  ///< all of the scene's, so that indices stay what they are
 };
 

@@ -24,19 +24,19 @@ SceneBounds plain_bounds(const Geometry& geometry) {
             result.unbounded.push_back(id);
         }
     }
-    result.frame = Frame(world);
+    result.space = NormalizedSpace(world);
     return result;
 }
 
 /// What the callback for boxes needs, as long as the scene is built.
 struct BoundsQuery {
     const Geometry& geometry;
-    const Frame& frame;
+    const NormalizedSpace& space;
 };
 
-/// Gives each box nine times the margin that Frame::padding derives, roundings to float included,
-/// so that an error in that derivation is no error here. Embree ignores a primitive whose box is
-/// empty. Its builder flushes denormals to zero on the threads that call this.
+/// Gives each box nine times the margin that NormalizedSpace::padding derives, roundings to float
+/// included, so that an error in that derivation is no error here. Embree ignores a primitive whose
+/// box is empty. Its builder flushes denormals to zero on the threads that call this.
 void bounds_of_primitive(const RTCBoundsFunctionArguments* arguments) {
     constexpr double margin = 0x1p-16;
     const DenormalsCount denormals_count;
@@ -44,15 +44,15 @@ void bounds_of_primitive(const RTCBoundsFunctionArguments* arguments) {
     const Box3 world = primitive_bounds(data.geometry, arguments->primID);
     Box3f box;
     if (is_bounded(world)) {
-        box.min = Vec3f(data.frame.point(world.min) - Vec3(margin));
-        box.max = Vec3f(data.frame.point(world.max) + Vec3(margin));
+        box.min = Vec3f(data.space.point(world.min) - Vec3(margin));
+        box.max = Vec3f(data.space.point(world.max) + Vec3(margin));
     }
     *arguments->bounds_o = {box.min.x, box.min.y, box.min.z, 0, box.max.x, box.max.y, box.max.z, 0};
 }
 
 /// What the callbacks for hits need of a ray: Embree hands them the context it was given.
 struct Query : EmbreeContext {
-    Query(const Geometry& s, const RayQuery& q, const FrameRay& l, const NearestHit& n)
+    Query(const Geometry& s, const RayQuery& q, const NormalizedRay& l, const NearestHit& n)
         : geometry(s), query(q), local(l), nearest(n) {
         initialise(*this);
     }
@@ -67,7 +67,7 @@ struct Query : EmbreeContext {
 
     const Geometry& geometry;
     const RayQuery& query;
-    const FrameRay& local;
+    const NormalizedRay& local;
     NearestHit nearest;
 };
 
@@ -99,7 +99,7 @@ PlainUserGeometry::PlainUserGeometry(const Geometry& geometry)
     const EmbreeOwned<RTCGeometry> owned(rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER));
     device_.check();
     RTCGeometry primitives = owned.get();
-    BoundsQuery data{geometry, scene_bounds().frame};
+    BoundsQuery data{geometry, scene_bounds().space};
     rtcSetGeometryUserPrimitiveCount(primitives, static_cast<unsigned>(geometry.primitives.size()));
     rtcSetGeometryUserData(primitives, &data);
     rtcSetGeometryBoundsFunction(primitives, bounds_of_primitive, nullptr);
@@ -110,7 +110,7 @@ PlainUserGeometry::PlainUserGeometry(const Geometry& geometry)
     device_.commit(embree_scene_.get());
 }
 
-void PlainUserGeometry::closest_bounded(const RayQuery& query, const FrameRay& local,
+void PlainUserGeometry::closest_bounded(const RayQuery& query, const NormalizedRay& local,
                                         NearestHit& nearest) const {
     Query context(geometry(), query, local, nearest);
     RTCRayHit ray;
@@ -120,7 +120,7 @@ void PlainUserGeometry::closest_bounded(const RayQuery& query, const FrameRay& l
     nearest = context.nearest;
 }
 
-bool PlainUserGeometry::occluded_bounded(const RayQuery& query, const FrameRay& local) const {
+bool PlainUserGeometry::occluded_bounded(const RayQuery& query, const NormalizedRay& local) const {
     Query context(geometry(), query, local, NearestHit(query.ray.tmax));
     RTCRay ray;
     set_ray(ray, local, local.tmin(query.ray.tmin), local.tmax(query.ray.tmax));

@@ -2,14 +2,14 @@
 
 #include <bit>
 
-#include "core/intersect/frame.h"
+#include "core/intersect/normalized_space.h"
 #include "embree_backend/embree_shim.h"
 
 namespace etalon {
 
 /// Fills in the ray as Embree wants it. It is written as the three vectors as which Embree reads
 /// it: a vector load cannot be served from scalar stores that are still under way.
-inline void set_ray(RTCRay& to, const FrameRay& from, float tnear, float tfar) {
+inline void set_ray(RTCRay& to, const NormalizedRay& from, float tnear, float tfar) {
     using Row = float __attribute__((vector_size(16), may_alias));
     const float every_mask = std::bit_cast<float>(0xFFFFFFFFU);
     const Vec3f& o = from.origin;

@@ -7,21 +7,21 @@ namespace etalon {
 EmbreeUserGeometry::EmbreeUserGeometry(const Geometry& geometry)
     : Intersector(geometry), primitives_(geometry), embree_scene_(rtcNewScene(device_.handle())) {
     device_.check();
-    primitives_.build(device_, embree_scene_.get(), 0, scene_bounds().frame, take_bounded());
+    primitives_.build(device_, embree_scene_.get(), 0, scene_bounds().space, take_bounded());
 }
 
 std::size_t EmbreeUserGeometry::memory_bytes() const {
     return device_.bytes() + primitives_.memory_bytes();
 }
 
-void EmbreeUserGeometry::closest_bounded(const RayQuery& query, const FrameRay& local,
+void EmbreeUserGeometry::closest_bounded(const RayQuery& query, const NormalizedRay& local,
                                          NearestHit& nearest) const {
     RTCRayHit ray;
     set_ray(ray.ray, local, local.tmin(query.ray.tmin), local.tmax(nearest.t));
     primitives_.intersect(embree_scene_.get(), query, local, nearest, ray);
 }
 
-bool EmbreeUserGeometry::occluded_bounded(const RayQuery& query, const FrameRay& local) const {
+bool EmbreeUserGeometry::occluded_bounded(const RayQuery& query, const NormalizedRay& local) const {
     const float tfar = local.tmax(query.ray.tmax);
     if (tfar < 0) return false;  // which is how Embree would tell that there is a hit
     RTCRay ray;

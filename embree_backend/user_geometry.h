@@ -17,9 +17,9 @@ class EmbreeUserGeometry final : public Intersector {
     std::string isa() const override { return device_.isa(); }
 
   protected:
-    void closest_bounded(const RayQuery& query, const FrameRay& local,
+    void closest_bounded(const RayQuery& query, const NormalizedRay& local,
                          NearestHit& nearest) const override;
-    bool occluded_bounded(const RayQuery& query, const FrameRay& local) const override;
+    bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const override;
 
   private:
     EmbreeDevice device_;

@@ -36,7 +36,7 @@ Boxes boxes_of(const std::vector<BoundedPrimitive>& primitives) {
 }
 
 /// The leaves of a tree as clusters, and their boxes by kind of cluster.
-Clusters cluster(const Geometry& geometry, const Frame& frame, const BvhTree& tree,
+Clusters cluster(const Geometry& geometry, const NormalizedSpace& space, const BvhTree& tree,
                  std::array<Boxes, 3>& boxes) {
     std::vector<Range> ranges;
     for (const BvhNode& node : tree.nodes) {
@@ -45,7 +45,7 @@ Clusters cluster(const Geometry& geometry, const Frame& frame, const BvhTree& tr
         boxes[cluster_kind(geometry.primitives[tree.ids[node.first]].kind)].push_back(node.box);
     }
     std::vector<ClusterRef> refs;
-    return Clusters(geometry, frame, tree.ids, ranges, refs);
+    return Clusters(geometry, space, tree.ids, ranges, refs);
 }
 
 void bounds_of_box(const RTCBoundsFunctionArguments* arguments) {
@@ -72,14 +72,14 @@ void attach(const EmbreeDevice& device, RTCScene target, unsigned number, Boxes&
 }  // namespace
 
 void UserPrimitives::build(const EmbreeDevice& device, RTCScene target, unsigned first,
-                           const Frame& frame, std::vector<BoundedPrimitive> primitives) {
+                           const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives) {
     empty_ = primitives.empty();
     const std::vector<BoundedPrimitive> singles = take_singles(primitives);
     singles_ = ids_of(singles);
     std::array<Boxes, 3> boxes;
     boxes[ClusterRef::list] = boxes_of(singles);
     clusters_ =
-        cluster(geometry_, frame, build_scene_bvh(geometry_, frame, std::move(primitives)), boxes);
+        cluster(geometry_, space, build_scene_bvh(geometry_, space, std::move(primitives)), boxes);
     for (unsigned kind = 0; kind < boxes.size(); ++kind) {
         attach(device, target, first + kind, boxes[kind], tracing_.callbacks[kind]);
     }

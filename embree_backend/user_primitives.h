@@ -21,18 +21,18 @@ class UserPrimitives {
 
     /// Puts `primitives`, of this frame, into `target` as geometries from the number `first` on,
     /// and builds it with whatever else is in it.
-    void build(const EmbreeDevice& device, RTCScene target, unsigned first, const Frame& frame,
-               std::vector<BoundedPrimitive> primitives);
+    void build(const EmbreeDevice& device, RTCScene target, unsigned first,
+               const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives);
 
     bool empty() const { return empty_; }
     std::size_t memory_bytes() const { return clusters_.memory_bytes() + singles_.memory_bytes(); }
 
     /// As UserTracing has it.
-    void intersect(RTCScene target, const RayQuery& query, const FrameRay& local,
+    void intersect(RTCScene target, const RayQuery& query, const NormalizedRay& local,
                    NearestHit& nearest, RTCRayHit& ray) const {
         tracing_.intersect({target, geometry_, clusters_, singles_}, query, local, nearest, ray);
     }
-    void occluded(RTCScene target, const RayQuery& query, const FrameRay& local,
+    void occluded(RTCScene target, const RayQuery& query, const NormalizedRay& local,
                   RTCRay& ray) const {
         tracing_.occluded({target, geometry_, clusters_, singles_}, query, local, ray);
     }

@@ -38,7 +38,8 @@ class Late {
 
 /// What the callbacks need of a ray: Embree hands them the context it was given.
 struct UserQuery : EmbreeContext {
-    HWY_INLINE UserQuery(const UserView& view, const RayQuery& q, const FrameRay& l, NearestHit* n)
+    HWY_INLINE UserQuery(const UserView& view, const RayQuery& q, const NormalizedRay& l,
+                         NearestHit* n)
         : geometry(view.geometry),
           clusters(view.clusters),
           singles(view.singles),
@@ -70,7 +71,7 @@ struct UserQuery : EmbreeContext {
     const Clusters& clusters;
     const PrimitiveIds& singles;
     const RayQuery& query;
-    const FrameRay& local;
+    const NormalizedRay& local;
     NearestHit* nearest;
     Late<TriangleFilter> triangles;
     Late<SphereFilter> spheres;
@@ -151,13 +152,14 @@ void occluded_cluster(const RTCOccludedFunctionNArguments* arguments) {
     report(*arguments, false);
 }
 
-void intersect(const UserView& view, const RayQuery& query, const FrameRay& local,
+void intersect(const UserView& view, const RayQuery& query, const NormalizedRay& local,
                NearestHit& nearest, RTCRayHit& ray) {
     UserQuery context(view, query, local, &nearest);
     embree_intersect(view.target, context, ray);
 }
 
-void occluded(const UserView& view, const RayQuery& query, const FrameRay& local, RTCRay& ray) {
+void occluded(const UserView& view, const RayQuery& query, const NormalizedRay& local,
+              RTCRay& ray) {
     UserQuery context(view, query, local, nullptr);
     embree_occluded(view.target, context, ray);
 }

@@ -30,11 +30,11 @@ struct UserTracing {
 
     /// Offers `nearest` what the kernels hit no later than at ray.ray.tfar, and keeps that at the
     /// nearest hit, rounded up.
-    void (*intersect)(const UserView& view, const RayQuery& query, const FrameRay& local,
+    void (*intersect)(const UserView& view, const RayQuery& query, const NormalizedRay& local,
                       NearestHit& nearest, RTCRayHit& ray);
 
     /// Leaves a negative ray.tfar where anything is hit.
-    void (*occluded)(const UserView& view, const RayQuery& query, const FrameRay& local,
+    void (*occluded)(const UserView& view, const RayQuery& query, const NormalizedRay& local,
                      RTCRay& ray);
 };
 

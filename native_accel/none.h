@@ -12,8 +12,8 @@ class None final : public Intersector {
     std::size_t memory_bytes() const override;
 
   protected:
-    void closest_bounded(const RayQuery&, const FrameRay&, NearestHit&) const override {}
-    bool occluded_bounded(const RayQuery&, const FrameRay&) const override { return false; }
+    void closest_bounded(const RayQuery&, const NormalizedRay&, NearestHit&) const override {}
+    bool occluded_bounded(const RayQuery&, const NormalizedRay&) const override { return false; }
 };
 
 }  // namespace etalon

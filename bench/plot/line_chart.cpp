@@ -6,14 +6,14 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/plot/frame.h"
 #include "bench/plot/labels.h"
+#include "bench/plot/plot_area.h"
 #include "bench/plot/ticks.h"
 
 namespace etalon::plot {
 namespace {
 
-constexpr Frame frame{360, 300, 46, 348, 26, 250};
+constexpr PlotArea plot_area{360, 300, 46, 348, 26, 250};
 
 bool is_drawn(const Sample& s) {
     return s.x > 0 && s.y > 0 && std::isfinite(s.x) && std::isfinite(s.y);
@@ -56,7 +56,7 @@ struct Curves {
                            [](const Series& s) { return s.samples.empty(); });
     }
     Place place(double at_x, double at_y) const {
-        return frame.place(x.share(at_x), y.share(at_y));
+        return plot_area.place(x.share(at_x), y.share(at_y));
     }
 
     std::vector<Series> series;
@@ -74,17 +74,17 @@ struct Curves {
 
 void draw_axes(Svg& svg, const LineChart& chart, const Curves& curves) {
     for (const Tick& tick : log_ticks(curves.y.low, curves.y.high)) {
-        const double y = frame.place(0, curves.y.share(tick.value)).y;
-        svg.line({frame.left, y}, {frame.right, y}, "grid");
-        svg.text({frame.left - 6, y + 4}, Anchor::end, tick.text, "small");
+        const double y = plot_area.place(0, curves.y.share(tick.value)).y;
+        svg.line({plot_area.left, y}, {plot_area.right, y}, "grid");
+        svg.text({plot_area.left - 6, y + 4}, Anchor::end, tick.text, "small");
     }
     for (const Tick& tick : log_ticks(curves.x.low, curves.x.high)) {
-        const double x = frame.place(curves.x.share(tick.value), 0).x;
-        svg.line({x, frame.top}, {x, frame.bottom}, "grid");
-        svg.text({x, frame.bottom + 16}, Anchor::middle, tick.text, "small");
+        const double x = plot_area.place(curves.x.share(tick.value), 0).x;
+        svg.line({x, plot_area.top}, {x, plot_area.bottom}, "grid");
+        svg.text({x, plot_area.bottom + 16}, Anchor::middle, tick.text, "small");
     }
     svg.text({0, 12}, Anchor::start, chart.y_name, "small");
-    svg.text({frame.right, frame.bottom + 40}, Anchor::end, chart.x_name, "small");
+    svg.text({plot_area.right, plot_area.bottom + 40}, Anchor::end, chart.x_name, "small");
 }
 
 std::string class_of(std::size_t series) {
@@ -140,7 +140,7 @@ void draw_names(Svg& svg, const Curves& curves) {
         labels.push_back({curves.series[i].name, true, curves.place(last.x, last.y)});
         whose.push_back(i);
     }
-    place(labels, {frame.left, 16, frame.width, frame.bottom}, along(curves));
+    place(labels, {plot_area.left, 16, plot_area.width, plot_area.bottom}, along(curves));
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Label& label = labels[i];
         if (label.is_far) svg.line(label.mark, leader_end(label), "leader");
@@ -164,7 +164,7 @@ std::string description_of(const LineChart& chart, const Curves& curves) {
 std::string line_chart(const LineChart& chart) {
     const Curves curves(chart);
     if (curves.empty()) return {};
-    Svg svg(frame.width, frame.height, chart.title, description_of(chart, curves));
+    Svg svg(plot_area.width, plot_area.height, chart.title, description_of(chart, curves));
     draw_axes(svg, chart, curves);
     for (std::size_t i = 0; i < curves.series.size(); ++i) draw_band(svg, curves, i);
     for (std::size_t i = 0; i < curves.series.size(); ++i) draw_curve(svg, curves, i);

@@ -37,12 +37,12 @@ Survey survey(const Geometry& geometry, std::size_t begin, std::size_t end) {
 }
 
 /// The boxes are asked for a second time: that costs less than to keep them in double.
-void bound(const Geometry& geometry, const Frame& frame, std::size_t begin, std::size_t end,
-           BoundedPrimitive* out) {
+void bound(const Geometry& geometry, const NormalizedSpace& space, std::size_t begin,
+           std::size_t end, BoundedPrimitive* out) {
     for (std::size_t i = begin; i < end; ++i) {
         const auto id = static_cast<std::uint32_t>(i);
         const Box3 box = primitive_bounds(geometry, id);
-        if (is_bounded(box)) *out++ = {frame.box(box), id, geometry.primitives[i].kind};
+        if (is_bounded(box)) *out++ = {space.box(box), id, geometry.primitives[i].kind};
     }
 }
 
@@ -65,10 +65,10 @@ SceneBounds SceneBounds::of(const Geometry& geometry) {
         count += s.bounded;
         result.unbounded.insert(result.unbounded.end(), s.unbounded.begin(), s.unbounded.end());
     }
-    result.frame = Frame(world);
+    result.space = NormalizedSpace(world);
     result.bounded.resize(count);
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        bound(geometry, result.frame, begin, end, result.bounded.data() + offsets[chunk]);
+        bound(geometry, result.space, begin, end, result.bounded.data() + offsets[chunk]);
     });
     return result;
 }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/intersect/frame.h"
+#include "core/intersect/normalized_space.h"
 #include "core/scene/geometry.h"
 
 namespace etalon {
@@ -16,7 +16,7 @@ struct alignas(16) BoundedPrimitive {
 
     Box3f box() const { return {min, max}; }
 
-    Vec3f min;         ///< of the box in the frame, padded
+    Vec3f min;         ///< of the box in normalized space, padded
     std::uint32_t id;  ///< number in Scene::primitives
     Vec3f max;
     std::uint32_t kind;
@@ -33,7 +33,7 @@ struct SceneBounds {
     /// Every primitive in the list of those that must always be tested.
     static SceneBounds none_bounded(const Geometry& geometry);
 
-    Frame frame;
+    NormalizedSpace space;
     std::vector<BoundedPrimitive> bounded;
     std::vector<std::uint32_t> unbounded;
 };

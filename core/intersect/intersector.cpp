@@ -27,7 +27,7 @@ std::optional<Hit> Intersector::closest_of_all(const Ray& ray,
     if (!is_valid(ray)) return std::nullopt;
     const RayQuery query(ray);
     NearestHit nearest(ray.tmax);
-    if (!bounds_.frame.resolves(ray)) {
+    if (!bounds_.space.resolves(ray)) {
         for (std::uint32_t id = 0; id < geometry_.primitives.size(); ++id) {
             nearest.offer(primitive_first_hit(geometry_, id, query), id);
         }
@@ -36,32 +36,32 @@ std::optional<Hit> Intersector::closest_of_all(const Ray& ray,
     for (const std::uint32_t id : bounds_.unbounded) {
         nearest.offer(primitive_first_hit(geometry_, id, query), id);
     }
-    if (const auto local = bounds_.frame.ray(ray)) offer_bounded(query, *local, nearest);
+    if (const auto local = bounds_.space.ray(ray)) offer_bounded(query, *local, nearest);
     return nearest.result();
 }
 
 std::optional<Hit> Intersector::closest(const Ray& ray) const {
-    return closest_of_all(ray,
-                          [&](const RayQuery& query, const FrameRay& local, NearestHit& nearest) {
-                              closest_bounded(query, local, nearest);
-                          });
+    return closest_of_all(
+        ray, [&](const RayQuery& query, const NormalizedRay& local, NearestHit& nearest) {
+            closest_bounded(query, local, nearest);
+        });
 }
 
 std::optional<Hit> Intersector::closest(const Ray& ray, TraversalCost& cost) const {
     if (!is_valid(ray)) return std::nullopt;
-    const bool resolved = bounds_.frame.resolves(ray);
+    const bool resolved = bounds_.space.resolves(ray);
     cost.primitive_tests += resolved ? bounds_.unbounded.size() : geometry_.primitives.size();
-    return closest_of_all(ray,
-                          [&](const RayQuery& query, const FrameRay& local, NearestHit& nearest) {
-                              closest_counted(query, local, nearest, cost);
-                          });
+    return closest_of_all(
+        ray, [&](const RayQuery& query, const NormalizedRay& local, NearestHit& nearest) {
+            closest_counted(query, local, nearest, cost);
+        });
 }
 
 bool Intersector::occluded(const Ray& ray) const {
     const DenormalsCount denormals_count;
     if (!is_valid(ray)) return false;
     const RayQuery query(ray);
-    if (!bounds_.frame.resolves(ray)) {
+    if (!bounds_.space.resolves(ray)) {
         for (std::uint32_t id = 0; id < geometry_.primitives.size(); ++id) {
             if (reaches(geometry_, id, query)) return true;
         }
@@ -70,7 +70,7 @@ bool Intersector::occluded(const Ray& ray) const {
     for (const std::uint32_t id : bounds_.unbounded) {
         if (reaches(geometry_, id, query)) return true;
     }
-    const auto local = bounds_.frame.ray(ray);
+    const auto local = bounds_.space.ray(ray);
     return local && occluded_bounded(query, *local);
 }
 

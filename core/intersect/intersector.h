@@ -44,17 +44,17 @@ class Intersector {
   protected:
     /// Offers `nearest` every bounded primitive that could be nearer than, or as near as,
     /// nearest.t.
-    virtual void closest_bounded(const RayQuery& query, const FrameRay& local,
+    virtual void closest_bounded(const RayQuery& query, const NormalizedRay& local,
                                  NearestHit& nearest) const = 0;
 
     /// The same, adding to `cost`: code of its own, so that whoever does not ask does not pay.
-    virtual void closest_counted(const RayQuery& query, const FrameRay& local, NearestHit& nearest,
-                                 TraversalCost&) const {
+    virtual void closest_counted(const RayQuery& query, const NormalizedRay& local,
+                                 NearestHit& nearest, TraversalCost&) const {
         closest_bounded(query, local, nearest);
     }
 
     /// Whether any bounded primitive is hit with t <= query.ray.tmax.
-    virtual bool occluded_bounded(const RayQuery& query, const FrameRay& local) const = 0;
+    virtual bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const = 0;
 
     const Geometry& geometry() const { return geometry_; }
     const SceneBounds& scene_bounds() const { return bounds_; }

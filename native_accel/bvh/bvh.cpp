@@ -20,11 +20,11 @@ std::vector<Range> number_leaves(BvhTree& tree) {
 }  // namespace
 
 Bvh::Bvh(const Geometry& geometry) : Intersector(geometry) {
-    BvhTree tree = build_scene_bvh(geometry, scene_bounds().frame, take_bounded());
+    BvhTree tree = build_scene_bvh(geometry, scene_bounds().space, take_bounded());
     if (tree.nodes.empty()) return;
     const std::vector<Range> ranges = number_leaves(tree);
     std::vector<ClusterRef> refs;
-    clusters_ = Clusters(geometry, scene_bounds().frame, tree.ids, ranges, refs);
+    clusters_ = Clusters(geometry, scene_bounds().space, tree.ids, ranges, refs);
     tree_ = widen(tree.nodes, refs);
 }
 
@@ -36,16 +36,17 @@ std::string Bvh::isa() const {
     return traversal_isa();
 }
 
-void Bvh::closest_bounded(const RayQuery& query, const FrameRay& local, NearestHit& nearest) const {
+void Bvh::closest_bounded(const RayQuery& query, const NormalizedRay& local,
+                          NearestHit& nearest) const {
     if (!tree_.empty()) traversal_.closest(view(), query, local, nearest);
 }
 
-void Bvh::closest_counted(const RayQuery& query, const FrameRay& local, NearestHit& nearest,
+void Bvh::closest_counted(const RayQuery& query, const NormalizedRay& local, NearestHit& nearest,
                           TraversalCost& cost) const {
     if (!tree_.empty()) traversal_.closest_counted(view(), query, local, nearest, cost);
 }
 
-bool Bvh::occluded_bounded(const RayQuery& query, const FrameRay& local) const {
+bool Bvh::occluded_bounded(const RayQuery& query, const NormalizedRay& local) const {
     return !tree_.empty() && traversal_.occluded(view(), query, local);
 }
 

@@ -34,8 +34,8 @@ struct AnyOrder {
 template <class Order, class Counters>
 class Traversal {
   public:
-    HWY_INLINE Traversal(const WideTree& tree, const FrameRay& ray, float tmin, StackSpace& space,
-                         Order, Counters counters)
+    HWY_INLINE Traversal(const WideTree& tree, const NormalizedRay& ray, float tmin,
+                         StackSpace& space, Order, Counters counters)
         : tree_(tree), slabs_(ray, tmin), stack_(space), counters_(counters), next_(tree.root) {}
 
     /// Whether the ray meets the tree before tmax at all: many do not, and need no more set up.

@@ -31,7 +31,7 @@ HWY_INLINE void visit(const BvhView& bvh, ClusterRef ref, const ClusterFilter& f
 }
 
 template <class LowestLane, class Counters>
-HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
                              NearestHit& nearest, Counters counters) {
     const float tmin = local.tmin(query.ray.tmin);
     float tmax = local.tmax(nearest.t);
@@ -52,7 +52,7 @@ HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const Fr
     });
 }
 
-void traverse_closest(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+void traverse_closest(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
                       NearestHit& nearest) {
     if (bvh.predicts_branches(query.ray)) {
         find_closest<BranchingLaneSelect>(bvh, query, local, nearest, Uncounted());
@@ -61,13 +61,13 @@ void traverse_closest(const BvhView& bvh, const RayQuery& query, const FrameRay&
     }
 }
 
-void traverse_closest_counted(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+void traverse_closest_counted(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
                               NearestHit& nearest, TraversalCost& cost) {
     find_closest<BranchlessLaneSelect>(bvh, query, local, nearest, Counted{cost});
 }
 
 template <class LowestLane>
-HWY_INLINE bool find_any(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
+HWY_INLINE bool find_any(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local) {
     const float tmin = local.tmin(query.ray.tmin), tmax = local.tmax(query.ray.tmax);
     StackSpace space;
     Traversal traversal(bvh.tree, local, tmin, space, AnyOrder<LowestLane>(), Uncounted());
@@ -85,7 +85,7 @@ HWY_INLINE bool find_any(const BvhView& bvh, const RayQuery& query, const FrameR
     return found;
 }
 
-bool traverse_occluded(const BvhView& bvh, const RayQuery& query, const FrameRay& local) {
+bool traverse_occluded(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local) {
     return bvh.predicts_branches(query.ray) ? find_any<BranchingLaneSelect>(bvh, query, local)
                                             : find_any<BranchlessLaneSelect>(bvh, query, local);
 }

@@ -24,15 +24,15 @@ struct BvhView {
 /// The code for one instruction set.
 struct BvhTraversal {
     /// Offers `nearest` every primitive that could be hit no later than nearest.t.
-    void (*closest)(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+    void (*closest)(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
                     NearestHit& nearest);
 
     /// The same, adding the boxes of all nodes visited and the members of all clusters to `cost`.
-    void (*closest_counted)(const BvhView& bvh, const RayQuery& query, const FrameRay& local,
+    void (*closest_counted)(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
                             NearestHit& nearest, TraversalCost& cost);
 
     /// Whether any primitive is hit at t <= query.ray.tmax.
-    bool (*occluded)(const BvhView& bvh, const RayQuery& query, const FrameRay& local);
+    bool (*occluded)(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local);
 };
 
 /// For the instruction set in use now.

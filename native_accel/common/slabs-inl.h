@@ -15,14 +15,14 @@ namespace etalon::HWY_NAMESPACE {
 /// Slab tests in float: a plane b is passed at b / d - o / d. With u = 2^-24, |o| <= 3 and |b| <=
 /// 1, its place is off by u (|o| + |b|) for each of the roundings of d, its reciprocal, and the
 /// result; by u |o| for that of o / d, and 2.1 u for o's own: together u (4 |o| + 3 |b| + 2.1)
-/// <= 17.1 u, 20 u where b / d is rounded too. The boxes' padding (Frame::box), 26 u, makes up for
-/// it.
+/// <= 17.1 u, 20 u where b / d is rounded too. The boxes' padding (NormalizedSpace::box), 26 u,
+/// makes up for it.
 class Slabs {
   public:
-    HWY_INLINE Slabs(const FrameRay& ray, float tmin) : tmin_(broadcast(tmin)) {
+    HWY_INLINE Slabs(const NormalizedRay& ray, float tmin) : tmin_(broadcast(tmin)) {
         for (int k = 0; k < 3; ++k) {
             // No smaller than 2^-40 of the largest component: no infinity times zero, and over the
-            // few units a ray can travel in the frame a drift far below the padding.
+            // few units a ray can travel in normalized space a drift far below the padding.
             const float d = ray.direction[k];
             const float clamped = std::abs(d) < 0x1p-40F ? std::copysign(0x1p-40F, d) : d;
             const float reciprocal = 1.0F / clamped;

@@ -30,8 +30,8 @@ class ChildRef {
 
 inline constexpr std::size_t node_width = 8;
 
-/// Eight children and their boxes in the frame, padded. Lanes without a child hold a box that
-/// nothing enters.
+/// Eight children and their boxes in normalized space, padded. Lanes without a child hold a box
+/// that nothing enters.
 struct alignas(64) WideNode {
     /// Sets nothing, so that many are first written by the threads that fill them.
     WideNode() {}

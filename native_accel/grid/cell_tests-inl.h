@@ -22,7 +22,7 @@ namespace etalon::HWY_NAMESPACE {
 template <class Offer, class Counters>
 class SphereTest {
   public:
-    HWY_INLINE SphereTest(const FrameRay& ray, const Offer& offer, Counters to)
+    HWY_INLINE SphereTest(const NormalizedRay& ray, const Offer& offer, Counters to)
         : counters(to), filter_(ray), offer_(offer) {}
 
     HWY_INLINE float operator()(std::span<const SpherePack> packs, float, float, float tmax) const {
@@ -50,8 +50,8 @@ template <class Offer, class Counters>
 class ClusterTest {
   public:
     /// For what a ray meets from `entry` on.
-    HWY_INLINE ClusterTest(const Clusters& clusters, const RayQuery& query, const FrameRay& ray,
-                           float entry, const Offer& offer, Counters to)
+    HWY_INLINE ClusterTest(const Clusters& clusters, const RayQuery& query,
+                           const NormalizedRay& ray, float entry, const Offer& offer, Counters to)
         : counters(to),
           clusters_(clusters),
           slabs_(ray, entry),

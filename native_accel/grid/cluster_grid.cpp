@@ -4,9 +4,9 @@
 
 namespace etalon {
 
-ClusterGrid::ClusterGrid(const Geometry& geometry, const Frame& frame,
+ClusterGrid::ClusterGrid(const Geometry& geometry, const NormalizedSpace& space,
                          std::vector<BoundedPrimitive> primitives) {
-    const BvhTree tree = build_scene_bvh(geometry, frame, std::move(primitives));
+    const BvhTree tree = build_scene_bvh(geometry, space, std::move(primitives));
     std::vector<Range> ranges;
     std::vector<BoxItem> items;
     for (const BvhNode& node : tree.nodes) {
@@ -15,7 +15,7 @@ ClusterGrid::ClusterGrid(const Geometry& geometry, const Frame& frame,
         items.push_back({node.box, 0});
     }
     std::vector<ClusterRef> refs;
-    clusters_ = Clusters(geometry, frame, tree.ids, ranges, refs);
+    clusters_ = Clusters(geometry, space, tree.ids, ranges, refs);
     for (std::size_t i = 0; i < items.size(); ++i) items[i].id = refs[i].bits;
     boxes_ = PackedGrid<BoxPack>(items);
 }

@@ -14,7 +14,7 @@ class ClusterGrid {
 
     /// Clusters are the leaves of the hierarchy that `bvh` is built from: as compact as can be had,
     /// and of pieces of triangles where that pays.
-    ClusterGrid(const Geometry& geometry, const Frame& frame,
+    ClusterGrid(const Geometry& geometry, const NormalizedSpace& space,
                 std::vector<BoundedPrimitive> primitives);
 
     const PackedGrid<BoxPack>& boxes() const { return boxes_; }

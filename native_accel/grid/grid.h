@@ -13,11 +13,11 @@ class Grid final : public Intersector {
     std::string isa() const override;
 
   protected:
-    void closest_bounded(const RayQuery& query, const FrameRay& local,
+    void closest_bounded(const RayQuery& query, const NormalizedRay& local,
                          NearestHit& nearest) const override;
-    void closest_counted(const RayQuery& query, const FrameRay& local, NearestHit& nearest,
+    void closest_counted(const RayQuery& query, const NormalizedRay& local, NearestHit& nearest,
                          TraversalCost& cost) const override;
-    bool occluded_bounded(const RayQuery& query, const FrameRay& local) const override;
+    bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const override;
 
   private:
     GridView view() const { return {geometry(), spheres_, others_}; }

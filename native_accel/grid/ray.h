@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/intersect/frame.h"
+#include "core/intersect/normalized_space.h"
 #include "native_accel/grid/lanes.h"
 
 namespace etalon {
@@ -8,9 +8,9 @@ namespace etalon {
 /// A ray as the traversal through grids wants it: time per length and length per time along each
 /// axis, without signs, which are apart.
 struct GridRay {
-    HWY_INLINE explicit GridRay(const FrameRay& ray) : origin(lanes(ray.origin, 0)) {
+    HWY_INLINE explicit GridRay(const NormalizedRay& ray) : origin(lanes(ray.origin, 0)) {
         // No smaller than 2^-40 of the largest component: no infinity times zero, and over the
-        // few units a ray can travel in the frame a drift far below the padding.
+        // few units a ray can travel in normalized space a drift far below the padding.
         const Float4 direction = lanes(ray.direction, 1);
         forward = direction >= 0;
         speed = max(abs(direction), broadcast(0x1p-40F));

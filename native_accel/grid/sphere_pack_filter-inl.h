@@ -16,7 +16,7 @@ namespace etalon::HWY_NAMESPACE {
 /// kernel would hit passes; what passes is for the kernel to decide.
 class SpherePackFilter {
   public:
-    HWY_INLINE explicit SpherePackFilter(const FrameRay& ray) {
+    HWY_INLINE explicit SpherePackFilter(const NormalizedRay& ray) {
         const Vec3 d(ray.direction), o(ray.origin);
         Vec3 u, v;
         orthonormal_basis(normalized(d), u, v);

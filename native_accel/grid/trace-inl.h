@@ -15,9 +15,9 @@ HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
 /// Calls offer(t, id), which returns the tmax from then on, for what the ray could hit from tmin to
-/// tmax in the frame.
+/// tmax in normalized space.
 template <class Counters, class Offer>
-HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const FrameRay& local,
+HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const NormalizedRay& local,
                       const float& tmax, Counters counters, const Offer& offer) {
     const GridRay ray(local);
     const float tmin = local.tmin(query.ray.tmin);
@@ -47,8 +47,8 @@ HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const FrameRa
 }
 
 template <class Counters>
-HWY_INLINE void find_closest(const GridView& grid, const RayQuery& query, const FrameRay& local,
-                             NearestHit& nearest, Counters counters) {
+HWY_INLINE void find_closest(const GridView& grid, const RayQuery& query,
+                             const NormalizedRay& local, NearestHit& nearest, Counters counters) {
     float tmax = local.tmax(nearest.t);
     trace(grid, query, local, tmax, counters, [&](double t, std::uint32_t id) HWY_ATTR {
         const double before = nearest.t;

@@ -14,12 +14,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-void trace_closest(const GridView& grid, const RayQuery& query, const FrameRay& local,
+void trace_closest(const GridView& grid, const RayQuery& query, const NormalizedRay& local,
                    NearestHit& nearest) {
     find_closest(grid, query, local, nearest, Uncounted());
 }
 
-bool trace_occluded(const GridView& grid, const RayQuery& query, const FrameRay& local) {
+bool trace_occluded(const GridView& grid, const RayQuery& query, const NormalizedRay& local) {
     constexpr float nowhere = -std::numeric_limits<float>::infinity();
     float tmax = local.tmax(query.ray.tmax);
     bool found = false;

@@ -19,11 +19,11 @@ struct GridView {
 /// The code for one instruction set.
 struct GridTrace {
     /// Offers `nearest` every primitive that could be hit no later than nearest.t.
-    void (*closest)(const GridView& grid, const RayQuery& query, const FrameRay& local,
+    void (*closest)(const GridView& grid, const RayQuery& query, const NormalizedRay& local,
                     NearestHit& nearest);
 
     /// Whether any primitive is hit at t <= query.ray.tmax.
-    bool (*occluded)(const GridView& grid, const RayQuery& query, const FrameRay& local);
+    bool (*occluded)(const GridView& grid, const RayQuery& query, const NormalizedRay& local);
 };
 
 /// For the instruction set in use now.
@@ -31,7 +31,7 @@ GridTrace grid_trace();
 
 /// As GridTrace::closest, adding to `cost` the cells and the boxes in them, and the members of all
 /// that is tested.
-void trace_closest_counted(const GridView& grid, const RayQuery& query, const FrameRay& local,
+void trace_closest_counted(const GridView& grid, const RayQuery& query, const NormalizedRay& local,
                            NearestHit& nearest, TraversalCost& cost);
 
 }  // namespace etalon

@@ -14,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-void trace_closest_counted(const GridView& grid, const RayQuery& query, const FrameRay& local,
+void trace_closest_counted(const GridView& grid, const RayQuery& query, const NormalizedRay& local,
                            NearestHit& nearest, TraversalCost& cost) {
     find_closest(grid, query, local, nearest, Counted{cost});
 }
@@ -27,7 +27,7 @@ namespace etalon {
 
 HWY_EXPORT(trace_closest_counted);
 
-void trace_closest_counted(const GridView& grid, const RayQuery& query, const FrameRay& local,
+void trace_closest_counted(const GridView& grid, const RayQuery& query, const NormalizedRay& local,
                            NearestHit& nearest, TraversalCost& cost) {
     HWY_DYNAMIC_DISPATCH(trace_closest_counted)(grid, query, local, nearest, cost);
 }

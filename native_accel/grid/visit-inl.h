@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// A part of a ray, in the frame; empty where it ends before it begins.
+/// A part of a ray, in normalized space; empty where it ends before it begins.
 struct Passage {
     HWY_INLINE Passage(float from, float to) : entry(from), exit(to) {}
 

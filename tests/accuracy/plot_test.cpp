@@ -6,9 +6,9 @@
 #include "tests/markup.h"
 
 using namespace etalon::accuracy;
-using etalon::plot::Frame;
 using etalon::plot::Label;
 using etalon::plot::Place;
+using etalon::plot::PlotArea;
 using etalon::plot::Rectangle;
 using etalon::test::is_well_formed;
 
@@ -83,15 +83,15 @@ TEST_CASE("A plot is well-formed XML that names every tracer") {
 TEST_CASE("There are ticks on both axes, however narrow the range, and the points are between") {
     for (const double dearest : {1.0, 1.3, 3.0, 1000.0}) {
         Scatter scatter{"float textbook", 1, {point(1, 0), point(dearest, 5)}};
-        const Frame frame{360, 280, 34, 348, 30, 228};
-        const Axes axes(scatter, frame);
+        const PlotArea plot_area{360, 280, 34, 348, 30, 228};
+        const Axes axes(scatter, plot_area);
         CHECK(axes.cost_ticks().size() >= 2);
         CHECK(axes.cost_ticks().size() <= 12);
         CHECK(axes.error_ticks().size() >= 2);
         for (const Point& p : scatter.points) {
             const Place at = axes.place(p.cost, p.error);
-            CHECK((at.x > frame.left && at.x < frame.right));
-            CHECK((at.y >= frame.top && at.y <= frame.bottom));
+            CHECK((at.x > plot_area.left && at.x < plot_area.right));
+            CHECK((at.y >= plot_area.top && at.y <= plot_area.bottom));
         }
     }
 }

@@ -15,7 +15,7 @@ namespace etalon::HWY_NAMESPACE {
 
 /// The lanes of a cluster of triangles or spheres that pass.
 std::uint32_t candidates(const Clusters& clusters, ClusterRef ref, const RayQuery& query,
-                         const FrameRay& local, float tmin, float tmax) {
+                         const NormalizedRay& local, float tmin, float tmax) {
     return ClusterFilter(clusters, query, local, tmin).candidates(clusters, ref, tmax);
 }
 
@@ -45,7 +45,7 @@ class Trial {
   public:
     explicit Trial(const Scene& scene) : scene_(scene) {
         SceneBounds bounds = SceneBounds::of(scene.geometry);
-        frame_ = bounds.frame;
+        space_ = bounds.space;
         std::vector<std::uint32_t> ids;
         for (const ShapeKind kind : {kind_of<Triangle>(), kind_of<Sphere>()}) {
             const std::size_t first = ids.size();
@@ -58,12 +58,12 @@ class Trial {
                     {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(count)});
             }
         }
-        clusters_ = Clusters(scene.geometry, frame_, ids, ranges_, refs_);
+        clusters_ = Clusters(scene.geometry, space_, ids, ranges_, refs_);
     }
 
     void shoot(const Ray& ray) {
-        if (!frame_.resolves(ray)) return;
-        const auto local = frame_.ray(ray);
+        if (!space_.resolves(ray)) return;
+        const auto local = space_.ray(ray);
         if (!local) return;
         for (std::size_t i = 0; i < refs_.size(); ++i) {
             for (std::uint32_t lane = 0; lane < ranges_[i].count; ++lane) {
@@ -76,7 +76,7 @@ class Trial {
     std::size_t missed = 0, missed_and_dropped = 0, left_and_passed = 0;
 
   private:
-    void shoot(const Ray& ray, const FrameRay& local, ClusterRef ref, std::uint32_t lane) {
+    void shoot(const Ray& ray, const NormalizedRay& local, ClusterRef ref, std::uint32_t lane) {
         const float tmin = local.tmin(ray.tmin);
         const auto passes = [&](double tmax, std::uint32_t exclude = no_index) {
             RayQuery query(ray);
@@ -98,7 +98,7 @@ class Trial {
     }
 
     const Scene& scene_;
-    Frame frame_;
+    NormalizedSpace space_;
     Clusters clusters_;
     std::vector<Range> ranges_;
     std::vector<ClusterRef> refs_;

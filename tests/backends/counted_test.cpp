@@ -50,8 +50,8 @@ TEST_CASE("Given many primitives, an accelerator tests far fewer of them", "[bac
     Random random(8);
     std::vector<Ray> rays = make_rays(scene, 500, random);
     // Those from too far away are tested against everything by all.
-    const Frame frame = SceneBounds::of(scene.geometry).frame;
-    std::erase_if(rays, [&](const Ray& ray) { return !frame.resolves(ray); });
+    const NormalizedSpace space = SceneBounds::of(scene.geometry).space;
+    std::erase_if(rays, [&](const Ray& ray) { return !space.resolves(ray); });
     REQUIRE(rays.size() > 400);
     const auto none = backend_named("none").build(scene.geometry);
     const auto all_tests = cost_of(*none, rays).primitive_tests;

@@ -25,18 +25,18 @@ class BvhOfTree final : public Intersector {
             node.first = static_cast<std::uint32_t>(ranges.size() - 1);
         }
         std::vector<ClusterRef> refs;
-        clusters_ = Clusters(geometry, scene_bounds().frame, tree.ids, ranges, refs);
+        clusters_ = Clusters(geometry, scene_bounds().space, tree.ids, ranges, refs);
         tree_ = widen(tree.nodes, refs);
     }
 
     std::size_t memory_bytes() const override { return clusters_.memory_bytes(); }
 
   protected:
-    void closest_bounded(const RayQuery& query, const FrameRay& local,
+    void closest_bounded(const RayQuery& query, const NormalizedRay& local,
                          NearestHit& nearest) const override {
         walk_.closest({geometry(), tree_, clusters_}, query, local, nearest);
     }
-    bool occluded_bounded(const RayQuery& query, const FrameRay& local) const override {
+    bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const override {
         return walk_.occluded({geometry(), tree_, clusters_}, query, local);
     }
 
@@ -47,7 +47,7 @@ class BvhOfTree final : public Intersector {
 };
 
 BvhTree tree_of(const Geometry& geometry, std::vector<BoundedPrimitive> primitives) {
-    return build_scene_bvh(geometry, SceneBounds::of(geometry).frame, std::move(primitives));
+    return build_scene_bvh(geometry, SceneBounds::of(geometry).space, std::move(primitives));
 }
 
 std::vector<std::size_t> leaves_of(const BvhTree& tree) {

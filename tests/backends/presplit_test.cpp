@@ -123,7 +123,7 @@ std::vector<Box3f> boxes_of(std::uint32_t id, const std::vector<BoundedPrimitive
 
 BvhTree tree_of(const Scene& scene) {
     SceneBounds bounds = SceneBounds::of(scene.geometry);
-    return build_scene_bvh(scene.geometry, bounds.frame, std::move(bounds.bounded));
+    return build_scene_bvh(scene.geometry, bounds.space, std::move(bounds.bounded));
 }
 
 }  // namespace
@@ -138,15 +138,15 @@ TEST_CASE(
         Box3 box;
         for (const Vec3& corner : world) box.extendBy(corner);
         const double around = random.magnitude(0, 6);
-        const Frame frame(Box3(box.min - Vec3(around), box.max + Vec3(10 * around)));
-        const Corners corners = corners_in(frame, world);
+        const NormalizedSpace space(Box3(box.min - Vec3(around), box.max + Vec3(10 * around)));
+        const Corners corners = corners_in(space, world);
         const int cuts = random.index(40);
         const std::vector<Bounds> pieces = pieces_of(corners, cuts);
         too_many += pieces.size() > static_cast<std::size_t>(cuts) + 1;
         for (const Bounds& piece : pieces) outside += !is_within(piece, bounds_of(corners));
-        for (const Vec3& corner : world) lost += !hold(pieces, frame.point(corner));
+        for (const Vec3& corner : world) lost += !hold(pieces, space.point(corner));
         for (int k = 0; k < 50; ++k) {
-            lost += !hold(pieces, frame.point(point_of(world, random)));
+            lost += !hold(pieces, space.point(point_of(world, random)));
         }
     }
     CHECK(lost == 0);
@@ -154,9 +154,9 @@ TEST_CASE(
     CHECK(too_many == 0);
 }
 
-TEST_CASE("Given a needle across the frame, its pieces have far less surface") {
+TEST_CASE("Given a needle across normalized space, its pieces have far less surface") {
     const WorldCorners needle{Vec3(-1, -1, -1), Vec3(1, 1, 1), Vec3(-1, -1, -0.99)};
-    const Corners corners = corners_in(Frame(Box3(Vec3(-1), Vec3(1))), needle);
+    const Corners corners = corners_in(NormalizedSpace(Box3(Vec3(-1), Vec3(1))), needle);
     const std::vector<Bounds> pieces = pieces_of(corners, 15);
     CHECK(pieces.size() == 16);
     CHECK(half_area(pieces) < bounds_of(corners).half_area() / 3);
@@ -165,7 +165,7 @@ TEST_CASE("Given a needle across the frame, its pieces have far less surface") {
 TEST_CASE("Given needles, all primitives keep references whose boxes hold them") {
     const Scene scene = scene_of_needles();
     const SceneBounds bounds = SceneBounds::of(scene.geometry);
-    const auto split = presplit(scene.geometry, bounds.frame, bounds.bounded);
+    const auto split = presplit(scene.geometry, bounds.space, bounds.bounded);
     REQUIRE(split);
     const std::vector<BoundedPrimitive>& references = split->references;
     CHECK(references.size() > bounds.bounded.size() + needles);
@@ -179,7 +179,7 @@ TEST_CASE("Given needles, all primitives keep references whose boxes hold them")
         const WorldCorners corners{scene.geometry.vertex(v[0]), scene.geometry.vertex(v[1]),
                                    scene.geometry.vertex(v[2])};
         for (int k = 0; k < 50; ++k) {
-            const Vec3 point = bounds.frame.point(point_of(corners, random));
+            const Vec3 point = bounds.space.point(point_of(corners, random));
             // The padding is 26 units of rounding; half of it must be left around the point.
             const Box3 around(point - Vec3(13 * 0x1p-24), point + Vec3(13 * 0x1p-24));
             lost += std::none_of(boxes.begin(), boxes.end(), [&](const Box3f& box) {

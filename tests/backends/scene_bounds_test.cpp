@@ -44,7 +44,7 @@ TEST_CASE("Given any number of threads, primitives are sorted in the order of th
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < bounded.size(); ++i) {
             const BoundedPrimitive& p = found.bounded[i];
-            const Vec3 centre = found.frame.point(
+            const Vec3 centre = found.space.point(
                 scene.geometry.all<Sphere>()[scene.geometry.primitives[p.id].index].centre);
             const bool around = Box3(Vec3(p.min), Vec3(p.max)).intersects(centre);
             wrong += p.id != bounded[i] || p.kind != kind_of<Sphere>() || !around;

@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
 /// The lanes of a pack that pass.
-std::uint32_t passing_spheres(const SpherePack& pack, const FrameRay& ray) {
+std::uint32_t passing_spheres(const SpherePack& pack, const NormalizedRay& ray) {
     return SpherePackFilter(ray).candidates(pack);
 }
 
@@ -42,20 +42,20 @@ class Trial {
   public:
     explicit Trial(const Scene& scene) : scene_(scene) {
         const SceneBounds bounds = SceneBounds::of(scene.geometry);
-        frame_ = bounds.frame;
+        space_ = bounds.space;
         for (const BoundedPrimitive& p : bounds.bounded) {
             if (static_cast<ShapeKind>(p.kind) != kind_of<Sphere>()) continue;
             const Sphere& s = scene.geometry.get<Sphere>(scene.geometry.primitives[p.id]);
             const std::size_t lane = spheres_++ % cluster_lanes;
             if (lane == 0) packs_.emplace_back();
             packs_.back().set(lane,
-                              {p.box(), p.id, frame_.point(s.centre), s.radius * frame_.scale()});
+                              {p.box(), p.id, space_.point(s.centre), s.radius * space_.scale()});
         }
     }
 
     void shoot(const Ray& ray) {
-        if (!frame_.resolves(ray)) return;
-        const auto local = frame_.ray(ray);
+        if (!space_.resolves(ray)) return;
+        const auto local = space_.ray(ray);
         if (!local) return;
         for (std::size_t i = 0; i < packs_.size() * cluster_lanes; ++i) {
             const SpherePack& pack = packs_[i / cluster_lanes];
@@ -80,7 +80,7 @@ class Trial {
 
   private:
     const Scene& scene_;
-    Frame frame_;
+    NormalizedSpace space_;
     std::vector<SpherePack> packs_;
     std::size_t spheres_ = 0;
 };

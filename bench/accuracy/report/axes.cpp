@@ -9,8 +9,8 @@ using plot::Tick;
 
 /// A margin of a twelfth keeps marks off the axes. There is at least a factor of two in cost to
 /// see, and of ten in error.
-Axes::Axes(const Scatter& scatter, const plot::Frame& frame)
-    : frame_(frame), is_relative_(!scatter.unit.empty()) {
+Axes::Axes(const Scatter& scatter, const plot::PlotArea& plot_area)
+    : plot_area_(plot_area), is_relative_(!scatter.unit.empty()) {
     const auto [cheapest, dearest] =
         std::minmax_element(scatter.points.begin(), scatter.points.end(),
                             [](const Point& a, const Point& b) { return a.cost < b.cost; });
@@ -24,7 +24,7 @@ Axes::Axes(const Scatter& scatter, const plot::Frame& frame)
 
 plot::Place Axes::place(double cost, double error) const {
     const double x = (std::log10(cost) - lowest_) / (highest_ - lowest_);
-    return frame_.place(x, std::log10(1 + error) / worst_);
+    return plot_area_.place(x, std::log10(1 + error) / worst_);
 }
 
 std::vector<Tick> Axes::cost_ticks() const {

@@ -14,15 +14,15 @@ namespace etalon::accuracy {
 namespace {
 
 using plot::Anchor;
-using plot::Frame;
 using plot::Label;
 using plot::Place;
+using plot::PlotArea;
 using plot::Svg;
 using plot::Tick;
 
 constexpr double margin = 24;
-constexpr Frame large{760, 500, 72, 728, 120, 426};
-constexpr Frame small{360, 280, 34, 348, 30, 228};
+constexpr PlotArea large{760, 500, 72, 728, 120, 426};
+constexpr PlotArea small{360, 280, 34, 348, 30, 228};
 
 /// Who is alike has a colour.
 enum Kind { exact, textbook, other };
@@ -68,16 +68,16 @@ void draw_key(Svg& svg, const Scatter& scatter) {
 }
 
 void draw_ticks(Svg& svg, const Axes& axes) {
-    const Frame& frame = axes.frame();
-    double below = frame.bottom + 12;
+    const PlotArea& plot_area = axes.plot_area();
+    double below = plot_area.bottom + 12;
     for (const Tick& tick : axes.error_ticks()) {
         const double y = axes.place(1, tick.value).y;
         if (below - y < 12) continue;  // two texts would be one
         below = y;
-        svg.line({frame.left, y}, {frame.right, y}, "grid");
-        svg.text({frame.left - 8, y + 4}, Anchor::end, tick.text, "small");
+        svg.line({plot_area.left, y}, {plot_area.right, y}, "grid");
+        svg.text({plot_area.left - 8, y + 4}, Anchor::end, tick.text, "small");
     }
-    const double y = frame.bottom + 12;
+    const double y = plot_area.bottom + 12;
     for (const Tick& tick : axes.cost_ticks()) {
         const double x = axes.place(tick.value, 0).x;
         svg.line({x, y}, {x, y + 4}, "tick");
@@ -141,8 +141,9 @@ void draw_labels(Svg& svg, const Scatter& scatter, const Axes& axes, std::vector
         labels.push_back({p.tracer, p.efficient, axes.place(p.cost, p.error)});
         classes.push_back(colours[kind_of(p)]);
     }
-    const Frame& frame = axes.frame();
-    place(labels, {frame.left, frame.top - 26, frame.width - 4, frame.bottom + 10}, avoid);
+    const PlotArea& plot_area = axes.plot_area();
+    place(labels, {plot_area.left, plot_area.top - 26, plot_area.width - 4, plot_area.bottom + 10},
+          avoid);
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Label& label = labels[i];
         if (label.is_far) svg.line(label.mark, leader_end(label), "leader");

@@ -24,7 +24,7 @@ Ids spread(std::span<const std::uint32_t> all) {
 
 /// All lanes step by step, so that their cache misses on the way to the corners overlap: they are
 /// most of what building takes.
-void TriangleCluster::fill(const Geometry& geometry, const Frame& frame,
+void TriangleCluster::fill(const Geometry& geometry, const NormalizedSpace& space,
                            std::span<const std::uint32_t> all) {
     ids = spread(all);
     for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
@@ -40,7 +40,7 @@ void TriangleCluster::fill(const Geometry& geometry, const Frame& frame,
     for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
         Box3 box;
         for (int c = 0; c < 3; ++c) {
-            const Vec3 corner = frame.point(exact[lane][c]);
+            const Vec3 corner = space.point(exact[lane][c]);
             box.extendBy(corner);
             for (int k = 0; k < 3; ++k) {
                 corners[c][k][lane] = lane < all.size() ? static_cast<float>(corner[k]) : nothing;
@@ -50,15 +50,15 @@ void TriangleCluster::fill(const Geometry& geometry, const Frame& frame,
     }
 }
 
-void SphereCluster::fill(const Geometry& geometry, const Frame& frame,
+void SphereCluster::fill(const Geometry& geometry, const NormalizedSpace& space,
                          std::span<const std::uint32_t> all) {
     ids = spread(all);
     for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
         const Primitive primitive = geometry.primitives[ids[lane]];
         const Sphere& sphere = geometry.get<Sphere>(primitive);
-        const Vec3 place = frame.point(sphere.centre);
+        const Vec3 place = space.point(sphere.centre);
         for (int k = 0; k < 3; ++k) centre[k][lane] = static_cast<float>(place[k]);
-        radius[lane] = lane < all.size() ? enlarged_radius(sphere.radius * frame.scale()) : nothing;
+        radius[lane] = lane < all.size() ? enlarged_radius(sphere.radius * space.scale()) : nothing;
         sides[lane] = primitive.sides;
         exact[lane] = sphere;
     }

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/intersect/frame.h"
+#include "core/intersect/normalized_space.h"
 #include "core/scene/geometry.h"
 
 namespace etalon {
@@ -27,7 +27,8 @@ struct alignas(64) TriangleCluster {
     TriangleCluster() {}
 
     /// With at least one of them.
-    void fill(const Geometry& geometry, const Frame& frame, std::span<const std::uint32_t> all);
+    void fill(const Geometry& geometry, const NormalizedSpace& space,
+              std::span<const std::uint32_t> all);
 
     std::array<std::array<Lanes, 3>, 3> corners;  ///< of each corner x, y and z
     float error_bound;  ///< bound on the error of an edge function, see TriangleFilter
@@ -39,7 +40,8 @@ struct alignas(64) TriangleCluster {
 /// What a kernel needs of a sphere is in two cache lines that can be read together.
 struct alignas(64) SphereCluster {
     SphereCluster() {}
-    void fill(const Geometry& geometry, const Frame& frame, std::span<const std::uint32_t> all);
+    void fill(const Geometry& geometry, const NormalizedSpace& space,
+              std::span<const std::uint32_t> all);
 
     std::array<Lanes, 3> centre;
     Lanes radius;  ///< with room for every rounding, see SphereFilter

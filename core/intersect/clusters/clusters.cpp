@@ -7,8 +7,9 @@
 
 namespace etalon {
 
-Clusters::Clusters(const Geometry& geometry, const Frame& frame, std::span<const std::uint32_t> ids,
-                   std::span<const Range> ranges, std::vector<ClusterRef>& refs) {
+Clusters::Clusters(const Geometry& geometry, const NormalizedSpace& space,
+                   std::span<const std::uint32_t> ids, std::span<const Range> ranges,
+                   std::vector<ClusterRef>& refs) {
     std::array<std::size_t, 3> counts{};
     refs.clear();
     refs.reserve(ranges.size());
@@ -22,18 +23,18 @@ Clusters::Clusters(const Geometry& geometry, const Frame& frame, std::span<const
 
     parallel_for(ranges.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            fill(geometry, frame, refs[i], ids.subspan(ranges[i].first, ranges[i].count));
+            fill(geometry, space, refs[i], ids.subspan(ranges[i].first, ranges[i].count));
         }
     });
 }
 
-void Clusters::fill(const Geometry& geometry, const Frame& frame, ClusterRef ref,
+void Clusters::fill(const Geometry& geometry, const NormalizedSpace& space, ClusterRef ref,
                     std::span<const std::uint32_t> ids) {
     switch (ref.kind()) {
         case ClusterRef::triangles:
-            return triangles_[ref.index()].fill(geometry, frame, ids);
+            return triangles_[ref.index()].fill(geometry, space, ids);
         case ClusterRef::spheres:
-            return spheres_[ref.index()].fill(geometry, frame, ids);
+            return spheres_[ref.index()].fill(geometry, space, ids);
         default:
             lists_[ref.index()].fill(no_index);
             std::copy(ids.begin(), ids.end(), lists_[ref.index()].begin());

@@ -41,8 +41,9 @@ class Clusters {
 
     /// One for each of `ranges` of `ids`, of at most cluster_lanes primitives of one kind of
     /// cluster, and to refs[i] where the i-th is. As many threads as allowed.
-    Clusters(const Geometry& geometry, const Frame& frame, std::span<const std::uint32_t> ids,
-             std::span<const Range> ranges, std::vector<ClusterRef>& refs);
+    Clusters(const Geometry& geometry, const NormalizedSpace& space,
+             std::span<const std::uint32_t> ids, std::span<const Range> ranges,
+             std::vector<ClusterRef>& refs);
 
     /// A primitive, and its kernel's answer.
     struct Candidate {
@@ -68,7 +69,7 @@ class Clusters {
     /// Primitive numbers; after the last, no_index.
     using List = std::array<std::uint32_t, cluster_lanes>;
 
-    void fill(const Geometry& geometry, const Frame& frame, ClusterRef ref,
+    void fill(const Geometry& geometry, const NormalizedSpace& space, ClusterRef ref,
               std::span<const std::uint32_t> ids);
 
     std::vector<TriangleCluster, LargePages<TriangleCluster>> triangles_;

@@ -1,5 +1,5 @@
-// What the roundings of a float filter can amount to. u = 2^-24; coordinates of the frame: what is
-// tested has |p| <= 1 in each axis, origins |o| <= 3, so |p - o| <= 4.
+// What the roundings of a float filter can amount to. u = 2^-24; coordinates of normalized space:
+// what is tested has |p| <= 1 in each axis, origins |o| <= 3, so |p - o| <= 4.
 //
 // A difference p - o is off by 4.6 u: p rounded u/2, o rounded 2.1 u (half a unit in the last place
 // of 3, and what moving it up to 2^24 in double costs), the difference itself 2 u. A fused
@@ -11,7 +11,7 @@
 namespace etalon {
 
 /// Bound on the error of an edge function (Woop, Benthin & Wald 2013, JCGT 2(1)), for a triangle of
-/// so large an extent in the frame.
+/// so large an extent in normalized space.
 ///
 /// A sheared coordinate x = (px - ox) - (dx / dz) (pz - oz), |dx / dz| <= 1:
 ///   the differences 4.6 u each;
@@ -29,12 +29,12 @@ inline float edge_error_bound(double extent) {
 
 /// By how much the depths of a triangle and of a ray's end may be off: dz u and the product u, of
 /// at most 8, 16 u; a corner's depth 4.6 u; the differences of two, of at most 13, 8 u here and
-/// there; and 2 u for the kernel, whose t is good to u in the frame (error_bound in distance_of():
-/// at most 2^-26 of the triangle's depth, 2, and 2^-50 of the distance, 2^24).
+/// there; and 2 u for the kernel, whose t is good to u in normalized space (error_bound in
+/// distance_of(): at most 2^-26 of the triangle's depth, 2, and 2^-50 of the distance, 2^24).
 inline constexpr float depth_error_bound = 48 * unit_roundoff_f;
 
-/// A radius in the frame that is greater than what the filter finds the distance between a line and
-/// a centre to be, wherever that is at most `radius` in truth.
+/// A radius in normalized space that is greater than what the filter finds the distance between a
+/// line and a centre to be, wherever that is at most `radius` in truth.
 ///
 /// The difference f of centre and origin is off by 4.6 sqrt(3) u = 8 u, and |f| <= 4 sqrt(3) < 7;
 /// so turning the direction d by u moves the line's nearest point by 7 u. Its place along the line,

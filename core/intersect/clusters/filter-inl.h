@@ -21,14 +21,14 @@ namespace etalon::HWY_NAMESPACE {
 class ClusterFilter {
   public:
     /// What is for spheres is only set up where there are any.
-    HWY_INLINE ClusterFilter(const Clusters& clusters, const RayQuery& query, const FrameRay& ray,
-                             float tmin)
+    HWY_INLINE ClusterFilter(const Clusters& clusters, const RayQuery& query,
+                             const NormalizedRay& ray, float tmin)
         : triangles_(query, ray) {
         if (clusters.has_spheres()) new (&spheres_) SphereFilter(ray, tmin, query.ray.exclude);
     }
 
-    /// The lanes, lowest first, that the ray could hit at tmin < t <= tmax in the frame; all those
-    /// of a list, taken or not.
+    /// The lanes, lowest first, that the ray could hit at tmin < t <= tmax in normalized space; all
+    /// those of a list, taken or not.
     HWY_INLINE std::uint32_t candidates(const Clusters& clusters, ClusterRef ref,
                                         float tmax) const {
         switch (ref.kind()) {

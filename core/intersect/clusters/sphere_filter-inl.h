@@ -16,7 +16,7 @@ namespace etalon::HWY_NAMESPACE {
 class SphereFilter {
   public:
     /// Of a ray that skips the primitive `exclude` (see Ray).
-    HWY_INLINE SphereFilter(const FrameRay& ray, float tmin, std::uint32_t exclude)
+    HWY_INLINE SphereFilter(const NormalizedRay& ray, float tmin, std::uint32_t exclude)
         : tmin_(broadcast(tmin - middle_error_bound)), exclude_(exclude) {
         const float length2 = ray.direction.dot(ray.direction), reciprocal = 1 / length2;
         length2_ = broadcast(length2);
@@ -27,7 +27,7 @@ class SphereFilter {
         }
     }
 
-    /// The lanes, lowest first, that the ray could hit at tmin < t <= tmax in the frame.
+    /// The lanes, lowest first, that the ray could hit at tmin < t <= tmax in normalized space.
     HWY_INLINE std::uint32_t candidates(const SphereCluster& cluster, float tmax) const {
         return lanes_where([&](std::size_t i) HWY_ATTR { return meets(cluster, i, tmax); });
     }

@@ -17,7 +17,7 @@ namespace etalon::HWY_NAMESPACE {
 /// By edge functions.
 class TriangleFilter {
   public:
-    HWY_INLINE TriangleFilter(const RayQuery& query, const FrameRay& ray)
+    HWY_INLINE TriangleFilter(const RayQuery& query, const NormalizedRay& ray)
         : kx_(query.kx), ky_(query.ky), kz_(query.kz), exclude_(query.ray.exclude) {
         const float dz = ray.direction[kz_];
         slope_x_ = broadcast(ray.direction[kx_] / dz);
@@ -29,7 +29,7 @@ class TriangleFilter {
         speed_ = std::abs(dz);
     }
 
-    /// The lanes, lowest first, that the ray could hit at t <= tmax in the frame.
+    /// The lanes, lowest first, that the ray could hit at t <= tmax in normalized space.
     HWY_INLINE std::uint32_t candidates(const TriangleCluster& cluster, float tmax) const {
         return lanes_where([&](std::size_t i) HWY_ATTR { return meets(cluster, i, tmax); });
     }

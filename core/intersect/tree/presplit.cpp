@@ -17,12 +17,12 @@ constexpr std::size_t sample_size = 4096;
 constexpr double no_limit = 0x1p40;
 
 /// Of every so many-th primitive.
-std::vector<SplitCandidate> sample(const Geometry& geometry, const Frame& frame,
+std::vector<SplitCandidate> sample(const Geometry& geometry, const NormalizedSpace& space,
                                    Primitives primitives) {
     const std::size_t step = primitives.size() / sample_size + 1;
     std::vector<SplitCandidate> result;
     for (std::size_t i = 0; i < primitives.size(); i += step) {
-        result.emplace_back(geometry, frame, primitives[i]);
+        result.emplace_back(geometry, space, primitives[i]);
     }
     return result;
 }
@@ -39,15 +39,15 @@ struct Candidates {
 };
 
 /// All that a factor up to `limit` might cut.
-Candidates find_candidates(const Geometry& geometry, const Frame& frame, Primitives primitives,
-                           double limit) {
+Candidates find_candidates(const Geometry& geometry, const NormalizedSpace& space,
+                           Primitives primitives, double limit) {
     const Chunks chunks(primitives.size(), chunk_size);
     std::vector<Candidates> of_chunk(chunks.number());
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             if (!might_be_cut(primitives[i], limit)) continue;
             of_chunk[chunk].places.push_back(i);
-            of_chunk[chunk].candidates.emplace_back(geometry, frame, primitives[i]);
+            of_chunk[chunk].candidates.emplace_back(geometry, space, primitives[i]);
         }
     });
     Candidates all;
@@ -68,7 +68,7 @@ References copy(Primitives primitives, std::size_t room) {
 
 /// With what boxes have around their content, but not beyond the box of the whole.
 BoundedPrimitive padded(const Bounds& piece, const BoundedPrimitive& whole) {
-    const auto pad = Bounds::corner(static_cast<float>(Frame::padding) + piece_error);
+    const auto pad = Bounds::corner(static_cast<float>(NormalizedSpace::padding) + piece_error);
     const Bounds within = Bounds::of(whole);
     Bounds box;
     box.min = Bounds::upper(piece.min - pad, within.min);
@@ -79,10 +79,11 @@ BoundedPrimitive padded(const Bounds& piece, const BoundedPrimitive& whole) {
 /// Replaces primitives by one of their pieces.
 class Cutter {
   public:
-    Cutter(const Geometry& geometry, const Frame& frame) : geometry_(geometry), frame_(frame) {}
+    Cutter(const Geometry& geometry, const NormalizedSpace& space)
+        : geometry_(geometry), space_(space) {}
 
     void cut(BoundedPrimitive& p, int cuts) {
-        const Corners corners = corners_in(frame_, corners_of(geometry_, p));
+        const Corners corners = corners_in(space_, corners_of(geometry_, p));
         boxes_.clear();
         add_pieces(corners, bounds_of(corners), cuts, boxes_);
         whole.push_back(p);
@@ -95,28 +96,28 @@ class Cutter {
 
   private:
     const Geometry& geometry_;
-    const Frame& frame_;
+    const NormalizedSpace& space_;
     std::vector<Bounds> boxes_;
 };
 
 }  // namespace
 
 /// The sample's factor does for all, unless it missed some that ask for many cuts.
-std::optional<Presplit> presplit(const Geometry& geometry, const Frame& frame,
+std::optional<Presplit> presplit(const Geometry& geometry, const NormalizedSpace& space,
                                  Primitives primitives, const PresplitConfig& config) {
     const auto budget = [&](std::size_t number) {
         return config.budget * static_cast<double>(number);
     };
-    const std::vector<SplitCandidate> some = sample(geometry, frame, primitives);
+    const std::vector<SplitCandidate> some = sample(geometry, space, primitives);
     const double limit = best_factor(some, budget(some.size()), no_limit);
     if (!(gain(some, limit) >= config.least_gain)) return std::nullopt;
 
-    const auto [places, candidates] = find_candidates(geometry, frame, primitives, limit);
+    const auto [places, candidates] = find_candidates(geometry, space, primitives, limit);
     const double most = budget(primitives.size());
     const double factor = best_factor(candidates, most, limit);
     Presplit result{copy(primitives, primitives.size() + static_cast<std::size_t>(most)), {}};
     const Chunks chunks(places.size(), chunk_size / 16);
-    std::vector<Cutter> of_chunk(chunks.number(), Cutter(geometry, frame));
+    std::vector<Cutter> of_chunk(chunks.number(), Cutter(geometry, space));
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const int cuts = candidates[i].cuts(factor);

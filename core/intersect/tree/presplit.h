@@ -21,7 +21,7 @@ struct Presplit {
 /// Cuts the triangles whose boxes hold the most that is not triangle (Karras & Aila 2013, "Fast
 /// Parallel Construction of High-Quality Bounding Volume Hierarchies", section 4.3). Nothing where
 /// a sample of the triangles says that they would not gain by it.
-std::optional<Presplit> presplit(const Geometry& geometry, const Frame& frame,
+std::optional<Presplit> presplit(const Geometry& geometry, const NormalizedSpace& space,
                                  std::span<const BoundedPrimitive> primitives,
                                  const PresplitConfig& config = {});
 

@@ -26,10 +26,10 @@ double cost(const BvhTree& tree, const Geometry& geometry, const LeafCosts& cost
 
 /// Whatever is gained must also pay for more leaves and nodes than stay in the caches. The tree of
 /// all costs no less than that of those which are cut, which is often enough to know.
-BvhTree build_scene_bvh(const Geometry& geometry, const Frame& frame,
+BvhTree build_scene_bvh(const Geometry& geometry, const NormalizedSpace& space,
                         std::vector<BoundedPrimitive> primitives, const BvhConfig& config) {
     constexpr double clear_gain = 0.8;
-    auto pieces = presplit(geometry, frame, primitives);
+    auto pieces = presplit(geometry, space, primitives);
     if (!pieces) return build_bvh(std::move(primitives), config);
     BvhTree split = build_bvh(std::move(pieces->references), config);
     const auto pays = [&](const BvhTree& whole) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/intersect/frame.h"
+#include "core/intersect/normalized_space.h"
 #include "core/intersect/tree/builder.h"
 #include "core/scene/geometry.h"
 
@@ -8,7 +8,7 @@ namespace etalon {
 
 /// A scene's tree: of pieces of its triangles (presplit.h) where that makes it much cheaper, so
 /// that a primitive may be in several leaves.
-BvhTree build_scene_bvh(const Geometry& geometry, const Frame& frame,
+BvhTree build_scene_bvh(const Geometry& geometry, const NormalizedSpace& space,
                         std::vector<BoundedPrimitive> primitives, const BvhConfig& config = {});
 
 }  // namespace etalon

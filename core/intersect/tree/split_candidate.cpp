@@ -26,12 +26,12 @@ std::array<Vec3, 3> corners_of(const Geometry& geometry, const BoundedPrimitive&
     return corners(geometry, geometry.get<Triangle>(geometry.primitives[triangle.id]));
 }
 
-SplitCandidate::SplitCandidate(const Geometry& geometry, const Frame& frame,
+SplitCandidate::SplitCandidate(const Geometry& geometry, const NormalizedSpace& space,
                                const BoundedPrimitive& p)
     : surface(box_surface(p)), least(surface) {
     if (p.kind != kind_of<Triangle>()) return;
     const auto world = corners_of(geometry, p);
-    const Vec3 a = frame.point(world[0]), b = frame.point(world[1]), c = frame.point(world[2]);
+    const Vec3 a = space.point(world[0]), b = space.point(world[1]), c = space.point(world[2]);
     const Vec3 normal = abs((b - a).cross(c - a));
     least = std::min(surface, normal.x + normal.y + normal.z);
     priority = std::cbrt(surface - least);

@@ -11,7 +11,8 @@ namespace etalon {
 
 /// A primitive as something to cut.
 struct SplitCandidate {
-    SplitCandidate(const Geometry& geometry, const Frame& frame, const BoundedPrimitive& p);
+    SplitCandidate(const Geometry& geometry, const NormalizedSpace& space,
+                   const BoundedPrimitive& p);
 
     /// For a factor that is the same for all.
     int cuts(double factor) const;
@@ -19,7 +20,7 @@ struct SplitCandidate {
     /// With boxes that shrink along two axes where a thin triangle is cut across the third.
     double surface_after(int cuts) const { return least + (surface - least) / (1 + cuts); }
 
-    double surface;       ///< of its box, in the frame
+    double surface;       ///< of its box, in normalized space
     double least;         ///< what the surfaces of ever smaller pieces' boxes come to
     double priority = 0;  ///< 0: not to be cut
 };

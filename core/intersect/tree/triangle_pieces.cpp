@@ -8,8 +8,8 @@ namespace {
 
 using Corner = Bounds::Corner;
 
-/// Planes an axis of the frame has, as a power of two: more would be nearer to each other than
-/// boxes are padded.
+/// Planes an axis of normalized space has, as a power of two: more would be nearer to each other
+/// than boxes are padded.
 constexpr int levels = 20;
 
 /// Where an edge from one side of a plane to the other passes it. The weight is good to 3.1 u, its
@@ -46,10 +46,10 @@ std::size_t alone(const Corners& corners, const MedianPlane& plane) {
 
 }  // namespace
 
-Corners corners_in(const Frame& frame, const std::array<Vec3, 3>& world) {
+Corners corners_in(const NormalizedSpace& space, const std::array<Vec3, 3>& world) {
     Corners corners;
     for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3f p(frame.point(world[i]));
+        const Vec3f p(space.point(world[i]));
         corners[i] = Corner{p.x, p.y, p.z, 0};
     }
     return corners;

@@ -1,11 +1,11 @@
-// Triangles cut along planes, each piece with a box of its own, in floats of the frame.
+// Triangles cut along planes, each piece with a box of its own, in floats of normalized space.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <vector>
 
-#include "core/intersect/frame.h"
+#include "core/intersect/normalized_space.h"
 #include "core/intersect/tree/bounds.h"
 
 namespace etalon {
@@ -13,10 +13,10 @@ namespace etalon {
 /// A triangle's, rounded.
 using Corners = std::array<Bounds::Corner, 3>;
 
-Corners corners_in(const Frame& frame, const std::array<Vec3, 3>& world);
+Corners corners_in(const NormalizedSpace& space, const std::array<Vec3, 3>& world);
 Bounds bounds_of(const Corners& corners);
 
-/// A plane of the hierarchy that halves the frame's cube along each axis again and again.
+/// A plane of the hierarchy that halves normalized space's cube along each axis again and again.
 struct MedianPlane {
     int axis;
     float position;

@@ -1,4 +1,4 @@
-#include "core/intersect/frame.h"
+#include "core/intersect/normalized_space.h"
 
 namespace etalon {
 namespace {
@@ -8,36 +8,37 @@ constexpr double largest_speed = 0x1p900;
 
 }  // namespace
 
-Frame::Frame(const Box3& world) {
+NormalizedSpace::NormalizedSpace(const Box3& world) {
     if (world.isEmpty()) return;
     centre_ = world.center();
     const double half = std::max(max_abs(world.max - centre_), max_abs(world.min - centre_));
     scale_ = power_of_two_reciprocal(half) / 2;
 }
 
-Box3f Frame::box(const Box3& world) const {
+Box3f NormalizedSpace::box(const Box3& world) const {
     const Box3 local((world.min - centre_) * scale_ - Vec3(padding),
                      (world.max - centre_) * scale_ + Vec3(padding));
     return round_outward(local);
 }
 
-std::optional<FrameRay> Frame::ray(const Ray& ray) const {
+std::optional<NormalizedRay> NormalizedSpace::ray(const Ray& ray) const {
     const double shrink = power_of_two_reciprocal(max_abs(ray.direction));
     const Vec3 direction = ray.direction * shrink;
     Vec3 origin = (ray.origin - centre_) * scale_;
     double shift = 0;
     if (max_abs(origin) > largest_origin) {
-        // The scene lies within sqrt(3) of the frame's origin: start 2 before the closest approach.
+        // The scene lies within sqrt(3) of normalized space's origin: start 2 before the closest
+        // approach.
         const double length2 = direction.dot(direction);
         shift = -origin.dot(direction) / length2 - 2 / std::sqrt(length2);
         origin += shift * direction;
         if (max_abs(origin) > largest_origin) return std::nullopt;
     }
     const double scale = scale_ / shrink;
-    return FrameRay{Vec3f(origin), Vec3f(direction), shift / scale, scale};
+    return NormalizedRay{Vec3f(origin), Vec3f(direction), shift / scale, scale};
 }
 
-bool Frame::resolves(const Ray& ray) const {
+bool NormalizedSpace::resolves(const Ray& ray) const {
     const double distance = max_abs(ray.origin - centre_) * scale_;
     const double speed = max_abs(ray.direction) * scale_;
     return distance < largest_distance && speed > 1 / largest_speed && speed < largest_speed;

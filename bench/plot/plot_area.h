@@ -5,7 +5,7 @@
 namespace etalon::plot {
 
 /// A picture, and where in it the area is that the axes border, in pixels.
-struct Frame {
+struct PlotArea {
     double width, height;
     double left, right, top, bottom;
 

@@ -1,6 +1,6 @@
-// The frame in which accelerators work: the bounded part of the scene moved to the origin and
-// scaled by a power of two into [-1, 1]^3, so that float boxes are as good far from the origin, and
-// for scenes of any size, as they are for the unit box.
+// The normalized space in which accelerators work: the bounded part of the scene moved to the
+// origin and scaled by a power of two into [-1, 1]^3, so that float boxes are as good far from the
+// origin, and for scenes of any size, as they are for the unit box.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace etalon {
 
-/// A float ray in the frame. `scale` turns a double t of the world into a float t of the frame:
-/// t_frame = (t - shift) * scale.
-struct FrameRay {
+/// A float ray in normalized space. `scale` turns a double t of the world into a float t of
+/// normalized space: t_normalized = (t - shift) * scale.
+struct NormalizedRay {
     Vec3f origin, direction;  ///< |origin| <= 3, the direction's largest component in [1, 2)
     double shift, scale;
 
-    /// Rounded down, but no less than 0: before that there is nothing in the frame. Most rays begin
-    /// there and have no end, which is predicted: nothing waits for the roundings then.
+    /// Rounded down, but no less than 0: before that there is nothing in normalized space. Most
+    /// rays begin there and have no end, which is predicted: nothing waits for the roundings then.
     float tmin(double t) const { return t <= shift ? 0 : float_down((t - shift) * scale); }
 
     /// Rounded up, so what lies at t exactly is never culled; finite.
@@ -27,19 +27,19 @@ struct FrameRay {
     }
 };
 
-class Frame {
+class NormalizedSpace {
   public:
     static constexpr double largest_origin = 3;
 
-    Frame() = default;
-    explicit Frame(const Box3& world);
+    NormalizedSpace() = default;
+    explicit NormalizedSpace(const Box3& world);
 
     /// What a box must have around its content so that a float slab test with a reciprocal good to
     /// 2.6 units of rounding cannot miss what a double ray hits: u (7 |o| + 5 |b|), u = 2^-24, |o|
-    /// <= 3 the largest origin a FrameRay can have, |b| <= 1.
+    /// <= 3 the largest origin a NormalizedRay can have, |b| <= 1.
     static constexpr double padding = unit_roundoff_f * (7 * largest_origin + 5);
 
-    /// `world` in the frame, rounded outward and padded.
+    /// `world` in normalized space, rounded outward and padded.
     Box3f box(const Box3& world) const;
 
     /// Without padding: for geometry that an accelerator decides on by itself.
@@ -48,7 +48,7 @@ class Frame {
 
     /// Rays that start far away are first advanced, in double, to the neighbourhood of the scene.
     /// Nothing where the ray's line passes the scene by.
-    std::optional<FrameRay> ray(const Ray& ray) const;
+    std::optional<NormalizedRay> ray(const Ray& ray) const;
 
     /// False for rays from so far (2^24 times the scene's size) that a rounding of their double
     /// coordinates is no longer small against the padding, and for those that pass the scene in so
