@@ -26,7 +26,7 @@ std::vector<HardCase> aimed_cases();
 std::vector<HardCase> mesh_cases();
 std::vector<HardCase> world_cases();
 std::vector<HardCase> tree_cases();
-std::vector<HardCase> hostile_cases();
+std::vector<HardCase> adversarial_cases();
 std::vector<HardCase> grid_cases();
 std::vector<HardCase> range_cases();
 

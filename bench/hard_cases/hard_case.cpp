@@ -42,7 +42,7 @@ std::vector<HardCase> hard_cases() {
     add(mesh_cases());
     add(world_cases());
     add(tree_cases());
-    add(hostile_cases());
+    add(adversarial_cases());
     add(grid_cases());
     add(range_cases());
     return all;

@@ -59,9 +59,9 @@ Setting degenerate_neighbours() {
                     }};
     for (int i = 0; i < 24; ++i) {
         const Vec3 a(i, 0, 0), b(i + 1, 0, 0), c(i + 1, 1, 0), d(i, 1, 0), none(nan_value);
-        const Corners hostile[] = {{a, a, a, a}, {a, b, a, b},    {a, 0.5 * (a + b), b, b},
-                                   {a, c, b, d}, {a, b, c, none}, {a, b, Vec3(infinity), d}};
-        add_face(setting.scene, hostile[i % std::size(hostile)]);
+        const Corners adversarial[] = {{a, a, a, a}, {a, b, a, b},    {a, 0.5 * (a + b), b, b},
+                                       {a, c, b, d}, {a, b, c, none}, {a, b, Vec3(infinity), d}};
+        add_face(setting.scene, adversarial[i % std::size(adversarial)]);
         add_face(setting.scene, {a, b, c, c, d});
     }
     return setting;

@@ -44,10 +44,10 @@ Setting degenerate_neighbours() {
     for (int i = 0; i < 256; ++i) {
         const Vec3 a(i % 16, i / 16, 0), b = a + Vec3(1, 0, 0), c = a + Vec3(0, 1, 0);
         const Vec3 none(nan_value), beyond(infinity);
-        const Corners hostile[] = {{a, b, none},   {a, a, a},      {a, b, b},
-                                   {a, b, beyond}, {a, c, c},      {a, 0.5 * (a + b), b},
-                                   {none, b, c},   {-beyond, b, c}};
-        add_face(setting.scene, hostile[i % std::size(hostile)]);
+        const Corners adversarial[] = {{a, b, none},   {a, a, a},      {a, b, b},
+                                       {a, b, beyond}, {a, c, c},      {a, 0.5 * (a + b), b},
+                                       {none, b, c},   {-beyond, b, c}};
+        add_face(setting.scene, adversarial[i % std::size(adversarial)]);
         add_face(setting.scene, {a, b, c});
     }
     return setting;

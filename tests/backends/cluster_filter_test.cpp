@@ -116,7 +116,7 @@ void require_no_hit_dropped(const Scene& scene, std::size_t rays) {
 
 /// A triangle of any size anywhere in the frame, or of corners that nearly fall together, or whose
 /// plane nearly contains `eye`.
-std::array<Vec3, 3> hostile_triangle(const Vec3& eye, Random& random) {
+std::array<Vec3, 3> adversarial_triangle(const Vec3& eye, Random& random) {
     const Vec3 place = random.in_cube(), along = random.magnitude(-8, 0) * random.direction();
     const Vec3 aside = random.magnitude(-8, 0) * random.direction();
     const Vec3 dust = random.magnitude(-16, -6) * random.direction();
@@ -132,12 +132,12 @@ std::array<Vec3, 3> hostile_triangle(const Vec3& eye, Random& random) {
     }
 }
 
-Scene hostile_triangles(const Vec3& eye, std::size_t count) {
+Scene adversarial_triangles(const Vec3& eye, std::size_t count) {
     Scene scene;
     scene.camera.eye = eye;
     Random random(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        for (const Vec3& corner : hostile_triangle(eye, random))
+        for (const Vec3& corner : adversarial_triangle(eye, random))
             scene.geometry.vertices.push_back(corner);
         scene.geometry.add(Triangle{{3 * i, 3 * i + 1, 3 * i + 2}}, 0);
     }
@@ -145,7 +145,7 @@ Scene hostile_triangles(const Vec3& eye, std::size_t count) {
 }
 
 /// A sphere of any size anywhere in the frame, many of them nearly touched by rays from `eye`.
-Scene hostile_spheres(const Vec3& eye, std::size_t count) {
+Scene adversarial_spheres(const Vec3& eye, std::size_t count) {
     Scene scene;
     scene.camera.eye = eye;
     Random random(count);
@@ -184,7 +184,7 @@ TEST_CASE("Given slivers, edge-on, tiny and huge triangles, the filter drops non
         for (const double distance : {0.0, 0.5, 2.0, 10.0, 1e4, 1e7}) {
             INFO("eye " << distance << " away");
             const Vec3 eye = distance * Vec3(0.6, -0.64, 0.48);
-            require_no_hit_dropped(hostile_triangles(eye, 100), 2000);
+            require_no_hit_dropped(adversarial_triangles(eye, 100), 2000);
         }
     });
 }
@@ -194,7 +194,7 @@ TEST_CASE("Given tiny and huge spheres, the filter drops none that is hit", "[cl
         for (const double distance : {0.0, 0.5, 2.0, 10.0, 1e4, 1e7}) {
             INFO("eye " << distance << " away");
             const Vec3 eye = distance * Vec3(0.6, -0.64, 0.48);
-            require_no_hit_dropped(hostile_spheres(eye, 100), 2000);
+            require_no_hit_dropped(adversarial_spheres(eye, 100), 2000);
         }
     });
 }

@@ -9,7 +9,7 @@ namespace {
 
 using namespace bench_report;
 
-const std::string hostile = "<b>\"a\" & b</b>";
+const std::string adversarial = "<b>\"a\" & b</b>";
 
 speed::Runs runs(double seconds) {
     speed::Runs r;
@@ -20,7 +20,7 @@ speed::Runs runs(double seconds) {
 }
 
 speed::SceneFigures scene() {
-    speed::SceneFigures figures{hostile, 1234567, {}, {{"camera", 1000, false, {}}}};
+    speed::SceneFigures figures{adversarial, 1234567, {}, {{"camera", 1000, false, {}}}};
     double seconds = 0.5;
     for (const char* name :
          {"grid", "bvh", "embree", "embree-user", "embree-builtin", "embree-builtin-robust"}) {
@@ -68,20 +68,20 @@ Results sample_results() {
     Results results;
     results.settings = quick_settings();
     results.begun = date_now();
-    results.machine.processor = hostile;
+    results.machine.processor = adversarial;
     results.machine.flags = "-O3 " + std::string(200, 'x');
     results.scenes.add(scene());
     for (accuracy::Row& row : accuracy::sample_rows()) results.rows.add(std::move(row));
     results.spd.add(spd());
     ConvergenceFigures convergence;
-    convergence.request.scene = convergence.reference = hostile;
-    convergence.curves = {curve("sobol, bvh", 1.5), curve(hostile, 1)};
+    convergence.request.scene = convergence.reference = adversarial;
+    convergence.curves = {curve("sobol, bvh", 1.5), curve(adversarial, 1)};
     results.convergence.add(std::move(convergence));
     PictureFigures picture;
-    picture.scene = hostile;
-    picture.command = "build/bin/etalon render " + hostile;
+    picture.scene = adversarial;
+    picture.command = "build/bin/etalon render " + adversarial;
     picture.width = picture.height = 480;
-    picture.layers = {{hostile, no_png}};
+    picture.layers = {{adversarial, no_png}};
     results.pictures.add(std::move(picture));
     return results;
 }

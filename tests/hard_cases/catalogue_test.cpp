@@ -177,7 +177,7 @@ TEST_CASE("The catalogue: given a case, then its scene and rays are what its nam
             const Ray ray = ray_number(setting, i);
             CAPTURE(i, ray.origin, ray.direction);
             REQUIRE(same_bits(ray, ray_number(again, i)));
-            REQUIRE((is_finite(ray) || name_of(c) == "BVH-3, hostile rays"));
+            REQUIRE((is_finite(ray) || name_of(c) == "BVH-3, adversarial rays"));
             if (is_in_float(c)) REQUIRE((is_float(ray.origin) && is_float(ray.direction)));
         }
     }

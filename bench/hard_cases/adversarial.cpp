@@ -9,7 +9,7 @@ namespace {
 
 constexpr double none = nan_value;
 
-void add_hostile_spheres(Scene& scene) {
+void add_adversarial_spheres(Scene& scene) {
     for (const double bad : {none, infinity, -infinity}) {
         for (int k = 0; k < 3; ++k) {
             Vec3 centre(0);
@@ -22,7 +22,7 @@ void add_hostile_spheres(Scene& scene) {
     scene.geometry.add(Sphere{{0, 0, 0}, -1}, 0);
 }
 
-void add_hostile_cones(Scene& scene) {
+void add_adversarial_cones(Scene& scene) {
     const Vec3 base(0), top(0, 0, 1);
     for (const double bad : {none, infinity, -infinity}) {
         scene.geometry.add(Cone{base, {0, bad, 1}, 1, 1}, 0);
@@ -35,7 +35,7 @@ void add_hostile_cones(Scene& scene) {
     scene.geometry.add(Cone{base, top, 1, -1}, 0);
 }
 
-void add_hostile_boxes_and_planes(Scene& scene) {
+void add_adversarial_boxes_and_planes(Scene& scene) {
     for (const double bad : {none, infinity, -infinity}) {
         scene.geometry.add(Box{{bad, -1, -1}, {1, 1, 1}}, 0);
         scene.geometry.add(Box{{-1, -1, -1}, {1, 1, bad}}, 0);
@@ -47,7 +47,7 @@ void add_hostile_boxes_and_planes(Scene& scene) {
     scene.geometry.add(Plane{{0, 0, 0}, {0, 0, 0}}, 0);
 }
 
-void add_hostile_rings(Scene& scene) {
+void add_adversarial_rings(Scene& scene) {
     for (const double bad : {none, infinity, -infinity}) {
         scene.geometry.add(Ring{{bad, 0, 0}, {0, 0, 1}, 0, 1}, 0);
         scene.geometry.add(Ring{{0, 0, 0}, {0, bad, 1}, 0, 1}, 0);
@@ -59,7 +59,7 @@ void add_hostile_rings(Scene& scene) {
     scene.geometry.add(Ring{{0, 0, 0}, {0, 0, 1}, 0, 0}, 0);
 }
 
-void add_hostile_quadrics(Scene& scene) {
+void add_adversarial_quadrics(Scene& scene) {
     const Quadric good{{0, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 1, 0, -1}, {Vec3(-1), Vec3(1)}};
     const auto add_but = [&](auto&& change) {
         Quadric s = good;
@@ -77,7 +77,7 @@ void add_hostile_quadrics(Scene& scene) {
     add_but([](Quadric& s) { s.coefficients = {0, 0, 0, 0, 0, 0, 0, 0, 0, 1}; });
 }
 
-void add_hostile_faces(Scene& scene) {
+void add_adversarial_faces(Scene& scene) {
     const Vec3 a(-1, 0, 0), b(1, 0, 0), c(3, 0, 0), d(0, 1, 0);
     for (const double bad : {none, infinity, -infinity}) {
         add_face(scene, {a, b, Vec3(bad)});
@@ -93,17 +93,17 @@ void add_hostile_faces(Scene& scene) {
 }
 
 /// What nothing can hit, first and last in a world: the good ones' numbers are in between.
-Scene hostile_world() {
+Scene adversarial_world() {
     Scene scene;
-    const auto add_hostile = [&scene] {
-        add_hostile_spheres(scene);
-        add_hostile_cones(scene);
-        add_hostile_boxes_and_planes(scene);
-        add_hostile_rings(scene);
-        add_hostile_quadrics(scene);
-        add_hostile_faces(scene);
+    const auto add_adversarial = [&scene] {
+        add_adversarial_spheres(scene);
+        add_adversarial_cones(scene);
+        add_adversarial_boxes_and_planes(scene);
+        add_adversarial_rings(scene);
+        add_adversarial_quadrics(scene);
+        add_adversarial_faces(scene);
     };
-    add_hostile();
+    add_adversarial();
     Random random(5, 0);
     while (scene.geometry.primitives.size() < 500) {
         const Vec3 centre = random.in_cube();
@@ -111,13 +111,13 @@ Scene hostile_world() {
         const Vec3 a = random.in_cube(), b = a + 0.2 * random.in_cube();
         add_face(scene, {a, b, a + 0.2 * random.in_cube()});
     }
-    add_hostile();
+    add_adversarial();
     return scene;
 }
 
-/// At the good ones among the hostile world's primitives.
-Setting among_hostile() {
-    Setting setting = aimed_at_world(hostile_world());
+/// At the good ones among the adversarial world's primitives.
+Setting among_adversarial() {
+    Setting setting = aimed_at_world(adversarial_world());
     setting.size = 1;
     return setting;
 }
@@ -150,7 +150,7 @@ void spoil(Ray& ray, Random& random) {
     }
 }
 
-Setting hostile_rays() {
+Setting adversarial_rays() {
     Setting setting = aimed_at_world(world({.count = 500}));
     setting.ray = [good = std::move(setting.ray)](Random& random) {
         Ray ray = good(random);
@@ -162,10 +162,10 @@ Setting hostile_rays() {
 
 }  // namespace
 
-std::vector<HardCase> hostile_cases() {
+std::vector<HardCase> adversarial_cases() {
     Rows rows("scene");
-    rows.add("BVH-3", "hostile primitives", among_hostile);
-    rows.add("BVH-3", "hostile rays", hostile_rays);
+    rows.add("BVH-3", "adversarial primitives", among_adversarial);
+    rows.add("BVH-3", "adversarial rays", adversarial_rays);
     return rows.take();
 }
 

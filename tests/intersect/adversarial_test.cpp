@@ -7,7 +7,7 @@ using namespace etalon;
 
 namespace {
 
-constexpr double hostile_numbers[] = {nan_value, infinity, -infinity};
+constexpr double adversarial_numbers[] = {nan_value, infinity, -infinity};
 
 bool is_hit(const Scene& scene, const Ray& ray) {
     const double t = primitive_first_hit(scene.geometry, 0, RayQuery(ray));
@@ -45,10 +45,10 @@ TEST_CASE("Kernels: given a shape with a number that is none, then nothing hits 
         Scene scene = shape.scene;
         for (double* number : numbers_of(scene)) {
             const double original = *number;
-            for (const double hostile : hostile_numbers) {
-                *number = hostile;
+            for (const double adversarial : adversarial_numbers) {
+                *number = adversarial;
                 settle(scene);
-                CAPTURE(shape.name, hostile);
+                CAPTURE(shape.name, adversarial);
                 REQUIRE(primitive_bounds(scene.geometry, 0).isEmpty());
                 Random random(7);
                 for (int i = 0; i < 100; ++i) {
@@ -68,10 +68,10 @@ TEST_CASE(
         for (int i = 0; i < 200; ++i) {
             const Ray ray = aimed_ray(shape, i, random).ray;
             for (int k = 0; k < 6; ++k) {
-                for (const double hostile : hostile_numbers) {
+                for (const double adversarial : adversarial_numbers) {
                     Ray bad = ray;
-                    (k < 3 ? bad.origin : bad.direction)[k % 3] = hostile;
-                    CAPTURE(shape.name, i, k, hostile);
+                    (k < 3 ? bad.origin : bad.direction)[k % 3] = adversarial;
+                    CAPTURE(shape.name, i, k, adversarial);
                     REQUIRE(std::abs(primitive_first_hit(shape.scene.geometry, 0, RayQuery(bad))) !=
                             infinity);
                 }
