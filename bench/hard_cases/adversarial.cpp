@@ -2,7 +2,7 @@
 #include "bench/hard_cases/add_face.h"
 #include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/families.h"
-#include "bench/hard_cases/world.h"
+#include "bench/hard_cases/random_scene.h"
 
 namespace etalon::hard {
 namespace {
@@ -92,8 +92,8 @@ void add_adversarial_faces(Scene& scene) {
     add_face(scene, {{-1, -1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, 1, 0}});
 }
 
-/// What nothing can hit, first and last in a world: the good ones' numbers are in between.
-Scene adversarial_world() {
+/// What nothing can hit, first and last in a random scene: the good ones' numbers are in between.
+Scene adversarial_scene() {
     Scene scene;
     const auto add_adversarial = [&scene] {
         add_adversarial_spheres(scene);
@@ -115,9 +115,9 @@ Scene adversarial_world() {
     return scene;
 }
 
-/// At the good ones among the adversarial world's primitives.
+/// At the good ones among the adversarial random scene's primitives.
 Setting among_adversarial() {
-    Setting setting = aimed_at_world(adversarial_world());
+    Setting setting = aimed_at_scene(adversarial_scene());
     setting.size = 1;
     return setting;
 }
@@ -151,7 +151,7 @@ void spoil(Ray& ray, Random& random) {
 }
 
 Setting adversarial_rays() {
-    Setting setting = aimed_at_world(world({.count = 500}));
+    Setting setting = aimed_at_scene(random_scene({.count = 500}));
     setting.ray = [good = std::move(setting.ray)](Random& random) {
         Ray ray = good(random);
         spoil(ray, random);

@@ -24,7 +24,7 @@ std::vector<HardCase> quadric_cases();
 std::vector<HardCase> quadric_group_cases();
 std::vector<HardCase> aimed_cases();
 std::vector<HardCase> mesh_cases();
-std::vector<HardCase> world_cases();
+std::vector<HardCase> random_scene_cases();
 std::vector<HardCase> tree_cases();
 std::vector<HardCase> adversarial_cases();
 std::vector<HardCase> grid_cases();

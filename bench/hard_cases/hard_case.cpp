@@ -40,7 +40,7 @@ std::vector<HardCase> hard_cases() {
     add(quadric_group_cases());
     add(aimed_cases());
     add(mesh_cases());
-    add(world_cases());
+    add(random_scene_cases());
     add(tree_cases());
     add(adversarial_cases());
     add(grid_cases());

@@ -2,7 +2,7 @@
 #include "bench/hard_cases/add_face.h"
 #include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/families.h"
-#include "bench/hard_cases/world.h"
+#include "bench/hard_cases/random_scene.h"
 
 namespace etalon::hard {
 namespace {
@@ -35,7 +35,7 @@ Setting same_triangles(std::uint32_t count) {
 Setting concentric() {
     Scene scene;
     for (int i = 0; i < 500; ++i) scene.geometry.add(Sphere{usual_place(), 1 + i / 1000.0}, 0);
-    return aimed_at_world(std::move(scene));
+    return aimed_at_scene(std::move(scene));
 }
 
 /// Boxes in a row along a line.
@@ -44,12 +44,12 @@ Setting in_a_row() {
     for (int i = 0; i < 1000; ++i) {
         scene.geometry.add(Box{{i + 0.0, 0, 0}, {i + 1.0, 1, 1}}, 0);
     }
-    return aimed_at_world(std::move(scene));
+    return aimed_at_scene(std::move(scene));
 }
 
-/// Every shape of a world eight times, the copies far apart in the numbering.
+/// Every shape of a random scene eight times, the copies far apart in the numbering.
 Setting copies() {
-    Scene scene = world({.count = 200});
+    Scene scene = random_scene({.count = 200});
     const std::vector<Primitive> once = scene.geometry.primitives.list();
     std::vector<Primitive> all = once;
     for (int copy = 1; copy < 8; ++copy) {
@@ -60,7 +60,7 @@ Setting copies() {
         std::swap(all[i], all[random.index(i + 1)]);
     }
     scene.geometry.primitives = PrimitiveRuns(all);
-    return aimed_at_world(std::move(scene));
+    return aimed_at_scene(std::move(scene));
 }
 
 /// A floor 1e6 wide, and in one spot of it 1e4 spheres of about 1e-3; half of the rays go there.
@@ -119,8 +119,8 @@ std::vector<HardCase> tree_cases() {
     rows.add("BVH-1", "boxes in a row", in_a_row);
     rows.add("BVH-1", "shuffled copies of a world", copies);
     rows.add("BVH-2", "1e4 spheres on a floor of 1e6", stadium);
-    rows.add("BVH-4", "flat", [] { return aimed_at_world(flat()); });
-    rows.add("BVH-4", "boxes that are lines", [] { return aimed_at_world(spikes()); });
+    rows.add("BVH-4", "flat", [] { return aimed_at_scene(flat()); });
+    rows.add("BVH-4", "boxes that are lines", [] { return aimed_at_scene(spikes()); });
     return rows.take();
 }
 

@@ -1,7 +1,7 @@
 // Whole scenes against brute force: what a backend gets wrong that a kernel gets right.
 #include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/families.h"
-#include "bench/hard_cases/world.h"
+#include "bench/hard_cases/random_scene.h"
 #include "core/scene/transformed.h"
 
 namespace etalon::hard {
@@ -62,31 +62,32 @@ Scene slivers() {
 }
 
 Scene one_kind(ShapeKind kind) {
-    return world({.count = kind == kind_of<Plane>() ? 20U : 1000U, .kinds = {kind}});
+    return random_scene({.count = kind == kind_of<Plane>() ? 20U : 1000U, .kinds = {kind}});
 }
 
 }  // namespace
 
-std::vector<HardCase> world_cases() {
+std::vector<HardCase> random_scene_cases() {
     Rows rows("scene");
     add_clouds(rows);
-    rows.add("A4", "mixed: from an eye", [] { return seen_from_eye(world({}), 3); });
-    rows.add("A4", "mixed: bouncing", [] { return bouncing_in_world(world({})); });
-    rows.add("A4", "mixed: aimed", [] { return aimed_at_world(world({})); });
+    rows.add("A4", "mixed: from an eye", [] { return seen_from_eye(random_scene({}), 3); });
+    rows.add("A4", "mixed: bouncing", [] { return bouncing_in_scene(random_scene({})); });
+    rows.add("A4", "mixed: aimed", [] { return aimed_at_scene(random_scene({})); });
     rows.add("A4", "mixed: aimed to the last bit",
-             [] { return aimed_at_world(world({}), to_the_last_bit); });
+             [] { return aimed_at_scene(random_scene({}), to_the_last_bit); });
     for (ShapeKind kind = 0; kind < shape_kinds; ++kind) {
         rows.add("A4", std::string(kind_name(kind)) + " only: aimed",
-                 [=] { return aimed_at_world(one_kind(kind)); });
+                 [=] { return aimed_at_scene(one_kind(kind)); });
     }
-    rows.add("A4", "one-sided: aimed", [] { return aimed_at_world(world({.one_sided = true})); });
+    rows.add("A4", "one-sided: aimed",
+             [] { return aimed_at_scene(random_scene({.one_sided = true})); });
     rows.add("A4", "huge and tiny: aimed", [] {
-        return aimed_at_world(world({.count = 200, .smallest = 1e-6, .largest = 1e4}));
+        return aimed_at_scene(random_scene({.count = 200, .smallest = 1e-6, .largest = 1e4}));
     });
-    rows.add("A4", "slivers: aimed", [] { return aimed_at_world(slivers()); });
+    rows.add("A4", "slivers: aimed", [] { return aimed_at_scene(slivers()); });
     const auto add_moved = [&](const char* name, double factor, const Vec3& offset) {
         rows.add("A4", name,
-                 [=] { return aimed_at_world(transformed(world({}), factor, offset)); });
+                 [=] { return aimed_at_scene(transformed(random_scene({}), factor, offset)); });
     };
     add_moved("mixed at 1e6: aimed", 1, {1e6, -1e6, 1e6});
     add_moved("minute, 1e-30: aimed", 1e-30, Vec3(0));

@@ -1,4 +1,4 @@
-#include "bench/hard_cases/world.h"
+#include "bench/hard_cases/random_scene.h"
 
 #include "bench/hard_cases/add_face.h"
 #include "bench/hard_cases/aims.h"
@@ -80,7 +80,7 @@ void add_shape(Scene& scene, ShapeKind kind, double size, Sides sides, Random& r
     }
 }
 
-ShapeKind any_kind(const WorldPlan& plan, Random& random) {
+ShapeKind any_kind(const RandomSceneConfig& plan, Random& random) {
     if (!plan.kinds.empty()) return plan.kinds[random.index(plan.kinds.size())];
     const auto kind = static_cast<ShapeKind>(random.index(shape_kinds));
     // One in fifty is a plane, or they would hide the rest.
@@ -89,7 +89,7 @@ ShapeKind any_kind(const WorldPlan& plan, Random& random) {
 
 }  // namespace
 
-Scene world(const WorldPlan& plan) {
+Scene random_scene(const RandomSceneConfig& plan) {
     Scene scene;
     Random random(plan.seed, 0);
     while (scene.geometry.primitives.size() < plan.count) {

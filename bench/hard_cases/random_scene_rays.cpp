@@ -1,7 +1,7 @@
 #include <memory>
 
 #include "bench/hard_cases/aims.h"
-#include "bench/hard_cases/world.h"
+#include "bench/hard_cases/random_scene.h"
 #include "core/intersect/kernels.h"
 
 namespace etalon::hard {
@@ -85,11 +85,11 @@ Ray bouncing_ray(const Surroundings& around, Random& random) {
 
 }  // namespace
 
-Setting aimed_at_world(Scene scene, double finest) {
+Setting aimed_at_scene(Scene scene, double finest) {
     return setting_of(std::move(scene), finest, aimed_ray);
 }
 
-Setting bouncing_in_world(Scene scene) {
+Setting bouncing_in_scene(Scene scene) {
     return setting_of(std::move(scene), -6, bouncing_ray);
 }
 
