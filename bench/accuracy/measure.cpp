@@ -55,17 +55,17 @@ class Measurement {
     Measurement(const hard::HardCase& hard_case, const std::vector<const Backend*>& backends,
                 const Effort& effort)
         : case_(hard_case),
-          setting_(hard_case.make()),
-          oracle_(setting_.scene.geometry),
+          setup_(hard_case.make()),
+          oracle_(setup_.scene.geometry),
           seed_(seed_of(hard_case)),
           effort_(effort) {
         for (const Backend* b : backends) {
-            enter(backend_tracer(*b, setting_.scene), b->exact, true);
+            enter(backend_tracer(*b, setup_.scene), b->exact, true);
         }
         if (!effort.textbooks) return;
-        if (auto kernel = kernel_tracer(setting_.scene)) enter(std::move(kernel), true, true);
+        if (auto kernel = kernel_tracer(setup_.scene)) enter(std::move(kernel), true, true);
         if (case_.criterion != hard::Criterion::oracle) return;
-        for (auto& textbook : textbook_tracers(setting_.scene)) {
+        for (auto& textbook : textbook_tracers(setup_.scene)) {
             enter(std::move(textbook), false, false);
         }
     }
@@ -92,7 +92,7 @@ class Measurement {
     }
 
     bool takes_part(const TracerEntry& entry, std::uint64_t first_ray) const {
-        const std::uint64_t all = first_ray * setting_.scene.geometry.primitives.size();
+        const std::uint64_t all = first_ray * setup_.scene.geometry.primitives.size();
         return entry.tracer->name() != reference_backend || all < effort_.tests;
     }
 
@@ -103,7 +103,7 @@ class Measurement {
         std::vector<Ray> rays;
         for (std::uint64_t i = first; i < end; ++i) {
             Random random(seed_, i);
-            rays.push_back(setting_.ray(random));
+            rays.push_back(setup_.ray(random));
         }
         std::vector<Result> results(entries_.size());
         if (case_.criterion == hard::Criterion::spawned) {
@@ -177,7 +177,7 @@ class Measurement {
     std::vector<OracleReference> references_of(const RayBlock& block) const {
         std::vector<OracleReference> references;
         if (case_.criterion != hard::Criterion::oracle) return references;
-        for (const Ray& ray : block.rays) references.emplace_back(setting_, oracle_, ray);
+        for (const Ray& ray : block.rays) references.emplace_back(setup_, oracle_, ray);
         return references;
     }
 
@@ -201,7 +201,7 @@ class Measurement {
         std::vector<Ray> rays;
         for (std::size_t i = 0; i < hits.size(); ++i) {
             Random random(~seed_, first + i);
-            if (const auto s = spawn(setting_, block.rays[i], hits[i], random)) {
+            if (const auto s = spawn(setup_, block.rays[i], hits[i], random)) {
                 spawned.push_back(*s);
                 rays.push_back(s->ray);
             }
@@ -212,7 +212,7 @@ class Measurement {
             for (std::size_t i = 0; i < answers[k].size(); ++i) {
                 ErrorStats& stats = results[k].stats;
                 ++stats.rays;
-                stats.self_hits += is_self_hit(setting_.scene, spawned[i], answers[k][i]);
+                stats.self_hits += is_self_hit(setup_.scene, spawned[i], answers[k][i]);
                 stats.shift.add(spawned[i].shift);
             }
         }
@@ -235,7 +235,7 @@ class Measurement {
     }
 
     const hard::HardCase& case_;
-    const hard::Setting setting_;
+    const hard::CaseSetup setup_;
     const Oracle oracle_;
     const std::uint64_t seed_;
     const Effort effort_;

@@ -30,22 +30,22 @@ Vec3 position(const Scene& scene, const TracerEntry& entry, const Ray& ray, cons
 
 /// u (all magnitudes) / cosine: the change of t when origin, direction and shape move by a relative
 /// u each.
-double sensitivity(const hard::Setting& setting, const Ray& ray, const OracleAnswer& reference) {
+double sensitivity(const hard::CaseSetup& setup, const Ray& ray, const OracleAnswer& reference) {
     const SurfacePoint p =
-        surface_at(setting.scene.geometry, ray, {reference.t, reference.primitive});
+        surface_at(setup.scene.geometry, ray, {reference.t, reference.primitive});
     const double length = ray.direction.length();
     const double speed = std::abs(p.normal.dot(ray.direction)) - 4 * unit_roundoff * length;
     const double reach =
-        max_abs(ray.origin) + max_abs(p.position) + setting.size + std::abs(reference.t) * length;
+        max_abs(ray.origin) + max_abs(p.position) + setup.size + std::abs(reference.t) * length;
     return unit_roundoff * reach / std::max(speed, 0.0);
 }
 
 }  // namespace
 
-OracleReference::OracleReference(const hard::Setting& setting, const Oracle& oracle, const Ray& ray)
-    : setting_(setting), ray_(ray), answer_(oracle.closest(ray, setting.tie)) {
+OracleReference::OracleReference(const hard::CaseSetup& setup, const Oracle& oracle, const Ray& ray)
+    : setup_(setup), ray_(ray), answer_(oracle.closest(ray, setup.tie)) {
     if (answer_.kind != OracleAnswer::hit) return;
-    sensitivity_ = sensitivity(setting, ray, answer_);
+    sensitivity_ = sensitivity(setup, ray, answer_);
     t_ = Remainder(answer_.exact_t);
     for (int k = 0; k < 3; ++k) {
         position_[k] = Remainder(Quad(ray.origin[k]) + answer_.exact_t * Quad(ray.direction[k]));
@@ -72,15 +72,15 @@ void OracleReference::classify_distance(const TracerEntry& entry, const Answer& 
                                         ErrorStats& stats) const {
     const double off = t_.distance(answer.t);
     const double float_ulps = off / ulp_of_float(answer_.t);
-    const bool is_far_off = off * ray_.direction.length() > other_root * setting_.size;
+    const bool is_far_off = off * ray_.direction.length() > other_root * setup_.size;
     if (is_far_off && float_ulps > 1) ++stats.wrong_roots;
     stats.float_ulps.add(float_ulps);
     stats.double_ulps.add(off / ulp_of_double(answer_.t));
     stats.conditioned.add(off / sensitivity_);
-    const Vec3 p = position(setting_.scene, entry, ray_, answer);
+    const Vec3 p = position(setup_.scene, entry, ray_, answer);
     const Vec3 apart(position_[0].distance(p.x), position_[1].distance(p.y),
                      position_[2].distance(p.z));
-    stats.position.add(apart.length() / setting_.size);
+    stats.position.add(apart.length() / setup_.size);
 }
 
 bool OracleReference::is_right_primitive(const TracerEntry& entry, const Answer& answer) const {
@@ -95,15 +95,15 @@ bool OracleReference::is_right_primitive(const TracerEntry& entry, const Answer&
 std::uint32_t OracleReference::lowest_of_the_nearest() const {
     NearestHit nearest(ray_.tmax);
     for (const std::uint32_t id : answer_.tied) {
-        nearest.offer(primitive_first_hit(setting_.scene.geometry, id, RayQuery(ray_)), id);
+        nearest.offer(primitive_first_hit(setup_.scene.geometry, id, RayQuery(ray_)), id);
     }
     return nearest.primitive;
 }
 
-std::optional<Spawned> spawn(const hard::Setting& setting, const Ray& ray, const Answer& answer,
+std::optional<Spawned> spawn(const hard::CaseSetup& setup, const Ray& ray, const Answer& answer,
                              Random& random) {
     if (answer.primitive == no_index) return std::nullopt;
-    const SurfacePoint p = surface_at(setting.scene.geometry, ray, answer);
+    const SurfacePoint p = surface_at(setup.scene.geometry, ray, answer);
     const double side = random.sign();
     const bool grazing = random.index(2) == 0;
     const double cosine = grazing ? random.magnitude(-6, 0) : random.uniform(0.01, 1);
@@ -113,7 +113,7 @@ std::optional<Spawned> spawn(const hard::Setting& setting, const Ray& ray, const
     const Vec3 direction =
         side * cosine * p.normal + sine * (std::cos(angle) * u + std::sin(angle) * v);
     const Vec3 origin = spawn_origin(p, direction);
-    const double shift = (origin - p.position).length() / setting.size;
+    const double shift = (origin - p.position).length() / setup.size;
     return Spawned{{origin, direction}, answer.primitive, side > 0, shift};
 }
 

@@ -34,7 +34,7 @@ class Remainder {
 /// The oracle's answer to one ray, with what only the comparison needs.
 class OracleReference {
   public:
-    OracleReference(const hard::Setting& setting, const Oracle& oracle, const Ray& ray);
+    OracleReference(const hard::CaseSetup& setup, const Oracle& oracle, const Ray& ray);
 
     void classify(const TracerEntry& entry, const Answer& answer, ErrorStats& stats) const;
 
@@ -43,7 +43,7 @@ class OracleReference {
     bool is_right_primitive(const TracerEntry& entry, const Answer& answer) const;
     std::uint32_t lowest_of_the_nearest() const;
 
-    const hard::Setting& setting_;
+    const hard::CaseSetup& setup_;
     const Ray& ray_;
     OracleAnswer answer_;
     Remainder t_;                        ///< of the oracle's hit
@@ -59,7 +59,7 @@ struct Spawned {
     bool outward;        ///< to the front
     double shift;        ///< distance of its origin from the point of the hit, in sizes
 };
-std::optional<Spawned> spawn(const hard::Setting& setting, const Ray& ray, const Answer& answer,
+std::optional<Spawned> spawn(const hard::CaseSetup& setup, const Ray& ray, const Answer& answer,
                              Random& random);
 
 /// No shape meets a ray from its own front or, if it is flat, its back; a closed one meets a ray

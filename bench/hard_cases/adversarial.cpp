@@ -116,10 +116,10 @@ Scene adversarial_scene() {
 }
 
 /// At the good ones among the adversarial random scene's primitives.
-Setting among_adversarial() {
-    Setting setting = aimed_at_scene(adversarial_scene());
-    setting.size = 1;
-    return setting;
+CaseSetup among_adversarial() {
+    CaseSetup setup = aimed_at_scene(adversarial_scene());
+    setup.size = 1;
+    return setup;
 }
 
 /// One number in a good ray replaced by one that is none; a quarter of the rays is left alone.
@@ -150,14 +150,14 @@ void spoil(Ray& ray, Random& random) {
     }
 }
 
-Setting adversarial_rays() {
-    Setting setting = aimed_at_scene(random_scene({.count = 500}));
-    setting.ray = [good = std::move(setting.ray)](Random& random) {
+CaseSetup adversarial_rays() {
+    CaseSetup setup = aimed_at_scene(random_scene({.count = 500}));
+    setup.ray = [good = std::move(setup.ray)](Random& random) {
         Ray ray = good(random);
         spoil(ray, random);
         return ray;
     };
-    return setting;
+    return setup;
 }
 
 }  // namespace

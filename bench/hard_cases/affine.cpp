@@ -81,28 +81,28 @@ std::vector<NamedMap> instance_maps() {
 }
 
 template <class Shape>
-Setting aimed_at(const Affine& map, const MakeRay& ray) {
+CaseSetup aimed_at(const Affine& map, const MakeRay& ray) {
     return only(Shape(map), map.x.length() + map.y.length() + map.z.length(), ray);
 }
 
 /// From everywhere to what there is to aim at.
 template <class Shape>
-Setting aimed(const Affine& map) {
-    Setting setting = aimed_at<Shape>(map, nullptr);
-    const std::vector<Target> targets = targets_of(setting.scene.geometry, 0, to_the_last_bit);
-    const Place place{map.point({0, 0, 0.5}), setting.size};
-    setting.ray = [=](Random& random) {
+CaseSetup aimed(const Affine& map) {
+    CaseSetup setup = aimed_at<Shape>(map, nullptr);
+    const std::vector<Target> targets = targets_of(setup.scene.geometry, 0, to_the_last_bit);
+    const Place place{map.point({0, 0, 0.5}), setup.size};
+    setup.ray = [=](Random& random) {
         return approach(place, targets[random.index(targets.size())], random);
     };
-    return setting;
+    return setup;
 }
 
 /// From inside and outside to all parts of the surface, in the shape's own coordinates.
 template <class Shape>
-Setting arriving(const Affine& map) {
-    Setting setting = aimed_at<Shape>(map, nullptr);
-    const std::vector<Target> targets = targets_of(setting.scene.geometry, 0, to_the_last_bit);
-    setting.ray = [=](Random& random) {
+CaseSetup arriving(const Affine& map) {
+    CaseSetup setup = aimed_at<Shape>(map, nullptr);
+    const std::vector<Target> targets = targets_of(setup.scene.geometry, 0, to_the_last_bit);
+    setup.ray = [=](Random& random) {
         const bool inside = random.index(2) == 0;
         const Vec3 local =
             (inside ? random.uniform(0, 0.45) : random.uniform(2, 4)) * random.direction() +
@@ -110,7 +110,7 @@ Setting arriving(const Affine& map) {
         const Vec3 origin = map.point(local);
         return towards(origin, targets[random.index(targets.size())](origin, random));
     };
-    return setting;
+    return setup;
 }
 
 template <class Shape>

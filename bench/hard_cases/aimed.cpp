@@ -139,7 +139,7 @@ bool is_concave(const Scene& scene) {
 
 using MakeAimedRay = Ray (*)(const Place&, const Target&, Random&);
 
-Setting shot_at(const Example& e, MakeAimedRay ray) {
+CaseSetup shot_at(const Example& e, MakeAimedRay ray) {
     const std::vector<Target> targets = targets_of(e.scene->geometry, 0, to_the_last_bit);
     // The targets point into the scene, so the rays hold it.
     return {*e.scene, e.place.size, [=, scene = e.scene, place = e.place](Random& random) {

@@ -18,7 +18,7 @@ double size_of(const Box& b) {
 
 /// Along an axis through a point with `fixed` coordinates on faces, half of the rays moved to the
 /// next double beside it.
-Setting along_axes(const Box& b, int fixed, double from, bool beside) {
+CaseSetup along_axes(const Box& b, int fixed, double from, bool beside) {
     return only(b, size_of(b), [=](Random& random) {
         Vec3 target = on_faces(b, fixed, random);
         const Vec3 d = axis_direction(random);
@@ -31,7 +31,7 @@ Setting along_axes(const Box& b, int fixed, double from, bool beside) {
     });
 }
 
-Setting aimed(const Box& b, int fixed, double distance) {
+CaseSetup aimed(const Box& b, int fixed, double distance) {
     return only(b, size_of(b), [=](Random& random) {
         const Vec3 target = on_faces(b, fixed, random);
         const Vec3 origin = 0.5 * (b.min + b.max) + distance * size_of(b) * random.direction();
@@ -41,7 +41,7 @@ Setting aimed(const Box& b, int fixed, double distance) {
 
 /// Through a point of a box without thickness; everything is in small multiples of 1/8, so that
 /// the line meets it exactly.
-Setting without_thickness(int flat_axes) {
+CaseSetup without_thickness(int flat_axes) {
     Box b{{-1, -1, -1}, {1, 1, 1}};
     for (int k = 0; k < flat_axes; ++k) b.min[k] = b.max[k] = 0.125 * (k + 1);
     return only(b, 1, [=](Random& random) {
@@ -58,7 +58,7 @@ Setting without_thickness(int flat_axes) {
 }
 
 /// Starts inside or on a face, an edge or a corner, and goes anywhere or along an axis.
-Setting from_within(const Box& b, int fixed) {
+CaseSetup from_within(const Box& b, int fixed) {
     return only(b, size_of(b), [=](Random& random) {
         const Vec3 origin = on_faces(b, fixed, random);
         const Vec3 d = random.index(2) == 0 ? axis_direction(random) : random.direction();
@@ -67,7 +67,7 @@ Setting from_within(const Box& b, int fixed) {
 }
 
 /// Along an axis but for components so small that their inverse overflows.
-Setting denormal(double smallest) {
+CaseSetup denormal(double smallest) {
     return only(cube, 1, [=](Random& random) {
         Vec3 d = axis_direction(random);
         const int axis = dominant_axis(d);

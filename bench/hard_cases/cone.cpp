@@ -12,7 +12,7 @@ Cone oblique(double length, double base_radius, double top_radius) {
 }
 
 /// Past the apex at a distance of `gap`, on all sides of it.
-Setting apex(double gap) {
+CaseSetup apex(double gap) {
     const Frustum f(oblique(2, 1, 0));
     return only(f.cone(), 1, [=](Random& random) {
         const Vec3 target = f.cone().top + gap * in_ball(random);
@@ -22,7 +22,7 @@ Setting apex(double gap) {
 }
 
 /// Apex and rays in small integers: every line goes exactly through the apex.
-Setting exact_apex() {
+CaseSetup exact_apex() {
     return only(Cone{{0, 0, -4}, {0, 0, 0}, 3, 0}, 3, [](Random& random) {
         const Vec3 v = 8.0 * random.in_cube();
         const Vec3 origin(std::round(v.x), std::round(v.y), 1 + std::round(std::abs(v.z)));
@@ -31,7 +31,7 @@ Setting exact_apex() {
 }
 
 /// Anywhere on the surface or at its silhouette, from up to a hundred radii away.
-Setting seen_from_around(const Cone& cone, double size) {
+CaseSetup seen_from_around(const Cone& cone, double size) {
     const Frustum f(cone);
     return only(cone, size, [=](Random& random) {
         const double distance = random.magnitude(0.3, 2);
@@ -44,7 +44,7 @@ Setting seen_from_around(const Cone& cone, double size) {
 
 /// Along a generator, the direction off by up to `gap`, from less than a third of that above the
 /// surface or below it.
-Setting generators(const Cone& cone, double gap) {
+CaseSetup generators(const Cone& cone, double gap) {
     const Frustum f(cone);
     return only(cone, 1, [=](Random& random) {
         const double angle = random.uniform(0, turn), above = gap * random.uniform(-0.3, 0.3);
@@ -56,7 +56,7 @@ Setting generators(const Cone& cone, double gap) {
 }
 
 /// To points of the surface: from outside, or from within the convex hull.
-Setting arriving(const Cone& cone, bool from_inside) {
+CaseSetup arriving(const Cone& cone, bool from_inside) {
     const Frustum f(cone);
     return only(cone, f.length(), [=](Random& random) {
         const double s = random.uniform(0.01, 0.99), angle = random.uniform(0, turn);

@@ -14,7 +14,7 @@ Cone oblique() {
 const Cone along_x{{0, 0, 0}, {4, 0, 0}, 1, 1};
 
 /// To a point of the axis, moved across it by up to 1.2 radii.
-Setting far_away(const Frustum& f, double distance) {
+CaseSetup far_away(const Frustum& f, double distance) {
     return only(f.cone(), 1, [=](Random& random) {
         const Vec3 d = random.direction();
         const double s = random.uniform(-0.05, 1.05);
@@ -24,7 +24,7 @@ Setting far_away(const Frustum& f, double distance) {
 }
 
 /// The line's closest distance to the axis is 1 +- `gap` radii.
-Setting tangent(const Frustum& f, double gap) {
+CaseSetup tangent(const Frustum& f, double gap) {
     return only(f.cone(), 1, [=](Random& random) {
         const Vec3 d = random.direction();
         const Vec3 side = d.cross(f.axis()).normalized();
@@ -35,7 +35,7 @@ Setting tangent(const Frustum& f, double gap) {
 }
 
 /// Through a point of the surface, its direction `tilt` away from the axis.
-Setting tilted_by(const Frustum& f, double tilt) {
+CaseSetup tilted_by(const Frustum& f, double tilt) {
     return only(f.cone(), 1, [=](Random& random) {
         const double s = random.uniform(), angle = random.uniform(0, turn);
         const Vec3 d = f.axis() + tilt * across(f.axis(), random.uniform(0, turn));
@@ -45,7 +45,7 @@ Setting tilted_by(const Frustum& f, double tilt) {
 }
 
 /// Exactly along the axis: inside, outside, on the surface itself.
-Setting parallel() {
+CaseSetup parallel() {
     return only(along_x, 1, [](Random& random) {
         const double radii[] = {0, 0.5, 1, 1 - 0x1p-53, 1 + 0x1p-52, 1.5};
         const double radius = radii[random.index(std::size(radii))], x = random.uniform(-2, 6);
@@ -56,7 +56,7 @@ Setting parallel() {
 }
 
 /// At an end of the lateral surface, its place along the axis off by up to `gap` lengths.
-Setting rims(const Frustum& f, double gap) {
+CaseSetup rims(const Frustum& f, double gap) {
     return only(f.cone(), 1, [=](Random& random) {
         const double end = random.index(2) == 0 ? 0 : 1, off = random.sign() * gap;
         const Vec3 target = f.point(end + off, 1, random.uniform(0, turn));

@@ -37,13 +37,13 @@ Corners star(int points, double inner) {
     return corners;
 }
 
-Setting only_face(const Corners& corners, double size, MakeRay ray) {
-    Setting setting{{}, size, std::move(ray)};
-    add_face(setting.scene, corners);
-    return setting;
+CaseSetup only_face(const Corners& corners, double size, MakeRay ray) {
+    CaseSetup setup{{}, size, std::move(ray)};
+    add_face(setup.scene, corners);
+    return setup;
 }
 
-Setting aimed_at_face(const Corners& corners, double size) {
+CaseSetup aimed_at_face(const Corners& corners, double size) {
     return only_face(corners, size, [scene = scene_of(corners), size](Random& random) {
         const Feature feature = features[random.index(features.size())];
         const Vec3 target = point_of(Outline(scene->geometry, 0), feature, random);
@@ -54,7 +54,7 @@ Setting aimed_at_face(const Corners& corners, double size) {
     });
 }
 
-Setting along_face(const Corners& corners, double size) {
+CaseSetup along_face(const Corners& corners, double size) {
     return only_face(corners, size, [scene = scene_of(corners)](Random& random) {
         const Outline face(scene->geometry, 0);
         const Feature feature = features[random.index(features.size())];

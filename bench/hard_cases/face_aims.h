@@ -17,14 +17,14 @@ Corners moved(Corners corners, const Vec3& by);
 Corners star(int points, double inner);
 
 /// One triangle, or one polygon, and other rays.
-Setting only_face(const Corners& corners, double size, MakeRay ray);
+CaseSetup only_face(const Corners& corners, double size, MakeRay ray);
 
 /// To corners, edges, their middles and the fan from the first corner, a quarter each, from a tenth
 /// of the size to 1000 sizes away. Many a ray goes exactly through its target, half of them pass it
 /// within a rounding of the direction.
-Setting aimed_at_face(const Corners& corners, double size);
+CaseSetup aimed_at_face(const Corners& corners, double size);
 
 /// From anywhere in the face's plane to a corner, an edge or a middle of it, as rounded.
-Setting along_face(const Corners& corners, double size);
+CaseSetup along_face(const Corners& corners, double size);
 
 }  // namespace etalon::hard

@@ -60,15 +60,15 @@ Ray through_corners(Random& random) {
 
 using MakeLatticeRay = Ray (*)(Random&);
 
-Setting walked(Knots knots, MakeLatticeRay ray) {
+CaseSetup walked(Knots knots, MakeLatticeRay ray) {
     return {lattice(knots), 1, ray};
 }
 
 /// Squares and boxes without thickness in the planes between cells, the outermost included.
-Setting on_planes() {
-    Setting setting{{}, 1, through_corners};
+CaseSetup on_planes() {
+    CaseSetup setup{{}, 1, through_corners};
     Random random(1, 0);
-    while (setting.scene.geometry.primitives.size() < 500) {
+    while (setup.scene.geometry.primitives.size() < 500) {
         const Vec3 low = lattice_point(cells - 2, 1, random);
         const int k = random.axis();
         Vec3 across(1), along(0);
@@ -76,12 +76,12 @@ Setting on_planes() {
         along[(k + 1) % 3] = 1;
         const Vec3 high = low + across;
         if (random.index(2) == 0) {
-            setting.scene.geometry.add(Box{low, high}, 0);
+            setup.scene.geometry.add(Box{low, high}, 0);
         } else {
-            add_face(setting.scene, {low, low + along, high});
+            add_face(setup.scene, {low, low + along, high});
         }
     }
-    return setting;
+    return setup;
 }
 
 /// From 1e7 extents away through a corner, an edge or a face of the whole scene's box.

@@ -19,7 +19,7 @@ enum class Criterion {
 };
 
 /// A case made: a scene and the rays to shoot at it.
-struct Setting {
+struct CaseSetup {
     Scene scene;
     double size = 1;  ///< of what is hit, to express errors of positions and roots in
     /// Thread-safe; all that is random comes from `random`, which is new for every ray.
@@ -36,7 +36,7 @@ struct HardCase {
     /// asked too; else "scene".
     std::string shape;
     Criterion criterion = Criterion::oracle;
-    std::function<Setting()> make;
+    std::function<CaseSetup()> make;
 };
 
 /// All of them, by id.

@@ -16,7 +16,7 @@ struct Ellipsoid {
 };
 
 /// From within half of the radii to a point of any face.
-Setting seen_from_inside(const Ellipsoid& e, Feature feature) {
+CaseSetup seen_from_inside(const Ellipsoid& e, Feature feature) {
     const auto mesh = std::make_shared<const Scene>(uv_sphere(e.centre, e.radius, e.faces));
     return {*mesh, max_abs(e.radius), [=](Random& random) {
                 const Vec3 origin = e.centre + 0.5 * e.radius * in_ball(random);
@@ -28,7 +28,7 @@ Setting seen_from_inside(const Ellipsoid& e, Feature feature) {
 
 /// From 2 to 20 above the target and at most half of that beside it: twice as steep as 1:1, where
 /// the steepest facet has sqrt(2):1. Targets are so far within the outline that origins are too.
-Setting seen_from_above(const Vec3& corner, Feature feature) {
+CaseSetup seen_from_above(const Vec3& corner, Feature feature) {
     const auto ground = std::make_shared<const Scene>(terrain(corner));
     return {*ground, terrain_cells, [=](Random& random) {
                 const auto column =
@@ -70,7 +70,7 @@ std::vector<HardCase> mesh_cases() {
 
     Rows rows("scene");
     for (const Aim& aim : aims) {
-        const auto add = [&](const char* id, const std::string& mesh, const MakeSetting& make) {
+        const auto add = [&](const char* id, const std::string& mesh, const MakeCaseSetup& make) {
             rows.add_both(id, mesh + ": " + aim.name, make, Criterion::enclosed);
         };
         const Feature feature = aim.feature;

@@ -12,7 +12,7 @@ Plane oblique() {
 }
 
 /// From a million away, towards the plane or away from it at the cosine, exactly.
-Setting nearly_along(double cosine) {
+CaseSetup nearly_along(double cosine) {
     return only(level, 1, [=](Random& random) {
         const Vec3 place = 1e6 * random.direction();
         const double angle = random.uniform(0, turn), sign = random.sign();
@@ -21,7 +21,7 @@ Setting nearly_along(double cosine) {
 }
 
 /// The same at a plane whose normal is any: the cosine is true to a rounding.
-Setting nearly_along_oblique(double cosine) {
+CaseSetup nearly_along_oblique(double cosine) {
     const Plane plane = oblique();
     const Vec3 n = plane.normal.normalized();
     return only(plane, 1, [=](Random& random) {
@@ -32,7 +32,7 @@ Setting nearly_along_oblique(double cosine) {
 }
 
 /// In the plane itself.
-Setting within() {
+CaseSetup within() {
     return only(level, 1, [](Random& random) {
         const double angle = random.uniform(0, turn), zero = random.sign() * 0.0;
         const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
@@ -49,12 +49,12 @@ Ray at_plane(const Plane& plane, Random& random) {
 
 /// Two planes, met from both sides; `second` may be the first one's double. Distances to planes are
 /// better than kernels must be, so that planes next to each other keep their order.
-Setting pair(const Plane& first, const Plane& second) {
+CaseSetup pair(const Plane& first, const Plane& second) {
     constexpr double tie = 0x1p-48;
-    Setting setting{{}, 1, [=](Random& random) { return at_plane(first, random); }, tie};
-    setting.scene.geometry.add(first, 0);
-    setting.scene.geometry.add(second, 0);
-    return setting;
+    CaseSetup setup{{}, 1, [=](Random& random) { return at_plane(first, random); }, tie};
+    setup.scene.geometry.add(first, 0);
+    setup.scene.geometry.add(second, 0);
+    return setup;
 }
 
 Plane raised(Plane plane, double height) {

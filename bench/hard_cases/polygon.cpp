@@ -20,7 +20,7 @@ Corners bent(double gap) {
 
 /// Through points of a lattice that the corners are of: corners, edges, and lines from the inside
 /// along which an edge starts or ends.
-Setting at_lattice(const Corners& corners) {
+CaseSetup at_lattice(const Corners& corners) {
     return only_face(corners, 4, [](Random& random) {
         const double x = static_cast<double>(random.index(13)) / 2 - 1;
         const double y = static_cast<double>(random.index(13)) / 2 - 1;
@@ -32,24 +32,24 @@ Setting at_lattice(const Corners& corners) {
 
 /// A quad and a polygon of five corners on the two sides of a slanted edge, bent along it; rays
 /// meet the edge, but for its ends, from within the angle between the two.
-Setting shared_edge(const Vec3& place) {
+CaseSetup shared_edge(const Vec3& place) {
     const Vec3 a = rounded(tilted(0.1, -1, 0) + place), b = rounded(tilted(-0.2, 1, 0.1) + place);
     const Vec3 left = tilted(-1, 0, 0.3), right = tilted(1, 0, 0.5), ahead = tilted(0, 0, 1);
-    Setting setting{{}, 1, [=](Random& random) {
+    CaseSetup setup{{}, 1, [=](Random& random) {
                         const double s = random.index(4) == 0 ? 0.5 : random.uniform(0.1, 0.9);
                         const Vec3 target = a + s * (b - a);
                         const Vec3 aside = 0.5 * in_ball(random);
                         return towards(target + random.magnitude(-1, 2) * (ahead + aside), target);
                     }};
     const Vec3 middle = 0.5 * (a + b);
-    add_face(setting.scene, rounded({a, a + left, b + left, b}));
-    add_face(setting.scene, rounded({a, b, b + right, middle + 1.25 * right, a + right}));
-    return setting;
+    add_face(setup.scene, rounded({a, a + left, b + left, b}));
+    add_face(setup.scene, rounded({a, b, b + right, middle + 1.25 * right, a + right}));
+    return setup;
 }
 
 /// Outlines without an area, and good ones, in a row.
-Setting degenerate_neighbours() {
-    Setting setting{{}, 1, [](Random& random) {
+CaseSetup degenerate_neighbours() {
+    CaseSetup setup{{}, 1, [](Random& random) {
                         const double x = random.uniform(0, 24);
                         Vec3 target(x, random.uniform(0, 1), 0);
                         if (random.index(2) == 0) target.x = std::round(target.x);
@@ -61,10 +61,10 @@ Setting degenerate_neighbours() {
         const Vec3 a(i, 0, 0), b(i + 1, 0, 0), c(i + 1, 1, 0), d(i, 1, 0), none(nan_value);
         const Corners adversarial[] = {{a, a, a, a}, {a, b, a, b},    {a, 0.5 * (a + b), b, b},
                                        {a, c, b, d}, {a, b, c, none}, {a, b, Vec3(infinity), d}};
-        add_face(setting.scene, adversarial[i % std::size(adversarial)]);
-        add_face(setting.scene, {a, b, c, c, d});
+        add_face(setup.scene, adversarial[i % std::size(adversarial)]);
+        add_face(setup.scene, {a, b, c, c, d});
     }
-    return setting;
+    return setup;
 }
 
 }  // namespace

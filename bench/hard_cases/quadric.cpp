@@ -24,7 +24,7 @@ constexpr Coefficients cone = {1, 0, 0, 0, 1, 0, 0, -1, 0, 0};
 
 /// A quarter of the rays each to points of the box, of the surface, of the faces' edges on it and
 /// to its silhouette, from 10^low to 10^high away.
-Setting aimed(const Quadric& s, double low, double high) {
+CaseSetup aimed(const Quadric& s, double low, double high) {
     const QuadricPoints points(s);
     return only(s, 1, [=](Random& random) {
         const double distance = random.magnitude(low, high);
@@ -44,7 +44,7 @@ Setting aimed(const Quadric& s, double low, double high) {
 }
 
 /// Past `centre` at a distance of up to `gap`.
-Setting close_to_centre(const Quadric& s, double gap) {
+CaseSetup close_to_centre(const Quadric& s, double gap) {
     return only(s, 1, [=](Random& random) {
         const Vec3 target = s.centre + gap * in_ball(random);
         return towards(target + random.magnitude(-1, 2) * random.direction(), target);
@@ -60,13 +60,13 @@ Ray through(const Vec3& point, Random& random) {
     return {point - d + beside, d};
 }
 
-Setting exactly_through_centre(const Coefficients& c) {
+CaseSetup exactly_through_centre(const Coefficients& c) {
     return only(Quadric{{0, 0, 0}, c, around(Vec3(0), 4)}, 4,
                 [](Random& random) { return through(Vec3(0), random); });
 }
 
 /// A sphere in the least box there is, from inside along the axes or next to them.
-Setting touching(const Vec3& centre) {
+CaseSetup touching(const Vec3& centre) {
     return only(Quadric{centre, sphere, around(centre, 1)}, 1, [=](Random& random) {
         Vec3 d = axis_direction(random);
         if (random.index(2) == 0) d += random.magnitude(to_the_last_bit, -6) * random.in_cube();
@@ -75,34 +75,34 @@ Setting touching(const Vec3& centre) {
 }
 
 /// A sphere in eight pieces whose boxes meet at `at`: nothing gets out where they do.
-Setting pieces(const Vec3& centre, const Vec3& at) {
-    Setting setting{{}, 1, {}};
+CaseSetup pieces(const Vec3& centre, const Vec3& at) {
+    CaseSetup setup{{}, 1, {}};
     for (int piece = 0; piece < 8; ++piece) {
         Quadric s{centre, sphere, around(centre, 1)};
         for (int k = 0; k < 3; ++k) ((piece >> k & 1) != 0 ? s.clip.min : s.clip.max)[k] = at[k];
-        setting.scene.geometry.add(s, 0);
+        setup.scene.geometry.add(s, 0);
     }
-    setting.ray = [=, whole = setting.scene.geometry.all<Quadric>()](Random& random) {
+    setup.ray = [=, whole = setup.scene.geometry.all<Quadric>()](Random& random) {
         const QuadricPoints points(whole[random.index(whole.size())]);
         return towards(centre + 0.3 * random.in_cube(), points.on_rim(random));
     };
-    return setting;
+    return setup;
 }
 
 /// A sphere of radius 5 as far as x = 3, and beyond in a box of its own if there are `boxes` two:
 /// through points at x = 3 in whole numbers, or one rounding beside them.
-Setting cut_exactly(int boxes) {
+CaseSetup cut_exactly(int boxes) {
     static constexpr std::array points = {Vec3(3, 4, 0), Vec3(3, 0, -4), Vec3(3, -4, 0)};
     constexpr Coefficients form = {1, 0, 0, 0, 1, 0, 0, 1, 0, -25};
-    Setting setting = only(Quadric{{0, 0, 0}, form, {Vec3(-5), {3, 5, 5}}}, 5, [](Random& random) {
+    CaseSetup setup = only(Quadric{{0, 0, 0}, form, {Vec3(-5), {3, 5, 5}}}, 5, [](Random& random) {
         return through(points[random.index(points.size())], random);
     });
-    if (boxes == 2) setting.scene.geometry.add(Quadric{{0, 0, 0}, form, {{3, -5, -5}, Vec3(5)}}, 0);
-    return setting;
+    if (boxes == 2) setup.scene.geometry.add(Quadric{{0, 0, 0}, form, {{3, -5, -5}, Vec3(5)}}, 0);
+    return setup;
 }
 
 /// Two planes that are faces of their box, from in between.
-Setting coincident() {
+CaseSetup coincident() {
     const Quadric s{{0, 0, 0}, {1, 0, 0, 0, 0, 0, 0, 0, 0, -1}, around(Vec3(0), 1)};
     return only(s, 1, [](Random& random) {
         const Vec3 origin = 0.9 * random.in_cube();

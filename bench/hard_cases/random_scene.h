@@ -21,12 +21,12 @@ Scene random_scene(const RandomSceneConfig& plan);
 /// From everywhere to what there is to aim at on the scene's primitives, see targets_of(); a third
 /// of the rays starts or ends somewhere along the way. As fine as 1e-6, what is missed or hit at
 /// 1e7 sizes is beyond doubt in double.
-Setting aimed_at_scene(Scene scene, double finest = -6);
+CaseSetup aimed_at_scene(Scene scene, double finest = -6);
 
 /// From beside a point of one primitive, by 1e-6 to 1e-1 of its size, to anywhere.
-Setting bouncing_in_scene(Scene scene);
+CaseSetup bouncing_in_scene(Scene scene);
 
 /// From an eye at `distance` times the scene's size, through all of a screen.
-Setting seen_from_eye(Scene scene, double distance);
+CaseSetup seen_from_eye(Scene scene, double distance);
 
 }  // namespace etalon::hard

@@ -19,10 +19,10 @@ Scene cloud(const Vec3& place) {
 }
 
 /// From all around, half of the rays at silhouettes to within 1e-3 radii, the others anywhere.
-Setting cloud_from(double offset, double distance) {
+CaseSetup cloud_from(double offset, double distance) {
     const Vec3 place = offset * Vec3(0.6, -0.48, 0.64);
-    Setting setting{cloud(place), 1, {}};
-    setting.ray = [=, spheres = setting.scene.geometry.all<Sphere>()](Random& random) {
+    CaseSetup setup{cloud(place), 1, {}};
+    setup.ray = [=, spheres = setup.scene.geometry.all<Sphere>()](Random& random) {
         const Vec3 eye = place + distance * random.direction();
         if (random.index(2) == 0) return towards(eye, place + random.in_cube());
         const Sphere& s = spheres[random.index(spheres.size())];
@@ -30,7 +30,7 @@ Setting cloud_from(double offset, double distance) {
         const double reach = s.radius * (1 + random.uniform(-1e-3, 1e-3));
         return towards(eye, s.centre + reach * side);
     };
-    return setting;
+    return setup;
 }
 
 void add_clouds(Rows& rows) {

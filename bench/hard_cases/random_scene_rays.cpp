@@ -61,7 +61,7 @@ void limit(Ray& ray, const Vec3& point, Random& random) {
 }
 
 /// A setting whose rays know its scene.
-Setting setting_of(Scene scene, double finest, Ray (*make)(const Surroundings&, Random&)) {
+CaseSetup setting_of(Scene scene, double finest, Ray (*make)(const Surroundings&, Random&)) {
     const auto around = std::make_shared<const Surroundings>(std::move(scene), finest);
     return {around->scene(), around->whole().size,
             [=](Random& random) { return make(*around, random); }};
@@ -85,15 +85,15 @@ Ray bouncing_ray(const Surroundings& around, Random& random) {
 
 }  // namespace
 
-Setting aimed_at_scene(Scene scene, double finest) {
+CaseSetup aimed_at_scene(Scene scene, double finest) {
     return setting_of(std::move(scene), finest, aimed_ray);
 }
 
-Setting bouncing_in_scene(Scene scene) {
+CaseSetup bouncing_in_scene(Scene scene) {
     return setting_of(std::move(scene), -6, bouncing_ray);
 }
 
-Setting seen_from_eye(Scene scene, double distance) {
+CaseSetup seen_from_eye(Scene scene, double distance) {
     const Place whole = Surroundings(scene, -6).whole();
     const Vec3 ahead = tilted(0, 0, 1);
     return {std::move(scene), whole.size, [=](Random& random) {

@@ -103,7 +103,7 @@ std::vector<HardCase> range_cases() {
     Rows rows("scene");
     for (const Limits& l : limits) {
         const auto make = [](MakeRangedRay ray) {
-            return [ray] { return Setting{boxes(), 1, ray, 0}; };
+            return [ray] { return CaseSetup{boxes(), 1, ray, 0}; };
         };
         rows.add("TRG-1", l.name, make(l.among_doubles));
         rows.add_in_float("TRG-1", l.name, make(l.among_floats));

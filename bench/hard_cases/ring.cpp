@@ -18,7 +18,7 @@ Ray at_circle(const Ring& ring, double radius, double farthest, Random& random) 
 }
 
 /// Beside either circle, from far below a rounding to a tenth of its radius.
-Setting rims(const Ring& ring, double farthest) {
+CaseSetup rims(const Ring& ring, double farthest) {
     return only(ring, ring.outer, [=](Random& random) {
         const double rim = random.index(2) == 0 ? ring.inner : ring.outer;
         return at_circle(ring, rim * nearly_one(to_the_last_bit, random), farthest, random);
@@ -26,7 +26,7 @@ Setting rims(const Ring& ring, double farthest) {
 }
 
 /// Between the circles, and on either side of them.
-Setting seen_from(const Ring& ring, double distance) {
+CaseSetup seen_from(const Ring& ring, double distance) {
     return only(ring, ring.outer, [=](Random& random) {
         const Vec3 n = ring.normal.normalized();
         const double width = ring.outer - ring.inner;
@@ -37,7 +37,7 @@ Setting seen_from(const Ring& ring, double distance) {
 }
 
 /// By way of small whole numbers to points exactly on a circle, or one rounding beside it.
-Setting exact_points(const Ring& ring) {
+CaseSetup exact_points(const Ring& ring) {
     static constexpr std::array corners = {Vec3(3, 4, 0), Vec3(-4, 3, 0), Vec3(5, 0, 0),
                                            Vec3(0, -5, 0)};
     return only(ring, ring.outer, [](Random& random) {
@@ -51,15 +51,15 @@ Setting exact_points(const Ring& ring) {
 }
 
 /// One ring in the hole of another, every ray through the circle that they share.
-Setting abutting() {
+CaseSetup abutting() {
     const Ring inner = oblique(0, 1), outer = oblique(1, 2);
-    Setting setting{{}, 2, [=](Random& random) {
+    CaseSetup setup{{}, 2, [=](Random& random) {
                         const double radius = nearly_one(to_the_last_bit, random);
                         return at_circle(inner, radius, 4, random);
                     }};
-    setting.scene.geometry.add(outer, 0);
-    setting.scene.geometry.add(inner, 0);
-    return setting;
+    setup.scene.geometry.add(outer, 0);
+    setup.scene.geometry.add(inner, 0);
+    return setup;
 }
 
 }  // namespace

@@ -2,26 +2,26 @@
 
 namespace etalon::hard {
 
-void Rows::add(const std::string& id, const std::string& variant, const MakeSetting& make,
+void Rows::add(const std::string& id, const std::string& variant, const MakeCaseSetup& make,
                Criterion criterion) {
     list_.push_back({id, variant, shape_, criterion, make});
 }
 
-void Rows::add_in_float(const std::string& id, const std::string& variant, const MakeSetting& make,
-                        Criterion criterion) {
+void Rows::add_in_float(const std::string& id, const std::string& variant,
+                        const MakeCaseSetup& make, Criterion criterion) {
     add(
         id, variant + ", float",
         [make] {
-            Setting setting = make();
-            setting.ray = [ray = std::move(setting.ray)](Random& random) {
+            CaseSetup setup = make();
+            setup.ray = [ray = std::move(setup.ray)](Random& random) {
                 return in_float(ray(random));
             };
-            return setting;
+            return setup;
         },
         criterion);
 }
 
-void Rows::add_both(const std::string& id, const std::string& variant, const MakeSetting& make,
+void Rows::add_both(const std::string& id, const std::string& variant, const MakeCaseSetup& make,
                     Criterion criterion) {
     add(id, variant, make, criterion);
     add_in_float(id, variant, make, criterion);

@@ -6,7 +6,7 @@
 namespace etalon::hard {
 
 using MakeRay = std::function<Ray(Random& random)>;
-using MakeSetting = std::function<Setting()>;
+using MakeCaseSetup = std::function<CaseSetup()>;
 
 /// The rows of one shape. Those of rays in float say so at the end of their variant; their scenes
 /// must be made of floats.
@@ -14,13 +14,13 @@ class Rows {
   public:
     explicit Rows(std::string shape) : shape_(std::move(shape)) {}
 
-    void add(const std::string& id, const std::string& variant, const MakeSetting& make,
+    void add(const std::string& id, const std::string& variant, const MakeCaseSetup& make,
              Criterion criterion = Criterion::oracle);
-    void add_in_float(const std::string& id, const std::string& variant, const MakeSetting& make,
+    void add_in_float(const std::string& id, const std::string& variant, const MakeCaseSetup& make,
                       Criterion criterion = Criterion::oracle);
 
     /// A row of rays as they are made and one of them in float.
-    void add_both(const std::string& id, const std::string& variant, const MakeSetting& make,
+    void add_both(const std::string& id, const std::string& variant, const MakeCaseSetup& make,
                   Criterion criterion = Criterion::oracle);
 
     std::vector<HardCase> take() { return std::move(list_); }
@@ -32,10 +32,10 @@ class Rows {
 
 /// A scene of nothing but `shape`.
 template <class Shape>
-Setting only(const Shape& shape, double size, MakeRay ray) {
-    Setting setting{{}, size, std::move(ray)};
-    setting.scene.geometry.add(shape, 0);
-    return setting;
+CaseSetup only(const Shape& shape, double size, MakeRay ray) {
+    CaseSetup setup{{}, size, std::move(ray)};
+    setup.scene.geometry.add(shape, 0);
+    return setup;
 }
 
 /// "1e3"

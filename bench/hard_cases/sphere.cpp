@@ -14,12 +14,12 @@ Ray from_afar(const Sphere& s, double distance, Random& random) {
     return {closest - s.radius * (1 + distance) * d, d};
 }
 
-Setting far_away(const Sphere& s, double distance) {
+CaseSetup far_away(const Sphere& s, double distance) {
     return only(s, s.radius, [=](Random& random) { return from_afar(s, distance, random); });
 }
 
 /// From a height of `height` radii above the surface to somewhere inside.
-Setting close_to(const Sphere& s, double height) {
+CaseSetup close_to(const Sphere& s, double height) {
     return only(s, s.radius, [=](Random& random) {
         const Vec3 up = random.direction();
         const Vec3 inside = 0.9 * in_ball(random);
@@ -29,7 +29,7 @@ Setting close_to(const Sphere& s, double height) {
 
 /// From `height` above a planet's pole towards the horizon and, relatively, 1e-12 to 1e-1 above or
 /// below it. The horizon is where the cosine of the dip is r / (r + h).
-Setting planet(double radius, double height) {
+CaseSetup planet(double radius, double height) {
     const Sphere s{{0, 0, -radius}, radius};
     const double dip = std::asin(std::sqrt(height * (2 * radius + height)) / (radius + height));
     return only(s, radius, [=](Random& random) {
@@ -42,7 +42,7 @@ Setting planet(double radius, double height) {
 
 /// The line's closest point to the centre is 1 +- `gap` radii from it; the ray starts a few radii
 /// away.
-Setting grazing(const Sphere& s, double gap) {
+CaseSetup grazing(const Sphere& s, double gap) {
     return only(s, s.radius, [=](Random& random) {
         const Vec3 d = random.direction();
         const Vec3 side = across(d, random.uniform(0, turn));
@@ -54,7 +54,7 @@ Setting grazing(const Sphere& s, double gap) {
 
 /// Along an axis, 1 + k 2^-52 radii from the centre, -4 <= k <= 4: every number is exact, some of
 /// the lines are tangents.
-Setting tangent() {
+CaseSetup tangent() {
     return only(Sphere{{0, 0, 0}, 1}, 1, [](Random& random) {
         const int along = random.axis();
         const int side = (along + 1 + static_cast<int>(random.index(2))) % 3;
@@ -68,7 +68,7 @@ Setting tangent() {
 }
 
 /// To a point of the surface, half of the rays from outside and half from inside.
-Setting arriving(double radius, double offset) {
+CaseSetup arriving(double radius, double offset) {
     const Sphere s{offset * Vec3(0.6, -0.48, 0.64), radius};
     return only(s, radius, [=](Random& random) {
         const double distance =
@@ -79,9 +79,9 @@ Setting arriving(double radius, double offset) {
 }
 
 /// A shell around a sphere, hardly larger, met from all sides.
-Setting shells(Sides inner_sides) {
+CaseSetup shells(Sides inner_sides) {
     const Sphere outer{unit_sphere.centre, 1 + 0x1p-20};
-    Setting setting{{}, 1, [=](Random& random) {
+    CaseSetup setup{{}, 1, [=](Random& random) {
                         const Vec3 d = random.direction();
                         const double reach = random.index(2) == 0
                                                  ? random.uniform()
@@ -90,13 +90,13 @@ Setting shells(Sides inner_sides) {
                         const Vec3 side = across(d, random.uniform(0, turn));
                         return Ray{unit_sphere.centre + reach * side - distance * d, d};
                     }};
-    setting.scene.geometry.add(outer, 0);
-    setting.scene.geometry.add(unit_sphere, 0, inner_sides);
-    return setting;
+    setup.scene.geometry.add(outer, 0);
+    setup.scene.geometry.add(unit_sphere, 0, inner_sides);
+    return setup;
 }
 
 /// The usual sphere, its rays and half of their directions times `scale`.
-Setting scaled(double scale) {
+CaseSetup scaled(double scale) {
     const auto size = static_cast<double>(static_cast<float>(scale));
     const Sphere s{rounded(size * unit_sphere.centre), size};
     return only(s, size, [=](Random& random) {
@@ -107,7 +107,7 @@ Setting scaled(double scale) {
 }
 
 /// From the centre, or from a millionth of a radius beside it and less.
-Setting from_centre(const Sphere& s, bool exactly) {
+CaseSetup from_centre(const Sphere& s, bool exactly) {
     return only(s, s.radius, [=](Random& random) {
         const double miss = exactly ? 0 : random.magnitude(-18, -6);
         const Vec3 origin = s.centre + miss * s.radius * random.direction();

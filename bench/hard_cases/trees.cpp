@@ -8,38 +8,38 @@ namespace etalon::hard {
 namespace {
 
 /// From within half a radius in all directions: nothing gets out of a sphere.
-Setting same_spheres(std::size_t count) {
-    Setting setting{{}, 1, [](Random& random) {
+CaseSetup same_spheres(std::size_t count) {
+    CaseSetup setup{{}, 1, [](Random& random) {
                         const Vec3 origin = usual_place() + 0.5 * in_ball(random);
                         return Ray{origin, random.direction()};
                     }};
-    while (setting.scene.geometry.primitives.size() < count) {
-        setting.scene.geometry.add(Sphere{usual_place(), 1}, 0);
+    while (setup.scene.geometry.primitives.size() < count) {
+        setup.scene.geometry.add(Sphere{usual_place(), 1}, 0);
     }
-    return setting;
+    return setup;
 }
 
 /// One triangle many times over, met by two of three rays.
-Setting same_triangles(std::uint32_t count) {
-    Setting setting{{}, 1, [](Random& random) {
+CaseSetup same_triangles(std::uint32_t count) {
+    CaseSetup setup{{}, 1, [](Random& random) {
                         const double x = random.uniform(), y = random.uniform();
                         const Vec3 target(x, y * (1 - x) * 1.5, 0);
                         return towards(target + 3.0 * random.direction(), target);
                     }};
-    setting.scene.geometry.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    for (std::uint32_t i = 0; i < count; ++i) setting.scene.geometry.add(Triangle{{0, 1, 2}}, 0);
-    return setting;
+    setup.scene.geometry.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    for (std::uint32_t i = 0; i < count; ++i) setup.scene.geometry.add(Triangle{{0, 1, 2}}, 0);
+    return setup;
 }
 
 /// Concentric spheres: all middles are the same.
-Setting concentric() {
+CaseSetup concentric() {
     Scene scene;
     for (int i = 0; i < 500; ++i) scene.geometry.add(Sphere{usual_place(), 1 + i / 1000.0}, 0);
     return aimed_at_scene(std::move(scene));
 }
 
 /// Boxes in a row along a line.
-Setting in_a_row() {
+CaseSetup in_a_row() {
     Scene scene;
     for (int i = 0; i < 1000; ++i) {
         scene.geometry.add(Box{{i + 0.0, 0, 0}, {i + 1.0, 1, 1}}, 0);
@@ -48,7 +48,7 @@ Setting in_a_row() {
 }
 
 /// Every shape of a random scene eight times, the copies far apart in the numbering.
-Setting copies() {
+CaseSetup copies() {
     Scene scene = random_scene({.count = 200});
     const std::vector<Primitive> once = scene.geometry.primitives.list();
     std::vector<Primitive> all = once;
@@ -64,9 +64,9 @@ Setting copies() {
 }
 
 /// A floor 1e6 wide, and in one spot of it 1e4 spheres of about 1e-3; half of the rays go there.
-Setting stadium() {
+CaseSetup stadium() {
     const auto near = [](Random& random) { return 0.1 * random.in_cube() + Vec3(0, 0, 0.1); };
-    Setting setting{{}, 1, [=](Random& random) {
+    CaseSetup setup{{}, 1, [=](Random& random) {
                         const bool at_spot = random.index(2) == 0;
                         const Vec3 anywhere = 5e5 * Vec3(1, 1, 0) * random.in_cube();
                         const Vec3 target = at_spot ? near(random) : anywhere;
@@ -74,13 +74,13 @@ Setting stadium() {
                         out.z = std::abs(out.z);
                         return towards(target + random.magnitude(-2, 6) * out, target);
                     }};
-    setting.scene.geometry.add(Box{{-5e5, -5e5, -1}, {5e5, 5e5, 0}}, 0);
+    setup.scene.geometry.add(Box{{-5e5, -5e5, -1}, {5e5, 5e5, 0}}, 0);
     Random random(1, 0);
-    while (setting.scene.geometry.primitives.size() < 10001) {
+    while (setup.scene.geometry.primitives.size() < 10001) {
         const Vec3 centre = near(random);
-        setting.scene.geometry.add(Sphere{centre, random.uniform(5e-4, 2e-3)}, 0);
+        setup.scene.geometry.add(Sphere{centre, random.uniform(5e-4, 2e-3)}, 0);
     }
-    return setting;
+    return setup;
 }
 
 /// Everything at z = 0 exactly: triangles, and boxes without height.

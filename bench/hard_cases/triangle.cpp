@@ -20,7 +20,7 @@ Corners sliver(double height, bool is_tilted) {
 
 /// In a level triangle's plane, through points on a lattice that its corners are of: exactly along
 /// edges and through corners.
-Setting in_level_plane() {
+CaseSetup in_level_plane() {
     return only_face(level, 4, [](Random& random) {
         const auto lattice = [&random](double z) {
             const double x = static_cast<double>(random.index(9)) - 2;
@@ -33,8 +33,8 @@ Setting in_level_plane() {
 }
 
 /// Triangles that nothing can hit, amid the good ones of a square of 16 x 16.
-Setting degenerate_neighbours() {
-    Setting setting{{}, 1, [](Random& random) {
+CaseSetup degenerate_neighbours() {
+    CaseSetup setup{{}, 1, [](Random& random) {
                         Vec3 target{random.uniform(0, 16), random.uniform(0, 16), 0};
                         if (random.index(2) == 0) target.x = std::round(target.x);
                         if (random.index(2) == 0) target.y = std::round(target.y);
@@ -47,16 +47,16 @@ Setting degenerate_neighbours() {
         const Corners adversarial[] = {{a, b, none},   {a, a, a},      {a, b, b},
                                        {a, b, beyond}, {a, c, c},      {a, 0.5 * (a + b), b},
                                        {none, b, c},   {-beyond, b, c}};
-        add_face(setting.scene, adversarial[i % std::size(adversarial)]);
-        add_face(setting.scene, {a, b, c});
+        add_face(setup.scene, adversarial[i % std::size(adversarial)]);
+        add_face(setup.scene, {a, b, c});
     }
-    return setting;
+    return setup;
 }
 
 /// Overlapping triangles with small integer corners in one plane, met at points of a finer lattice:
 /// everywhere several are hit at exactly the same distance.
-Setting coplanar() {
-    Setting setting{{}, 8, [](Random& random) {
+CaseSetup coplanar() {
+    CaseSetup setup{{}, 8, [](Random& random) {
                         const double x = static_cast<double>(random.index(33)) / 4;
                         const double y = static_cast<double>(random.index(33)) / 4;
                         const Vec3 target(x, y, 4);
@@ -65,15 +65,15 @@ Setting coplanar() {
                         return Ray{target + 4.0 * up, -up};
                     }};
     Random random(1, 0);
-    while (setting.scene.geometry.primitives.size() < 200) {
+    while (setup.scene.geometry.primitives.size() < 200) {
         Corners corners;
         for (int i = 0; i < 3; ++i) {
             const auto x = static_cast<double>(random.index(9));
             corners.emplace_back(x, static_cast<double>(random.index(9)), 4);
         }
-        add_face(setting.scene, corners);
+        add_face(setup.scene, corners);
     }
-    return setting;
+    return setup;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ std::vector<std::size_t> scattered(std::size_t count) {
     return order;
 }
 
-OracleReferences::OracleReferences(const hard::Setting& setting, const Oracle& oracle,
+OracleReferences::OracleReferences(const hard::CaseSetup& setup, const Oracle& oracle,
                                    const RaySet& set, const std::vector<std::size_t>& places,
                                    double seconds)
     : set_(set) {
@@ -26,9 +26,9 @@ OracleReferences::OracleReferences(const hard::Setting& setting, const Oracle& o
         const Ray& ray = set.rays[place];
         rays_.push_back(place);
         if (set.occlusion) {
-            is_occluded_.push_back(oracle.closest(ray, setting.tie).kind);
+            is_occluded_.push_back(oracle.closest(ray, setup.tie).kind);
         } else {
-            references_.emplace_back(setting, oracle, ray);
+            references_.emplace_back(setup, oracle, ray);
         }
         spent += watch.lap().cpu;
     }

@@ -23,8 +23,8 @@ std::vector<std::size_t> scattered(std::size_t count);
 class OracleReferences {
   public:
     /// Asks the oracle about the rays at these places of the set, in this order, for so many CPU
-    /// seconds, but at least about one. The setting and the set must outlive this.
-    OracleReferences(const hard::Setting& setting, const Oracle& oracle, const RaySet& set,
+    /// seconds, but at least about one. The setup and the set must outlive this.
+    OracleReferences(const hard::CaseSetup& setup, const Oracle& oracle, const RaySet& set,
                      const std::vector<std::size_t>& places, double seconds);
 
     /// Of a tracer's answers to the whole set; see TracerEntry for `exact`.

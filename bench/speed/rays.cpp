@@ -20,13 +20,13 @@ const Tracer* find(const std::vector<Tracer>& list, const std::string& name) {
 
 }  // namespace
 
-RayMeasurement::RayMeasurement(const hard::Setting& setting, const std::vector<Tracer>& tracers,
+RayMeasurement::RayMeasurement(const hard::CaseSetup& setup, const std::vector<Tracer>& tracers,
                                const Plan& plan)
-    : setting_(setting), tracers_(tracers), plan_(plan), oracle_(setting.scene.geometry) {
+    : setup_(setup), tracers_(tracers), plan_(plan), oracle_(setup.scene.geometry) {
     for (const std::string name : {default_backend, second_backend}) {
         if (find(tracers, name) != nullptr) continue;
         const Backend& backend = find_tracer(name);
-        references_.push_back({&backend, backend.build(setting.scene.geometry)});
+        references_.push_back({&backend, backend.build(setup.scene.geometry)});
     }
 }
 
@@ -71,7 +71,7 @@ std::vector<Answer> RayMeasurement::answers_of(const std::string& name, const Ra
 
 OracleReferences RayMeasurement::oracle_references(const RaySet& set,
                                                    const std::vector<std::size_t>& places) const {
-    return {setting_, oracle_, set, places, plan_.oracle_seconds};
+    return {setup_, oracle_, set, places, plan_.oracle_seconds};
 }
 
 void RayMeasurement::find_errors(const RaySet& set, const Answers& answers,

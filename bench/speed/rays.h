@@ -8,9 +8,9 @@ namespace etalon::speed {
 
 class RayMeasurement {
   public:
-    /// The setting, of which only the scene and the tie matter, and the tracers, which are
+    /// The setup, of which only the scene and the tie matter, and the tracers, which are
     /// built, must outlive it.
-    RayMeasurement(const hard::Setting& setting, const std::vector<Tracer>& tracers,
+    RayMeasurement(const hard::CaseSetup& setup, const std::vector<Tracer>& tracers,
                    const Plan& plan);
 
     /// Who decides where rays start.
@@ -29,7 +29,7 @@ class RayMeasurement {
                                        const std::vector<std::size_t>& places) const;
     void find_errors(const RaySet& set, const Answers& answers, KindFigures& figures) const;
 
-    const hard::Setting& setting_;
+    const hard::CaseSetup& setup_;
     const std::vector<Tracer>& tracers_;
     const Plan plan_;
     const Oracle oracle_;

@@ -19,17 +19,17 @@ std::vector<Tracer> enter(const Plan& plan) {
 
 SceneFigures measure_scene(const std::string& name, Scene scene, const Imath::V2i& resolution,
                            const Plan& plan, const Observer& observer) {
-    hard::Setting setting;
-    setting.scene = std::move(scene);
-    SceneFigures figures{name, setting.scene.geometry.primitives.size(), {}, {}};
+    hard::CaseSetup setup;
+    setup.scene = std::move(scene);
+    SceneFigures figures{name, setup.scene.geometry.primitives.size(), {}, {}};
     std::vector<Tracer> tracers = enter(plan);
-    figures.builds = measure_builds(tracers, setting.scene, plan.threads, plan.repeats);
+    figures.builds = measure_builds(tracers, setup.scene, plan.threads, plan.repeats);
     if (!observer(figures) || plan.kinds.empty()) return figures;
-    const RayMeasurement measurement(setting, tracers, plan);
+    const RayMeasurement measurement(setup, tracers, plan);
     for (const char* kind : ray_kinds) {
         if (std::find(plan.kinds.begin(), plan.kinds.end(), kind) == plan.kinds.end()) continue;
         const RaySet set =
-            make_ray_set(kind, setting.scene, resolution, measurement.exact(), plan.max_rays);
+            make_ray_set(kind, setup.scene, resolution, measurement.exact(), plan.max_rays);
         if (set.rays.empty()) continue;
         figures.kinds.push_back(measurement.measure(set));
         if (!observer(figures)) return figures;

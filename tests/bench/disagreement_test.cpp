@@ -33,11 +33,11 @@ const std::vector<Answer> right{{2, 0}, {2, 0}, {2, 0}, missed};
 
 /// Of what the oracle says when it has all the time.
 OracleCheck check(const std::vector<Answer>& answers, bool occlusion) {
-    hard::Setting setting;
-    setting.scene = two_layers();
-    const Oracle oracle(setting.scene.geometry);
+    hard::CaseSetup setup;
+    setup.scene = two_layers();
+    const Oracle oracle(setup.scene.geometry);
     const RaySet set = four_rays(occlusion);
-    return OracleReferences(setting, oracle, set, scattered(set.rays.size()), 100)
+    return OracleReferences(setup, oracle, set, scattered(set.rays.size()), 100)
         .check(answers, true);
 }
 
@@ -104,12 +104,12 @@ TEST_CASE("The oracle counts false shadows and missing ones") {
 }
 
 TEST_CASE("Without time the oracle still judges one ray") {
-    hard::Setting setting;
-    setting.scene = two_layers();
-    const Oracle oracle(setting.scene.geometry);
+    hard::CaseSetup setup;
+    setup.scene = two_layers();
+    const Oracle oracle(setup.scene.geometry);
     const RaySet set = four_rays(false);
-    CHECK(OracleReferences(setting, oracle, set, {3, 1}, 0).check(right, true).rays == 1);
-    CHECK(OracleReferences(setting, oracle, set, {}, 0).check(right, true).rays == 0);
+    CHECK(OracleReferences(setup, oracle, set, {3, 1}, 0).check(right, true).rays == 1);
+    CHECK(OracleReferences(setup, oracle, set, {}, 0).check(right, true).rays == 0);
 }
 
 TEST_CASE("Rays are in dispute where anyone differs in more than the bits of t") {

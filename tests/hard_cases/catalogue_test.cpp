@@ -19,9 +19,9 @@ std::string name_of(const HardCase& c) {
     return c.id + ", " + c.variant;
 }
 
-Ray ray_number(const Setting& setting, std::uint64_t number) {
+Ray ray_number(const CaseSetup& setup, std::uint64_t number) {
     Random random(1, number);
-    return setting.ray(random);
+    return setup.ray(random);
 }
 
 bool is_finite(const Ray& ray) {
@@ -96,16 +96,16 @@ bool is_float(const Scene& scene) {
 }
 
 /// Of 2000 rays, by a backend fit for the scene's size.
-double hit_share(const Setting& setting) {
+double hit_share(const CaseSetup& setup) {
     constexpr int rays = 2000;
     const auto backends = native_backends();
-    const bool is_small = setting.scene.geometry.primitives.size() < 100;
+    const bool is_small = setup.scene.geometry.primitives.size() < 100;
     const auto backend = std::find_if(backends.begin(), backends.end(), [&](const Backend& b) {
         return b.name == (is_small ? reference_backend : default_backend);
     });
-    const auto intersector = backend->build(setting.scene.geometry);
+    const auto intersector = backend->build(setup.scene.geometry);
     int hits = 0;
-    for (int i = 0; i < rays; ++i) hits += intersector->closest(ray_number(setting, i)).has_value();
+    for (int i = 0; i < rays; ++i) hits += intersector->closest(ray_number(setup, i)).has_value();
     return static_cast<double>(hits) / rays;
 }
 
@@ -165,16 +165,16 @@ TEST_CASE("The catalogue: given any kind of shape, then it has cases of its own"
 TEST_CASE("The catalogue: given a case, then its scene and rays are what its names say") {
     for (const HardCase& c : hard_cases()) {
         CAPTURE(name_of(c));
-        const Setting setting = c.make(), again = c.make();
-        REQUIRE(setting.size > 0);
-        REQUIRE_FALSE(setting.scene.geometry.primitives.empty());
+        const CaseSetup setup = c.make(), again = c.make();
+        REQUIRE(setup.size > 0);
+        REQUIRE_FALSE(setup.scene.geometry.primitives.empty());
         if (c.shape != "scene") {
-            REQUIRE(setting.scene.geometry.primitives.size() == 1);
-            REQUIRE(kind_name(setting.scene.geometry.primitives[0].kind) == c.shape);
+            REQUIRE(setup.scene.geometry.primitives.size() == 1);
+            REQUIRE(kind_name(setup.scene.geometry.primitives[0].kind) == c.shape);
         }
-        if (is_in_float(c)) REQUIRE(is_float(setting.scene));
+        if (is_in_float(c)) REQUIRE(is_float(setup.scene));
         for (std::uint64_t i = 0; i < 2000; ++i) {
-            const Ray ray = ray_number(setting, i);
+            const Ray ray = ray_number(setup, i);
             CAPTURE(i, ray.origin, ray.direction);
             REQUIRE(same_bits(ray, ray_number(again, i)));
             REQUIRE((is_finite(ray) || name_of(c) == "BVH-3, adversarial rays"));
@@ -186,8 +186,8 @@ TEST_CASE("The catalogue: given a case, then its scene and rays are what its nam
 TEST_CASE("The catalogue: given a case, then as many of its rays hit as it wants") {
     for (const HardCase& c : hard_cases()) {
         CAPTURE(name_of(c));
-        const Setting setting = c.make();
-        const double share = hit_share(setting);
+        const CaseSetup setup = c.make();
+        const double share = hit_share(setup);
         const Share wanted = wanted_share(c);
         CHECK(share >= wanted.low);
         CHECK(share <= wanted.high);
