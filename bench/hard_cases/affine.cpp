@@ -1,6 +1,6 @@
-#include "bench/hard_cases/aims.h"
-#include "bench/hard_cases/approaches.h"
 #include "bench/hard_cases/families.h"
+#include "bench/hard_cases/ray_generators.h"
+#include "bench/hard_cases/ray_targets.h"
 #include "bench/hard_cases/rows.h"
 
 namespace etalon::hard {
@@ -92,7 +92,7 @@ CaseSetup aimed(const Affine& map) {
     const std::vector<Target> targets = targets_of(setup.scene.geometry, 0, to_the_last_bit);
     const Place place{map.point({0, 0, 0.5}), setup.size};
     setup.ray = [=](Random& random) {
-        return approach(place, targets[random.index(targets.size())], random);
+        return ray_generator(place, targets[random.index(targets.size())], random);
     };
     return setup;
 }

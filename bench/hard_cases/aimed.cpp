@@ -2,10 +2,10 @@
 #include <memory>
 
 #include "bench/hard_cases/add_face.h"
-#include "bench/hard_cases/aims.h"
-#include "bench/hard_cases/approaches.h"
-#include "bench/hard_cases/face_aims.h"
+#include "bench/hard_cases/face_ray_targets.h"
 #include "bench/hard_cases/families.h"
+#include "bench/hard_cases/ray_generators.h"
+#include "bench/hard_cases/ray_targets.h"
 
 namespace etalon::hard {
 namespace {
@@ -150,12 +150,12 @@ CaseSetup shot_at(const Example& e, MakeAimedRay ray) {
 
 void add_rows(const Example& e, std::vector<HardCase>& cases) {
     Rows rows{std::string(kind_name(e.scene->geometry.primitives[0].kind))};
-    rows.add("AIM-1", e.name, [e] { return shot_at(e, approach); });
+    rows.add("AIM-1", e.name, [e] { return shot_at(e, ray_generator); });
     rows.add("AIM-2", e.name, [e] { return shot_at(e, leave); });
     rows.add("AIM-3", e.name, [e] { return shot_at(e, through_two); });
     if (!has_tip(*e.scene) && !is_concave(*e.scene)) {
         rows.add(
-            "SPN-0", e.name, [e] { return shot_at(e, approach); }, Criterion::spawned);
+            "SPN-0", e.name, [e] { return shot_at(e, ray_generator); }, Criterion::spawned);
     }
     for (HardCase& c : rows.take()) cases.push_back(std::move(c));
 }

@@ -1,5 +1,5 @@
-#include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/families.h"
+#include "bench/hard_cases/ray_targets.h"
 #include "bench/hard_cases/rows.h"
 #include "core/sampling/targets.h"
 

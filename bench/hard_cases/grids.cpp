@@ -1,8 +1,8 @@
 // Lattices, for what walks through cells: every number is a small multiple of a power of two, so
 // rays run exactly along cell planes and through cell corners.
 #include "bench/hard_cases/add_face.h"
-#include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/families.h"
+#include "bench/hard_cases/ray_targets.h"
 #include "bench/hard_cases/rows.h"
 
 namespace etalon::hard {

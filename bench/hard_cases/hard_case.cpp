@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/families.h"
+#include "bench/hard_cases/ray_targets.h"
 
 namespace etalon::hard {
 namespace {

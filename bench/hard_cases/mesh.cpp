@@ -1,6 +1,6 @@
 #include "bench/hard_cases/mesh.h"
 
-#include "bench/hard_cases/aims.h"
+#include "bench/hard_cases/ray_targets.h"
 
 namespace etalon::hard {
 namespace {

@@ -1,9 +1,9 @@
 // Closed surfaces seen from inside, and a terrain from above: whatever misses has leaked through.
 #include <memory>
 
-#include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/families.h"
 #include "bench/hard_cases/mesh.h"
+#include "bench/hard_cases/ray_targets.h"
 #include "bench/hard_cases/rows.h"
 
 namespace etalon::hard {
@@ -43,13 +43,13 @@ CaseSetup seen_from_above(const Vec3& corner, Feature feature) {
             }};
 }
 
-struct Aim {
+struct RayTarget {
     const char* id;
     const char* name;
     Feature feature;
 };
 
-constexpr Aim aims[] = {
+constexpr RayTarget ray_targets[] = {
     {"TRI-3", "vertices", Feature::vertices},
     {"TRI-2", "edges", Feature::edges},
     {"TRI-2", "middles of edges", Feature::middles},
@@ -69,15 +69,15 @@ std::vector<HardCase> mesh_cases() {
     const Vec3 origin(-128, -128, 0), far_corner(1e5, -1e5, 1e5);
 
     Rows rows("scene");
-    for (const Aim& aim : aims) {
+    for (const RayTarget& ray_target : ray_targets) {
         const auto add = [&](const char* id, const std::string& mesh, const MakeCaseSetup& make) {
-            rows.add_both(id, mesh + ": " + aim.name, make, Criterion::enclosed);
+            rows.add_both(id, mesh + ": " + ray_target.name, make, Criterion::enclosed);
         };
-        const Feature feature = aim.feature;
+        const Feature feature = ray_target.feature;
         for (const Ellipsoid& e : near) {
-            add(aim.id, e.name, [=] { return seen_from_inside(e, feature); });
+            add(ray_target.id, e.name, [=] { return seen_from_inside(e, feature); });
         }
-        add(aim.id, "terrain", [=] { return seen_from_above(origin, feature); });
+        add(ray_target.id, "terrain", [=] { return seen_from_above(origin, feature); });
         add("TRI-4", far.name, [=] { return seen_from_inside(far, feature); });
         add("TRI-4", "terrain at 1e5", [=] { return seen_from_above(far_corner, feature); });
         add("POL-1", mixed.name, [=] { return seen_from_inside(mixed, feature); });

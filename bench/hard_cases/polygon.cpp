@@ -1,7 +1,7 @@
 #include "bench/hard_cases/add_face.h"
-#include "bench/hard_cases/aims.h"
-#include "bench/hard_cases/face_aims.h"
+#include "bench/hard_cases/face_ray_targets.h"
 #include "bench/hard_cases/families.h"
+#include "bench/hard_cases/ray_targets.h"
 
 namespace etalon::hard {
 namespace {

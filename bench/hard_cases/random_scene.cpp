@@ -1,7 +1,7 @@
 #include "bench/hard_cases/random_scene.h"
 
 #include "bench/hard_cases/add_face.h"
-#include "bench/hard_cases/aims.h"
+#include "bench/hard_cases/ray_targets.h"
 #include "core/scene/quadric_form.h"
 
 namespace etalon::hard {

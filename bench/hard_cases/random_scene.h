@@ -1,7 +1,7 @@
 // Scenes of many shapes, and rays at them.
 #pragma once
 
-#include "bench/hard_cases/approaches.h"
+#include "bench/hard_cases/ray_generators.h"
 #include "bench/hard_cases/rows.h"
 
 namespace etalon::hard {

@@ -1,7 +1,7 @@
 #include <memory>
 
-#include "bench/hard_cases/aims.h"
 #include "bench/hard_cases/random_scene.h"
+#include "bench/hard_cases/ray_targets.h"
 #include "core/intersect/kernels.h"
 
 namespace etalon::hard {
@@ -70,7 +70,7 @@ CaseSetup setting_of(Scene scene, double finest, Ray (*make)(const Surroundings&
 Ray aimed_ray(const Surroundings& around, Random& random) {
     const Surroundings::Thing& thing = around.any(random);
     const Place& seen_from = random.index(2) == 0 ? thing.place : around.whole();
-    Ray ray = approach(seen_from, any_target(thing, random), random);
+    Ray ray = ray_generator(seen_from, any_target(thing, random), random);
     if (random.index(3) == 0) limit(ray, thing.place.centre, random);
     return ray;
 }

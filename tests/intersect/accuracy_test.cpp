@@ -21,7 +21,7 @@ void require_right_answers(int rays_per_case) {
             const AimedRay aimed = aimed_ray(shape, i, random);
             const double t = primitive_first_hit(shape.scene.geometry, 0, RayQuery(aimed.ray));
             const Classification classification = classify(shape, oracle, aimed.ray, t);
-            CAPTURE(shape.name, *aimed.target, aimed.approach, i, t);
+            CAPTURE(shape.name, *aimed.target, aimed.ray_generator, i, t);
             REQUIRE(classification != Classification::wrong);
             undecidable += classification == Classification::undecidable;
             hits += t <= infinity;

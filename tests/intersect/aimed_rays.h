@@ -9,7 +9,7 @@ namespace etalon {
 
 struct AimedRay {
     Ray ray;
-    const char* approach;
+    const char* ray_generator;
     const std::string* target;
 };
 

@@ -117,7 +117,8 @@ TEST_CASE("parametrization_at: given any hit, then (u, v) and its derivatives ar
             if (!s || is_at_tip(shape, s->point)) continue;
             ++hits;
             const auto& [uv, dpdu, dpdv] = s->at;
-            CAPTURE(shape.name, *aimed.target, aimed.approach, i, uv, dpdu, dpdv, s->point.normal);
+            CAPTURE(shape.name, *aimed.target, aimed.ray_generator, i, uv, dpdu, dpdv,
+                    s->point.normal);
             REQUIRE((std::isfinite(uv.x) && std::isfinite(uv.y)));
             if (has_unit_square(shape)) REQUIRE(is_in_unit_square(uv));
             REQUIRE(is_tangent(dpdu, s->point.normal));

@@ -67,7 +67,7 @@ void require_no_self_hits(int rays_per_case) {
             if (!s) continue;
             ++spawned;
             const Vec3 &o = s->ray.origin, &d = s->ray.direction;
-            CAPTURE(shape.name, *aimed.target, aimed.approach, i, s->outward, o, d);
+            CAPTURE(shape.name, *aimed.target, aimed.ray_generator, i, s->outward, o, d);
             REQUIRE_FALSE(hits_itself(shape, oracle, *s));
         }
         CAPTURE(shape.name);

@@ -12,8 +12,8 @@ struct Place {
     double size;
 };
 
-/// By one of the approaches, at random. Hardly any of the rays start on a surface.
-Ray approach(const Place& place, const Target& target, Random& random);
+/// By one of the ray generators, at random. Hardly any of the rays start on a surface.
+Ray ray_generator(const Place& place, const Target& target, Random& random);
 
 /// From the target itself, on or next to the surface, in any direction.
 Ray leave(const Place& place, const Target& target, Random& random);

@@ -1,6 +1,6 @@
-#include "bench/hard_cases/approaches.h"
+#include "bench/hard_cases/ray_generators.h"
 
-#include "bench/hard_cases/aims.h"
+#include "bench/hard_cases/ray_targets.h"
 
 namespace etalon::hard {
 namespace {
@@ -56,15 +56,15 @@ Ray with_a_denormal(const Place& place, const Target& target, Random& random) {
     return ray;
 }
 
-using Approach = Ray (*)(const Place&, const Target&, Random&);
+using RayGenerator = Ray (*)(const Place&, const Target&, Random&);
 
-constexpr Approach approaches[] = {from_afar,     from_close_by,  from_within,
-                                   along_an_axis, across_an_axis, with_a_denormal};
+constexpr RayGenerator ray_generators[] = {from_afar,     from_close_by,  from_within,
+                                           along_an_axis, across_an_axis, with_a_denormal};
 
 }  // namespace
 
-Ray approach(const Place& place, const Target& target, Random& random) {
-    const Approach chosen = approaches[random.index(std::size(approaches))];
+Ray ray_generator(const Place& place, const Target& target, Random& random) {
+    const RayGenerator chosen = ray_generators[random.index(std::size(ray_generators))];
     Ray ray = chosen(place, target, random);
     // A target may be at the very origin.
     if (max_abs(ray.direction) == 0) ray.direction = random.direction();

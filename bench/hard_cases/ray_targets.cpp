@@ -1,4 +1,4 @@
-#include "bench/hard_cases/aims.h"
+#include "bench/hard_cases/ray_targets.h"
 
 namespace etalon::hard {
 

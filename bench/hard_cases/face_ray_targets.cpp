@@ -1,9 +1,9 @@
-#include "bench/hard_cases/face_aims.h"
+#include "bench/hard_cases/face_ray_targets.h"
 
 #include <memory>
 
 #include "bench/hard_cases/add_face.h"
-#include "bench/hard_cases/aims.h"
+#include "bench/hard_cases/ray_targets.h"
 #include "core/sampling/outline.h"
 
 namespace etalon::hard {
