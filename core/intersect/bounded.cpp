@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t chunk_size = 4096;
 
 /// What is known of a piece of the scene before there is a frame.
-struct Survey {
+struct BoundsSummary {
     Box3 world;
     std::size_t bounded = 0;
     std::vector<std::uint32_t> unbounded;
@@ -21,8 +21,8 @@ bool is_bounded(const Box3& box) {
     return !box.isEmpty() && is_finite(box.min) && is_finite(box.max);
 }
 
-Survey survey(const Geometry& geometry, std::size_t begin, std::size_t end) {
-    Survey result;
+BoundsSummary summarize_bounds(const Geometry& geometry, std::size_t begin, std::size_t end) {
+    BoundsSummary result;
     for (std::size_t i = begin; i < end; ++i) {
         const auto id = static_cast<std::uint32_t>(i);
         const Box3 box = primitive_bounds(geometry, id);
@@ -50,16 +50,16 @@ void bound(const Geometry& geometry, const NormalizedSpace& space, std::size_t b
 
 SceneBounds SceneBounds::of(const Geometry& geometry) {
     const Chunks chunks(geometry.primitives.size(), chunk_size);
-    std::vector<Survey> surveys(chunks.number());
+    std::vector<BoundsSummary> summaries(chunks.number());
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        surveys[chunk] = survey(geometry, begin, end);
+        summaries[chunk] = summarize_bounds(geometry, begin, end);
     });
 
     SceneBounds result;
     Box3 world;
     std::vector<std::size_t> offsets;
     std::size_t count = 0;
-    for (const Survey& s : surveys) {
+    for (const BoundsSummary& s : summaries) {
         world.extendBy(s.world);
         offsets.push_back(count);
         count += s.bounded;

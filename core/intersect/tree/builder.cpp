@@ -13,7 +13,7 @@ namespace {
 
 using Primitives = std::span<BoundedPrimitive>;
 
-ShapeKind commonest_kind(const Survey& all) {
+ShapeKind commonest_kind(const BoundsSummary& all) {
     const auto most = std::max_element(all.of_kind.begin(), all.of_kind.end());
     return static_cast<ShapeKind>(most - all.of_kind.begin());
 }
@@ -57,7 +57,7 @@ BvhTree build_bvh(std::vector<BoundedPrimitive> primitives, const BvhConfig& con
     if (primitives.empty()) return {};
     BvhTree tree;
     tree.ids.resize(primitives.size());
-    const Survey all = survey(primitives);
+    const BoundsSummary all = summarize_bounds(primitives);
     const LeafWeights weights(config.leaf_costs, commonest_kind(all));
     std::vector<BoundedPrimitive, LargePages<BoundedPrimitive>> spare(primitives.size());
     tree.nodes = join(*Builder(config, weights, tree.ids).build(all.set, spare, 0, 0));

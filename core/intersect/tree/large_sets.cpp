@@ -11,7 +11,8 @@ constexpr std::size_t chunk_size = 8192;
 
 Halves halve(Primitives primitives) {
     const std::size_t middle = smaller_half(primitives);
-    return {survey(primitives.first(middle)).set, survey(primitives.subspan(middle)).set};
+    return {summarize_bounds(primitives.first(middle)).set,
+            summarize_bounds(primitives.subspan(middle)).set};
 }
 
 /// Bins of each chunk, and of all together.
@@ -58,21 +59,21 @@ Halves scatter_chunks(Primitives primitives, Primitives target, const Binning& b
 
 }  // namespace
 
-void Survey::add(const Survey& other) {
+void BoundsSummary::add(const BoundsSummary& other) {
     set.extend(other.set);
     for (std::size_t kind = 0; kind < shape_kinds; ++kind) of_kind[kind] += other.of_kind[kind];
 }
 
-Survey survey(Primitives primitives) {
+BoundsSummary summarize_bounds(Primitives primitives) {
     const Chunks chunks(primitives.size(), chunk_size);
-    std::vector<Survey> of_chunk(chunks.number());
+    std::vector<BoundsSummary> of_chunk(chunks.number());
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        Survey result{measured(primitives.subspan(begin, end - begin))};
+        BoundsSummary result{measured(primitives.subspan(begin, end - begin))};
         for (const BoundedPrimitive& p : result.set.primitives) ++result.of_kind[p.kind];
         of_chunk[chunk] = result;
     });
-    Survey all{{primitives, {}, {}}};
-    for (const Survey& s : of_chunk) all.add(s);
+    BoundsSummary all{{primitives, {}, {}}};
+    for (const BoundsSummary& s : of_chunk) all.add(s);
     return all;
 }
 

@@ -7,14 +7,14 @@
 namespace etalon {
 
 /// What is found of all primitives before the first split.
-struct Survey {
-    void add(const Survey& other);
+struct BoundsSummary {
+    void add(const BoundsSummary& other);
 
     PrimitiveSet set;
     std::array<std::size_t, shape_kinds> of_kind{};  ///< how many there are
 };
 
-Survey survey(std::span<BoundedPrimitive> primitives);
+BoundsSummary summarize_bounds(std::span<BoundedPrimitive> primitives);
 
 /// A set divided, and an array as large as the set that neither half is in.
 struct Division {
