@@ -13,7 +13,7 @@ void four_triangles(Writer& out, const Tetrahedron& t) {
     for (const auto& f : faces) out.polygon(std::array{t[f[0]], t[f[1]], t[f[2]]});
 }
 
-/// Halves the tetrahedron towards each of its corners, `depth` times over.
+/// Divides the tetrahedron in two towards each of its corners, `depth` times over.
 void divide(Writer& out, const Tetrahedron& t, std::int64_t depth) {
     if (depth == 0) return four_triangles(out, t);
     for (const Vec3& corner : t) {

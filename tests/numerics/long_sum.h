@@ -12,7 +12,7 @@ class LongSum {
   public:
     /// Adds x y z. The product's bits must lie within 2^-2000 ... 2^2000.
     void add(double x, double y, double z) {
-        const Halves hx(x), hy(y), hz(z);
+        const SplitDouble hx(x), hy(y), hz(z);
         for (int i = 0; i < 8; ++i) {
             const Wide product = Wide(hx.part[i & 1]) * hy.part[i >> 1 & 1] * hz.part[i >> 2];
             const int halves = (i & 1) + (i >> 1 & 1) + (i >> 2);
@@ -36,8 +36,8 @@ class LongSum {
     __extension__ typedef __int128 Wide;
 
     /// x = (part[0] + 2^27 part[1]) 2^exponent, with the sign in both parts.
-    struct Halves {
-        explicit Halves(double x) {
+    struct SplitDouble {
+        explicit SplitDouble(double x) {
             const double mantissa = std::ldexp(std::frexp(x, &exponent), 53);
             exponent -= 53;
             const auto integer = static_cast<std::int64_t>(mantissa);

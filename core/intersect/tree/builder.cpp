@@ -34,7 +34,7 @@ class Builder {
             return part;
         }
         const bool in_halves = depth >= bvh_heuristic_depth;
-        const Division d = divide_large(set, spare, in_halves, config_, weights_);
+        const SplitResult d = split_large(set, spare, in_halves, config_, weights_);
         const auto& [left, right] = d.halves;
         const std::size_t middle = left.size();
         parallel_invoke([&] { part->left = build(left, d.spare.first(middle), first, depth + 1); },

@@ -9,7 +9,7 @@ using Primitives = std::span<BoundedPrimitive>;
 
 constexpr std::size_t chunk_size = 8192;
 
-Halves halve(Primitives primitives) {
+SplitSets halve(Primitives primitives) {
     const std::size_t middle = smaller_half(primitives);
     return {summarize_bounds(primitives.first(middle)).set,
             summarize_bounds(primitives.subspan(middle)).set};
@@ -40,8 +40,8 @@ struct ChunkedBins {
     Bins all;
 };
 
-Halves scatter_chunks(Primitives primitives, Primitives target, const Binning& binning,
-                      const ChunkedBins& bins, const Split& split) {
+SplitSets scatter_chunks(Primitives primitives, Primitives target, const Binning& binning,
+                         const ChunkedBins& bins, const Split& split) {
     const std::vector<std::size_t> left_before = bins.left_before(split);
     const auto [left, right] = sides(bins.all, split);
     BoundedPrimitive* const middle = target.data() + left.count;
@@ -77,8 +77,8 @@ BoundsSummary summarize_bounds(Primitives primitives) {
     return all;
 }
 
-Division divide_large(const PrimitiveSet& set, Primitives spare, bool in_halves,
-                      const BvhConfig& config, const LeafWeights& weights) {
+SplitResult split_large(const PrimitiveSet& set, Primitives spare, bool in_halves,
+                        const BvhConfig& config, const LeafWeights& weights) {
     if (in_halves) return {halve(set.primitives), spare};
     const Binning binning(set.centres, config.bins);
     const ChunkedBins bins(set.primitives, binning, weights);

@@ -17,14 +17,14 @@ struct BoundsSummary {
 BoundsSummary summarize_bounds(std::span<BoundedPrimitive> primitives);
 
 /// A set divided, and an array as large as the set that neither half is in.
-struct Division {
-    Halves halves;
+struct SplitResult {
+    SplitSets halves;
     std::span<BoundedPrimitive> spare;
 };
 
 /// Divides by the surface area heuristic, into `spare`. By size, in place, where that finds no
 /// plane, and if `in_halves`.
-Division divide_large(const PrimitiveSet& set, std::span<BoundedPrimitive> spare, bool in_halves,
-                      const BvhConfig& config, const LeafWeights& weights);
+SplitResult split_large(const PrimitiveSet& set, std::span<BoundedPrimitive> spare, bool in_halves,
+                        const BvhConfig& config, const LeafWeights& weights);
 
 }  // namespace etalon

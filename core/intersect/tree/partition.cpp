@@ -16,8 +16,8 @@ HWY_INLINE void store(const Bounds& b, BoundedPrimitive& p) {
     std::memcpy(static_cast<void*>(&p), &b, sizeof(b));
 }
 
-Halves partition(std::span<BoundedPrimitive> primitives, const Binning& binning, const Bins& bins,
-                 const Split& split) {
+SplitSets partition(std::span<BoundedPrimitive> primitives, const Binning& binning,
+                    const Bins& bins, const Split& split) {
     const auto plane = static_cast<float>(split.bin);
     SideCentres centres;
     // Before `middle` is what goes left, between it and i what goes right.
@@ -59,8 +59,8 @@ namespace etalon {
 HWY_EXPORT(partition);
 HWY_EXPORT(scatter);
 
-Halves partition(std::span<BoundedPrimitive> primitives, const Binning& binning, const Bins& bins,
-                 const Split& split) {
+SplitSets partition(std::span<BoundedPrimitive> primitives, const Binning& binning,
+                    const Bins& bins, const Split& split) {
     return HWY_DYNAMIC_DISPATCH(partition)(primitives, binning, bins, split);
 }
 

@@ -13,8 +13,8 @@ struct SideBins {
 SideBins sides(const Bins& bins, const Split& split);
 
 /// Reorders the primitives that `bins` counted, without a branch on where one goes.
-Halves partition(std::span<BoundedPrimitive> primitives, const Binning& binning, const Bins& bins,
-                 const Split& split);
+SplitSets partition(std::span<BoundedPrimitive> primitives, const Binning& binning,
+                    const Bins& bins, const Split& split);
 
 /// The centres on both sides of a split.
 struct SideCentres {

@@ -24,7 +24,7 @@ struct PrimitiveSet {
     Bounds centres;  ///< of twice their centres
 };
 
-struct Halves {
+struct SplitSets {
     PrimitiveSet left, right;
 };
 

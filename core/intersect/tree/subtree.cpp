@@ -13,7 +13,7 @@ std::vector<BvhNode> SubtreeBuilder::build(const PrimitiveSet& set, std::size_t 
 /// Leaves come from left to right, so their primitives fill `all_ids` in order.
 void SubtreeBuilder::build_node(std::uint32_t node, const PrimitiveSet& set, int depth) {
     nodes_[node].box = set.bounds.box();
-    const std::optional<Halves> halves = divider_.divide(set, depth);
+    const std::optional<SplitSets> halves = splitter_.split(set, depth);
     if (!halves) return make_leaf(nodes_[node], set.primitives);
     const auto child = static_cast<std::uint32_t>(nodes_.size());
     nodes_[node].first = child;

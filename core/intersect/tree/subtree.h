@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/intersect/tree/divider.h"
+#include "core/intersect/tree/splitter.h"
 
 namespace etalon {
 
@@ -9,7 +9,7 @@ namespace etalon {
 class SubtreeBuilder {
   public:
     SubtreeBuilder(const BvhConfig& config, const LeafWeights& weights, std::uint32_t* all_ids)
-        : divider_(config, weights), all_ids_(all_ids) {}
+        : splitter_(config, weights), all_ids_(all_ids) {}
 
     /// Of a set whose place in the whole is `first`, `depth` levels below the root.
     std::vector<BvhNode> build(const PrimitiveSet& set, std::size_t first, int depth);
@@ -18,7 +18,7 @@ class SubtreeBuilder {
     void build_node(std::uint32_t node, const PrimitiveSet& set, int depth);
     void make_leaf(BvhNode& node, std::span<const BoundedPrimitive> primitives);
 
-    Divider divider_;
+    Splitter splitter_;
     std::uint32_t* all_ids_;
     std::size_t next_id_ = 0;
     std::vector<BvhNode> nodes_;

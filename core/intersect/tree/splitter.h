@@ -8,13 +8,13 @@
 namespace etalon {
 
 /// Decides where sets of primitives are divided, and where they end as leaves.
-class Divider {
+class Splitter {
   public:
-    Divider(const BvhConfig& config, const LeafWeights& weights)
+    Splitter(const BvhConfig& config, const LeafWeights& weights)
         : config_(config), weights_(weights) {}
 
     /// Reorders the primitives of a set `depth` levels below the root; nothing makes it a leaf.
-    std::optional<Halves> divide(const PrimitiveSet& set, int depth);
+    std::optional<SplitSets> split(const PrimitiveSet& set, int depth);
 
   private:
     bool fills_one_test(const PrimitiveSet& set) const;

@@ -1,4 +1,4 @@
-#include "core/intersect/tree/divider.h"
+#include "core/intersect/tree/splitter.h"
 
 #include <algorithm>
 
@@ -11,12 +11,12 @@ bool is_of_one_kind(std::span<const BoundedPrimitive> primitives) {
     });
 }
 
-Halves divide_at(std::span<BoundedPrimitive> primitives, std::size_t middle) {
+SplitSets divide_at(std::span<BoundedPrimitive> primitives, std::size_t middle) {
     return {measured(primitives.first(middle)), measured(primitives.subspan(middle))};
 }
 
 /// Those of the first one's kind go left.
-Halves divide_by_kind(std::span<BoundedPrimitive> primitives) {
+SplitSets divide_by_kind(std::span<BoundedPrimitive> primitives) {
     const std::uint32_t kind = primitives.front().kind;
     const auto middle = std::partition(primitives.begin(), primitives.end(),
                                        [&](const BoundedPrimitive& p) { return p.kind == kind; });
@@ -30,7 +30,7 @@ int bins_for(std::size_t primitives, const BvhConfig& config) {
         std::min<std::size_t>(16 + primitives / 4, static_cast<std::size_t>(config.bins)));
 }
 
-std::optional<Halves> Divider::divide(const PrimitiveSet& set, int depth) {
+std::optional<SplitSets> Splitter::split(const PrimitiveSet& set, int depth) {
     const bool is_small = set.size() <= config_.max_leaf;
     const bool may_end = is_small && is_of_one_kind(set.primitives);
     if (may_end && fills_one_test(set)) return std::nullopt;
@@ -50,11 +50,11 @@ std::optional<Halves> Divider::divide(const PrimitiveSet& set, int depth) {
 }
 
 /// Dividing what is tested at once gains next to nothing.
-bool Divider::fills_one_test(const PrimitiveSet& set) const {
+bool Splitter::fills_one_test(const PrimitiveSet& set) const {
     return set.size() <= config_.leaf_costs[set.primitives.front().kind].lanes;
 }
 
-bool Divider::pays(const Split& split, const PrimitiveSet& set) const {
+bool Splitter::pays(const Split& split, const PrimitiveSet& set) const {
     const float area = set.bounds.half_area();
     const std::uint64_t weight = bins_.sum(0, 0, bins_.size()).weight;
     return area + split.cost < area * weights_.cost(weight);
