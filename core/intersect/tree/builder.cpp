@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/intersect/tree/large_sets.h"
-#include "core/intersect/tree/parts.h"
+#include "core/intersect/tree/parallel_partition.h"
 #include "core/intersect/tree/subtree.h"
+#include "core/intersect/tree/subtree_merge.h"
 #include "core/parallel/large_pages.h"
 #include "core/parallel/parallel.h"
 
@@ -60,7 +60,7 @@ BvhTree build_bvh(std::vector<BoundedPrimitive> primitives, const BvhConfig& con
     const BoundsSummary all = summarize_bounds(primitives);
     const LeafWeights weights(config.leaf_costs, commonest_kind(all));
     std::vector<BoundedPrimitive, LargePages<BoundedPrimitive>> spare(primitives.size());
-    tree.nodes = join(*Builder(config, weights, tree.ids).build(all.set, spare, 0, 0));
+    tree.nodes = merge_subtrees(*Builder(config, weights, tree.ids).build(all.set, spare, 0, 0));
     return tree;
 }
 

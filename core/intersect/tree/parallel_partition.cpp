@@ -1,4 +1,4 @@
-#include "core/intersect/tree/large_sets.h"
+#include "core/intersect/tree/parallel_partition.h"
 
 #include "core/parallel/chunks.h"
 

@@ -1,4 +1,4 @@
-#include "core/intersect/tree/parts.h"
+#include "core/intersect/tree/subtree_merge.h"
 
 #include <algorithm>
 
@@ -51,7 +51,7 @@ void write(const Placed& placed, std::vector<BvhNode>& nodes) {
 
 }  // namespace
 
-std::vector<BvhNode> join(const Part& root) {
+std::vector<BvhNode> merge_subtrees(const Part& root) {
     const Placing placing(root);
     std::vector<BvhNode> nodes(placing.size());
     parallel_for(placing.parts().size(), 1, [&](std::size_t begin, std::size_t end) {

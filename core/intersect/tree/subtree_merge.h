@@ -17,6 +17,6 @@ struct Part {
 
 /// All nodes side by side, the children of a node next to each other, in an order that depends on
 /// the tree alone. nodes[1] is not used.
-std::vector<BvhNode> join(const Part& root);
+std::vector<BvhNode> merge_subtrees(const Part& root);
 
 }  // namespace etalon
