@@ -21,7 +21,7 @@ bool any_material(const Scene& scene, bool (*test)(const Material&)) {
     return std::any_of(scene.look.materials.begin(), scene.look.materials.end(), test);
 }
 
-/// What a picture of the scene will ask of the renderer.
+/// What an image of the scene will ask of the renderer.
 std::vector<std::string> needs(const Scene& s, const RenderSettings& settings) {
     std::vector<std::string> list;
     const auto need = [&](bool condition, const char* what) {
@@ -87,7 +87,8 @@ Json describe(const Arguments& a, const LoadedScene& loaded) {
             {"max_depth", settings.max_depth},
             {"backend", chosen_backend(settings).name},
             {"background",
-             {s.look.environment.background.x, s.look.environment.background.y, s.look.environment.background.z}},
+             {s.look.environment.background.x, s.look.environment.background.y,
+              s.look.environment.background.z}},
             {"skybox", s.look.environment.skybox ? Json(s.look.environment.skybox->faces) : Json()},
             {"needs", needs(s, settings)},
             {"memory_bytes", memory_bytes(s)},

@@ -1,9 +1,9 @@
-// etalon compare: how far a picture is from another, in numbers and as a map.
+// etalon compare: how far an image is from another, in numbers and as a map.
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "app/compare/image_pair.h"
 #include "app/compare/limit.h"
-#include "app/compare/pictures.h"
 #include "app/exit_status.h"
 #include "app/output.h"
 #include "core/image/atomic_file.h"
@@ -25,7 +25,7 @@ int fail(int status, const std::string& message) {
     return status;
 }
 
-/// A display shows no such pixel, and figures of two pictures that both have one do not tell.
+/// A display shows no such pixel, and figures of two images that both have one do not tell.
 void warn_of_unbounded(const std::string& path, Pixels pixels) {
     const std::uint64_t count = unbounded_pixels(pixels);
     if (count == 0) return;
@@ -64,12 +64,12 @@ int check_limits(const Arguments& a, const Metrics& metrics) {
 
 int run(const Arguments& a) {
     if (const std::string error = obstacle(a); !error.empty()) return fail(exit_not_written, error);
-    const Outcome<Pictures> pictures = read_pictures(a.a, a.b);
-    if (!pictures) return fail(exit_unusable, pictures.error);
-    const auto& [first, second] = pictures.value.pixels;
+    const Outcome<ImagePair> images = read_image_pair(a.a, a.b);
+    if (!images) return fail(exit_unusable, images.error);
+    const auto& [first, second] = images.value.pixels;
     warn_of_unbounded(a.a, first);
     warn_of_unbounded(a.b, second);
-    const PixelPlane map = flip_map(first, second, pictures.value.width);
+    const PixelPlane map = flip_map(first, second, images.value.width);
     const Metrics metrics = measure(first, second, map);
     const int status = write(a, metrics, map);
     return status == exit_done ? check_limits(a, metrics) : status;

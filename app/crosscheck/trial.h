@@ -13,7 +13,7 @@ struct Trial {
     std::vector<OracleAnswer> truth;
 };
 
-/// About `limit` rays of each kind for a picture of this resolution, fewer where the scene has no
+/// About `limit` rays of each kind for an image of this resolution, fewer where the scene has no
 /// more, e.g. no light.
 std::vector<Trial> make_trials(const Scene& scene, const Imath::V2i& resolution, std::size_t limit);
 

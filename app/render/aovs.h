@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/image/picture.h"
+#include "core/image/rendered_image.h"
 #include "core/render/features.h"
 
 namespace etalon {

@@ -10,7 +10,7 @@
 namespace etalon {
 namespace {
 
-void declare_picture(Options& options, RenderArguments& a) {
+void declare_image(Options& options, RenderArguments& a) {
     const char* group = "Picture";
     options
         .add("-o,--output", a.outputs,
@@ -99,7 +99,7 @@ void declare_rendering(Options& options, RenderArguments& a) {
 
 void declare_render_options(Options& options, RenderArguments& a) {
     declare_scene(options, a.scene);
-    declare_picture(options, a);
+    declare_image(options, a);
     declare_samples(options, a);
     declare_rendering(options, a);
     options.add("--stats", a.stats,

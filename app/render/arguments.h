@@ -25,7 +25,7 @@ struct RenderArguments {
 void declare_render_options(Options& options, RenderArguments& a);
 
 /// Overrides the scene's own settings by those of the command line. Returns the reason why the
-/// picture cannot be had, or nothing.
+/// image cannot be had, or nothing.
 std::string apply_overrides(const RenderArguments& a, RenderSettings& settings);
 
 }  // namespace etalon

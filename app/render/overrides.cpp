@@ -12,9 +12,9 @@
 namespace etalon {
 namespace {
 
-constexpr int max_picture_side = 65536;
+constexpr int max_image_side = 65536;
 
-/// Of each pixel, where it is an error or a time that ends a picture.
+/// Of each pixel, where it is an error or a time that ends an image.
 constexpr int ample_samples = 1 << 16;
 
 std::string apply_resolution(const std::string& text, RenderSettings& settings) {
@@ -22,7 +22,7 @@ std::string apply_resolution(const std::string& text, RenderSettings& settings) 
     int width = 0, height = 0;
     char rest = 0;
     const bool parsed = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2;
-    if (!parsed || width < 1 || height < 1 || std::max(width, height) > max_picture_side) {
+    if (!parsed || width < 1 || height < 1 || std::max(width, height) > max_image_side) {
         return "--resolution " + text + ": expected WIDTHxHEIGHT, e.g. 640x480";
     }
     settings.resolution = {width, height};
@@ -44,7 +44,7 @@ std::string apply_crop(const std::string& text, RenderSettings& settings) {
     return {};
 }
 
-/// What a deterministic picture cannot have, and a whole one need not.
+/// What a deterministic image cannot have, and a whole one need not.
 void apply_samples(const RenderArguments& a, RenderSettings& settings) {
     if (a.target_error > 0 || a.time_limit > 0) settings.samples_per_pixel = ample_samples;
     if (a.samples >= 0) settings.samples_per_pixel = a.samples;

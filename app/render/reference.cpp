@@ -1,16 +1,16 @@
 #include "app/render/reference.h"
 
-#include "app/reference_picture.h"
+#include "app/reference_image.h"
 #include "core/image/metrics/flip.h"
 #include "core/image/metrics/measure.h"
 
 namespace etalon {
 
 std::string Reference::open(const std::string& path, const RenderSettings& settings) {
-    Outcome<std::vector<Color>> picture = read_reference(path, settings);
-    pixels_ = std::move(picture.value);
+    Outcome<std::vector<Color>> image = read_reference(path, settings);
+    pixels_ = std::move(image.value);
     width_ = settings.window().size().x + 1;
-    return picture.error;
+    return image.error;
 }
 
 void Reference::note(const RenderedPass& pass) {

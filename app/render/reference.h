@@ -10,7 +10,7 @@
 
 namespace etalon {
 
-/// How a picture comes closer to what it should be.
+/// How an image comes closer to what it should be.
 class Reference {
   public:
     /// See read_reference(). The reason why there is none, or nothing.
@@ -19,10 +19,10 @@ class Reference {
     /// Rendering begins.
     void start() { watch_.lap(); }
 
-    /// Notes the errors of a picture, and the times since the start without those spent in here.
+    /// Notes the errors of an image, and the times since the start without those spent in here.
     void note(const RenderedPass& pass);
 
-    /// All metrics of the finished picture.
+    /// All metrics of the finished image.
     Metrics metrics_of(const Film& film) const;
 
     /// One entry for each note.

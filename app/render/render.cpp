@@ -11,7 +11,7 @@
 #include "app/progress.h"
 #include "app/render/aovs.h"
 #include "app/render/arguments.h"
-#include "app/render/picture.h"
+#include "app/render/output_image.h"
 #include "app/render/reference.h"
 #include "app/signals.h"
 #include "app/stats.h"
@@ -49,7 +49,7 @@ class Render {
         if (a_.outputs.empty()) a_.outputs = {default_output(a_.scene.path)};
         if (!outputs_are_writable()) return exit_not_written;
         if (!open_reference() || !build()) return exit_unusable;
-        const Rendering rendering = render_picture();
+        const Rendering rendering = render_image();
         const bool written = rendering.counts.camera == 0 || write(rendering);
         if (signals_.signal() != 0) return exit_signal + signals_.signal();
         return written ? exit_done : exit_not_written;
@@ -85,7 +85,7 @@ class Render {
         return true;
     }
 
-    Rendering render_picture() {
+    Rendering render_image() {
         std::optional<Progress> progress;
         if (!a_.quiet) progress.emplace(a_.scene.path);
         RunControl control;
@@ -114,11 +114,11 @@ class Render {
 
     bool write(const Rendering& rendering) {
         fill_stats(rendering);
-        Picture picture = make_picture(scene_, settings_, rendering, stats_);
-        picture.channels = make_channels(rendering.film);
+        RenderedImage image = make_output_image(scene_, settings_, rendering, stats_);
+        image.channels = make_channels(rendering.film);
         bool written = true;
         for (const std::string& path : a_.outputs) {
-            const std::string error = write_picture(path, picture, a_.exposure);
+            const std::string error = write_image(path, image, a_.exposure);
             if (!error.empty()) written = complain(error);
         }
         stats_.write = watch_.lap();

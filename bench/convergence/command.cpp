@@ -1,4 +1,4 @@
-// etalon-bench convergence: how soon a picture comes to what it should be, by samplers and
+// etalon-bench convergence: how soon an image comes to what it should be, by samplers and
 // backends.
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "app/integrators.h"
 #include "app/output.h"
 #include "app/progress.h"
-#include "app/reference_picture.h"
+#include "app/reference_image.h"
 #include "app/signals.h"
 #include "bench/commands.h"
 #include "bench/convergence/measure.h"
@@ -50,8 +50,8 @@ void set_width(Imath::V2i& size, int width) {
 
 Outcome<ReferenceImage> read_reference_image(const std::string& path,
                                              const RenderSettings& settings) {
-    auto picture = read_reference(path, settings);
-    return {{std::move(picture.value), path}, picture.error};
+    auto image = read_reference(path, settings);
+    return {{std::move(image.value), path}, image.error};
 }
 
 /// Tables make room for JSON that another program is to read from standard output.

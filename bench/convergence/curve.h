@@ -1,4 +1,4 @@
-// Errors of a picture against the time that it has taken so far.
+// Errors of an image against the time that it has taken so far.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct Fit {
     double floor = 0;  ///< MSE that no time takes away: bias, or the noise of the reference
 };
 
-/// How one way to render a picture converges.
+/// How one way to render an image converges.
 struct Curve {
     std::string name;  ///< "whitted, sobol, bvh"
     std::string sampler, integrator, backend;
@@ -32,7 +32,7 @@ struct Curve {
 };
 
 /// The slope is that of the points from 4 samples on. The floor is what the last of them have above
-/// c / seconds, the slowest that a picture without bias comes closer; 0 if they do not.
+/// c / seconds, the slowest that an image without bias comes closer; 0 if they do not.
 Fit fit(const std::vector<Point>& points);
 
 }  // namespace etalon::convergence

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t reference_seed = 0x7ea1;
 
-/// An error that is never reached: an adaptive picture ends at its samples.
+/// An error that is never reached: an adaptive image ends at its samples.
 constexpr double no_error = 1e-30;
 constexpr int any_samples = 1 << 24;
 
@@ -40,7 +40,7 @@ class Studio {
     std::unique_ptr<Intersector> intersector_;
 };
 
-/// One picture, and what it is like after every pass. The time it takes to look is not counted.
+/// One image, and what it is like after every pass. The time it takes to look is not counted.
 class SeedRun {
   public:
     SeedRun(const Studio& studio, const RenderSettings& settings, const ReferenceImage& reference,

@@ -10,7 +10,7 @@
 
 namespace etalon::convergence {
 
-/// How samples may be put into a picture: "random", "sobol" or "adaptive".
+/// How samples may be put into an image: "random", "sobol" or "adaptive".
 const std::vector<std::string>& sampler_names();
 
 struct Plan {
@@ -26,7 +26,7 @@ struct Watcher {
     std::function<void(double)> progress;  ///< with the part done, from any thread
 };
 
-/// The picture all curves come closer to: Sobol' points of a seed that no curve has, and so many
+/// The image all curves come closer to: Sobol' points of a seed that no curve has, and so many
 /// times the samples at a curve's end that hardly any of what differs is its own.
 struct ReferenceImage {
     std::vector<Color> pixels;

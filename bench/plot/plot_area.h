@@ -4,7 +4,7 @@
 
 namespace etalon::plot {
 
-/// A picture, and where in it the area is that the axes border, in pixels.
+/// An image, and where in it the area is that the axes border, in pixels.
 struct PlotArea {
     double width, height;
     double left, right, top, bottom;

@@ -21,7 +21,7 @@ enum class Anchor { start, middle, end };
 /// `classes`, in what follows, are those of the style sheet.
 class Svg {
   public:
-    /// `title` and `description` are for who cannot see the picture.
+    /// `title` and `description` are for who cannot see the image.
     Svg(double width, double height, std::string_view title, std::string_view description);
 
     void text(Place at, Anchor anchor, std::string_view text, std::string_view classes);

@@ -74,7 +74,7 @@ std::string spd_command(const Settings& settings) {
         scenes.substr(0, scenes.size() - 1));
 }
 
-std::string picture_command(const PictureRequest& request) {
+std::string image_command(const ImageRequest& request) {
     const std::string name = std::filesystem::path(request.scene).stem().string();
     const std::string render = fmt::format("build/bin/etalon render scenes/{} --resolution {}x{}",
                                            request.scene, request.width, request.height);

@@ -25,7 +25,7 @@ std::string accuracy_command(const Settings& settings, const std::vector<accurac
 /// All classic scenes.
 std::string spd_command(const Settings& settings);
 
-std::string picture_command(const PictureRequest& request);
+std::string image_command(const ImageRequest& request);
 
 std::string convergence_command(const Settings& settings, const ConvergenceRequest& request);
 

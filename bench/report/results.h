@@ -52,14 +52,14 @@ struct SpdFigures {
     std::vector<SpdRun> runs;
 };
 
-/// A picture's errors while samples were added.
+/// An image's errors while samples were added.
 struct ConvergenceFigures {
     ConvergenceRequest request;
     std::string reference;  ///< what the errors are relative to, in words
     std::vector<convergence::Curve> curves;
 };
 
-struct PictureFigures {
+struct ImageFigures {
     std::string scene, command;
     int width = 0, height = 0;
     std::size_t primitives = 0;
@@ -67,7 +67,7 @@ struct PictureFigures {
     struct Layer {
         std::string title, png;
     };
-    std::vector<Layer> layers;  ///< the picture, and what there is to know of each pixel
+    std::vector<Layer> layers;  ///< the image, and what there is to know of each pixel
 };
 
 struct Results {
@@ -75,7 +75,7 @@ struct Results {
     std::string begun;
     std::string missing;  ///< why not all was measured; empty if it was
     Machine machine;
-    Measured<PictureFigures> pictures;
+    Measured<ImageFigures> images;
     Measured<speed::SceneFigures> scenes;
     Measured<accuracy::Row> rows;
     Measured<SpdFigures> spd;

@@ -55,10 +55,10 @@ Settings quick_settings() {
     s.spd_scenes = {{"sphereflake", 4}, {"gears", 4}, {"mountain", 6},
                     {"rings", 7},       {"tetra", 6}, {"tree", 11}};
     s.spd_backends = all_but_reference();
-    s.pictures = {{"showcase.p3f", 320, 180, 16, 1},
-                  {"features/glass.p3f", 320, 213, 16, 1},
-                  {"features/soft_shadows.p3f", 320, 213, 32, 1},
-                  {"features/depth_of_field.p3f", 320, 213, 32, 1}};
+    s.images = {{"showcase.p3f", 320, 180, 16, 1},
+                {"features/glass.p3f", 320, 213, 16, 1},
+                {"features/soft_shadows.p3f", 320, 213, 32, 1},
+                {"features/depth_of_field.p3f", 320, 213, 32, 1}};
     for (const char* scene : converging) s.convergence.push_back({scene, 60, 40, 64});
     s.convergence_backends = {default_backend, baseline_backend};
     s.convergence_seeds = 3;
@@ -76,11 +76,11 @@ Settings full_settings() {
     s.plan.max_rays = 1 << 18;
     s.case_rays = 100'000;
     s.case_seconds = 5;
-    for (PictureRequest& picture : s.pictures) {
-        picture.width = picture.width * 3 / 2;
-        picture.height = picture.height * 3 / 2;
-        picture.samples *= 8;
-        picture.fewer_samples *= 4;
+    for (ImageRequest& image : s.images) {
+        image.width = image.width * 3 / 2;
+        image.height = image.height * 3 / 2;
+        image.samples *= 8;
+        image.fewer_samples *= 4;
     }
     s.convergence = {{"showcase.p3f", 240, 135, 16}};
     for (const char* scene : converging) s.convergence.push_back({scene, 240, 160, 64});

@@ -14,7 +14,7 @@ struct SpdScene {
     std::int64_t size;
 };
 
-struct PictureRequest {
+struct ImageRequest {
     std::string scene;  ///< below the folder of scenes
     int width, height;
     int samples;        ///< per pixel, of what is shown
@@ -44,7 +44,7 @@ struct Settings {
     std::vector<SpdScene> spd_scenes;
     std::vector<std::string> spd_backends;
 
-    std::vector<PictureRequest> pictures;
+    std::vector<ImageRequest> images;
     std::vector<ConvergenceRequest> convergence;
     std::vector<std::string> convergence_backends;
     int convergence_seeds = 0;

@@ -32,7 +32,7 @@ struct Task {
     std::function<void(Results& results, const Context& context)> run;
 };
 
-std::vector<Task> picture_tasks(const Settings& settings);
+std::vector<Task> image_tasks(const Settings& settings);
 std::vector<Task> speed_tasks(const Settings& settings);
 std::vector<Task> accuracy_tasks(const Settings& settings);
 std::vector<Task> spd_tasks(const Settings& settings);

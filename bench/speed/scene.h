@@ -13,7 +13,7 @@ namespace etalon::speed {
 using Observer = std::function<bool(const SceneFigures& figures)>;
 
 /// Builds every tracer of the plan and gives it rays of every kind that the scene has, for a
-/// picture of this resolution.
+/// image of this resolution.
 SceneFigures measure_scene(const std::string& name, Scene scene, const Imath::V2i& resolution,
                            const Plan& plan, const Observer& observer);
 

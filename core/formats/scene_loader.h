@@ -42,7 +42,7 @@ struct SceneLoader {
     /// Of the objects to come, if there can be such a surface; if not, says why.
     void set_material(const Material& material);
 
-    /// A white point light that the file says no more about. So that a picture does not grow
+    /// A white point light that the file says no more about. So that an image does not grow
     /// brighter with every one, n lights have an intensity of 1 / sqrt(n) (as PRT's program did).
     void add_light(const Vec3& position);
 

@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// The six pictures of a skybox, or what there is of them.
+/// The six images of a skybox, or what there is of them.
 struct SkyboxFiles {
     Skybox skybox;
     std::vector<std::string> missing;  ///< names of faces without a file

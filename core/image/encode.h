@@ -1,10 +1,10 @@
-// Scene values to the bytes of an 8-bit picture.
+// Scene values to the bytes of an 8-bit image.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "core/image/picture.h"
+#include "core/image/rendered_image.h"
 
 namespace etalon {
 
@@ -12,11 +12,11 @@ namespace etalon {
 /// nearest. Out of [0, 1] is clamped; NaN is black.
 std::uint8_t srgb_byte(float value, double gain = 1);
 
-/// The byte of a display value as the programs that define such pictures make it: no curve, 255.99
+/// The byte of a display value as the programs that define such images make it: no curve, 255.99
 /// times the value, truncated. Out of [0, 1] is clamped; NaN is black.
 std::uint8_t display_byte(float value, double gain = 1);
 
-/// R, G, B of each pixel of the picture's window. `exposure` in stops.
-std::vector<std::uint8_t> display_bytes(const Picture& picture, double exposure);
+/// R, G, B of each pixel of the image's window. `exposure` in stops.
+std::vector<std::uint8_t> display_bytes(const RenderedImage& image, double exposure);
 
 }  // namespace etalon

@@ -42,16 +42,16 @@ class MemoryStream : public Imf::OStream {
     std::size_t position_ = 0;
 };
 
-Imf::Header make_header(const Picture& picture) {
-    Imf::Header header({{0, 0}, {picture.width - 1, picture.height - 1}}, picture.window);
+Imf::Header make_header(const RenderedImage& image) {
+    Imf::Header header({{0, 0}, {image.width - 1, image.height - 1}}, image.window);
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const char* name : color_names) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-    for (const Channel& c : picture.channels) {
+    for (const Channel& c : image.channels) {
         header.channels().insert(c.name, Imf::Channel(pixel_type(c)));
     }
     Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec. 709
-    if (picture.display_colors) header.insert(display_colors_attribute, Imf::IntAttribute(1));
-    for (const auto& [name, value] : picture.metadata) {
+    if (image.display_colors) header.insert(display_colors_attribute, Imf::IntAttribute(1));
+    for (const auto& [name, value] : image.metadata) {
         std::visit(
             [&, key = name](const auto& v) {
                 header.insert(key, Imf::TypedAttribute<std::decay_t<decltype(v)>>(v));
@@ -61,30 +61,30 @@ Imf::Header make_header(const Picture& picture) {
     return header;
 }
 
-void write_pixels(const Picture& picture, Imf::OutputFile& file) {
+void write_pixels(const RenderedImage& image, Imf::OutputFile& file) {
     Imf::FrameBuffer buffer;
     for (int k = 0; k < 3; ++k) {
-        const float* first = &picture.pixels[0][k];
+        const float* first = &image.pixels[0][k];
         buffer.insert(color_names[k],
-                      Imf::Slice::Make(Imf::FLOAT, first, picture.window, sizeof(Color)));
+                      Imf::Slice::Make(Imf::FLOAT, first, image.window, sizeof(Color)));
     }
-    for (const Channel& c : picture.channels) {
-        buffer.insert(c.name, Imf::Slice::Make(pixel_type(c), data(c), picture.window));
+    for (const Channel& c : image.channels) {
+        buffer.insert(c.name, Imf::Slice::Make(pixel_type(c), data(c), image.window));
     }
     file.setFrameBuffer(buffer);
-    file.writePixels(picture.window.max.y - picture.window.min.y + 1);
+    file.writePixels(image.window.max.y - image.window.min.y + 1);
 }
 
 }  // namespace
 
-Outcome<std::string> encode_exr(const Picture& picture) {
+Outcome<std::string> encode_exr(const RenderedImage& image) {
     try {
         std::string bytes;
-        bytes.reserve(picture.pixels.size() * sizeof(Color));
+        bytes.reserve(image.pixels.size() * sizeof(Color));
         MemoryStream stream(bytes);
         {
-            Imf::OutputFile file(stream, make_header(picture));
-            write_pixels(picture, file);
+            Imf::OutputFile file(stream, make_header(image));
+            write_pixels(image, file);
         }  // completes the file
         return {std::move(bytes), {}};
     } catch (const std::exception& e) {

@@ -23,8 +23,8 @@ std::string reason(const std::exception& e, const std::string& path) {
     return at == std::string::npos ? text : text.substr(at + name.size());
 }
 
-/// The file's channels that make the picture.
-std::vector<std::string> picture_channels(const Imf::ChannelList& stored) {
+/// The file's channels that make the image.
+std::vector<std::string> image_channels(const Imf::ChannelList& stored) {
     const auto has = [&](const char* name) { return stored.findChannel(name) != nullptr; };
     if (has("R") || has("G") || has("B")) return {"R", "G", "B"};
     if (has("Y") && !has("RY") && !has("BY")) return {"Y"};
@@ -66,7 +66,7 @@ Image read_image_part(const std::string& path) {
                                  Imf::Header::setMaxTileSize(max_side, max_side), true);
     static_cast<void>(limited);
     Imf::InputFile file(path.c_str());
-    const std::vector<std::string> names = picture_channels(file.header().channels());
+    const std::vector<std::string> names = image_channels(file.header().channels());
     const Imath::Box2i window = file.header().dataWindow();
     const Imath::V2i size = window.size() + Imath::V2i(1);
     const int channels = static_cast<int>(names.size());

@@ -15,7 +15,7 @@ namespace etalon {
 enum class Encoding { linear, srgb, display };
 
 /// Pixels by rows from the top, channels interleaved (R, G, B, ...). Eight-bit sources stay bytes:
-/// a skybox is six large pictures.
+/// a skybox is six large images.
 struct Image {
     int width = 0, height = 0, channels = 0;
     std::variant<std::vector<std::uint8_t>, std::vector<float>> pixels;

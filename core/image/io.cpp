@@ -26,22 +26,22 @@ std::string extension(const std::string& path) {
     return text;
 }
 
-bool is_consistent(const Picture& picture) {
-    if (picture.width < 1 || picture.height < 1 || picture.window.isEmpty()) return false;
-    const Imath::V2i last = picture.window.size();
+bool is_consistent(const RenderedImage& image) {
+    if (image.width < 1 || image.height < 1 || image.window.isEmpty()) return false;
+    const Imath::V2i last = image.window.size();
     const std::size_t size =
         (static_cast<std::size_t>(last.x) + 1) * (static_cast<std::size_t>(last.y) + 1);
-    return picture.pixels.size() == size &&
-           std::all_of(picture.channels.begin(), picture.channels.end(),
+    return image.pixels.size() == size &&
+           std::all_of(image.channels.begin(), image.channels.end(),
                        [&](const Channel& c) { return c.size() == size; });
 }
 
-Outcome<std::string> encode(const std::string& kind, const Picture& picture, double exposure) {
-    if (!is_consistent(picture)) return {{}, "its window and its pixels do not agree"};
-    if (kind == ".exr") return encode_exr(picture);
+Outcome<std::string> encode(const std::string& kind, const RenderedImage& image, double exposure) {
+    if (!is_consistent(image)) return {{}, "its window and its pixels do not agree"};
+    if (kind == ".exr") return encode_exr(image);
     if (kind == ".png") {
-        const Imath::V2i last = picture.window.size();
-        return encode_png(display_bytes(picture, exposure), last.x + 1, last.y + 1);
+        const Imath::V2i last = image.window.size();
+        return encode_png(display_bytes(image, exposure), last.x + 1, last.y + 1);
     }
     return {{}, "expected a name ending in .exr or .png"};
 }
@@ -65,8 +65,8 @@ bool can_hold_channels(const std::string& path) {
     return extension(path) == ".exr";
 }
 
-std::string write_picture(const std::string& path, const Picture& picture, double exposure) {
-    const Outcome<std::string> file = encode(extension(path), picture, exposure);
+std::string write_image(const std::string& path, const RenderedImage& image, double exposure) {
+    const Outcome<std::string> file = encode(extension(path), image, exposure);
     if (!file) return path + ": cannot be written: " + file.error;
     return write_file_atomically(path, file.value);
 }

@@ -1,4 +1,4 @@
-// Pictures to files and files to images. Output appears whole or not at all: it is written beside
+// Images to files and files to images. Output appears whole or not at all: it is written beside
 // its place and then renamed. OpenEXR is linked; everything else goes through OpenImageIO, whose
 // module is loaded at the first call that needs it.
 #pragma once
@@ -6,22 +6,22 @@
 #include <string>
 
 #include "core/image/image.h"
-#include "core/image/picture.h"
+#include "core/image/rendered_image.h"
 
 namespace etalon {
 
 /// Writes .exr (float RGB, ZIP, data window, all metadata and channels) or .png (8 bit), told by
 /// the extension. A crop's PNG holds the crop. `exposure` in stops applies to PNG only. Returns the
 /// reason of a failure, beginning with the path, or an empty string.
-std::string write_picture(const std::string& path, const Picture& picture, double exposure = 0);
+std::string write_image(const std::string& path, const RenderedImage& image, double exposure = 0);
 
 /// Whether write_picture knows the extension.
 bool can_write(const std::string& path);
 
-/// Whether a file of this extension has a place for a picture's channels.
+/// Whether a file of this extension has a place for an image's channels.
 bool can_hold_channels(const std::string& path);
 
-/// Reads a picture file: .exr by OpenEXR, anything else by OpenImageIO. A failure's reason begins
+/// Reads an image file: .exr by OpenEXR, anything else by OpenImageIO. A failure's reason begins
 /// with the path.
 Outcome<Image> read_image(const std::string& path);
 

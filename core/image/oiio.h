@@ -1,4 +1,4 @@
-// Picture files by OpenImageIO, whose module is loaded at the first call.
+// Image files by OpenImageIO, whose module is loaded at the first call.
 #pragma once
 
 #include <cstdint>

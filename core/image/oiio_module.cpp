@@ -53,7 +53,7 @@ std::unique_ptr<OIIO::ImageInput> open(const char* path) {
     return input;
 }
 
-/// Rows of the picture into `rows`, a few at a time: memory grows with what the file really holds.
+/// Rows of the image into `rows`, a few at a time: memory grows with what the file really holds.
 void read_rows(OIIO::ImageInput& input, const EtalonImageFormat& format, const EtalonSink& sink) {
     const OIIO::ImageSpec& spec = input.spec();
     const OIIO::TypeDesc type = format.is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "core/integrators/integrator.h"
-#include "core/scene/scene.h"
 #include "core/intersect/intersector.h"
 #include "core/scene/render_settings.h"
+#include "core/scene/scene.h"
 
 namespace etalon {
 
-/// A way to compute pictures.
+/// A way to compute images.
 struct IntegratorType {
     std::string_view name;
     std::string_view summary;

@@ -4,7 +4,7 @@
 
 namespace etalon {
 
-/// How many rays of each kind a picture took. The same for every backend and thread count.
+/// How many rays of each kind an image took. The same for every backend and thread count.
 struct RayCounts {
     std::uint64_t camera = 0, camera_hits = 0;
     std::uint64_t shadow = 0, shadow_blocked = 0;  ///< asked only whether anything is in the way

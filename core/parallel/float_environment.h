@@ -5,7 +5,7 @@
 namespace etalon {
 
 /// The floating-point environment a program starts with, for as long as it lives; then the one
-/// there was. Embree leaves threads that flush denormals to zero, and what a picture looks like
+/// there was. Embree leaves threads that flush denormals to zero, and what an image looks like
 /// must not depend on which thread it was computed on.
 class DefaultFloatEnvironment {
   public:

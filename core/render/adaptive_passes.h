@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// Samples where they lower the error most, until the picture's expected relMSE is `error`. A
+/// Samples where they lower the error most, until the image's expected relMSE is `error`. A
 /// pixel's samples are doubled each time, so that they stay well distributed.
 class AdaptivePasses : public SamplingPasses {
   public:

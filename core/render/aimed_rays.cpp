@@ -27,10 +27,11 @@ Vec3 anywhere_in(const Box3& box, Random& random) {
     return box.center() + 0.5 * box.size() * random.in_cube();
 }
 
-/// What a point of the camera's picture shows, to find borders in it.
-class Picture {
+/// What a point of the camera's image shows, to find borders in it.
+class ImagePlane {
   public:
-    Picture(const Intersector& exact, const CameraRays& camera) : exact_(exact), camera_(camera) {}
+    ImagePlane(const Intersector& exact, const CameraRays& camera)
+        : exact_(exact), camera_(camera) {}
 
     Ray through(const Vec2& pixel) const { return camera_.ray(pixel, Vec2(0.5)); }
 
@@ -73,13 +74,13 @@ std::vector<Ray> rays_at_features(const Scene& scene, const Box3& bounds, std::s
 void add_rays_at_borders(const Intersector& exact, const CameraRays& camera,
                          const std::vector<Vec2>& pixels, std::size_t limit,
                          std::vector<Ray>& rays) {
-    const Picture picture(exact, camera);
+    const ImagePlane plane(exact, camera);
     for (std::size_t i = 1; i < pixels.size() && rays.size() + 1 < limit; ++i) {
         Vec2 a = pixels[i - 1], b = pixels[i];
-        if (picture.at(a) == picture.at(b)) continue;
-        picture.approach_edge(a, b);
-        rays.push_back(picture.through(a));
-        rays.push_back(picture.through(b));
+        if (plane.at(a) == plane.at(b)) continue;
+        plane.approach_edge(a, b);
+        rays.push_back(plane.through(a));
+        rays.push_back(plane.through(b));
     }
 }
 

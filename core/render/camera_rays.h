@@ -8,10 +8,10 @@ namespace etalon {
 /// A camera worked out for making rays.
 class CameraRays {
   public:
-    /// `resolution`: width and height of the picture in pixels.
+    /// `resolution`: width and height of the image in pixels.
     CameraRays(const Camera& camera, const Imath::V2i& resolution);
 
-    /// `pixel` in pixels from the picture's top left corner (centres at .5); `lens` in [0,1)^2, of
+    /// `pixel` in pixels from the image's top left corner (centres at .5); `lens` in [0,1)^2, of
     /// no effect on a pinhole. The direction is of unit length.
     Ray ray(const Vec2& pixel, const Vec2& lens) const;
 
@@ -23,7 +23,7 @@ class CameraRays {
     /// World to a right-handed frame that looks down -z; row vectors, as OpenEXR stores it.
     Imath::M44d world_to_camera() const;
 
-    /// World to [-1,1]^2 over the picture, x to the right, y upwards.
+    /// World to [-1,1]^2 over the image, x to the right, y upwards.
     Imath::M44d world_to_ndc() const;
 
   private:

@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// The rays from the eye that make a picture: one for each sample of a pixel.
+/// The rays from the eye that make an image: one for each sample of a pixel.
 class CameraSampler {
   public:
     CameraSampler(const Camera& camera, const RenderSettings& settings);
@@ -22,7 +22,7 @@ class CameraSampler {
   private:
     CameraRays camera_;
     bool has_samples_, shares_corners_;
-    Vec2 in_pixel_;  ///< where the one ray of a picture without samples goes
+    Vec2 in_pixel_;  ///< where the one ray of an image without samples goes
 };
 
 }  // namespace etalon

@@ -24,7 +24,7 @@ class ErrorEstimate {
     /// Whether there is an estimate: some pixels were doubled.
     bool exists() const { return exists_; }
 
-    /// relMSE of the picture: the mean over pixels and channels of (error / value)^2, with 0.01
+    /// relMSE of the image: the mean over pixels and channels of (error / value)^2, with 0.01
     /// added to the squared value.
     double total() const;
 

@@ -1,4 +1,4 @@
-// What is to be seen in a picture but its light: for denoisers, compositors, and whoever asks what
+// What is to be seen in an image but its light: for denoisers, compositors, and whoever asks what
 // an accelerator did. Made by rays of its own, which nothing else counts.
 #pragma once
 
@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "core/intersect/intersector.h"
-#include "core/scene/scene.h"
 #include "core/render/film.h"
 #include "core/scene/render_settings.h"
+#include "core/scene/scene.h"
 
 namespace etalon {
 
-/// Means over the first samples of each pixel, at most 16: the picture's own, so that what is
+/// Means over the first samples of each pixel, at most 16: the image's own, so that what is
 /// behind an edge has the same share. A miss counts as 0.
 struct SurfaceMeans {
     Film albedo;  ///< diffuse + reflection + transmission of the material, each in [0, 1]
@@ -34,7 +34,7 @@ struct CentreParametrizations {
     std::vector<Vec3f> dpdu, dpdv;
 };
 
-/// For a picture of these settings. Nothing if `stop` was set meanwhile. All are the same for any
+/// For an image of these settings. Nothing if `stop` was set meanwhile. All are the same for any
 /// number of threads.
 std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector& intersector,
                                           const RenderSettings& settings,

@@ -7,7 +7,7 @@
 
 namespace etalon {
 
-/// Sums of samples, pixel by pixel, over a window of the picture. Threads may add to different
+/// Sums of samples, pixel by pixel, over a window of the image. Threads may add to different
 /// pixels at the same time. Pixels are numbered by rows from the top.
 class Film {
   public:

@@ -33,17 +33,17 @@ class Renderer {
             complete = !goal;
             if (complete) break;
             render_pass(*goal, *passes);
-            is_picture_ = true;
+            is_image_ = true;
         }
         show(*passes);  // where it was stopped: what there is of the last pass
         return finished(*passes, complete);
     }
 
   private:
-    /// However short the time is, a picture has one sample of each pixel.
+    /// However short the time is, an image has one sample of each pixel.
     bool stopped() const {
         return (control_.stop != nullptr && control_.stop->load()) ||
-               (is_picture_ && control_.deadline.is_over());
+               (is_image_ && control_.deadline.is_over());
     }
 
     /// The film, if there is anything new in it.
@@ -105,7 +105,7 @@ class Renderer {
     std::vector<RayCounts> counts_;
     std::atomic<std::uint64_t> samples_done_ = 0;
     std::uint64_t shown_ = 0;
-    bool is_picture_ = false;  ///< the first pass is over
+    bool is_image_ = false;  ///< the first pass is over
 };
 
 }  // namespace

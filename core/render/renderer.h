@@ -13,7 +13,7 @@
 
 namespace etalon {
 
-/// A picture as it is after a pass, or after what a stop left of it.
+/// An image as it is after a pass, or after what a stop left of it.
 struct RenderedPass {
     const Film& film;
     double expected_error;  ///< relMSE; 0 unless an error was asked for
@@ -37,7 +37,7 @@ struct Rendering {
 
 /// Renders the window of the settings. The integrator was made with the same settings. The pixels
 /// depend on scene and settings alone, and on the clock where there is a deadline. A stop leaves a
-/// whole if noisy picture.
+/// whole if noisy image.
 Rendering render(const Camera& camera, const Integrator& integrator, const RenderSettings& settings,
                  const RunControl& control = {});
 

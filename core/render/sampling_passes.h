@@ -1,4 +1,4 @@
-// Which samples are taken when. A picture is rendered in passes; after each one it is whole.
+// Which samples are taken when. An image is rendered in passes; after each one it is whole.
 #pragma once
 
 #include <optional>
@@ -20,10 +20,10 @@ class SamplingPasses {
   public:
     virtual ~SamplingPasses() = default;
 
-    /// What the next pass aims at; nothing when the picture is done.
+    /// What the next pass aims at; nothing when the image is done.
     virtual std::optional<SamplingGoal> next(const Film& film) = 0;
 
-    /// The picture's expected relMSE, as far as it is known; 0 where nobody asks for it.
+    /// The image's expected relMSE, as far as it is known; 0 where nobody asks for it.
     virtual double expected_error() const { return 0; }
 
     /// Which part of the work is done once `film` has as many samples as it has; in [0, 1].

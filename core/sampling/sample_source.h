@@ -1,4 +1,4 @@
-// The sample points of a picture, each named by its pixel, sample, dimension and seed.
+// The sample points of an image, each named by its pixel, sample, dimension and seed.
 #pragma once
 
 #include "core/sampling/sobol.h"

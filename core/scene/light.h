@@ -16,7 +16,7 @@ struct PointLight {
 struct QuadLight {
     Vec3 corner, edge1, edge2;
     Color color;  ///< shared among the samples taken
-    int samples;  ///< > 0; how many a deterministic (spp 0) picture takes
+    int samples;  ///< > 0; how many a deterministic (spp 0) image takes
 };
 
 using Light = std::variant<PointLight, QuadLight>;

@@ -12,7 +12,7 @@ namespace etalon {
 /// How the points of a pixel lie: evenly, or, to compare with, each wherever it falls.
 enum class Sampler : std::uint8_t { sobol, random };
 
-/// Where a picture without samples (spp 0) has its rays.
+/// Where an image without samples (spp 0) has its rays.
 enum class PixelRays : std::uint8_t {
     centre,         ///< one through each pixel's centre
     upper_left,     ///< one through each pixel's upper left corner
@@ -44,7 +44,7 @@ struct RenderSettings {
     PixelRays pixel_rays = PixelRays::centre;  ///< of no effect above 0 samples per pixel
     Sampler sampler = Sampler::sobol;
     std::uint32_t seed = 0;
-    double target_error = 0;  ///< above 0: the relMSE at which the picture is good enough; samples
+    double target_error = 0;  ///< above 0: the relMSE at which the image is good enough; samples
                               ///< go where they help, samples_per_pixel at most
 
     // Integrator

@@ -9,10 +9,10 @@
 
 namespace etalon {
 
-/// What a ray that leaves the scene sees, ready to be asked: a skybox's pictures are read here.
+/// What a ray that leaves the scene sees, ready to be asked: a skybox's images are read here.
 class EnvironmentMap {
   public:
-    /// A skybox with a picture that cannot be read is replaced by the background; `problems` gets
+    /// A skybox with an image that cannot be read is replaced by the background; `problems` gets
     /// the reasons.
     EnvironmentMap(const Environment& environment, std::vector<std::string>& problems);
 

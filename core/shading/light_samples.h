@@ -10,7 +10,7 @@ namespace etalon {
 /// A light seen as so many point lights, each with its share of the colour.
 class LightSamples {
   public:
-    /// samples_per_pixel 0 asks for a deterministic picture: a quad light is a regular grid of its
+    /// samples_per_pixel 0 asks for a deterministic image: a quad light is a regular grid of its
     /// own number of points. Otherwise its number is spread over the pixel's samples.
     LightSamples(const Light& light, int samples_per_pixel);
 

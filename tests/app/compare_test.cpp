@@ -1,11 +1,11 @@
-// etalon compare from outside: what it says of two pictures, and how it ends.
+// etalon compare from outside: what it says of two images, and how it ends.
 #include <nlohmann/json.hpp>
 
 #include "core/image/io.h"
 #include "core/image/metrics/magma.h"
 #include "tests/app/program.h"
 #include "tests/catch.h"
-#include "tests/image/formula_pictures.h"
+#include "tests/image/formula_images.h"
 
 using namespace etalon::test;
 using etalon::Color;
@@ -19,8 +19,9 @@ using Pixels = std::vector<Color>;
 void write(const Folder& f, const std::string& name, int width, const Pixels& pixels,
            Imath::V2i origin = {0, 0}) {
     const Imath::V2i size(width, static_cast<int>(pixels.size()) / width), end = origin + size;
-    const etalon::Picture picture{end.x, end.y, {origin, end - Imath::V2i(1)}, pixels, false, {}};
-    REQUIRE(etalon::write_picture(f.path(name), picture) == "");
+    const etalon::RenderedImage image{end.x,  end.y, {origin, end - Imath::V2i(1)},
+                                      pixels, false, {}};
+    REQUIRE(etalon::write_image(f.path(name), image) == "");
 }
 
 Json json_of(const Folder& f, const std::string& arguments) {

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<float> picture(const Folder& f, const std::string& scene) {
+std::vector<float> image(const Folder& f, const std::string& scene) {
     const auto r = f.etalon("render '" + scene + "' --resolution 60x40 -q -o now.exr --spp 2");
     INFO(r.err);
     REQUIRE(r.status == 0);
@@ -20,12 +20,12 @@ std::vector<float> picture(const Folder& f, const std::string& scene) {
     return std::get<std::vector<float>>(image.value.pixels);
 }
 
-void check_same_picture(const Folder& f, const std::string& scene) {
+void check_same_image(const Folder& f, const std::string& scene) {
     INFO(scene);
     const auto r = f.etalon("convert '" + scene + "' -o again.p3f");
     CHECK(r.status == 0);
     CHECK(r.out + r.err == "");
-    CHECK((picture(f, scene) == picture(f, "again.p3f")));
+    CHECK((image(f, scene) == image(f, "again.p3f")));
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ void check_same_picture(const Folder& f, const std::string& scene) {
 TEST_CASE("a P3F scene of every feature gives the same picture when it is written again", "[app]") {
     const Folder f;
     for (const auto& entry : fs::directory_iterator(ETALON_SOURCE_DIR "/scenes/features")) {
-        if (entry.path().extension() == ".p3f") check_same_picture(f, entry.path().string());
+        if (entry.path().extension() == ".p3f") check_same_image(f, entry.path().string());
     }
 }
 
@@ -43,7 +43,7 @@ TEST_CASE("every real P3F scene gives the same picture when it is written again"
     const std::vector<std::string> paths = etalon::shared_scenes("p3f", ".p3f");
     SKIP_UNLESS(!paths.empty(), "no P3F scenes in " << etalon::shared_scenes_folder());
     for (const std::string& path : paths) {
-        if (path.find("stray") == std::string::npos) check_same_picture(f, path);
+        if (path.find("stray") == std::string::npos) check_same_image(f, path);
     }
 }
 

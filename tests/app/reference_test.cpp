@@ -1,4 +1,4 @@
-// Every feature scene against a small stored picture. A deliberate change of what is seen is taken
+// Every feature scene against a small stored image. A deliberate change of what is seen is taken
 // over by running this test with ETALON_UPDATE_REFERENCES=1, and looked at in the commit.
 #include <cmath>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Bad input as a user may meet it: a diagnostic or a picture, never a crash, a hang, or memory far
+// Bad input as a user may meet it: a diagnostic or an image, never a crash, a hang, or memory far
 // beyond the file's size.
 #include "tests/app/program.h"
 #include "tests/catch.h"

@@ -59,7 +59,7 @@ convergence::Curve curve(const std::string& name, double slope) {
     return c;
 }
 
-/// The page does not look into it; a browser shows a broken picture of the right size.
+/// The page does not look into it; a browser shows a broken image of the right size.
 const std::string no_png = "\x89PNG";
 
 }  // namespace
@@ -77,12 +77,12 @@ Results sample_results() {
     convergence.request.scene = convergence.reference = adversarial;
     convergence.curves = {curve("sobol, bvh", 1.5), curve(adversarial, 1)};
     results.convergence.add(std::move(convergence));
-    PictureFigures picture;
-    picture.scene = adversarial;
-    picture.command = "build/bin/etalon render " + adversarial;
-    picture.width = picture.height = 480;
-    picture.layers = {{adversarial, no_png}};
-    results.pictures.add(std::move(picture));
+    ImageFigures image;
+    image.scene = adversarial;
+    image.command = "build/bin/etalon render " + adversarial;
+    image.width = image.height = 480;
+    image.layers = {{adversarial, no_png}};
+    results.images.add(std::move(image));
     return results;
 }
 

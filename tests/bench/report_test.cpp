@@ -114,7 +114,7 @@ TEST_CASE(
     "The quick report has every kind of task and keeps its own limit; the full one has more") {
     const Settings quick = quick_settings(), full = full_settings();
     for (const auto tasks :
-         {picture_tasks, speed_tasks, accuracy_tasks, spd_tasks, convergence_tasks}) {
+         {image_tasks, speed_tasks, accuracy_tasks, spd_tasks, convergence_tasks}) {
         CHECK_FALSE(tasks(quick).empty());
         CHECK(planned_seconds(tasks(full)) > planned_seconds(tasks(quick)));
     }

@@ -1,4 +1,4 @@
-// Camera and picture.
+// Camera and image.
 #include <variant>
 
 #include "tests/catch.h"

@@ -1,8 +1,8 @@
-// What else than colours a picture holds of its pixels.
+// What else than colours an image holds of its pixels.
 #include "core/image/io.h"
 #include "tests/catch.h"
 #include "tests/exr_channels.h"
-#include "tests/image/pictures.h"
+#include "tests/image/random_images.h"
 #include "tests/temporary_folder.h"
 
 using namespace etalon;
@@ -15,10 +15,10 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 const std::vector<float> depths = {1.5F, infinite, -0.0F, 1e-40F, 3e38F, 0.1F};
 const std::vector<std::uint32_t> ids = {0, 4294967295U, 16777217, 1, 2, 3};
 
-Picture with_channels() {
-    Picture picture = random_picture(10, 8, {{3, 2}, {5, 3}});
-    picture.channels = {{"Z", depths}, {"primitiveId", ids}, {"N.X", depths}};
-    return picture;
+RenderedImage with_channels() {
+    RenderedImage rendered = random_image(10, 8, {{3, 2}, {5, 3}});
+    rendered.channels = {{"Z", depths}, {"primitiveId", ids}, {"N.X", depths}};
+    return rendered;
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ Picture with_channels() {
 TEST_CASE("channels are written with their names, types and values") {
     const TemporaryFolder folder;
     const std::string path = folder / "p.exr";
-    REQUIRE(write_picture(path, with_channels()) == "");
+    REQUIRE(write_image(path, with_channels()) == "");
     const std::map<std::string, Imf::PixelType> expected = {
         {"R", Imf::FLOAT}, {"G", Imf::FLOAT},   {"B", Imf::FLOAT},
         {"Z", Imf::FLOAT}, {"N.X", Imf::FLOAT}, {"primitiveId", Imf::UINT}};
@@ -38,12 +38,12 @@ TEST_CASE("channels are written with their names, types and values") {
 
 TEST_CASE("channels change nothing about the colours") {
     const TemporaryFolder folder;
-    Picture picture = with_channels();
-    REQUIRE(write_picture(folder / "with.exr", picture) == "");
-    REQUIRE(write_picture(folder / "with.png", picture) == "");
-    picture.channels.clear();
-    REQUIRE(write_picture(folder / "without.exr", picture) == "");
-    REQUIRE(write_picture(folder / "without.png", picture) == "");
+    RenderedImage rendered = with_channels();
+    REQUIRE(write_image(folder / "with.exr", rendered) == "");
+    REQUIRE(write_image(folder / "with.png", rendered) == "");
+    rendered.channels.clear();
+    REQUIRE(write_image(folder / "without.exr", rendered) == "");
+    REQUIRE(write_image(folder / "without.png", rendered) == "");
     const auto pixels = [&](const char* name) {
         const auto image = read_image(folder / name);
         REQUIRE(image.error == "");
@@ -58,8 +58,8 @@ TEST_CASE("channels change nothing about the colours") {
 
 TEST_CASE("a channel that has not a value for each pixel is refused, not written") {
     const TemporaryFolder folder;
-    Picture picture = with_channels();
-    picture.channels.push_back({"short", std::vector<float>(5)});
-    CHECK_THAT(write_picture(folder / "p.exr", picture), ContainsSubstring("p.exr"));
+    RenderedImage rendered = with_channels();
+    rendered.channels.push_back({"short", std::vector<float>(5)});
+    CHECK_THAT(write_image(folder / "p.exr", rendered), ContainsSubstring("p.exr"));
     CHECK(folder.names().empty());
 }

@@ -65,10 +65,10 @@ TEST_CASE("display values become bytes by truncation of 255.99 times the value")
 }
 
 TEST_CASE("exposure doubles with each stop, before the curve and before the clamp") {
-    Picture picture{2,     1, {{0, 0}, {1, 0}}, {{0.09F, 0.25F, 3}, {not_a_number, inf, -1}},
-                    false, {}};
-    CHECK(display_bytes(picture, 1) == std::vector<std::uint8_t>{118, 188, 255, 0, 255, 0});
-    CHECK(display_bytes(picture, -2)[2] == srgb_byte(0.75F));
-    picture.display_colors = true;
-    CHECK(display_bytes(picture, 1) == std::vector<std::uint8_t>{46, 127, 255, 0, 255, 0});
+    RenderedImage image{2,     1, {{0, 0}, {1, 0}}, {{0.09F, 0.25F, 3}, {not_a_number, inf, -1}},
+                        false, {}};
+    CHECK(display_bytes(image, 1) == std::vector<std::uint8_t>{118, 188, 255, 0, 255, 0});
+    CHECK(display_bytes(image, -2)[2] == srgb_byte(0.75F));
+    image.display_colors = true;
+    CHECK(display_bytes(image, 1) == std::vector<std::uint8_t>{46, 127, 255, 0, 255, 0});
 }

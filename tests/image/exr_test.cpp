@@ -11,7 +11,7 @@
 
 #include "core/image/io.h"
 #include "tests/catch.h"
-#include "tests/image/pictures.h"
+#include "tests/image/random_images.h"
 #include "tests/temporary_folder.h"
 
 using namespace etalon;
@@ -20,10 +20,10 @@ using namespace etalon::test;
 namespace {
 
 /// Bit for bit, so that NaNs compare too.
-bool same_pixels(const Picture& picture, const Image& image) {
+bool same_pixels(const RenderedImage& rendered, const Image& image) {
     const auto* values = std::get_if<std::vector<float>>(&image.pixels);
-    return values && image.channels == 3 && values->size() == 3 * picture.pixels.size() &&
-           std::memcmp(values->data(), picture.pixels.data(), 4 * values->size()) == 0;
+    return values && image.channels == 3 && values->size() == 3 * rendered.pixels.size() &&
+           std::memcmp(values->data(), rendered.pixels.data(), 4 * values->size()) == 0;
 }
 
 }  // namespace
@@ -32,13 +32,13 @@ TEST_CASE("an EXR read back is the picture, bit for bit") {
     const TemporaryFolder folder;
     const auto [width, height] =
         GENERATE(std::pair(1, 1), std::pair(37, 1), std::pair(1, 300), std::pair(67, 530));
-    const Picture picture = random_picture(width, height);
-    REQUIRE(write_picture(folder / "p.exr", picture) == "");
+    const RenderedImage rendered = random_image(width, height);
+    REQUIRE(write_image(folder / "p.exr", rendered) == "");
     const Outcome<Image> read = read_image(folder / "p.exr");
     REQUIRE(read.error == "");
     CHECK(read.value.width == width);
     CHECK(read.value.height == height);
-    CHECK(same_pixels(picture, read.value));
+    CHECK(same_pixels(rendered, read.value));
     CHECK(folder.names() == std::vector<std::string>{"p.exr"});
 }
 
@@ -46,13 +46,13 @@ TEST_CASE("a crop is a data window inside the frame, and reads back as its own p
     const TemporaryFolder folder;
     const Imath::Box2i window = GENERATE(Imath::Box2i({0, 0}, {0, 0}), Imath::Box2i({9, 7}, {9, 7}),
                                          Imath::Box2i({3, 2}, {8, 5}));
-    const Picture picture = random_picture(10, 8, window);
-    REQUIRE(write_picture(folder / "p.exr", picture) == "");
+    const RenderedImage rendered = random_image(10, 8, window);
+    REQUIRE(write_image(folder / "p.exr", rendered) == "");
     const Outcome<Image> read = read_image(folder / "p.exr");
     REQUIRE(read.error == "");
     CHECK(read.value.width == window.size().x + 1);
     CHECK(read.value.height == window.size().y + 1);
-    CHECK(same_pixels(picture, read.value));
+    CHECK(same_pixels(rendered, read.value));
     const Imf::InputFile file((folder / "p.exr").c_str());
     CHECK(file.header().dataWindow() == window);
     CHECK(file.header().displayWindow() == Imath::Box2i({0, 0}, {9, 7}));
@@ -60,7 +60,7 @@ TEST_CASE("a crop is a data window inside the frame, and reads back as its own p
 
 TEST_CASE("the file's header says what OpenEXR has standard words for") {
     const TemporaryFolder folder;
-    REQUIRE(write_picture(folder / "p.exr", random_picture(4, 3)) == "");
+    REQUIRE(write_image(folder / "p.exr", random_image(4, 3)) == "");
     const Imf::InputFile file((folder / "p.exr").c_str());
     const Imf::Header& header = file.header();
     CHECK(header.compression() == Imf::ZIP_COMPRESSION);
@@ -82,14 +82,14 @@ TEST_CASE("metadata keep their names, types and values") {
     const TemporaryFolder folder;
     Imath::M44f camera;
     for (int i = 0; i < 16; ++i) camera[i / 4][i % 4] = static_cast<float>(i) + 0.5F;
-    Picture picture = random_picture(4, 3);
-    picture.metadata = {{"software", std::string("Étalon 1")},
-                        {"comments", std::string()},
-                        {"samplesPerPixel", 64},
-                        {"renderTimeSeconds", 1.25F},
-                        {"worldToCamera", camera},
-                        {"worldToNDC", camera * 2.0F}};
-    REQUIRE(write_picture(folder / "p.exr", picture) == "");
+    RenderedImage rendered = random_image(4, 3);
+    rendered.metadata = {{"software", std::string("Étalon 1")},
+                         {"comments", std::string()},
+                         {"samplesPerPixel", 64},
+                         {"renderTimeSeconds", 1.25F},
+                         {"worldToCamera", camera},
+                         {"worldToNDC", camera * 2.0F}};
+    REQUIRE(write_image(folder / "p.exr", rendered) == "");
     const Imf::InputFile file((folder / "p.exr").c_str());
     const Imf::Header& header = file.header();
     CHECK(header.typedAttribute<Imf::StringAttribute>("software").value() == "Étalon 1");
@@ -104,17 +104,17 @@ TEST_CASE("metadata keep their names, types and values") {
 
 TEST_CASE("metadata that contradict the header's own attributes are refused, not written") {
     const TemporaryFolder folder;
-    Picture picture = random_picture(4, 3);
-    picture.metadata = {{"channels", 3}};
-    CHECK_THAT(write_picture(folder / "p.exr", picture),
+    RenderedImage rendered = random_image(4, 3);
+    rendered.metadata = {{"channels", 3}};
+    CHECK_THAT(write_image(folder / "p.exr", rendered),
                ContainsSubstring("p.exr") && ContainsSubstring("channels"));
     CHECK(folder.names().empty());
 }
 
 TEST_CASE("the same picture makes the same file") {
-    Picture picture = random_picture(20, 20);
-    picture.metadata = {{"seed", 1}};
-    const Outcome<std::string> first = encode_exr(picture);
+    RenderedImage rendered = random_image(20, 20);
+    rendered.metadata = {{"seed", 1}};
+    const Outcome<std::string> first = encode_exr(rendered);
     REQUIRE(first.error == "");
-    CHECK(first.value == encode_exr(picture).value);
+    CHECK(first.value == encode_exr(rendered).value);
 }

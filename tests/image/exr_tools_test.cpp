@@ -3,7 +3,7 @@
 
 #include "core/image/io.h"
 #include "tests/catch.h"
-#include "tests/image/pictures.h"
+#include "tests/image/random_images.h"
 #include "tests/temporary_folder.h"
 
 using namespace etalon;
@@ -26,15 +26,15 @@ bool is_installed(const std::string& program) {
 }
 
 std::string crop_with_metadata(const TemporaryFolder& folder) {
-    Picture picture = random_picture(10, 8, {{3, 2}, {8, 5}});
-    picture.pixels.assign(picture.pixels.size(), Color(0.25F, 0.5F, 2));
+    RenderedImage image = random_image(10, 8, {{3, 2}, {8, 5}});
+    image.pixels.assign(image.pixels.size(), Color(0.25F, 0.5F, 2));
     Imath::M44f camera;
     camera[3][0] = 7.25F;
-    picture.metadata = {{"software", std::string("Etalon")},
-                        {"samplesPerPixel", 64},
-                        {"renderTimeSeconds", 1.25F},
-                        {"worldToCamera", camera}};
-    REQUIRE(write_picture(folder / "p.exr", picture) == "");
+    image.metadata = {{"software", std::string("Etalon")},
+                      {"samplesPerPixel", 64},
+                      {"renderTimeSeconds", 1.25F},
+                      {"worldToCamera", camera}};
+    REQUIRE(write_image(folder / "p.exr", image) == "");
     return folder / "p.exr";
 }
 
@@ -72,12 +72,12 @@ TEST_CASE("oiiotool sees the pixels, the windows and the metadata", "[needs_oiio
 TEST_CASE("oiiotool sees the channels beside the colours, and their types", "[needs_oiiotool]") {
     SKIP_UNLESS(is_installed("oiiotool"), "oiiotool is not installed");
     const TemporaryFolder folder;
-    Picture picture = random_picture(2, 1);
-    picture.pixels.assign(2, Color(0.0F));
-    picture.channels = {{"N.X", std::vector{0.5F, -0.5F}},
-                        {"Z", std::vector{2.0F, 3.0F}},
-                        {"primitiveId", std::vector{7U, 4294967295U}}};
-    REQUIRE(write_picture(folder / "p.exr", picture) == "");
+    RenderedImage image = random_image(2, 1);
+    image.pixels.assign(2, Color(0.0F));
+    image.channels = {{"N.X", std::vector{0.5F, -0.5F}},
+                      {"Z", std::vector{2.0F, 3.0F}},
+                      {"primitiveId", std::vector{7U, 4294967295U}}};
+    REQUIRE(write_image(folder / "p.exr", image) == "");
     const std::string text = output_of("oiiotool --info -v --stats " + (folder / "p.exr"));
     CHECK_THAT(text, ContainsSubstring("2 x    1, 6 channel"));
     CHECK_THAT(text, ContainsSubstring("primitiveId (uint)"));

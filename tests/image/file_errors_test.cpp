@@ -4,7 +4,7 @@
 #include "core/sampling/random.h"
 #include "tests/catch.h"
 #include "tests/formats/shared_scenes.h"
-#include "tests/image/pictures.h"
+#include "tests/image/random_images.h"
 #include "tests/temporary_folder.h"
 
 using namespace etalon;
@@ -67,7 +67,7 @@ TEST_CASE("a file that ends early is refused") {
     const TemporaryFolder folder;
     put(folder / "whole.ppm", "P6 40 40 255\n" + std::string(3 * 40 * 40, 'x'));
     REQUIRE(read_image(folder / "whole.ppm").error == "");
-    REQUIRE(write_picture(folder / "whole.exr", random_picture(40, 40)) == "");
+    REQUIRE(write_image(folder / "whole.exr", random_image(40, 40)) == "");
     for (const std::string kind : {".exr", ".ppm"}) {
         const std::string whole = content_of(folder / ("whole" + kind));
         for (const int percent : {1, 20, 50, 90, 99}) {
@@ -79,9 +79,9 @@ TEST_CASE("a file that ends early is refused") {
 
 TEST_CASE("an EXR with flipped bytes is a picture or an error") {
     const TemporaryFolder folder;
-    Picture picture = random_picture(40, 40);
-    picture.metadata = {{"software", std::string("Etalon")}};
-    REQUIRE(write_picture(folder / "whole.exr", picture) == "");
+    RenderedImage rendered = random_image(40, 40);
+    rendered.metadata = {{"software", std::string("Etalon")}};
+    REQUIRE(write_image(folder / "whole.exr", rendered) == "");
     const std::string whole = content_of(folder / "whole.exr");
     Random random(1);
     for (int i = 0; i < 500; ++i) {
@@ -96,16 +96,16 @@ TEST_CASE("an EXR with flipped bytes is a picture or an error") {
 TEST_CASE("a picture that cannot be written says why and leaves nothing behind") {
     const TemporaryFolder folder;
     for (const std::string kind : {".exr", ".png"}) {
-        const Picture picture = random_picture(4, 3);
-        CHECK_THAT(write_picture(folder / ("none/p" + kind), picture),
+        const RenderedImage rendered = random_image(4, 3);
+        CHECK_THAT(write_image(folder / ("none/p" + kind), rendered),
                    StartsWith(folder / ("none/p" + kind)) &&
                        ContainsSubstring("No such file or directory"));
         std::filesystem::create_directory(folder / ("folder" + kind));
-        CHECK_THAT(write_picture(folder / ("folder" + kind), picture),
+        CHECK_THAT(write_image(folder / ("folder" + kind), rendered),
                    ContainsSubstring("Is a directory"));
         std::filesystem::remove(folder / ("folder" + kind));
         std::filesystem::create_symlink("/dev/full", folder / ("full" + kind));
-        CHECK_THAT(write_picture(folder / ("full" + kind), picture),
+        CHECK_THAT(write_image(folder / ("full" + kind), rendered),
                    ContainsSubstring("No space left"));
         std::filesystem::remove(folder / ("full" + kind));
     }
@@ -118,7 +118,7 @@ TEST_CASE("only .exr and .png are written") {
     CHECK(can_write("B.Png"));
     for (const char* name : {"p.jpg", "p", "exr", ".exr", "p.exr.gz"}) {
         CHECK_FALSE(can_write(name));
-        CHECK_THAT(write_picture(folder / name, random_picture(1, 1)),
+        CHECK_THAT(write_image(folder / name, random_image(1, 1)),
                    ContainsSubstring(".exr or .png"));
     }
     CHECK(folder.names().empty());
@@ -126,21 +126,21 @@ TEST_CASE("only .exr and .png are written") {
 
 TEST_CASE("a picture whose pixels do not fill its window is refused") {
     const TemporaryFolder folder;
-    Picture picture = random_picture(4, 3);
+    RenderedImage rendered = random_image(4, 3);
     SECTION("too few") {
-        picture.pixels.pop_back();
+        rendered.pixels.pop_back();
     }
     SECTION("too many") {
-        picture.pixels.emplace_back();
+        rendered.pixels.emplace_back();
     }
     SECTION("no window") {
-        picture.window.makeEmpty();
+        rendered.window.makeEmpty();
     }
     SECTION("no frame") {
-        picture.width = 0;
+        rendered.width = 0;
     }
     for (const char* name : {"p.exr", "p.png"}) {
-        CHECK_THAT(write_picture(folder / name, picture), ContainsSubstring("do not agree"));
+        CHECK_THAT(write_image(folder / name, rendered), ContainsSubstring("do not agree"));
     }
     CHECK(folder.names().empty());
 }

@@ -1,7 +1,7 @@
 #include "core/image/metrics/flip.h"
 
 #include "tests/catch.h"
-#include "tests/image/formula_pictures.h"
+#include "tests/image/formula_images.h"
 
 using namespace etalon;
 using namespace etalon::test;

@@ -3,7 +3,7 @@
 
 #include "core/image/io.h"
 #include "tests/catch.h"
-#include "tests/image/pictures.h"
+#include "tests/image/random_images.h"
 #include "tests/temporary_folder.h"
 
 using namespace etalon;
@@ -33,14 +33,14 @@ std::string text_of(const std::vector<int>& bytes) {
 
 TEST_CASE("a PNG becomes linear: the picture it was made of, to half a step") {
     const TemporaryFolder folder;
-    Picture picture{256, 1, {{0, 0}, {255, 0}}, {}, false, {}};
+    RenderedImage rendered{256, 1, {{0, 0}, {255, 0}}, {}, false, {}};
     for (int i = 0; i < 256; ++i) {
-        picture.pixels.push_back(Color(static_cast<float>(linear_of(i / 255.0)), 0, 1));
+        rendered.pixels.push_back(Color(static_cast<float>(linear_of(i / 255.0)), 0, 1));
     }
-    REQUIRE(write_picture(folder / "p.png", picture) == "");
+    REQUIRE(write_image(folder / "p.png", rendered) == "");
     const Outcome<Image> read = read_image(folder / "p.png");
     REQUIRE(read.error == "");
-    CHECK(linear_pixels(read.value) == picture.pixels);
+    CHECK(linear_pixels(read.value) == rendered.pixels);
 }
 
 TEST_CASE("integers of eight and sixteen bits are sRGB") {
@@ -70,22 +70,22 @@ TEST_CASE("floats are linear already, whatever they are") {
 
 TEST_CASE("an EXR is linear and says where in its frame it is") {
     const TemporaryFolder folder;
-    const Picture picture = random_picture(10, 8, {{3, 2}, {8, 5}});
-    REQUIRE(write_picture(folder / "p.exr", picture) == "");
+    const RenderedImage rendered = random_image(10, 8, {{3, 2}, {8, 5}});
+    REQUIRE(write_image(folder / "p.exr", rendered) == "");
     const Outcome<Image> read = read_image(folder / "p.exr");
     REQUIRE(read.error == "");
     REQUIRE(read.value.origin);
     CHECK(*read.value.origin == Imath::V2i(3, 2));
     const std::vector<Color> pixels = linear_pixels(read.value);
-    REQUIRE(pixels.size() == picture.pixels.size());
-    CHECK(std::memcmp(pixels.data(), picture.pixels.data(), pixels.size() * sizeof(Color)) == 0);
+    REQUIRE(pixels.size() == rendered.pixels.size());
+    CHECK(std::memcmp(pixels.data(), rendered.pixels.data(), pixels.size() * sizeof(Color)) == 0);
 }
 
 TEST_CASE("an EXR says whether it has display values") {
     const TemporaryFolder folder;
-    Picture picture = random_picture(4, 3);
-    picture.display_colors = GENERATE(false, true);
-    REQUIRE(write_picture(folder / "p.exr", picture) == "");
-    const Encoding expected = picture.display_colors ? Encoding::display : Encoding::linear;
+    RenderedImage rendered = random_image(4, 3);
+    rendered.display_colors = GENERATE(false, true);
+    REQUIRE(write_image(folder / "p.exr", rendered) == "");
+    const Encoding expected = rendered.display_colors ? Encoding::display : Encoding::linear;
     CHECK((read_image(folder / "p.exr").value.encoding == expected));
 }

@@ -2,7 +2,7 @@
 
 #include "core/parallel/parallel.h"
 #include "tests/catch.h"
-#include "tests/image/formula_pictures.h"
+#include "tests/image/formula_images.h"
 
 using namespace etalon;
 using namespace etalon::test;

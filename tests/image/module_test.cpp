@@ -4,7 +4,7 @@
 
 #include "core/image/io.h"
 #include "tests/catch.h"
-#include "tests/image/pictures.h"
+#include "tests/image/random_images.h"
 #include "tests/temporary_folder.h"
 
 using namespace etalon;
@@ -24,7 +24,7 @@ std::string error_with_modules_in(const std::string& folder, const std::string& 
     const pid_t child = ::fork();
     if (child == 0) {
         ::setenv("ETALON_MODULE_PATH", folder.c_str(), 1);
-        const std::string error = write_picture(png, random_picture(4, 3));
+        const std::string error = write_image(png, random_image(4, 3));
         const bool sent = ::write(ends[1], error.data(), error.size()) >= 0;
         ::_exit(sent ? 0 : 1);
     }
@@ -43,9 +43,9 @@ std::string error_with_modules_in(const std::string& folder, const std::string& 
 
 TEST_CASE("OpenImageIO is loaded by the first call that needs it, and not before") {
     const TemporaryFolder folder;
-    const Picture picture = random_picture(4, 3);
+    const RenderedImage image = random_image(4, 3);
     CHECK_FALSE(has_openimageio());
-    REQUIRE(write_picture(folder / "p.exr", picture) == "");
+    REQUIRE(write_image(folder / "p.exr", image) == "");
     REQUIRE(read_image(folder / "p.exr").error == "");
     REQUIRE(read_image(folder / "none.png").error != "");
     CHECK_FALSE(has_openimageio());
@@ -62,7 +62,7 @@ TEST_CASE("OpenImageIO is loaded by the first call that needs it, and not before
     CHECK(std::filesystem::exists(folder / "p.png"));
 
     CHECK_FALSE(has_openimageio());
-    REQUIRE(write_picture(folder / "q.png", picture) == "");
+    REQUIRE(write_image(folder / "q.png", image) == "");
     CHECK(has_openimageio());
     CHECK(content_of(folder / "p.png") == content_of(folder / "q.png"));
 }

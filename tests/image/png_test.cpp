@@ -1,7 +1,7 @@
 #include "core/image/encode.h"
 #include "core/image/io.h"
 #include "tests/catch.h"
-#include "tests/image/pictures.h"
+#include "tests/image/random_images.h"
 #include "tests/temporary_folder.h"
 
 using namespace etalon;
@@ -17,24 +17,24 @@ const std::vector<std::uint8_t>& bytes_of(const Image& image) {
 
 TEST_CASE("a PNG read back has the bytes the encoding says, whatever the values") {
     const TemporaryFolder folder;
-    Picture picture = random_picture(67, 41);
-    picture.display_colors = GENERATE(false, true);
+    RenderedImage rendered = random_image(67, 41);
+    rendered.display_colors = GENERATE(false, true);
     for (std::size_t i = 0; i < 1000; ++i) {  // ordinary values beside the wild ones
-        picture.pixels[i] = Color(static_cast<float>(i) / 1000, 0.5F, 0.18F);
+        rendered.pixels[i] = Color(static_cast<float>(i) / 1000, 0.5F, 0.18F);
     }
-    REQUIRE(write_picture(folder / "p.PNG", picture, 0.5) == "");
+    REQUIRE(write_image(folder / "p.PNG", rendered, 0.5) == "");
     const Outcome<Image> read = read_image(folder / "p.PNG");
     REQUIRE(read.error == "");
     CHECK(read.value.width == 67);
     CHECK(read.value.height == 41);
     CHECK(read.value.channels == 3);
-    CHECK(bytes_of(read.value) == display_bytes(picture, 0.5));
+    CHECK(bytes_of(read.value) == display_bytes(rendered, 0.5));
     CHECK(folder.names() == std::vector<std::string>{"p.PNG"});
 }
 
 TEST_CASE("a PNG says that it is sRGB") {
     const TemporaryFolder folder;
-    REQUIRE(write_picture(folder / "p.png", random_picture(4, 3)) == "");
+    REQUIRE(write_image(folder / "p.png", random_image(4, 3)) == "");
     const std::string file = content_of(folder / "p.png");
     CHECK(file.substr(1, 3) == "PNG");
     CHECK(file.find(std::string("\0\0\0\1sRGB", 8)) < file.find("IDAT"));  // a chunk of one byte
@@ -42,11 +42,11 @@ TEST_CASE("a PNG says that it is sRGB") {
 
 TEST_CASE("a crop's PNG holds the crop") {
     const TemporaryFolder folder;
-    const Picture picture = random_picture(10, 8, {{3, 2}, {8, 5}});
-    REQUIRE(write_picture(folder / "p.png", picture) == "");
+    const RenderedImage rendered = random_image(10, 8, {{3, 2}, {8, 5}});
+    REQUIRE(write_image(folder / "p.png", rendered) == "");
     const Outcome<Image> read = read_image(folder / "p.png");
     REQUIRE(read.error == "");
     CHECK(read.value.width == 6);
     CHECK(read.value.height == 4);
-    CHECK(bytes_of(read.value) == display_bytes(picture, 0));
+    CHECK(bytes_of(read.value) == display_bytes(rendered, 0));
 }

@@ -2,13 +2,13 @@
 
 #include "core/parallel/parallel.h"
 #include "tests/catch.h"
-#include "tests/image/formula_pictures.h"
+#include "tests/image/formula_images.h"
 
 using namespace etalon;
 using namespace etalon::test;
 
 TEST_CASE("SSIM is what scikit-image finds") {
-    // Version 0.19.3, of the pictures encoded as sRGB: structural_similarity(a, b, channel_axis=2,
+    // Version 0.19.3, of the images encoded as sRGB: structural_similarity(a, b, channel_axis=2,
     // data_range=1, gaussian_weights=True, sigma=1.5, use_sample_covariance=False).
     const std::vector<Color> reference = stripes(96, 64);
     CHECK(ssim(rings(96, 64), reference, 96) == Approx(0.5170240113700966).epsilon(1e-9));

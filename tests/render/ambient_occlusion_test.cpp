@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "tests/catch.h"
-#include "tests/render/pictures.h"
+#include "tests/render/test_images.h"
 
 using namespace etalon;
 using namespace etalon::test;
@@ -31,7 +31,7 @@ TestScene floor_at(double distance) {
 }
 
 float visible(const TestScene& scene) {
-    const Color c = picture(scene)[0];
+    const Color c = image(scene)[0];
     CHECK(c.x == c.y);
     CHECK(c.y == c.z);
     return c.x;
@@ -60,9 +60,9 @@ TEST_CASE("The inside of a sphere is black, to the last pixel", "[ao]") {
     scene.geometry.add(Sphere{Vec3(1, 2, 3), 20}, 0);
     scene.settings.integrator = "ao";
     scene.settings.samples_per_pixel = GENERATE(0, 16);
-    for (const Color& c : picture(scene)) REQUIRE(c == Color(0.0F));
+    for (const Color& c : image(scene)) REQUIRE(c == Color(0.0F));
     scene.settings.max_distance = 1e-3;  // a chord as short is nearly in the surface
-    const std::vector<Color> near = picture(scene);
+    const std::vector<Color> near = image(scene);
     CHECK(std::ranges::all_of(near, [](const Color& c) { return c.x > 0.9F; }));
 }
 
@@ -118,8 +118,8 @@ TEST_CASE("Every camera hit takes one occlusion ray, and 64 where a pixel has on
 TEST_CASE("Lights and materials change no ambient occlusion", "[ao]") {
     TestScene scene = mixed_scene();
     scene.settings.integrator = "ao";
-    const std::vector<Color> before = picture(scene);
+    const std::vector<Color> before = image(scene);
     scene.look.lights.clear();
     for (Material& m : scene.look.materials) m = matte(Color(0.0F));
-    CHECK(picture(scene) == before);
+    CHECK(image(scene) == before);
 }

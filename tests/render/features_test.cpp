@@ -3,7 +3,7 @@
 #include "core/parallel/parallel.h"
 #include "core/render/camera_rays.h"
 #include "tests/catch.h"
-#include "tests/render/pictures.h"
+#include "tests/render/test_images.h"
 #include "tests/render/test_scenes.h"
 
 using namespace etalon;
@@ -34,7 +34,7 @@ TestScene without_light(TestScene scene) {
     return scene;
 }
 
-/// The same where all surfaces glow in their albedo: its picture is a picture of that.
+/// The same where all surfaces glow in their albedo: its image is an image of that.
 TestScene glowing(TestScene scene) {
     for (Material& m : scene.look.materials) std::swap(m.ambient, m.diffuse);
     return scene;
@@ -128,7 +128,7 @@ TEST_CASE("Means are over the picture's own samples, the first 16", "[features]"
     TestScene scene = without_light(mixed_scene());
     const auto [samples, pictured] = GENERATE(std::pair(5, 5), std::pair(40, 16));
     scene.settings.samples_per_pixel = pictured;
-    const std::vector<Color> expected = picture(glowing(scene));
+    const std::vector<Color> expected = image(glowing(scene));
     scene.settings.samples_per_pixel = samples;
     CHECK(means_of(scene).albedo.pixels() == expected);
 }
@@ -139,7 +139,7 @@ TEST_CASE("Means follow a picture without samples, wherever its rays are", "[fea
     scene.settings.pixel_rays =
         GENERATE(PixelRays::centre, PixelRays::upper_left, PixelRays::shared_corners);
     const SurfaceMeans means = means_of(scene);
-    CHECK(means.albedo.pixels() == picture(glowing(scene)));
+    CHECK(means.albedo.pixels() == image(glowing(scene)));
     CHECK(means.normal.window() == scene.settings.window());
 }
 

@@ -4,7 +4,7 @@
 
 #include "tests/catch.h"
 #include "tests/formats/messages.h"
-#include "tests/render/pictures.h"
+#include "tests/render/test_images.h"
 
 using namespace etalon;
 using namespace etalon::test;

@@ -1,10 +1,10 @@
-// Pictures without samples: where their rays go, and the counts of the SPD benchmark.
+// Images without samples: where their rays go, and the counts of the SPD benchmark.
 #include "core/formats/load.h"
 #include "core/integrators/whitted/whitted.h"
 #include "core/render/camera_rays.h"
 #include "tests/catch.h"
 #include "tests/formats/shared_scenes.h"
-#include "tests/render/pictures.h"
+#include "tests/render/test_images.h"
 #include "tests/render/test_scenes.h"
 
 using namespace etalon;
@@ -19,7 +19,7 @@ TestScene scene_with(PixelRays rays) {
     return scene;
 }
 
-/// What a ray through the point `pixel` of the picture sees.
+/// What a ray through the point `pixel` of the image sees.
 Color seen_through(const TestScene& scene, const Vec2& pixel) {
     const auto intersector = find_backend(reference_backend)->build(scene.geometry);
     std::vector<std::string> problems;
@@ -49,7 +49,7 @@ TestScene clear_ball() {
 TEST_CASE("the one ray of a pixel goes through its centre or its upper left corner", "[render]") {
     const TestScene centres = scene_with(PixelRays::centre),
                     corners = scene_with(PixelRays::upper_left);
-    const std::vector<Color> a = picture(centres), b = picture(corners);
+    const std::vector<Color> a = image(centres), b = image(corners);
     for (const auto& [x, y] : {std::pair(0, 0), {5, 4}, {11, 8}, {3, 7}}) {
         CHECK(a[y * 12 + x] == seen_through(centres, {x + 0.5, y + 0.5}));
         CHECK(b[y * 12 + x] == seen_through(corners, Vec2(x, y)));
@@ -58,7 +58,7 @@ TEST_CASE("the one ray of a pixel goes through its centre or its upper left corn
 
 TEST_CASE("a pixel of shared corners is the mean of its four", "[render]") {
     const TestScene scene = scene_with(PixelRays::shared_corners);
-    const std::vector<Color> pixels = picture(scene);
+    const std::vector<Color> pixels = image(scene);
     REQUIRE(pixels.size() == 12 * 9);
     for (const auto& [x, y] : {std::pair(0, 0), {5, 4}, {11, 8}, {3, 7}}) {
         Vec3 sum(0);
@@ -76,9 +76,9 @@ TEST_CASE("a shared corner is traced once", "[render]") {
 
 TEST_CASE("a crop of shared corners holds the same pixels as the whole", "[render]") {
     TestScene scene = scene_with(PixelRays::shared_corners);
-    const std::vector<Color> all = picture(scene);
+    const std::vector<Color> all = image(scene);
     scene.settings.crop = {{7, 2}, {11, 6}};
-    const std::vector<Color> part = picture(scene);
+    const std::vector<Color> part = image(scene);
     REQUIRE(part.size() == 5 * 5);
     for (int i = 0; i < 25; ++i) CHECK(part[i] == all[(2 + i / 5) * 12 + 7 + i % 5]);
 }
@@ -86,14 +86,14 @@ TEST_CASE("a crop of shared corners holds the same pixels as the whole", "[rende
 TEST_CASE("where all glass mirrors, a mirrored ray of no weight is counted", "[render]") {
     TestScene scene = clear_ball();
     const RayCounts without = counts_of(scene);
-    const std::vector<Color> pixels = picture(scene);
+    const std::vector<Color> pixels = image(scene);
     CHECK(without.reflected == 0);
     CHECK(without.refracted > 0);
     scene.settings.whitted.mirror_all_glass = true;
     const RayCounts with = counts_of(scene);
     CHECK(with.reflected >= with.refracted);
     CHECK(with.refracted > without.refracted);  // those mirrored inside come out, too
-    CHECK(picture(scene) == pixels);
+    CHECK(image(scene) == pixels);
 }
 
 TEST_CASE("eyes' rays made to fit keep their hue", "[render]") {

@@ -4,7 +4,7 @@
 #include "core/parallel/parallel.h"
 #include "core/shading/fresnel.h"
 #include "tests/catch.h"
-#include "tests/render/pictures.h"
+#include "tests/render/test_images.h"
 #include "tests/render/test_scenes.h"
 
 using namespace etalon;
@@ -37,7 +37,7 @@ TEST_CASE("A scene scaled by a power of two gives the same bits by every integra
         for (const Backend& backend : all_backends()) {
             if (!backend.exact) continue;
             INFO(backend.name << " scaled by " << factor);
-            CHECK(picture(other, backend.name) == picture(scene));
+            CHECK(image(other, backend.name) == image(scene));
         }
     }
 }
@@ -46,7 +46,7 @@ TEST_CASE("A scene scaled by any power of two from 2^-20 to 2^20 gives the same 
     const TestScene scene = mixed_scene(24, 18);
     for (int k = -20; k <= 20; ++k) {
         INFO("scaled by 2^" << k);
-        CHECK(picture(transformed(scene, std::ldexp(1.0, k))) == picture(scene));
+        CHECK(image(transformed(scene, std::ldexp(1.0, k))) == image(scene));
     }
 }
 
@@ -56,7 +56,7 @@ TEST_CASE("A scene moved by 2^20 of its extents gives all but the same picture",
     const Vec3 far_away(0x1p20, -0x1p20, 0x1p20);
     const TestScene moved = transformed(mixed_scene(), 1, far_away);
     const TestScene scene = transformed(moved, 1, -far_away);
-    const std::vector<Color> here = picture(scene), there = picture(moved);
+    const std::vector<Color> here = image(scene), there = image(moved);
     int different = 0;
     double sum = 0;
     for (std::size_t i = 0; i < here.size(); ++i) {
@@ -73,9 +73,9 @@ TEST_CASE("A scene moved by 2^20 of its extents gives all but the same picture",
 
 TEST_CASE("A crop holds the same pixels as the whole", "[render]") {
     TestScene scene = mixed_scene();
-    const std::vector<Color> all = picture(scene);
+    const std::vector<Color> all = image(scene);
     scene.settings.crop = {{7, 5}, {20, 30}};
-    const std::vector<Color> part = picture(scene);
+    const std::vector<Color> part = image(scene);
     std::size_t i = 0;
     for (int y = 5; y <= 30; ++y) {
         for (int x = 7; x <= 20; ++x) CHECK(part[i++] == all[y * scene.settings.resolution.x + x]);
@@ -104,9 +104,9 @@ TEST_CASE("Every part is played by a backend that can", "[render]") {
 
 TEST_CASE("Another seed gives another picture of the same scene", "[render]") {
     TestScene scene = mixed_scene();
-    const std::vector<Color> first = picture(scene);
+    const std::vector<Color> first = image(scene);
     scene.settings.seed = 1;
-    CHECK(picture(scene) != first);
+    CHECK(image(scene) != first);
 }
 
 TEST_CASE("A stop before the start renders nothing and says so", "[render]") {

@@ -1,4 +1,4 @@
-// Pictures that end by their error or by the clock.
+// Images that end by their error or by the clock.
 #include <algorithm>
 #include <atomic>
 
@@ -6,7 +6,7 @@
 #include "core/parallel/parallel.h"
 #include "core/render/uniform_passes.h"
 #include "tests/catch.h"
-#include "tests/render/pictures.h"
+#include "tests/render/test_images.h"
 #include "tests/render/test_scenes.h"
 
 using namespace etalon;

@@ -165,7 +165,7 @@ std::string title_of(const std::string& shape) {
     return shape + ": error against cost";
 }
 
-/// The same as the picture, in words.
+/// The same as the image, in words.
 std::string description_of(const Scatter& scatter) {
     std::string text = cost_axis(scatter) + "; " + std::string(error_axis) + ".";
     for (const Point& p : scatter.points) {

@@ -8,7 +8,7 @@
 
 namespace etalon::accuracy {
 
-/// A picture by itself, with titles and a key, where everybody has a label. Empty if nobody has a
+/// An image by itself, with titles and a key, where everybody has a label. Empty if nobody has a
 /// cost.
 std::string plot(const std::vector<Row>& rows, const std::string& shape);
 

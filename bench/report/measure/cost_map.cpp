@@ -7,7 +7,7 @@
 
 namespace etalon::bench_report {
 
-/// Rays are counted by the picture: so each pixel is a picture of its own.
+/// Rays are counted by the image: so each pixel is an image of its own.
 PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
                            const Context& context) {
     const auto intersector = find_backend(default_backend)->build(scene.geometry);

@@ -1,4 +1,4 @@
-// What each pixel of a picture costs, in counts that no clock disturbs.
+// What each pixel of an image costs, in counts that no clock disturbs.
 #pragma once
 
 #include <optional>

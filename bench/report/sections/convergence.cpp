@@ -1,4 +1,4 @@
-// How fast pictures come to what they should be.
+// How fast images come to what they should be.
 #include <fmt/format.h>
 
 #include "bench/plot/line_chart.h"

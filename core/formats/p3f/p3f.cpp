@@ -50,7 +50,7 @@ constexpr std::array keywords = {
 
 constexpr auto names = names_of(keywords);
 
-/// What the course's programs of 2021 did to a picture.
+/// What the course's programs of 2021 did to an image.
 void apply_legacy(Scene& scene, RenderSettings& settings) {
     settings.max_depth = 6;
     settings.whitted.fixed_bias = 1e-3;

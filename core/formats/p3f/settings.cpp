@@ -1,4 +1,4 @@
-// Statements about the picture as a whole: accel, spp, env.
+// Statements about the image as a whole: accel, spp, env.
 #include <fmt/ranges.h>
 
 #include <array>

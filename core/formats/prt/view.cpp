@@ -58,14 +58,14 @@ std::string missing_lines(const Loader& loader) {
     return fmt::format("{}", fmt::join(missing, ", "));
 }
 
-/// The program took half the picture's extent for tan(angle) / sqrt(2), which turns the picture
+/// The program took half the image's extent for tan(angle) / sqrt(2), which turns the image
 /// over beyond 90 degrees.
 double legacy_fov(double degrees) {
     const double half = std::tan(degrees * (std::numbers::pi / 180)) / std::numbers::sqrt2;
     return 2 * std::atan(half) * (180 / std::numbers::pi);
 }
 
-/// What the program did to a picture. It read the centre of a quadric and forgot it.
+/// What the program did to an image. It read the centre of a quadric and forgot it.
 void apply_legacy(Scene& scene, RenderSettings& settings) {
     Camera& camera = scene.camera;
     camera.fov_degrees = legacy_fov(camera.fov_degrees);

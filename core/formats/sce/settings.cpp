@@ -1,4 +1,4 @@
-// The camera and the picture: the last value given counts, whatever the matrix.
+// The camera and the image: the last value given counts, whatever the matrix.
 #include <cmath>
 
 #include "core/formats/degenerate.h"

@@ -1,4 +1,4 @@
-// Scenes as PBRT v3. Its lights are of another kind than ours, so that the picture is another one;
+// Scenes as PBRT v3. Its lights are of another kind than ours, so that the image is another one;
 // shapes and the camera are the same.
 #include <algorithm>
 #include <cmath>
@@ -55,7 +55,7 @@ class PbrtScene {
         out_.line("Camera \"perspective\" \"float fov\" [ {} ]{}{}", fov, shape, lens(height));
     }
 
-    /// `height`: half of the picture's, at distance 1.
+    /// `height`: half of the image's, at distance 1.
     std::string lens(double height) const {
         const Camera& c = scene_.camera;
         if (c.aperture == 0 || settings_.samples_per_pixel == 0) return {};

@@ -18,7 +18,7 @@ struct WrittenScene {
     std::vector<Loss> lost;  ///< what the format cannot say
 };
 
-/// P3F. Reading it back gives the same picture to the last bit, but for what is lost. `directory`
+/// P3F. Reading it back gives the same image to the last bit, but for what is lost. `directory`
 /// is where the file will be: skyboxes are named from there.
 WrittenScene write_p3f(const Scene& scene, const RenderSettings& settings,
                        const std::filesystem::path& directory);

@@ -19,7 +19,7 @@ Filter filter_of(int radius, const Function& function) {
 Filter normalized(Filter filter);
 
 /// Weighs neighbours along the rows by `along_x` and the result along the columns by `along_y`.
-/// Outside, the picture goes on as its nearest pixel.
+/// Outside, the image goes on as its nearest pixel.
 PixelPlane convolve(const PixelPlane& plane, const Filter& along_x, const Filter& along_y);
 
 PixelPlane convolve_x(const PixelPlane& plane, const Filter& filter);

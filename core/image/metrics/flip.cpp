@@ -8,13 +8,13 @@
 namespace etalon {
 namespace {
 
-YCxCz ycxcz_planes(Pixels picture, int width) {
-    const int height = static_cast<int>(picture.size()) / width;
+YCxCz ycxcz_planes(Pixels image, int width) {
+    const int height = static_cast<int>(image.size()) / width;
     YCxCz planes = {PixelPlane(width, height), PixelPlane(width, height),
                     PixelPlane(width, height)};
     for_each_row(height, [&](int y) {
         for (int x = 0; x < width; ++x) {
-            const Color& c = picture[static_cast<std::size_t>(y) * width + x];
+            const Color& c = image[static_cast<std::size_t>(y) * width + x];
             const Vec3 color = ycxcz_of_linear({displayed(c.x), displayed(c.y), displayed(c.z)});
             for (int k = 0; k < 3; ++k) planes[k].row(y)[x] = color[k];
         }
@@ -27,8 +27,8 @@ struct Seen {
     Features features;
 };
 
-Seen look_at(Pixels picture, int width) {
-    const YCxCz planes = ycxcz_planes(picture, width);
+Seen look_at(Pixels image, int width) {
+    const YCxCz planes = ycxcz_planes(image, width);
     return {seen_colors(planes), find_features(planes[0])};
 }
 

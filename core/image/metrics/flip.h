@@ -1,4 +1,4 @@
-// LDR-FLIP, the difference seen when two pictures alternate in the same place. Andersson et al.
+// LDR-FLIP, the difference seen when two images alternate in the same place. Andersson et al.
 // 2020, "FLIP: A Difference Evaluator for Alternating Images".
 #pragma once
 
@@ -8,7 +8,7 @@
 namespace etalon {
 
 /// The difference seen at each pixel, in [0, 1], at the paper's distance to its display: 67 pixels
-/// a degree. Pictures are linear RGB in rows of `width` pixels, and are seen as a display shows
+/// a degree. Images are linear RGB in rows of `width` pixels, and are seen as a display shows
 /// them: clamped to [0, 1], NaN as black.
 PixelPlane flip_map(Pixels a, Pixels b, int width);
 

@@ -48,10 +48,10 @@ double share_of_first(const Gaussian (&terms)[2]) {
 
 }  // namespace
 
-std::vector<Vec3> seen_colors(const YCxCz& picture) {
-    const PixelPlane y = filtered(picture[0], achromatic), cx = filtered(picture[1], red_green);
-    const PixelPlane cz[] = {filtered(picture[2], blue_yellow[0]),
-                             filtered(picture[2], blue_yellow[1])};
+std::vector<Vec3> seen_colors(const YCxCz& image) {
+    const PixelPlane y = filtered(image[0], achromatic), cx = filtered(image[1], red_green);
+    const PixelPlane cz[] = {filtered(image[2], blue_yellow[0]),
+                             filtered(image[2], blue_yellow[1])};
     const double share = share_of_first(blue_yellow);
     std::vector<Vec3> seen(y.values.size());
     for_each_row(y.height, [&](int row) {

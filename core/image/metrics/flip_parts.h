@@ -1,4 +1,4 @@
-// The three steps of FLIP. Pictures are three planes each: Y, Cx, Cz.
+// The three steps of FLIP. Images are three planes each: Y, Cx, Cz.
 #pragma once
 
 #include <array>
@@ -12,14 +12,14 @@ inline constexpr double flip_pixels_per_degree = 67;
 
 using YCxCz = std::array<PixelPlane, 3>;
 
-/// What an eye at that distance can tell apart of a picture: each channel through its contrast
+/// What an eye at that distance can tell apart of an image: each channel through its contrast
 /// sensitivity, then back among the colours there are. Hunt-adjusted L*a*b*, by rows.
-std::vector<Vec3> seen_colors(const YCxCz& picture);
+std::vector<Vec3> seen_colors(const YCxCz& image);
 
 /// The difference of two such colours, in [0, 1].
 double color_difference(const Vec3& a, const Vec3& b);
 
-/// How strong an edge and how strong a point each pixel of a picture is, in [0, 1].
+/// How strong an edge and how strong a point each pixel of an image is, in [0, 1].
 struct Features {
     PixelPlane edges, points;
 };

@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// All metrics of two pictures. `flip_map` is theirs.
+/// All metrics of two images. `flip_map` is theirs.
 Metrics measure(Pixels a, Pixels reference, const PixelPlane& flip_map);
 
 }  // namespace etalon

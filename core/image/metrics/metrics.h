@@ -1,9 +1,9 @@
-// How far a picture is from its reference, in numbers: each a function of its own, so that a caller
+// How far an image is from its reference, in numbers: each a function of its own, so that a caller
 // pays for what it asks. They use all threads and give the same bits for any number of them.
 //
-// Pictures are linear RGB and of one size, at least one pixel. Every channel of every pixel counts
+// Images are linear RGB and of one size, at least one pixel. Every channel of every pixel counts
 // alike. Values that are equal, or both NaN, do not differ; otherwise NaN or infinity in either
-// picture is an infinite difference.
+// image is an infinite difference.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ double relmse(Pixels a, Pixels reference);
 double mae(Pixels a, Pixels b);
 
 /// Decibels from this mean squared error up to the square of 1, the white of a display; infinite
-/// where the pictures are equal, minus infinite where the error is infinite.
+/// where the images are equal, minus infinite where the error is infinite.
 double psnr(double mse);
 
 /// The largest |a - b|.

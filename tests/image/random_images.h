@@ -2,14 +2,14 @@
 
 #include <cstring>
 
-#include "core/image/picture.h"
+#include "core/image/rendered_image.h"
 #include "core/sampling/random.h"
 
 namespace etalon::test {
 
 /// Every bit pattern of a float, so infinities, NaNs and denormals too, in a window of a frame.
-inline Picture random_picture(int width, int height, const Imath::Box2i& window) {
-    Picture picture{width, height, window, {}, false, {}};
+inline RenderedImage random_image(int width, int height, const Imath::Box2i& window) {
+    RenderedImage image{width, height, window, {}, false, {}};
     const Imath::V2i size = window.size() + Imath::V2i(1);
     Random random(12345);
     for (int i = 0; i < size.x * size.y; ++i) {
@@ -18,13 +18,13 @@ inline Picture random_picture(int width, int height, const Imath::Box2i& window)
             const auto bits = static_cast<std::uint32_t>(random.bits());
             std::memcpy(&c[k], &bits, sizeof bits);
         }
-        picture.pixels.push_back(c);
+        image.pixels.push_back(c);
     }
-    return picture;
+    return image;
 }
 
-inline Picture random_picture(int width, int height) {
-    return random_picture(width, height, {{0, 0}, {width - 1, height - 1}});
+inline RenderedImage random_image(int width, int height) {
+    return random_image(width, height, {{0, 0}, {width - 1, height - 1}});
 }
 
 }  // namespace etalon::test

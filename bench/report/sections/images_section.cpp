@@ -6,7 +6,7 @@
 namespace etalon::bench_report {
 namespace {
 
-Figure figure_of(const PictureFigures& p, const std::string& date) {
+Figure figure_of(const ImageFigures& p, const std::string& date) {
     Images images;
     for (const auto& layer : p.layers) {
         images.images.push_back({layer.title, layer.png, p.width, p.height});
@@ -19,7 +19,7 @@ Figure figure_of(const PictureFigures& p, const std::string& date) {
 
 }  // namespace
 
-Section pictures_section(const Results& results) {
+Section images_section(const Results& results) {
     Section section{"pictures", "Pictures", {}, {}};
     section.prose = {
         "What the rays are for. Every pixel is the same by every exact backend and any number of "
@@ -28,8 +28,8 @@ Section pictures_section(const Results& results) {
         "al. 2020; black is no difference), how many rays a sample takes, and against how many "
         "boxes "
         "and primitives a camera ray is tested."};
-    for (const PictureFigures& p : results.pictures.list) {
-        section.figures.push_back(figure_of(p, results.pictures.date));
+    for (const ImageFigures& p : results.images.list) {
+        section.figures.push_back(figure_of(p, results.images.date));
     }
     return section;
 }

@@ -1,4 +1,4 @@
-#include "app/compare/pictures.h"
+#include "app/compare/image_pair.h"
 
 #include <fmt/core.h>
 
@@ -18,7 +18,7 @@ bool same_extent(const Image& a, const Image& b) {
     return a.width == b.width && a.height == b.height && same_place;
 }
 
-/// A PNG does not say that it has display values; it has if the other picture has them.
+/// A PNG does not say that it has display values; it has if the other image has them.
 void agree_on_encoding(Image& a, Image& b) {
     if (a.encoding == Encoding::display && b.encoding == Encoding::srgb) b.encoding = a.encoding;
     if (b.encoding == Encoding::display && a.encoding == Encoding::srgb) a.encoding = b.encoding;
@@ -26,7 +26,7 @@ void agree_on_encoding(Image& a, Image& b) {
 
 }  // namespace
 
-Outcome<Pictures> read_pictures(const std::string& a, const std::string& b) {
+Outcome<ImagePair> read_image_pair(const std::string& a, const std::string& b) {
     Outcome<Image> first, second;
     parallel_invoke([&] { first = read_image(a); }, [&] { second = read_image(b); });
     if (!first) return {{}, first.error};
@@ -36,10 +36,10 @@ Outcome<Pictures> read_pictures(const std::string& a, const std::string& b) {
         return {{}, fmt::format("{}; {}; expected the same", extent(a, p), extent(b, q))};
     }
     agree_on_encoding(p, q);
-    Pictures pictures{p.width, p.height, {}};
-    parallel_invoke([&] { pictures.pixels[0] = linear_pixels(p); },
-                    [&] { pictures.pixels[1] = linear_pixels(q); });
-    return {std::move(pictures), {}};
+    ImagePair images{p.width, p.height, {}};
+    parallel_invoke([&] { images.pixels[0] = linear_pixels(p); },
+                    [&] { images.pixels[1] = linear_pixels(q); });
+    return {std::move(images), {}};
 }
 
 }  // namespace etalon::compare

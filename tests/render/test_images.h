@@ -1,4 +1,4 @@
-// Pictures of scenes in memory.
+// Images of scenes in memory.
 #pragma once
 
 #include "app/backends.h"
@@ -21,16 +21,16 @@ inline Rendering rendered(const TestScene& scene, std::string_view backend = def
     return render_with(scene, *find_backend(backend), scene.settings);
 }
 
-inline std::vector<Color> picture(const TestScene& scene,
-                                  std::string_view backend = default_backend) {
+inline std::vector<Color> image(const TestScene& scene,
+                                std::string_view backend = default_backend) {
     return rendered(scene, backend).film.pixels();
 }
 
-/// What the middle of a one-pixel picture sees.
+/// What the middle of a one-pixel image sees.
 inline Color centre(TestScene scene, int max_depth = 5) {
     scene.settings.resolution = {1, 1};
     scene.settings.max_depth = max_depth;
-    return picture(scene, reference_backend)[0];
+    return image(scene, reference_backend)[0];
 }
 
 }  // namespace etalon::test

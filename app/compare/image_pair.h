@@ -8,13 +8,13 @@
 
 namespace etalon::compare {
 
-/// Two pictures of one size and, where both files say where in their frame they are, of one place.
-struct Pictures {
+/// Two images of one size and, where both files say where in their frame they are, of one place.
+struct ImagePair {
     int width = 0, height = 0;
     std::array<std::vector<Color>, 2> pixels;  ///< linear RGB, or display values, by rows
 };
 
 /// Of files in any format read_image knows. A failure's reason begins with the path it is about.
-Outcome<Pictures> read_pictures(const std::string& a, const std::string& b);
+Outcome<ImagePair> read_image_pair(const std::string& a, const std::string& b);
 
 }  // namespace etalon::compare

@@ -36,14 +36,14 @@ Bytes display(const RenderSettings& settings, const std::vector<Color>& pixels) 
 }
 
 /// Without the layer if there is no PNG.
-void add(const std::string& title, const Bytes& rgb, PictureFigures& figures) {
+void add(const std::string& title, const Bytes& rgb, ImageFigures& figures) {
     Outcome<std::string> png = encode_png(rgb, figures.width, figures.height);
     if (png) return figures.layers.push_back({title, std::move(png.value)});
     fmt::print(stderr, "etalon-bench: warning: {}\n", png.error);
 }
 
 /// Pale is what only one pixel of a hundred exceeds: the few worst ones would make all others dark.
-void add_cost(const std::string& title, const PixelPlane& cost, PictureFigures& figures) {
+void add_cost(const std::string& title, const PixelPlane& cost, ImageFigures& figures) {
     const double white = speed::quantile(cost.values, 0.99);
     const double mean = std::reduce(cost.values.begin(), cost.values.end()) /
                         static_cast<double>(cost.values.size());
@@ -51,23 +51,23 @@ void add_cost(const std::string& title, const PixelPlane& cost, PictureFigures& 
         magma(cost, white), figures);
 }
 
-void measure(const PictureRequest& request, Results& results, const Context& context) {
+void measure(const ImageRequest& request, Results& results, const Context& context) {
     const auto shipped = shipped_scene(request.scene, request.width, request.height);
     if (!shipped) return;
     const auto& [scene, settings] = *shipped;
     const Rendered many = rendered(*shipped, request.samples, 0, context.part(0, 0.9));
     const Rendered few = rendered(*shipped, request.fewer_samples, 1, context.part(0.9, 1));
     if (!many.rendering.complete || !few.rendering.complete) return;
-    PictureFigures figures{request.scene,
-                           picture_command(request),
-                           request.width,
-                           request.height,
-                           scene.geometry.primitives.size(),
-                           many.render,
-                           {}};
-    const std::vector<Color> picture = many.rendering.film.pixels();
-    const PixelPlane error = flip_map(few.rendering.film.pixels(), picture, request.width);
-    add(samples_of(request.samples), display(settings, picture), figures);
+    ImageFigures figures{request.scene,
+                         image_command(request),
+                         request.width,
+                         request.height,
+                         scene.geometry.primitives.size(),
+                         many.render,
+                         {}};
+    const std::vector<Color> image = many.rendering.film.pixels();
+    const PixelPlane error = flip_map(few.rendering.film.pixels(), image, request.width);
+    add(samples_of(request.samples), display(settings, image), figures);
     add(fmt::format("FLIP of {}, mean {}", samples_of(request.fewer_samples),
                     three_digits(flip(error))),
         magma(error), figures);
@@ -77,14 +77,14 @@ void measure(const PictureRequest& request, Results& results, const Context& con
     if (const auto tests = tests_of_camera_rays(scene, settings, default_backend, context)) {
         add_cost(std::string("Tests of a camera ray by ") + default_backend, *tests, figures);
     }
-    results.pictures.add(std::move(figures));
+    results.images.add(std::move(figures));
 }
 
 }  // namespace
 
-std::vector<Task> picture_tasks(const Settings& settings) {
+std::vector<Task> image_tasks(const Settings& settings) {
     std::vector<Task> tasks;
-    for (const PictureRequest& request : settings.pictures) {
+    for (const ImageRequest& request : settings.images) {
         const double samples =
             1.0 * request.width * request.height * (request.samples + 2 * request.fewer_samples);
         tasks.push_back({request.scene,

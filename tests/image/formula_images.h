@@ -1,4 +1,4 @@
-// Pictures by formula, that another program can make too: linear RGB by rows from the top. They use
+// Images by formula, that another program can make too: linear RGB by rows from the top. They use
 // +, -, * and integers alone, so that every machine and language makes the same floats.
 #pragma once
 
@@ -10,7 +10,7 @@ namespace etalon::test {
 
 /// Calls color(x, y) for each pixel.
 template <class Formula>
-std::vector<Color> picture_of(int width, int height, const Formula& color) {
+std::vector<Color> image_of(int width, int height, const Formula& color) {
     std::vector<Color> pixels;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) pixels.push_back(color(x, y));
@@ -25,14 +25,14 @@ inline float level(int n) {
 
 /// Slanted ramps of three widths.
 inline std::vector<Color> stripes(int width, int height) {
-    return picture_of(width, height, [](int x, int y) {
+    return image_of(width, height, [](int x, int y) {
         return Color(level(5 * x + y), level(3 * x - 2 * y), level(x + 7 * y));
     });
 }
 
 /// Circles that come closer to each other from the upper left on.
 inline std::vector<Color> rings(int width, int height) {
-    return picture_of(width, height, [](int x, int y) {
+    return image_of(width, height, [](int x, int y) {
         const int r = x * x + y * y;
         return Color(level(r / 16), level(r / 24), level(r / 40));
     });

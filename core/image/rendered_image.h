@@ -20,8 +20,8 @@ struct Channel {
     }
 };
 
-/// A rendered picture: linear scene values in a data window inside the full frame.
-struct Picture {
+/// A rendered image: linear scene values in a data window inside the full frame.
+struct RenderedImage {
     int width = 0, height = 0;    ///< of the full frame (display window)
     Imath::Box2i window;          ///< pixels present, inclusive on both ends as in OpenEXR
     std::vector<Color> pixels;    ///< window.size() + 1 in each axis, rows from the top

@@ -1,4 +1,4 @@
-#include "app/reference_picture.h"
+#include "app/reference_image.h"
 
 #include <fmt/format.h>
 
@@ -42,7 +42,7 @@ Outcome<std::vector<Color>> read_reference(const std::string& path,
                         path, size.x, size.y, place, asked.x, asked.y, window.min.x, window.min.y,
                         frame.x, frame.y)};
     }
-    // A PNG does not say which values it has: those of the picture it was made from.
+    // A PNG does not say which values it has: those of the image it was made from.
     if (settings.display_colors && image.encoding == Encoding::srgb) {
         image.encoding = Encoding::display;
     }
