@@ -24,10 +24,9 @@ std::vector<Color> cut_out(const std::vector<Color>& pixels, int width,
 
 }  // namespace
 
-Outcome<std::vector<Color>> read_reference(const std::string& path,
-                                           const RenderSettings& settings) {
+Result<std::vector<Color>> read_reference(const std::string& path, const RenderSettings& settings) {
     const Imath::Box2i window = settings.window();
-    Outcome<Image> file = read_image(path);
+    Result<Image> file = read_image(path);
     if (!file) return {{}, file.error};
     Image& image = file.value;
     const Imath::V2i size(image.width, image.height), asked = size_of(window);

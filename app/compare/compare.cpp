@@ -34,7 +34,7 @@ void warn_of_unbounded(const std::string& path, Pixels pixels) {
 
 /// Why the map could not be written, or nothing.
 std::string write_heatmap(const std::string& path, const PixelPlane& map) {
-    const Outcome<std::string> file = encode_png(magma(map), map.width, map.height);
+    const Result<std::string> file = encode_png(magma(map), map.width, map.height);
     return file ? write_file_atomically(path, file.value) : path + ": " + file.error;
 }
 
@@ -64,7 +64,7 @@ int check_limits(const Arguments& a, const Metrics& metrics) {
 
 int run(const Arguments& a) {
     if (const std::string error = obstacle(a); !error.empty()) return fail(exit_not_written, error);
-    const Outcome<ImagePair> images = read_image_pair(a.a, a.b);
+    const Result<ImagePair> images = read_image_pair(a.a, a.b);
     if (!images) return fail(exit_unusable, images.error);
     const auto& [first, second] = images.value.pixels;
     warn_of_unbounded(a.a, first);

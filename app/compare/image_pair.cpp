@@ -26,8 +26,8 @@ void agree_on_encoding(Image& a, Image& b) {
 
 }  // namespace
 
-Outcome<ImagePair> read_image_pair(const std::string& a, const std::string& b) {
-    Outcome<Image> first, second;
+Result<ImagePair> read_image_pair(const std::string& a, const std::string& b) {
+    Result<Image> first, second;
     parallel_invoke([&] { first = read_image(a); }, [&] { second = read_image(b); });
     if (!first) return {{}, first.error};
     if (!second) return {{}, second.error};

@@ -15,6 +15,6 @@ struct ImagePair {
 };
 
 /// Of files in any format read_image knows. A failure's reason begins with the path it is about.
-Outcome<ImagePair> read_image_pair(const std::string& a, const std::string& b);
+Result<ImagePair> read_image_pair(const std::string& a, const std::string& b);
 
 }  // namespace etalon::compare

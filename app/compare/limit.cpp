@@ -23,7 +23,7 @@ std::string unknown(const std::string& name) {
 
 }  // namespace
 
-Outcome<Limit> parse_limit(const std::string& text) {
+Result<Limit> parse_limit(const std::string& text) {
     const std::size_t equals = text.find('=');
     const std::string name = text.substr(0, equals);
     const Metric* metric = find_metric(name);

@@ -14,7 +14,7 @@ struct Limit {
 };
 
 /// Of METRIC=VALUE; or what is wrong with it.
-Outcome<Limit> parse_limit(const std::string& text);
+Result<Limit> parse_limit(const std::string& text);
 
 /// What is said of a metric worse than its limit; nothing if it is not.
 std::string violation(const Limit& limit, const Metrics& metrics);

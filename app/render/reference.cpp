@@ -7,7 +7,7 @@
 namespace etalon {
 
 std::string Reference::open(const std::string& path, const RenderSettings& settings) {
-    Outcome<std::vector<Color>> image = read_reference(path, settings);
+    Result<std::vector<Color>> image = read_reference(path, settings);
     pixels_ = std::move(image.value);
     width_ = settings.window().size().x + 1;
     return image.error;

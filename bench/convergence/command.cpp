@@ -48,8 +48,8 @@ void set_width(Imath::V2i& size, int width) {
     size.x = width;
 }
 
-Outcome<ReferenceImage> read_reference_image(const std::string& path,
-                                             const RenderSettings& settings) {
+Result<ReferenceImage> read_reference_image(const std::string& path,
+                                            const RenderSettings& settings) {
     auto image = read_reference(path, settings);
     return {{std::move(image.value), path}, image.error};
 }
@@ -77,11 +77,11 @@ nlohmann::ordered_json report_on(const Arguments& a, const Imath::V2i& size,
 }
 
 /// The reference and the curves of one integrator.
-Outcome<Measured> measure_integrator(const Arguments& a, const bench::NamedScene& named,
-                                     const RenderSettings& settings, const Watcher& watcher) {
-    Outcome<ReferenceImage> reference =
+Result<Measured> measure_integrator(const Arguments& a, const bench::NamedScene& named,
+                                    const RenderSettings& settings, const Watcher& watcher) {
+    Result<ReferenceImage> reference =
         a.reference.empty()
-            ? Outcome<ReferenceImage>{render_reference(*named.scene, settings, a.plan, watcher), {}}
+            ? Result<ReferenceImage>{render_reference(*named.scene, settings, a.plan, watcher), {}}
             : read_reference_image(a.reference, settings);
     if (!reference) return {{}, reference.error};
     Measured measured{reference.value.description, {}};
@@ -106,7 +106,7 @@ int run(const Arguments& a) {
                               [&](double part) { progress.update((done + part) / count); }};
         RenderSettings settings = named.settings;
         choose_integrator(a.integrators[i], settings);
-        Outcome<Measured> one = measure_integrator(a, named, settings, watcher);
+        Result<Measured> one = measure_integrator(a, named, settings, watcher);
         if (!one) return fail(exit_unusable, one.error);
         all.reference = one.value.reference;
         std::ranges::move(one.value.curves, std::back_inserter(all.curves));

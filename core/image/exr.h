@@ -16,11 +16,11 @@ inline constexpr const char* display_colors_attribute = "displayColors";
 /// name (worldToCamera, ...), the type must be the standard one. Its channels follow as FLOAT and
 /// UINT.
 /// `image` has the pixels, and as many values in each channel, that its window asks for.
-Outcome<std::string> encode_exr(const RenderedImage& image);
+Result<std::string> encode_exr(const RenderedImage& image);
 
 /// The data window of the first part of a file, as floats: R, G, B (0 where one of them is missing)
 /// or Y alone. Scan lines or tiles, half, float or integer. Other layouts are refused, and so are
 /// sides above 65536 and files with missing pixels.
-Outcome<Image> read_exr(const std::string& path);
+Result<Image> read_exr(const std::string& path);
 
 }  // namespace etalon

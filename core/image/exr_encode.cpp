@@ -77,7 +77,7 @@ void write_pixels(const RenderedImage& image, Imf::OutputFile& file) {
 
 }  // namespace
 
-Outcome<std::string> encode_exr(const RenderedImage& image) {
+Result<std::string> encode_exr(const RenderedImage& image) {
     try {
         std::string bytes;
         bytes.reserve(image.pixels.size() * sizeof(Color));

@@ -77,7 +77,7 @@ Image read_image_part(const std::string& path) {
 
 }  // namespace
 
-Outcome<Image> read_exr(const std::string& path) {
+Result<Image> read_exr(const std::string& path) {
     try {
         return {read_image_part(path), {}};
     } catch (const std::exception& e) {

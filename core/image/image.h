@@ -34,7 +34,7 @@ std::vector<Color> linear_pixels(const Image& image);
 
 /// A result, or the reason why there is none.
 template <class T>
-struct Outcome {
+struct Result {
     T value{};
     std::string error;  ///< empty on success
     explicit operator bool() const { return error.empty(); }

@@ -36,7 +36,7 @@ bool is_consistent(const RenderedImage& image) {
                        [&](const Channel& c) { return c.size() == size; });
 }
 
-Outcome<std::string> encode(const std::string& kind, const RenderedImage& image, double exposure) {
+Result<std::string> encode(const std::string& kind, const RenderedImage& image, double exposure) {
     if (!is_consistent(image)) return {{}, "its window and its pixels do not agree"};
     if (kind == ".exr") return encode_exr(image);
     if (kind == ".png") {
@@ -66,12 +66,12 @@ bool can_hold_channels(const std::string& path) {
 }
 
 std::string write_image(const std::string& path, const RenderedImage& image, double exposure) {
-    const Outcome<std::string> file = encode(extension(path), image, exposure);
+    const Result<std::string> file = encode(extension(path), image, exposure);
     if (!file) return path + ": cannot be written: " + file.error;
     return write_file_atomically(path, file.value);
 }
 
-Outcome<Image> read_image(const std::string& path) {
+Result<Image> read_image(const std::string& path) {
     const std::string obstacle = obstacle_to_reading(path);
     if (!obstacle.empty()) return {{}, path + ": cannot be read: " + obstacle};
     return extension(path) == ".exr" ? read_exr(path) : read_oiio(path);

@@ -23,6 +23,6 @@ bool can_hold_channels(const std::string& path);
 
 /// Reads an image file: .exr by OpenEXR, anything else by OpenImageIO. A failure's reason begins
 /// with the path.
-Outcome<Image> read_image(const std::string& path);
+Result<Image> read_image(const std::string& path);
 
 }  // namespace etalon

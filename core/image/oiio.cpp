@@ -6,21 +6,21 @@ namespace etalon {
 namespace {
 
 /// Collects what the module appends. It must let nothing be thrown into the module.
-template <class Result>
+template <class Value>
 struct Collector {
-    Outcome<Result> outcome;
+    Result<Value> result;
 
     static Collector& of(void* context) { return *static_cast<Collector*>(context); }
 
-    static void fail(void* context, const char* reason) { of(context).outcome.error = reason; }
+    static void fail(void* context, const char* reason) { of(context).result.error = reason; }
 
     template <class Step>
     int attempt(Step step) noexcept {
         try {
-            step(outcome.value);
+            step(result.value);
             return 1;
         } catch (const std::exception&) {
-            outcome.error = "not enough memory";
+            result.error = "not enough memory";
             return 0;
         }
     }
@@ -66,22 +66,22 @@ int append_to_image(void* context, const void* data, std::size_t size) {
 
 }  // namespace
 
-Outcome<Image> read_oiio(const std::string& path) {
+Result<Image> read_oiio(const std::string& path) {
     const auto& module = load_oiio();
     if (!module) return {{}, path + ": cannot be read: " + module.error};
     ImageCollector image;
     const EtalonSink sink{&image, begin_image, append_to_image, ImageCollector::fail};
-    if (module.value->read(path.c_str(), &sink) != 0) return std::move(image.outcome);
-    return {{}, path + ": cannot be read: " + image.outcome.error};
+    if (module.value->read(path.c_str(), &sink) != 0) return std::move(image.result);
+    return {{}, path + ": cannot be read: " + image.result.error};
 }
 
-Outcome<std::string> encode_png(std::span<const std::uint8_t> rgb, int width, int height) {
+Result<std::string> encode_png(std::span<const std::uint8_t> rgb, int width, int height) {
     const auto& module = load_oiio();
     if (!module) return {{}, module.error};
     FileCollector file;
     const EtalonSink sink{&file, nullptr, append_to_file, FileCollector::fail};
     module.value->encode_png(rgb.data(), width, height, &sink);
-    return std::move(file.outcome);
+    return std::move(file.result);
 }
 
 }  // namespace etalon

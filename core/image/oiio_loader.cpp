@@ -18,7 +18,7 @@ std::vector<fs::path> module_folders() {
     return {prefix / "lib", prefix / "lib" / "etalon"};
 }
 
-Outcome<const EtalonOiio*> open_module(const fs::path& file) {
+Result<const EtalonOiio*> open_module(const fs::path& file) {
     void* module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!module) return {nullptr, ::dlerror()};
     const auto entry = reinterpret_cast<EtalonOiioEntry>(::dlsym(module, "etalon_oiio"));
@@ -29,7 +29,7 @@ Outcome<const EtalonOiio*> open_module(const fs::path& file) {
     return {table, {}};
 }
 
-Outcome<const EtalonOiio*> find_module() {
+Result<const EtalonOiio*> find_module() {
     std::string places;
     for (const fs::path& folder : module_folders()) {
         const fs::path file = fs::absolute(folder) / "etalon_oiio.so";
@@ -40,9 +40,9 @@ Outcome<const EtalonOiio*> find_module() {
     return {nullptr, "no such file: " + places};
 }
 
-Outcome<const EtalonOiio*> load() {
+Result<const EtalonOiio*> load() {
     try {
-        Outcome<const EtalonOiio*> found = find_module();
+        Result<const EtalonOiio*> found = find_module();
         if (!found) found.error = "the OpenImageIO module cannot be loaded: " + found.error;
         return found;
     } catch (const std::exception& e) {
@@ -52,8 +52,8 @@ Outcome<const EtalonOiio*> load() {
 
 }  // namespace
 
-const Outcome<const EtalonOiio*>& load_oiio() {
-    static const Outcome<const EtalonOiio*> module = load();
+const Result<const EtalonOiio*>& load_oiio() {
+    static const Result<const EtalonOiio*> module = load();
     return module;
 }
 

@@ -51,7 +51,7 @@ EnvironmentMap::EnvironmentMap(const Environment& environment, std::vector<std::
     if (!environment.skybox) return;
     has_skybox_ = true;
     for (std::size_t k = 0; k < faces_.size(); ++k) {
-        Outcome<Image> face = read_image(environment.skybox->faces[k]);
+        Result<Image> face = read_image(environment.skybox->faces[k]);
         if (!face) problems.push_back(face.error);
         has_skybox_ = has_skybox_ && face;
         faces_[k] = std::move(face.value);

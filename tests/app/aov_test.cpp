@@ -17,7 +17,7 @@ std::vector<float> colors(const std::string& path) {
     return std::get<std::vector<float>>(image.value.pixels);
 }
 
-Outcome render(const Folder& f, const std::string& options) {
+ProgramResult render(const Folder& f, const std::string& options) {
     f.write("s.p3f", small_scene);
     return f.etalon("render s.p3f -q " + options);
 }
@@ -80,14 +80,15 @@ TEST_CASE("--aov follows a crop and the corners of --spd", "[app]") {
 
 TEST_CASE("An --aov that cannot be had is wrong usage, and what could be is said", "[app]") {
     const Folder f;
-    const Outcome unknown = render(f, "--aov Z,albdo -o a.exr");
+    const ProgramResult unknown = render(f, "--aov Z,albdo -o a.exr");
     CHECK(unknown.status == 2);
     CHECK_THAT(unknown.err + unknown.out, ContainsSubstring("did you mean 'albedo'?"));
-    const Outcome no_place = render(f, "--aov Z -o a.png");
+    const ProgramResult no_place = render(f, "--aov Z -o a.png");
     CHECK(no_place.status == 2);
     CHECK_THAT(no_place.err, ContainsSubstring("FILE.exr"));
     for (const char* aov : {"cost.boxTests", "cost.primitiveTests"}) {
-        const Outcome uncounted = render(f, std::string("-b embree-builtin -o a.exr --aov ") + aov);
+        const ProgramResult uncounted =
+            render(f, std::string("-b embree-builtin -o a.exr --aov ") + aov);
         CHECK(uncounted.status == 2);
         CHECK_THAT(uncounted.err,
                    ContainsSubstring(aov) && ContainsSubstring("none") && ContainsSubstring("bvh"));

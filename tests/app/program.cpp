@@ -41,11 +41,11 @@ std::string Folder::read(const std::string& name) const {
     return content_of(path(name));
 }
 
-Outcome Folder::etalon(const std::string& arguments, const std::string& input) const {
+ProgramResult Folder::etalon(const std::string& arguments, const std::string& input) const {
     return shell(fmt::format("exec {}/bin/etalon {}", ETALON_BINARY_DIR, arguments), input);
 }
 
-Outcome Folder::shell(const std::string& command, const std::string& input) const {
+ProgramResult Folder::shell(const std::string& command, const std::string& input) const {
     const Folder io;
     io.write("in", input);
     const std::string line = fmt::format("cd '{}' && {{ {}; }} <'{}' >'{}' 2>'{}'", path(""),

@@ -7,7 +7,7 @@
 
 namespace etalon::test {
 
-struct Outcome {
+struct ProgramResult {
     int status;  ///< exit status; 128 + n where signal n ended it
     std::string out, err;
     std::size_t peak_bytes;
@@ -22,10 +22,10 @@ class Folder {
     std::string read(const std::string& name) const;
 
     /// Runs `etalon ARGUMENTS` (a shell's words) here, `input` on standard input.
-    Outcome etalon(const std::string& arguments, const std::string& input = "") const;
+    ProgramResult etalon(const std::string& arguments, const std::string& input = "") const;
 
     /// Runs a shell command here.
-    Outcome shell(const std::string& command, const std::string& input = "") const;
+    ProgramResult shell(const std::string& command, const std::string& input = "") const;
 
   private:
     TemporaryFolder folder_;

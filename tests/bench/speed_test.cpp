@@ -11,7 +11,7 @@ using nlohmann::json;
 
 namespace {
 
-Outcome speed(const Folder& folder, const std::string& arguments) {
+ProgramResult speed(const Folder& folder, const std::string& arguments) {
     return folder.shell("exec '" ETALON_BINARY_DIR "/bin/etalon-bench' speed " + arguments);
 }
 

@@ -65,7 +65,7 @@ void write_exr(const std::string& path, const Layout& layout, Imf::PixelType typ
     }
 }
 
-void check_image(const Outcome<Image>& read, const std::vector<std::string>& channels) {
+void check_image(const Result<Image>& read, const std::vector<std::string>& channels) {
     REQUIRE(read.error == "");
     REQUIRE(read.value.width == width);
     REQUIRE(read.value.height == height);
@@ -119,7 +119,7 @@ TEST_CASE("a colour channel the file lacks is black") {
 TEST_CASE("integer channels become floats") {
     const TemporaryFolder folder;
     write_exr<unsigned>(folder / "u.exr", {{"R", "G", "B"}}, Imf::UINT);
-    const Outcome<Image> read = read_image(folder / "u.exr");
+    const Result<Image> read = read_image(folder / "u.exr");
     REQUIRE(read.error == "");
     CHECK(read.value.color(5, 6) == Color(23, 23, 23));
 }

@@ -34,7 +34,7 @@ TEST_CASE("an EXR read back is the picture, bit for bit") {
         GENERATE(std::pair(1, 1), std::pair(37, 1), std::pair(1, 300), std::pair(67, 530));
     const RenderedImage rendered = random_image(width, height);
     REQUIRE(write_image(folder / "p.exr", rendered) == "");
-    const Outcome<Image> read = read_image(folder / "p.exr");
+    const Result<Image> read = read_image(folder / "p.exr");
     REQUIRE(read.error == "");
     CHECK(read.value.width == width);
     CHECK(read.value.height == height);
@@ -48,7 +48,7 @@ TEST_CASE("a crop is a data window inside the frame, and reads back as its own p
                                          Imath::Box2i({3, 2}, {8, 5}));
     const RenderedImage rendered = random_image(10, 8, window);
     REQUIRE(write_image(folder / "p.exr", rendered) == "");
-    const Outcome<Image> read = read_image(folder / "p.exr");
+    const Result<Image> read = read_image(folder / "p.exr");
     REQUIRE(read.error == "");
     CHECK(read.value.width == window.size().x + 1);
     CHECK(read.value.height == window.size().y + 1);
@@ -114,7 +114,7 @@ TEST_CASE("metadata that contradict the header's own attributes are refused, not
 TEST_CASE("the same picture makes the same file") {
     RenderedImage rendered = random_image(20, 20);
     rendered.metadata = {{"seed", 1}};
-    const Outcome<std::string> first = encode_exr(rendered);
+    const Result<std::string> first = encode_exr(rendered);
     REQUIRE(first.error == "");
     CHECK(first.value == encode_exr(rendered).value);
 }

@@ -15,7 +15,7 @@ namespace {
 
 /// The message must name the file, and be one line that says more.
 void check_unreadable(const std::string& path) {
-    const Outcome<Image> read = read_image(path);
+    const Result<Image> read = read_image(path);
     INFO(read.error);
     CHECK_THAT(read.error, StartsWith(path + ": cannot be read: "));
     CHECK(read.error.size() > path.size() + 25);
@@ -25,7 +25,7 @@ void check_unreadable(const std::string& path) {
 
 /// A read may succeed or fail, but what succeeds is whole.
 void check_sane(const std::string& path) {
-    const Outcome<Image> read = read_image(path);
+    const Result<Image> read = read_image(path);
     if (!read) return;
     const std::size_t size =
         std::visit([](const auto& values) { return values.size(); }, read.value.pixels);
@@ -148,7 +148,7 @@ TEST_CASE("a picture whose pixels do not fill its window is refused") {
 TEST_CASE("a large JPEG is bytes, and refused if it ends early", "[needs_shared_scenes]") {
     const std::string skybox = shared_scenes_folder() / "p3f/skybox/top.jpg";
     SKIP_UNLESS(std::filesystem::exists(skybox), skybox << " does not exist");
-    const Outcome<Image> read = read_image(skybox);
+    const Result<Image> read = read_image(skybox);
     REQUIRE(read.error == "");
     CHECK(read.value.width == 2048);
     CHECK(read.value.height == 2048);

@@ -19,7 +19,7 @@ double linear_of(double encoded) {
 std::vector<Color> pixels_of(const TemporaryFolder& folder, const std::string& name,
                              const std::string& content) {
     put(folder / name, content);
-    const Outcome<Image> image = read_image(folder / name);
+    const Result<Image> image = read_image(folder / name);
     REQUIRE(image.error == "");
     CHECK_FALSE(image.value.origin);
     return linear_pixels(image.value);
@@ -38,7 +38,7 @@ TEST_CASE("a PNG becomes linear: the picture it was made of, to half a step") {
         rendered.pixels.push_back(Color(static_cast<float>(linear_of(i / 255.0)), 0, 1));
     }
     REQUIRE(write_image(folder / "p.png", rendered) == "");
-    const Outcome<Image> read = read_image(folder / "p.png");
+    const Result<Image> read = read_image(folder / "p.png");
     REQUIRE(read.error == "");
     CHECK(linear_pixels(read.value) == rendered.pixels);
 }
@@ -72,7 +72,7 @@ TEST_CASE("an EXR is linear and says where in its frame it is") {
     const TemporaryFolder folder;
     const RenderedImage rendered = random_image(10, 8, {{3, 2}, {8, 5}});
     REQUIRE(write_image(folder / "p.exr", rendered) == "");
-    const Outcome<Image> read = read_image(folder / "p.exr");
+    const Result<Image> read = read_image(folder / "p.exr");
     REQUIRE(read.error == "");
     REQUIRE(read.value.origin);
     CHECK(*read.value.origin == Imath::V2i(3, 2));

@@ -19,7 +19,7 @@ std::string text_of(const Bytes& bytes) {
 
 Image read(const TemporaryFolder& folder, const std::string& name, const std::string& content) {
     put(folder / name, content);
-    Outcome<Image> image = read_image(folder / name);
+    Result<Image> image = read_image(folder / name);
     REQUIRE(image.error == "");
     return std::move(image.value);
 }

@@ -23,7 +23,7 @@ TEST_CASE("a PNG read back has the bytes the encoding says, whatever the values"
         rendered.pixels[i] = Color(static_cast<float>(i) / 1000, 0.5F, 0.18F);
     }
     REQUIRE(write_image(folder / "p.PNG", rendered, 0.5) == "");
-    const Outcome<Image> read = read_image(folder / "p.PNG");
+    const Result<Image> read = read_image(folder / "p.PNG");
     REQUIRE(read.error == "");
     CHECK(read.value.width == 67);
     CHECK(read.value.height == 41);
@@ -44,7 +44,7 @@ TEST_CASE("a crop's PNG holds the crop") {
     const TemporaryFolder folder;
     const RenderedImage rendered = random_image(10, 8, {{3, 2}, {8, 5}});
     REQUIRE(write_image(folder / "p.png", rendered) == "");
-    const Outcome<Image> read = read_image(folder / "p.png");
+    const Result<Image> read = read_image(folder / "p.png");
     REQUIRE(read.error == "");
     CHECK(read.value.width == 6);
     CHECK(read.value.height == 4);

@@ -8,7 +8,7 @@ namespace {
 
 const std::string program = "exec " ETALON_BINARY_DIR "/bin/etalon-scenes ";
 
-Outcome generate(const Folder& folder, const std::string& arguments) {
+ProgramResult generate(const Folder& folder, const std::string& arguments) {
     return folder.shell(program + arguments);
 }
 

@@ -37,7 +37,7 @@ Bytes display(const RenderSettings& settings, const std::vector<Color>& pixels) 
 
 /// Without the layer if there is no PNG.
 void add(const std::string& title, const Bytes& rgb, ImageFigures& figures) {
-    Outcome<std::string> png = encode_png(rgb, figures.width, figures.height);
+    Result<std::string> png = encode_png(rgb, figures.width, figures.height);
     if (png) return figures.layers.push_back({title, std::move(png.value)});
     fmt::print(stderr, "etalon-bench: warning: {}\n", png.error);
 }
