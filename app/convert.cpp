@@ -31,8 +31,8 @@ int run(const Arguments& a) {
     const LoadedScene loaded = load(a.scene);
     if (!loaded.scene) return loaded.status;
     const WrittenScene written = write(*loaded.scene, loaded.settings, path.parent_path());
-    for (const Loss& loss : written.lost) {
-        fmt::print(stderr, "{}: lost: {} ({})\n", a.output, loss.what, loss.count);
+    for (const ConversionWarning& warning : written.lost) {
+        fmt::print(stderr, "{}: lost: {} ({})\n", a.output, warning.what, warning.count);
     }
     return write_text(a.output, written.text) ? exit_done : exit_not_written;
 }

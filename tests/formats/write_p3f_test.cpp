@@ -24,8 +24,8 @@ std::string text_of(const LoadResult& r) {
 
 std::vector<std::string> lost(const LoadResult& r) {
     std::vector<std::string> list;
-    for (const Loss& loss : write_p3f(*r.scene, r.settings, "").lost) {
-        list.push_back(loss.what + " " + std::to_string(loss.count));
+    for (const ConversionWarning& warning : write_p3f(*r.scene, r.settings, "").lost) {
+        list.push_back(warning.what + " " + std::to_string(warning.count));
     }
     return list;
 }
@@ -120,11 +120,11 @@ TEST_CASE("every material that P3F can say is found again") {
                             0.5 + weight()};
         const bool absorbs = random.index(4) != 0;
         const Material m = to_material(n, absorbs);
-        Losses losses;
-        const P3fStatement s = to_p3f(m, losses);
+        ConversionWarnings warnings;
+        const P3fStatement s = to_p3f(m, warnings);
         const Material again = to_material(s.numbers, s.absorbs);
         CAPTURE(n.diffuse, n.kd, n.specular, n.ks, n.transmission, absorbs);
-        REQUIRE(losses.take().empty());
+        REQUIRE(warnings.take().empty());
         REQUIRE(again.diffuse == m.diffuse);
         REQUIRE(again.specular == m.specular);
         REQUIRE(again.reflection == m.reflection);
@@ -137,9 +137,9 @@ TEST_CASE("a highlight without a mirror is P3F's by a negative weight") {
     Material m;
     m.specular = Color(0.5F, 0.25F, 1);
     m.shininess = 9;
-    Losses losses;
-    const Material again = to_material(to_p3f(m, losses).numbers, true);
-    CHECK(losses.take().empty());
+    ConversionWarnings warnings;
+    const Material again = to_material(to_p3f(m, warnings).numbers, true);
+    CHECK(warnings.take().empty());
     CHECK(again.specular == m.specular);
     CHECK(again.reflection == Color(0.0F));
 }

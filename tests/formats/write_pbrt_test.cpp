@@ -227,7 +227,8 @@ TEST_CASE("what PBRT cannot say is listed") {
     const LoadResult r =
         load_objects("bclr 1 1 1\nl 0 0 2 1 1 1\ns 0 0 0 -1\npl 0 0 0 1 0 0 0 1 0\n");
     Strings lost;
-    for (const Loss& loss : write_pbrt(*r.scene, r.settings, "").lost) lost.push_back(loss.what);
+    for (const ConversionWarning& warning : write_pbrt(*r.scene, r.settings, "").lost)
+        lost.push_back(warning.what);
     CHECK(lost == Strings{"background that lights nothing, now one that does",
                           "light that does not fall off, now one that does",
                           "shape of which one side is seen", "infinite plane, now a large square"});

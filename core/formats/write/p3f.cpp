@@ -185,7 +185,7 @@ class P3fScene {
     const std::filesystem::path& directory_;
     std::string text_;
     P3fWriter out_{[this](std::string_view piece) { text_ += piece; }};
-    Losses lost_;
+    ConversionWarnings lost_;
     std::uint32_t material_ = no_index;
 };
 

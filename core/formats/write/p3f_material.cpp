@@ -119,7 +119,7 @@ P3fStatement glass(const Material& m) {
 }
 
 /// What is different in the material that the statement gives.
-void compare(const Material& wanted, const Material& got, Losses& lost) {
+void compare(const Material& wanted, const Material& got, ConversionWarnings& lost) {
     const auto check = [&](bool same, const char* what) {
         if (!same) lost.add(what);
     };
@@ -137,7 +137,7 @@ void compare(const Material& wanted, const Material& got, Losses& lost) {
 
 }  // namespace
 
-P3fStatement to_p3f(const Material& m, Losses& lost) {
+P3fStatement to_p3f(const Material& m, ConversionWarnings& lost) {
     const P3fStatement s = m.transmission == black ? P3fStatement{opaque(m), true} : glass(m);
     compare(m, to_material(s.numbers, s.absorbs), lost);
     return s;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/formats/p3f/material.h"
-#include "core/formats/write/loss.h"
+#include "core/formats/write/conversion_warnings.h"
 
 namespace etalon {
 
@@ -13,6 +13,6 @@ struct P3fStatement {
 
 /// The statement that a P3F reader makes this material of, to the last bit if it ever came from
 /// one; else of one as like it as can be, and what of it is lost.
-P3fStatement to_p3f(const Material& material, Losses& lost);
+P3fStatement to_p3f(const Material& material, ConversionWarnings& lost);
 
 }  // namespace etalon

@@ -252,7 +252,7 @@ class PbrtScene {
     const RenderSettings& settings_;
     std::string text_;
     LineWriter out_{[this](std::string_view piece) { text_ += piece; }};
-    Losses lost_;
+    ConversionWarnings lost_;
     std::uint32_t material_ = no_index;
     std::vector<bool> known_ = std::vector<bool>(scene_.look.materials.size());
 };

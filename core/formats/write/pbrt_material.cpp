@@ -21,7 +21,7 @@ double roughness_of(double exponent) {
     return std::clamp(std::sqrt(2 / (exponent + 2)), 0.001, 1.0);
 }
 
-std::string glass(const Material& m, std::string_view name, Losses& lost) {
+std::string glass(const Material& m, std::string_view name, ConversionWarnings& lost) {
     if (!m.fresnel) lost.add("constant weights of mirrored and refracted rays, now Fresnel's");
     if (m.diffuse != black || m.specular != black)
         lost.add("diffuse colour and highlight of glass");
@@ -33,7 +33,8 @@ std::string glass(const Material& m, std::string_view name, Losses& lost) {
 }
 
 /// What a surface does beside mirroring, `weight` times as much of it.
-std::string matt_part(const Material& m, std::string_view name, float weight, Losses& lost) {
+std::string matt_part(const Material& m, std::string_view name, float weight,
+                      ConversionWarnings& lost) {
     const Color diffuse = m.diffuse * weight, specular = m.specular * weight;
     if (specular == black) {
         return named(name, "matte", fmt::format("\"rgb Kd\" [ {} ]", diffuse));
@@ -51,7 +52,7 @@ std::string mirror(std::string_view name, const Color& reflection) {
 
 }  // namespace
 
-std::string to_pbrt(const Material& m, std::string_view name, Losses& lost) {
+std::string to_pbrt(const Material& m, std::string_view name, ConversionWarnings& lost) {
     if (m.ambient != black) lost.add("ambient colour of a material");
     if (m.transmission != black) return glass(m, name, lost);
     if (m.reflection == black) return matt_part(m, name, 1, lost);

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/formats/write/loss.h"
+#include "core/formats/write/conversion_warnings.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/scene.h"
 
@@ -15,7 +15,7 @@ namespace etalon {
 
 struct WrittenScene {
     std::string text;
-    std::vector<Loss> lost;  ///< what the format cannot say
+    std::vector<ConversionWarning> lost;  ///< what the format cannot say
 };
 
 /// P3F. Reading it back gives the same image to the last bit, but for what is lost. `directory`

@@ -8,19 +8,19 @@
 namespace etalon {
 
 /// Something of a scene that a format cannot say, and how often that came up.
-struct Loss {
+struct ConversionWarning {
     std::string what;
     std::size_t count;
 };
 
-/// Each kind of loss once, in the order of first appearance.
-class Losses {
+/// Each kind of warning once, in the order of first appearance.
+class ConversionWarnings {
   public:
     void add(std::string_view what);
-    std::vector<Loss> take() { return std::move(list_); }
+    std::vector<ConversionWarning> take() { return std::move(list_); }
 
   private:
-    std::vector<Loss> list_;
+    std::vector<ConversionWarning> list_;
 };
 
 }  // namespace etalon

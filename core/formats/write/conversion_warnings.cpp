@@ -1,11 +1,11 @@
-#include "core/formats/write/loss.h"
+#include "core/formats/write/conversion_warnings.h"
 
 #include <algorithm>
 
 namespace etalon {
 
-void Losses::add(std::string_view what) {
-    const auto known = std::ranges::find(list_, what, &Loss::what);
+void ConversionWarnings::add(std::string_view what) {
+    const auto known = std::ranges::find(list_, what, &ConversionWarning::what);
     if (known == list_.end()) {
         list_.push_back({std::string(what), 1});
     } else {
