@@ -8,13 +8,13 @@
 #include <new>
 #include <vector>
 
+#include "core/formats/detect_format.h"
 #include "core/formats/diagnostic_log.h"
 #include "core/formats/file_text.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/nff/nff.h"
 #include "core/formats/p3f/p3f.h"
 #include "core/formats/prt/prt.h"
-#include "core/formats/recognise.h"
 #include "core/formats/sce/sce.h"
 
 namespace etalon {
@@ -26,14 +26,14 @@ using Loader = LoadResult (*)(std::string_view text, const std::string& path,
 struct Format {
     std::string_view name;       ///< for --format; the extension is the same
     std::string_view described;  ///< in messages: "this looks like ..."
-    Recogniser recognises;
+    FormatMatcher matches;
     Loader load;  ///< null: only recognised, so that it can be named
     bool has_legacy = false;
 };
 
 // To add a format:
 //   1. its loader, core/formats/<format>/, over the words of reader.h if it is a stream of words;
-//   2. its line here, with what it is recognised by (recognise.cpp);
+//   2. its line here, with what it is detected by (detect_format.cpp);
 //   3. its tests, tests/formats/<format>_*_test.cpp.
 // The first line that recognises a text has it: those that show clear signs stand above those that
 // others could be mistaken for.
@@ -68,10 +68,10 @@ const Format* find(std::string_view name) {
 }
 
 /// What the text says it is, else what its file's name says; null if neither says anything.
-const Format* recognise(std::string_view text, const std::string& path) {
-    const Opening opening(text);
+const Format* detect_format(std::string_view text, const std::string& path) {
+    const FormatProbe probe(text);
     for (const Format& f : formats) {
-        if (f.recognises(opening)) return &f;
+        if (f.matches(probe)) return &f;
     }
     const std::string extension = std::filesystem::path(path).extension().string();
     return extension.empty() ? nullptr : find(std::string_view(extension).substr(1));
@@ -110,7 +110,7 @@ LoadResult load_scene_text(std::string_view text, const std::string& path,
         return refuse(path, "format", "unknown format {}; {}{}", in_quotes(options.format),
                       readable_names(), did_you_mean(options.format, names()));
     }
-    const Format* const format = recognise(text, path);
+    const Format* const format = detect_format(text, path);
     if (!format) return refuse(path, "format", "no format recognised; {}", readable_names());
     if (format->load) return format->load(text, path, options);
     return refuse(path, "format", "this looks like {}; {}", format->described, readable_names());

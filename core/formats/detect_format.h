@@ -13,22 +13,22 @@ struct Statement {
 };
 
 /// The start of a text, as far as is worth reading to tell what it is.
-struct Opening {
-    explicit Opening(std::string_view text);
+struct FormatProbe {
+    explicit FormatProbe(std::string_view text);
 
     std::string_view text;
     std::vector<Statement> statements;
 };
 
-using Recogniser = bool (*)(const Opening&);
+using FormatMatcher = bool (*)(const FormatProbe&);
 
-bool is_p3f(const Opening&);
-bool is_nff(const Opening&);
-bool is_prt(const Opening&);
-bool is_sce(const Opening&);
-bool is_pbrt_v4(const Opening&);
-bool is_pbrt(const Opening&);
-bool is_obj(const Opening&);
-bool is_binary(const Opening&);
+bool is_p3f(const FormatProbe&);
+bool is_nff(const FormatProbe&);
+bool is_prt(const FormatProbe&);
+bool is_sce(const FormatProbe&);
+bool is_pbrt_v4(const FormatProbe&);
+bool is_pbrt(const FormatProbe&);
+bool is_obj(const FormatProbe&);
+bool is_binary(const FormatProbe&);
 
 }  // namespace etalon

@@ -1,4 +1,4 @@
-#include "core/formats/recognise.h"
+#include "core/formats/detect_format.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -12,22 +12,23 @@ constexpr std::size_t bytes_read = std::size_t{1} << 16;
 constexpr std::size_t statements_read = 1000;
 
 /// `numbers`: how many must follow the word; any is -1.
-struct Sign {
+struct Signature {
     std::string_view word;
     int numbers = -1;
 };
 
-bool shows(const Opening& opening, std::initializer_list<Sign> signs) {
-    return std::ranges::any_of(opening.statements, [&](const Statement& s) {
-        return std::ranges::any_of(signs, [&](const Sign& sign) {
-            return s.word == sign.word && (sign.numbers < 0 || s.numbers == sign.numbers);
+bool shows(const FormatProbe& probe, std::initializer_list<Signature> signatures) {
+    return std::ranges::any_of(probe.statements, [&](const Statement& s) {
+        return std::ranges::any_of(signatures, [&](const Signature& signature) {
+            return s.word == signature.word &&
+                   (signature.numbers < 0 || s.numbers == signature.numbers);
         });
     });
 }
 
 }  // namespace
 
-Opening::Opening(std::string_view whole) : text(whole.substr(0, bytes_read)) {
+FormatProbe::FormatProbe(std::string_view whole) : text(whole.substr(0, bytes_read)) {
     Tokenizer tokens(text);
     while (!tokens.at_end() && statements.size() < statements_read) {
         if (!tokens.at_number() || statements.empty()) {
@@ -39,7 +40,7 @@ Opening::Opening(std::string_view whole) : text(whole.substr(0, bytes_read)) {
     }
 }
 
-bool is_p3f(const Opening& o) {
+bool is_p3f(const FormatProbe& o) {
     return shows(o, {{"bclr"},
                      {"mat", 11},
                      {"f", 11},
@@ -53,11 +54,11 @@ bool is_p3f(const Opening& o) {
                      {"env", 0}});
 }
 
-bool is_nff(const Opening& o) {
+bool is_nff(const FormatProbe& o) {
     return shows(o, {{"b", 3}, {"f", 8}, {"l", 3}});
 }
 
-bool is_prt(const Opening& o) {
+bool is_prt(const FormatProbe& o) {
     return shows(o, {{"surface", 19},
                      {"background"},
                      {"light", 3},
@@ -67,11 +68,11 @@ bool is_prt(const Opening& o) {
                      {"hsphere"}});
 }
 
-bool is_sce(const Opening& o) {
+bool is_sce(const FormatProbe& o) {
     return shows(o, {{"sce1.0"}, {"eyepos", 3}, {"eyedir", 3}, {"fovy_deg", 1}});
 }
 
-bool is_pbrt_v4(const Opening& o) {
+bool is_pbrt_v4(const FormatProbe& o) {
     return is_pbrt(o) && shows(o, {{"ColorSpace"},
                                    {"Option"},
                                    {"Attribute"},
@@ -81,7 +82,7 @@ bool is_pbrt_v4(const Opening& o) {
                                    {"\"zsobol\""}});
 }
 
-bool is_pbrt(const Opening& o) {
+bool is_pbrt(const FormatProbe& o) {
     return shows(o, {{"LookAt"},
                      {"Camera"},
                      {"Film"},
@@ -94,12 +95,12 @@ bool is_pbrt(const Opening& o) {
                      {"LightSource"}});
 }
 
-bool is_obj(const Opening& o) {
+bool is_obj(const FormatProbe& o) {
     return shows(o, {{"v", 3}, {"v", 4}, {"v", 6}, {"vn", 3}, {"vt", 2}, {"mtllib"}});
 }
 
 /// More than one byte in fifty that no text has.
-bool is_binary(const Opening& o) {
+bool is_binary(const FormatProbe& o) {
     const auto strange = std::ranges::count_if(o.text, [](char c) {
         return (c >= '\0' && c < '\t') || (c > '\r' && c < ' ') || c == '\x7F';
     });
