@@ -11,7 +11,7 @@ namespace etalon {
 namespace {
 
 /// What there is to make channels of. The film always is.
-struct Ingredients {
+struct AovInputs {
     const Film& film;
     std::optional<SurfaceMeans> means{};
     std::optional<CentreHits> centres{};
@@ -26,7 +26,7 @@ using Values = std::variant<std::vector<float>, std::vector<std::uint32_t>, std:
 struct Aov {
     std::string_view name;
     Source source;
-    Values (*values)(const Ingredients&);
+    Values (*values)(const AovInputs&);
     std::string_view axes = {};           ///< of several values: what their channels end in
     bool Backend::*is_counted = nullptr;  ///< what the backend must count
 };
@@ -39,35 +39,35 @@ Values tests(const CentreHits& hits, std::uint64_t TraversalCost::*count) {
 
 /// To add one is to add a line.
 constexpr Aov aovs[] = {
-    {"albedo", Source::means,
-     [](const Ingredients& i) -> Values { return i.means->albedo.pixels(); }, "RGB"},
-    {"N", Source::means, [](const Ingredients& i) -> Values { return i.means->normal.pixels(); },
+    {"albedo", Source::means, [](const AovInputs& i) -> Values { return i.means->albedo.pixels(); },
+     "RGB"},
+    {"N", Source::means, [](const AovInputs& i) -> Values { return i.means->normal.pixels(); },
      "XYZ"},
-    {"P", Source::centres, [](const Ingredients& i) -> Values { return i.centres->positions; },
+    {"P", Source::centres, [](const AovInputs& i) -> Values { return i.centres->positions; },
      "XYZ"},
-    {"Z", Source::centres, [](const Ingredients& i) -> Values { return i.centres->depths; }},
+    {"Z", Source::centres, [](const AovInputs& i) -> Values { return i.centres->depths; }},
     {"uv", Source::parametrizations,
-     [](const Ingredients& i) -> Values { return i.parametrizations->uv; }, "UV"},
+     [](const AovInputs& i) -> Values { return i.parametrizations->uv; }, "UV"},
     {"dpdu", Source::parametrizations,
-     [](const Ingredients& i) -> Values { return i.parametrizations->dpdu; }, "XYZ"},
+     [](const AovInputs& i) -> Values { return i.parametrizations->dpdu; }, "XYZ"},
     {"dpdv", Source::parametrizations,
-     [](const Ingredients& i) -> Values { return i.parametrizations->dpdv; }, "XYZ"},
+     [](const AovInputs& i) -> Values { return i.parametrizations->dpdv; }, "XYZ"},
     {"primitiveId", Source::centres,
-     [](const Ingredients& i) -> Values { return i.centres->primitives; }},
-    {"variance", Source::film, [](const Ingredients& i) -> Values { return i.film.variances(); },
+     [](const AovInputs& i) -> Values { return i.centres->primitives; }},
+    {"variance", Source::film, [](const AovInputs& i) -> Values { return i.film.variances(); },
      "RGB"},
     {"sampleCount", Source::film,
-     [](const Ingredients& i) -> Values {
+     [](const AovInputs& i) -> Values {
          return std::vector<float>(i.film.counts().begin(), i.film.counts().end());
      }},
     {"cost.boxTests",
      Source::centres,
-     [](const Ingredients& i) { return tests(*i.centres, &TraversalCost::box_tests); },
+     [](const AovInputs& i) { return tests(*i.centres, &TraversalCost::box_tests); },
      {},
      &Backend::counts_box_tests},
     {"cost.primitiveTests",
      Source::centres,
-     [](const Ingredients& i) { return tests(*i.centres, &TraversalCost::primitive_tests); },
+     [](const AovInputs& i) { return tests(*i.centres, &TraversalCost::primitive_tests); },
      {},
      &Backend::counts_primitive_tests},
 };
@@ -93,7 +93,7 @@ bool any_from(const std::vector<Aov>& list, Source source) {
     return std::any_of(list.begin(), list.end(), [&](auto& aov) { return aov.source == source; });
 }
 
-bool is_there(const Ingredients& there, Source source) {
+bool is_there(const AovInputs& there, Source source) {
     switch (source) {
         case Source::means:
             return there.means.has_value();
@@ -157,7 +157,7 @@ std::vector<Channel> make_aovs(const Names& names, const Scene& scene,
                                const RenderSettings& settings, const std::atomic<bool>& stop,
                                Names& missing) {
     const std::vector<Aov> list = selected(names);
-    Ingredients made{film};
+    AovInputs made{film};
     if (any_from(list, Source::means)) {
         made.means = surface_means(scene, intersector, settings, &stop);
     }
