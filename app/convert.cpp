@@ -24,8 +24,8 @@ int run(const Arguments& a) {
                    writable_extensions());
         return exit_usage;
     }
-    if (const std::string obstacle = obstacle_to_writing(a.output); !obstacle.empty()) {
-        fmt::print(stderr, "etalon: error: {}\n", obstacle);
+    if (const std::string error = check_writable(a.output); !error.empty()) {
+        fmt::print(stderr, "etalon: error: {}\n", error);
         return exit_not_written;
     }
     const LoadedScene loaded = load(a.scene);

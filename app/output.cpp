@@ -10,7 +10,7 @@
 
 namespace etalon {
 
-std::string obstacle_to_writing(const std::string& path) {
+std::string check_writable(const std::string& path) {
     namespace fs = std::filesystem;
     std::error_code ignored;
     const fs::path parent = fs::path(path).parent_path();

@@ -45,10 +45,10 @@ int write(const Arguments& a, const Metrics& metrics, const PixelPlane& map) {
     return error.empty() ? exit_done : fail(exit_not_written, error);
 }
 
-std::string obstacle(const Arguments& a) {
+std::string check_outputs(const Arguments& a) {
     for (const std::string& path : {a.json, a.heatmap}) {
         if (path.empty() || path == "-") continue;
-        if (std::string error = obstacle_to_writing(path); !error.empty()) return error;
+        if (std::string error = check_writable(path); !error.empty()) return error;
     }
     return {};
 }
@@ -63,7 +63,8 @@ int check_limits(const Arguments& a, const Metrics& metrics) {
 }
 
 int run(const Arguments& a) {
-    if (const std::string error = obstacle(a); !error.empty()) return fail(exit_not_written, error);
+    if (const std::string error = check_outputs(a); !error.empty())
+        return fail(exit_not_written, error);
     const Result<ImagePair> images = read_image_pair(a.a, a.b);
     if (!images) return fail(exit_unusable, images.error);
     const auto& [first, second] = images.value.pixels;

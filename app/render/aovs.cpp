@@ -139,7 +139,7 @@ bool need_variance(const Names& names) {
     return std::find(names.begin(), names.end(), "variance") != names.end();
 }
 
-std::string obstacle_to_aovs(const Names& names, const Backend& backend) {
+std::string check_aovs(const Names& names, const Backend& backend) {
     for (const Aov& aov : selected(names)) {
         if (aov.is_counted == nullptr || backend.*aov.is_counted) continue;
         Names able;

@@ -19,7 +19,7 @@ std::string aov_names();
 bool need_variance(const std::vector<std::string>& names);
 
 /// Why the backend cannot give all of them, or nothing.
-std::string obstacle_to_aovs(const std::vector<std::string>& names, const Backend& backend);
+std::string check_aovs(const std::vector<std::string>& names, const Backend& backend);
 
 /// The channels of these, each once, with as many rays as that takes. What was stopped before it
 /// was made goes to `missing`.

@@ -86,7 +86,7 @@ std::string check_aovs(const RenderArguments& a, const RenderSettings& settings)
     if (!a.outputs.empty() && std::none_of(a.outputs.begin(), a.outputs.end(), can_hold_channels)) {
         return "--aov: no output is an EXR; expected -o FILE.exr to hold the channels";
     }
-    return obstacle_to_aovs(a.aovs, chosen_backend(settings));
+    return check_aovs(a.aovs, chosen_backend(settings));
 }
 
 }  // namespace

@@ -65,8 +65,8 @@ class Render {
 
     bool outputs_are_writable() const {
         for (const std::string& path : a_.outputs) {
-            const std::string obstacle = obstacle_to_writing(path);
-            if (!obstacle.empty()) return complain(obstacle);
+            const std::string error = check_writable(path);
+            if (!error.empty()) return complain(error);
         }
         return true;
     }

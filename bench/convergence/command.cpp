@@ -90,8 +90,8 @@ Result<Measured> measure_integrator(const Arguments& a, const bench::NamedScene&
 }
 
 int run(const Arguments& a) {
-    const std::string obstacle = a.json.empty() || a.json == "-" ? "" : obstacle_to_writing(a.json);
-    if (!obstacle.empty()) return fail(exit_not_written, obstacle);
+    const std::string error = a.json.empty() || a.json == "-" ? "" : check_writable(a.json);
+    if (!error.empty()) return fail(exit_not_written, error);
     bench::NamedScene named = bench::bench_scene(a.scene);
     fmt::print(stderr, "{}", named.messages);
     if (!named.scene) return exit_unusable;

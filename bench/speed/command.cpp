@@ -79,7 +79,7 @@ SceneFigures measure(const Arguments& a, const std::string& name, bench::NamedSc
 }
 
 /// Before anything is measured: a slip of the pen in the last name is to cost no hour.
-int find_obstacle(const Arguments& a) {
+int check_arguments(const Arguments& a) {
     std::string complaints;
     for (const std::string& name : a.scenes) {
         const std::string complaint = bench::complaint_about(name);
@@ -87,9 +87,9 @@ int find_obstacle(const Arguments& a) {
     }
     fmt::print(stderr, "{}", complaints);
     if (!complaints.empty()) return exit_unusable;
-    const std::string obstacle = a.json.empty() || a.json == "-" ? "" : obstacle_to_writing(a.json);
-    if (obstacle.empty()) return exit_done;
-    fmt::print(stderr, "etalon-bench: error: {}\n", obstacle);
+    const std::string error = a.json.empty() || a.json == "-" ? "" : check_writable(a.json);
+    if (error.empty()) return exit_done;
+    fmt::print(stderr, "etalon-bench: error: {}\n", error);
     return exit_not_written;
 }
 
@@ -101,7 +101,7 @@ bool save(const Arguments& a, const nlohmann::ordered_json& json, bool is_comple
 
 int run(const Arguments& a) {
     if (a.list) return fmt::print("{}", bench::list_of_scenes()), exit_done;
-    if (const int status = find_obstacle(a); status != exit_done) return status;
+    if (const int status = check_arguments(a); status != exit_done) return status;
     nlohmann::ordered_json json = json_of_circumstances(a.plan());
     for (const std::string& name : a.scenes) {
         bench::NamedScene named = bench::bench_scene(name);

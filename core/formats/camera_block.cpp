@@ -137,7 +137,7 @@ class BlockReader {
 };
 
 /// Why nothing can be seen with this camera, or an empty string.
-std::string obstacle(const CameraBlock& b) {
+std::string check_camera(const CameraBlock& b) {
     const Vec3 view = to_unit_magnitude(b.camera.eye - b.camera.at);
     const double fov = b.camera.fov_degrees;
     if (std::min(b.width, b.height) < 1 || std::max(b.width, b.height) > largest_side) {
@@ -177,7 +177,7 @@ void read_resolution(Reader& in, CameraBlock& b) {
 }
 
 void settle_camera(SceneLoader& loader, CameraBlock block, const std::string& missing) {
-    std::string why = missing.empty() ? obstacle(block) : "the camera has no " + missing;
+    std::string why = missing.empty() ? check_camera(block) : "the camera has no " + missing;
     if (!why.empty()) return leave_out(loader, block.start, std::move(why));
     Reader& in = loader.in;
     if (loader.has_camera) in.warn("camera", "a second camera; it replaces the first");

@@ -47,7 +47,7 @@ Result<std::string> encode(const std::string& kind, const RenderedImage& image, 
 }
 
 /// Why no file can be read there, as far as the file system knows; libraries say it worse.
-std::string obstacle_to_reading(const std::string& path) {
+std::string check_readable(const std::string& path) {
     if (::access(path.c_str(), R_OK) != 0) return std::generic_category().message(errno);
     std::error_code none;
     if (fs::is_directory(path, none)) return std::generic_category().message(EISDIR);
@@ -72,8 +72,8 @@ std::string write_image(const std::string& path, const RenderedImage& image, dou
 }
 
 Result<Image> read_image(const std::string& path) {
-    const std::string obstacle = obstacle_to_reading(path);
-    if (!obstacle.empty()) return {{}, path + ": cannot be read: " + obstacle};
+    const std::string error = check_readable(path);
+    if (!error.empty()) return {{}, path + ": cannot be read: " + error};
     return extension(path) == ".exr" ? read_exr(path) : read_oiio(path);
 }
 
