@@ -18,9 +18,9 @@ namespace etalon::HWY_NAMESPACE {
 
 /// Made for the first cluster that a ray meets: many rays meet none of one kind, or none at all.
 template <class Filter>
-class Late {
+class Lazy {
   public:
-    HWY_INLINE Late() {}
+    HWY_INLINE Lazy() {}
 
     template <class Make>
     HWY_INLINE const Filter& get(const Make& make) {
@@ -73,8 +73,8 @@ struct UserQuery : EmbreeContext {
     const RayQuery& query;
     const NormalizedRay& local;
     NearestHit* nearest;
-    Late<TriangleFilter> triangles;
-    Late<SphereFilter> spheres;
+    Lazy<TriangleFilter> triangles;
+    Lazy<SphereFilter> spheres;
 };
 
 /// Embree's single-ray layout is what a packet of one is.
