@@ -32,8 +32,8 @@ struct RayQuery {
     explicit RayQuery(const Ray& r) : ray(r), kz(dominant_axis(r.direction)) {
         kx = (kz + 1) % 3;
         ky = (kz + 2) % 3;
-        dx = without_dust(kx);
-        dy = without_dust(ky);
+        dx = flush_negligible(kx);
+        dy = flush_negligible(ky);
         dz = r.direction[kz];
         ray.tmin = std::max(r.tmin, 0.0);
     }
@@ -45,7 +45,7 @@ struct RayQuery {
   private:
     /// Zero for a component of less than 2^-500 of the largest. It moves no point that a double can
     /// tell from its neighbours, but its products could leave the range in which signs are exact.
-    double without_dust(int k) {
+    double flush_negligible(int k) {
         double& component = ray.direction[k];
         if (std::abs(component) < 0x1p-500 * std::abs(ray.direction[kz])) component = 0;
         return component;

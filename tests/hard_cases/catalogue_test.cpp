@@ -119,7 +119,7 @@ const std::map<std::string, Share> special_shares = {
     {"CON-3, on the surface", {0.1, 0.5}},  // which side it is on is a matter of rounding
     {"CYL-3, parallel to the axis", {0, 0}},
     {"PLN-1, cosine 0", {0, 0}},
-    {"PLN-1, cosine 1e-290", {0, 0}},  // dust: RayQuery takes it for parallel
+    {"PLN-1, cosine 1e-290", {0, 0}},  // negligible: RayQuery takes it for parallel
     {"PLN-1, within the plane", {0, 0}},
     {"TRI-6, level", {0, 0}},
     {"TRI-6, tilted", {0, 1}},
