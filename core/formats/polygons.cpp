@@ -30,7 +30,7 @@ bool is_visible(SceneLoader& loader) {
     if (!loader.in.ok()) return false;
     const Vec3 normal = area_normal(loader.corners.positions);
     if (is_finite(normal) && normal != Vec3(0)) return true;
-    loader.leave_out("it has no area");
+    loader.skip_degenerate("it has no area");
     return false;
 }
 

@@ -62,7 +62,7 @@ struct SceneLoader {
     }
 
     /// The current statement's shape cannot be seen.
-    void leave_out(std::string_view why) {
+    void skip_degenerate(std::string_view why) {
         in.warn("degenerate", "'{}' left out: {}", in.keyword(), why);
     }
 

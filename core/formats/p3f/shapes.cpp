@@ -18,7 +18,7 @@ void read_box(Loader& loader) {
         if (box.min[k] > box.max[k]) std::swap(box.min[k], box.max[k]);
         if (box.min[k] == box.max[k]) ++flat;
     }
-    if (flat > 1) return loader.leave_out("it has no area");
+    if (flat > 1) return loader.skip_degenerate("it has no area");
     if (box.min != a) {
         in.warn("degenerate",
                 "the corners of 'box' are not the lower and the upper one; exchanged");
@@ -34,7 +34,7 @@ void read_plane(Loader& loader) {
     if (!in.ok()) return;
     const Vec3 normal = area_normal(points);
     if (!is_finite(normal) || normal == Vec3(0)) {
-        return loader.leave_out("its points span no plane");
+        return loader.skip_degenerate("its points span no plane");
     }
     loader.add(Plane{points[0], normal}, loader.sides());
 }
@@ -48,8 +48,9 @@ void read_hessian_plane(Loader& loader) {
     const Vec3 normal = to_unit_magnitude(given);
     const double d = distance * power_of_two_reciprocal(max_abs(given));
     const Vec3 point = normal * (-d / normal.dot(normal));
-    if (!is_finite(normal) || normal == Vec3(0)) return loader.leave_out("its normal is zero");
-    if (!is_finite(point)) return loader.leave_out("it lies beyond all numbers");
+    if (!is_finite(normal) || normal == Vec3(0))
+        return loader.skip_degenerate("its normal is zero");
+    if (!is_finite(point)) return loader.skip_degenerate("it lies beyond all numbers");
     loader.add(Plane{point, normal}, loader.sides());
 }
 

@@ -55,7 +55,7 @@ void replay(Loader& loader, const Definition& definition, const Vec3& offset) {
     } else {
         loader.scene.look.materials.resize(materials);
         loader.material = before;
-        loader.leave_out("it lies beyond all numbers");
+        loader.skip_degenerate("it lies beyond all numbers");
     }
 }
 

@@ -46,9 +46,9 @@ void read_hollow_sphere(Loader& loader) {
     const Vec3 centre = in.vector("centre");
     const double radius = in.number("radius"), thickness = in.number("thickness");
     if (!in.ok()) return;
-    if (!(radius > 0)) return loader.leave_out("its radius is not more than 0");
+    if (!(radius > 0)) return loader.skip_degenerate("its radius is not more than 0");
     if (!(thickness > 0 && thickness <= radius)) {
-        return loader.leave_out("its thickness is not more than 0 and at most its radius");
+        return loader.skip_degenerate("its thickness is not more than 0 and at most its radius");
     }
     const Sides sides = loader.sides();
     loader.add(Sphere{centre, radius}, sides);
@@ -67,11 +67,12 @@ void read_ring(Loader& loader) {
     if (!in.ok()) return;
     const Vec3 normal = area_normal(points);
     if (!is_finite(normal) || normal == Vec3(0)) {
-        return loader.leave_out("its points span no plane");
+        return loader.skip_degenerate("its points span no plane");
     }
-    if (!(outer > 0)) return loader.leave_out("its outer radius is not more than 0");
+    if (!(outer > 0)) return loader.skip_degenerate("its outer radius is not more than 0");
     if (!(inner >= 0 && inner <= outer)) {
-        return loader.leave_out("its inner radius, the second, is not between 0 and the outer one");
+        return loader.skip_degenerate(
+            "its inner radius, the second, is not between 0 and the outer one");
     }
     loader.add(Ring{points[0], normal, inner, outer}, loader.sides());
 }
@@ -87,7 +88,7 @@ void read_quadric(Loader& loader) {
     q.clip.extendBy(b);
     const auto end = q.coefficients.end() - 1;  // the last alone makes no surface
     if (std::all_of(q.coefficients.begin(), end, [](double c) { return c == 0; })) {
-        return loader.leave_out("its coefficients are all 0");
+        return loader.skip_degenerate("its coefficients are all 0");
     }
     if (q.clip.min != a) {
         in.warn("degenerate",
