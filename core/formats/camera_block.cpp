@@ -176,7 +176,7 @@ void read_resolution(Reader& in, CameraBlock& b) {
     b.height = in.integer("resolution");
 }
 
-void settle_camera(SceneLoader& loader, CameraBlock block, const std::string& missing) {
+void finalize_camera(SceneLoader& loader, CameraBlock block, const std::string& missing) {
     std::string why = missing.empty() ? check_camera(block) : "the camera has no " + missing;
     if (!why.empty()) return skip_degenerate(loader, block.start, std::move(why));
     Reader& in = loader.in;
@@ -191,7 +191,7 @@ void read_camera_block(SceneLoader& loader, CameraDialect dialect) {
     using Lines = std::span<const Line>;
     BlockReader reader(loader.in, dialect == CameraDialect::nff ? Lines(nff_lines) : p3f_lines);
     const CameraBlock block = reader.read();
-    settle_camera(loader, block, reader.missing());
+    finalize_camera(loader, block, reader.missing());
 }
 
 }  // namespace etalon

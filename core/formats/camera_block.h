@@ -19,7 +19,7 @@ void read_resolution(Reader& in, CameraBlock& block);
 
 /// Makes the block the scene's camera, or says why nothing can be seen with it; `missing` names
 /// what it ought to have and has not.
-void settle_camera(SceneLoader& loader, CameraBlock block, const std::string& missing);
+void finalize_camera(SceneLoader& loader, CameraBlock block, const std::string& missing);
 
 /// NFF's camera is a block of lines that each start with a word of their own; P3F's has a lens, and
 /// a new word for `from`.

@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-void settle_cameras(const SceneLoader& loader, DiagnosticLog& log) {
+void finalize_cameras(const SceneLoader& loader, DiagnosticLog& log) {
     const std::optional<UnusableCamera>& bad = loader.unusable_camera;
     if (bad && loader.has_camera) {
         log.warn(bad->offset, "camera", "{}; this camera is left out", bad->why);
@@ -64,7 +64,7 @@ void SceneLoader::add_light(const Vec3& position) {
 }
 
 LoadResult SceneLoader::finish(DiagnosticLog& log) {
-    settle_cameras(*this, log);
+    finalize_cameras(*this, log);
     const double intensity = 1 / std::sqrt(static_cast<double>(scene.look.lights.size()));
     for (const std::size_t i : uncolored_lights) {
         std::get<PointLight>(scene.look.lights[i]).color = Color(static_cast<float>(intensity));

@@ -60,6 +60,6 @@ std::span<const std::string_view> object_names();
 void drop_open_definition(Loader&);
 
 /// The end of the file: what was read of the camera becomes the scene's.
-void settle_view(Loader&);
+void finalize_view(Loader&);
 
 }  // namespace etalon::prt

@@ -62,7 +62,7 @@ LoadResult load_prt(std::string_view text, const std::string& path, const LoadOp
     loader.settings.display_colors = true;
     read_statements(loader, keywords);
     if (loader.open) prt::drop_open_definition(loader);
-    settle_view(loader);
+    finalize_view(loader);
     return loader.finish(log);
 }
 

@@ -110,9 +110,9 @@ void read_background(Loader& loader) {
     if (loader.in.ok() && letter) loader.in.tokens().next();
 }
 
-void settle_view(Loader& loader) {
+void finalize_view(Loader& loader) {
     loader.camera.camera.stretched = true;
-    if (loader.has_camera_lines) settle_camera(loader, loader.camera, missing_lines(loader));
+    if (loader.has_camera_lines) finalize_camera(loader, loader.camera, missing_lines(loader));
     if (loader.options.legacy) apply_legacy(loader.scene, loader.settings);
 }
 

@@ -109,6 +109,6 @@ void read_samples(Loader&, Reader&);
 void read_background(Loader&, Reader&);
 
 /// Makes the scene's camera of what was read, or says why nothing can be seen.
-void settle_camera(Loader&);
+void finalize_camera(Loader&);
 
 }  // namespace etalon::sce

@@ -122,7 +122,7 @@ LoadResult load_sce(std::string_view text, const std::string& path, const LoadOp
     loader.settings.resolution = {100, 100};
     scene.camera.up = Vec3(0, 1, 0);
     read_lines(loader, text);
-    settle_camera(loader);
+    finalize_camera(loader);
     LoadResult result;
     if (!log.has_errors()) result.scene = std::move(loader.scene);
     result.settings = loader.settings;

@@ -76,7 +76,7 @@ void read_background(Loader& loader, Reader& in) {
 
 /// The point looked at is as far away as the eye is from the origin, or twice, or half: so it takes
 /// up the direction without losing digits.
-void settle_camera(Loader& loader) {
+void finalize_camera(Loader& loader) {
     Camera& camera = loader.scene.camera;
     const Vec3 direction = to_unit_magnitude(loader.view.direction);
     const double distance = 1 / power_of_two_reciprocal(max_abs(camera.eye));

@@ -2,7 +2,7 @@
 
 namespace etalon {
 
-void settle_weights(TriangleCrossing& c, const TriangleCorners& p, const RayQuery& q) {
+void finalize_weights(TriangleCrossing& c, const TriangleCorners& p, const RayQuery& q) {
     const bool thin = is_thin(c);
     for (int k = 0; k < 3; ++k) {
         if (!thin && std::abs(c.weight[k]) > c.error_bound) continue;

@@ -64,7 +64,8 @@ struct TriangleCrossing {
 
 /// Takes the weights exactly that their roundings could spoil; all of them where the triangle is so
 /// thin or edge-on that they would mean little.
-[[gnu::cold]] void settle_weights(TriangleCrossing& c, const TriangleCorners& p, const RayQuery& q);
+[[gnu::cold]] void finalize_weights(TriangleCrossing& c, const TriangleCorners& p,
+                                    const RayQuery& q);
 
 inline double max_abs(double x, double y, double z) {
     return std::max(std::abs(x), std::max(std::abs(y), std::abs(z)));
@@ -86,7 +87,7 @@ inline bool is_thin(const TriangleCrossing& c) {
     const double least = std::min({u, v, w}), most = std::max({u, v, w});
     const bool surely_outside = least < -error_bound && most > error_bound;
     const bool surely_inside = (least > error_bound || most < -error_bound) && !is_thin(r);
-    if (!surely_inside && !surely_outside) settle_weights(r, p, q);
+    if (!surely_inside && !surely_outside) finalize_weights(r, p, q);
     return r;
 }
 
