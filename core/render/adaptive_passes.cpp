@@ -86,7 +86,7 @@ SamplingGoal AdaptivePasses::worthwhile(const Film& film) const {
     return goal;
 }
 
-double AdaptivePasses::part_done(std::uint64_t) const {
+double AdaptivePasses::progress(std::uint64_t) const {
     return expected_ > 0 ? std::min(1.0, error_ / expected_) : 0;
 }
 

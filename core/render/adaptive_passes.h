@@ -14,7 +14,7 @@ class AdaptivePasses : public SamplingPasses {
 
     std::optional<SamplingGoal> next(const Film& film) override;
     double expected_error() const override { return expected_; }
-    double part_done(std::uint64_t samples) const override;
+    double progress(std::uint64_t samples) const override;
 
   private:
     /// A pixel whose samples might be doubled.

@@ -15,12 +15,12 @@ class Deadline {
         : seconds_(seconds), clock_(clock), start_(clock()) {}
 
     /// In [0, 1]; always 0 without a limit.
-    double part_over() const {
+    double elapsed_fraction() const {
         if (seconds_ <= 0) return 0;
         return std::min((clock_() - start_) / seconds_, 1.0);
     }
 
-    bool is_over() const { return part_over() >= 1; }
+    bool is_over() const { return elapsed_fraction() >= 1; }
 
   private:
     static double wall_seconds() {

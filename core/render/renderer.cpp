@@ -79,7 +79,7 @@ class Renderer {
             for_each_pixel(tile, stop,
                            [&](int x, int y) { done += render_pixel(x, y, goal, counts_[i]); });
             const std::uint64_t total = samples_done_.fetch_add(done) + done;
-            if (control_.progress) control_.progress(passes.part_done(total));
+            if (control_.progress) control_.progress(passes.progress(total));
         });
     }
 

@@ -27,7 +27,7 @@ class SamplingPasses {
     virtual double expected_error() const { return 0; }
 
     /// Which part of the work is done once `film` has as many samples as it has; in [0, 1].
-    virtual double part_done(std::uint64_t samples) const = 0;
+    virtual double progress(std::uint64_t samples) const = 0;
 };
 
 }  // namespace etalon

@@ -6,7 +6,7 @@ namespace etalon {
 
 /// How many samples there will be at the deadline if they go on taking as long as those before.
 std::uint32_t UniformPasses::affordable() const {
-    const double part = deadline_.part_over();
+    const double part = deadline_.elapsed_fraction();
     if (!(part > 0)) return samples_;
     return static_cast<std::uint32_t>(std::min<double>(goal_ / part, samples_));
 }
@@ -18,9 +18,9 @@ std::optional<SamplingGoal> UniformPasses::next(const Film&) {
     return SamplingGoal{goal_ = next};
 }
 
-double UniformPasses::part_done(std::uint64_t samples) const {
+double UniformPasses::progress(std::uint64_t samples) const {
     const double all = static_cast<double>(samples_) * static_cast<double>(pixels_);
-    return std::max(static_cast<double>(samples) / all, deadline_.part_over());
+    return std::max(static_cast<double>(samples) / all, deadline_.elapsed_fraction());
 }
 
 }  // namespace etalon

@@ -14,7 +14,7 @@ class UniformPasses : public SamplingPasses {
         : samples_(samples), pixels_(pixels), deadline_(deadline) {}
 
     std::optional<SamplingGoal> next(const Film& film) override;
-    double part_done(std::uint64_t samples) const override;
+    double progress(std::uint64_t samples) const override;
 
   private:
     std::uint32_t affordable() const;
