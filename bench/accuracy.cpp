@@ -77,7 +77,7 @@ bool is_broken_promise(const Row& row) {
 bool write_reports(const Arguments& a, const std::vector<Row>& rows) {
     bool written = true;
     if (!a.json.empty())
-        written &= write_json(a.json, accuracy::json(rows, accuracy::circumstances()));
+        written &= write_json(a.json, accuracy::json(rows, accuracy::run_environment()));
     if (!a.markdown.empty()) written &= write_text(a.markdown, accuracy::markdown(rows));
     if (a.plots.empty()) return written;
     for (const std::string& shape : accuracy::shapes_of(rows)) {

@@ -102,7 +102,7 @@ bool save(const Arguments& a, const nlohmann::ordered_json& json, bool is_comple
 int run(const Arguments& a) {
     if (a.list) return fmt::print("{}", bench::list_of_scenes()), exit_done;
     if (const int status = check_arguments(a); status != exit_done) return status;
-    nlohmann::ordered_json json = json_of_circumstances(a.plan());
+    nlohmann::ordered_json json = json_of_environment(a.plan());
     for (const std::string& name : a.scenes) {
         bench::NamedScene named = bench::bench_scene(name);
         fmt::print(stderr, "{}", named.messages);

@@ -130,8 +130,8 @@ TEST_CASE("JSON keeps every number to the last bit through writing and reading")
     }
 }
 
-TEST_CASE("The circumstances of a measurement are known") {
-    const Circumstances here = circumstances();
+TEST_CASE("The environment of a measurement is known") {
+    const RunEnvironment here = run_environment();
     CHECK_FALSE(here.machine.empty());
     CHECK_THAT(here.flags, ContainsSubstring("-ffp-contract=off"));
     CHECK(here.compiler.find_first_of("0123456789") != std::string::npos);

@@ -56,17 +56,17 @@ std::string processor() {
 
 }  // namespace
 
-Circumstances circumstances() {
+RunEnvironment run_environment() {
     return {processor(), ETALON_COMPILER, ETALON_FLAGS, ETALON_VERSION};
 }
 
-nlohmann::ordered_json json(const std::vector<Row>& rows, const Circumstances& circumstances) {
+nlohmann::ordered_json json(const std::vector<Row>& rows, const RunEnvironment& environment) {
     Json list = Json::array();
     for (const Row& row : rows) list.push_back(json_of(row));
-    return {{"machine", circumstances.machine},
-            {"compiler", circumstances.compiler},
-            {"flags", circumstances.flags},
-            {"version", circumstances.version},
+    return {{"machine", environment.machine},
+            {"compiler", environment.compiler},
+            {"flags", environment.flags},
+            {"version", environment.version},
             {"rows", list}};
 }
 

@@ -9,15 +9,15 @@
 namespace etalon::accuracy {
 
 /// Where and with what the rows were measured.
-struct Circumstances {
+struct RunEnvironment {
     std::string machine, compiler, flags, version;
 };
 
 /// This machine's processor, and this program's compiler, flags and version.
-Circumstances circumstances();
+RunEnvironment run_environment();
 
 /// Everything, with every bit of every number; of a distribution its count, quantiles and maximum.
 /// What is infinite is null.
-nlohmann::ordered_json json(const std::vector<Row>& rows, const Circumstances& circumstances);
+nlohmann::ordered_json json(const std::vector<Row>& rows, const RunEnvironment& environment);
 
 }  // namespace etalon::accuracy

@@ -32,7 +32,7 @@ double load_average() {
 }  // namespace
 
 Machine this_machine() {
-    const accuracy::Circumstances here = accuracy::circumstances();
+    const accuracy::RunEnvironment here = accuracy::run_environment();
     const EmbreeLibrary embree = embree_library();
     return {here.machine,   system_name(), here.compiler,         here.flags,     here.version,
             embree.version, embree.isa,    speed::usable_cores(), memory_bytes(), load_average()};

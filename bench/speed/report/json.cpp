@@ -89,7 +89,7 @@ Json json_of(const KindFigures& kind) {
 }  // namespace
 
 Json json_of_machine() {
-    const accuracy::Circumstances here = accuracy::circumstances();
+    const accuracy::RunEnvironment here = accuracy::run_environment();
     const EmbreeLibrary embree = embree_library();
     return {{"version", here.version},
             {"machine",
@@ -99,7 +99,7 @@ Json json_of_machine() {
             {"embree", {{"version", embree.version}, {"isa", embree.isa}}}};
 }
 
-Json json_of_circumstances(const Plan& plan) {
+Json json_of_environment(const Plan& plan) {
     Json json = json_of_machine();
     json["baselines"] = {baseline, robust_baseline};
     json["repeats"] = plan.repeats;

@@ -12,7 +12,7 @@ namespace etalon::speed {
 nlohmann::ordered_json json_of_machine();
 
 /// The same and the plan. The scenes are for the caller to add.
-nlohmann::ordered_json json_of_circumstances(const Plan& plan);
+nlohmann::ordered_json json_of_environment(const Plan& plan);
 
 nlohmann::ordered_json json_of(const SceneFigures& scene);
 
