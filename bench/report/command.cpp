@@ -8,10 +8,10 @@
 #include "app/progress.h"
 #include "app/signals.h"
 #include "bench/commands.h"
+#include "bench/report/formatting.h"
 #include "bench/report/html/html.h"
 #include "bench/report/sections/sections.h"
 #include "bench/report/tasks.h"
-#include "bench/report/words.h"
 
 namespace etalon {
 namespace {

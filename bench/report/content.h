@@ -82,14 +82,14 @@ struct Section {
 };
 
 /// A number that the report begins with.
-struct Fact {
+struct KeyFigure {
     std::string value, name, note;
 };
 
 struct Page {
     std::string title, subtitle;
     std::string missing;  ///< why it is not complete; empty if it is
-    std::vector<Fact> summary;
+    std::vector<KeyFigure> summary;
     std::vector<Section> sections;
     std::string command;
 };

@@ -1,10 +1,10 @@
 // The report: as HTML of figures that nobody measured, and from outside.
 #include <nlohmann/json.hpp>
 
+#include "bench/report/formatting.h"
 #include "bench/report/html/html.h"
 #include "bench/report/sections/sections.h"
 #include "bench/report/tasks.h"
-#include "bench/report/words.h"
 #include "tests/app/program.h"
 #include "tests/bench/report_results.h"
 #include "tests/catch.h"

@@ -26,9 +26,9 @@ std::string head(const Page& page) {
 std::string summary(const Page& page) {
     if (page.summary.empty()) return "";
     std::string text = "<div class=\"facts\">\n";
-    for (const Fact& fact : page.summary) {
+    for (const KeyFigure& figure : page.summary) {
         text += fmt::format("<div class=\"fact\"><b>{}</b><span>{}</span><small>{}</small></div>\n",
-                            escaped(fact.value), escaped(fact.name), escaped(fact.note));
+                            escaped(figure.value), escaped(figure.name), escaped(figure.note));
     }
     return text + "</div>\n";
 }

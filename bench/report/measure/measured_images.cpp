@@ -4,9 +4,9 @@
 
 #include "app/backends.h"
 #include "bench/report/commands.h"
+#include "bench/report/formatting.h"
 #include "bench/report/measure/cost_map.h"
 #include "bench/report/measure/rendered.h"
-#include "bench/report/words.h"
 #include "core/image/encode.h"
 #include "core/image/metrics/flip.h"
 #include "core/image/metrics/magma.h"

@@ -3,8 +3,8 @@
 
 #include "bench/plot/line_chart.h"
 #include "bench/report/commands.h"
+#include "bench/report/formatting.h"
 #include "bench/report/sections/sections.h"
-#include "bench/report/words.h"
 
 namespace etalon::bench_report {
 namespace {

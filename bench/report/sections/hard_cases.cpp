@@ -6,8 +6,8 @@
 #include "app/backends.h"
 #include "bench/accuracy/report/cases.h"
 #include "bench/report/commands.h"
+#include "bench/report/formatting.h"
 #include "bench/report/sections/sections.h"
-#include "bench/report/words.h"
 
 namespace etalon::bench_report {
 namespace {

@@ -17,7 +17,7 @@ Section spd_section(const Results& results);
 Section machine_section(const Results& results);
 
 /// The numbers to begin with, of what was measured so far.
-std::vector<Fact> summary(const Results& results);
+std::vector<KeyFigure> summary(const Results& results);
 
 /// The whole report. A section without figures is not measured yet.
 Page page_of(const Results& results);

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "bench/report/commands.h"
+#include "bench/report/formatting.h"
 #include "bench/report/sections/sections.h"
-#include "bench/report/words.h"
 
 namespace etalon::bench_report {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "bench/accuracy/report/numbers.h"
 #include "bench/report/commands.h"
+#include "bench/report/formatting.h"
 #include "bench/report/sections/sections.h"
-#include "bench/report/words.h"
 
 namespace etalon::bench_report {
 namespace {

@@ -1,15 +1,15 @@
 #include <fmt/format.h>
 
 #include "bench/accuracy/report/cases.h"
+#include "bench/report/formatting.h"
 #include "bench/report/sections/sections.h"
-#include "bench/report/words.h"
 
 namespace etalon::bench_report {
 namespace {
 
 using namespace speed;
 
-void add_speed(const std::vector<SceneFigures>& scenes, std::vector<Fact>& facts) {
+void add_speed(const std::vector<SceneFigures>& scenes, std::vector<KeyFigure>& key_figures) {
     std::vector<double> fast, robust;
     for (const SceneFigures& scene : scenes) {
         for (const KindFigures& kind : scene.kinds) {
@@ -21,13 +21,14 @@ void add_speed(const std::vector<SceneFigures>& scenes, std::vector<Fact>& facts
         }
     }
     if (fast.empty()) return;
-    facts.push_back({"×" + three_digits(geometric_mean(fast)), "ray speed",
-                     fmt::format("{} to {}, mean of {}; ×{} to its robust form", default_backend,
-                                 baseline_backend, count_of(scenes.size(), "scene"),
-                                 three_digits(geometric_mean(robust)))});
+    key_figures.push_back(
+        {"×" + three_digits(geometric_mean(fast)), "ray speed",
+         fmt::format("{} to {}, mean of {}; ×{} to its robust form", default_backend,
+                     baseline_backend, count_of(scenes.size(), "scene"),
+                     three_digits(geometric_mean(robust)))});
 }
 
-void add_builds(const std::vector<SceneFigures>& scenes, std::vector<Fact>& facts) {
+void add_builds(const std::vector<SceneFigures>& scenes, std::vector<KeyFigure>& key_figures) {
     std::vector<double> ratios, sizes;
     for (const SceneFigures& scene : scenes) {
         for (const BuildFigures& b : scene.builds) {
@@ -37,12 +38,12 @@ void add_builds(const std::vector<SceneFigures>& scenes, std::vector<Fact>& fact
         }
     }
     if (ratios.empty()) return;
-    facts.push_back({"×" + three_digits(geometric_mean(ratios)), "build speed",
-                     fmt::format("{} to {}; {} bytes a primitive", default_backend,
-                                 baseline_backend, three_digits(geometric_mean(sizes)))});
+    key_figures.push_back({"×" + three_digits(geometric_mean(ratios)), "build speed",
+                           fmt::format("{} to {}; {} bytes a primitive", default_backend,
+                                       baseline_backend, three_digits(geometric_mean(sizes)))});
 }
 
-void add_errors(const std::vector<accuracy::Row>& rows, std::vector<Fact>& facts) {
+void add_errors(const std::vector<accuracy::Row>& rows, std::vector<KeyFigure>& key_figures) {
     std::uint64_t exact_rays = 0, exact_errors = 0, baseline_rays = 0, baseline_errors = 0;
     for (const accuracy::Row& row : rows) {
         if (row.exact) exact_rays += row.stats.rays, exact_errors += row.stats.errors();
@@ -51,24 +52,24 @@ void add_errors(const std::vector<accuracy::Row>& rows, std::vector<Fact>& facts
         baseline_errors += row.stats.errors();
     }
     if (exact_rays == 0) return;
-    facts.push_back({grouped(exact_errors), "wrong answers",
-                     fmt::format("exact backends, {} hard rays", grouped(exact_rays))});
+    key_figures.push_back({grouped(exact_errors), "wrong answers",
+                           fmt::format("exact backends, {} hard rays", grouped(exact_rays))});
     if (baseline_rays == 0) return;
     const double share =
         100 * static_cast<double>(baseline_errors) / static_cast<double>(baseline_rays);
-    facts.push_back(
+    key_figures.push_back(
         {fmt::format("{} %", three_digits(share)), "wrong answers",
          fmt::format("{}, {} of the same rays", baseline_backend, grouped(baseline_rays))});
 }
 
 }  // namespace
 
-std::vector<Fact> summary(const Results& results) {
-    std::vector<Fact> facts;
-    add_speed(results.scenes.list, facts);
-    add_errors(results.rows.list, facts);
-    add_builds(results.scenes.list, facts);
-    return facts;
+std::vector<KeyFigure> summary(const Results& results) {
+    std::vector<KeyFigure> key_figures;
+    add_speed(results.scenes.list, key_figures);
+    add_errors(results.rows.list, key_figures);
+    add_builds(results.scenes.list, key_figures);
+    return key_figures;
 }
 
 }  // namespace etalon::bench_report

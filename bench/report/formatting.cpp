@@ -1,4 +1,4 @@
-#include "bench/report/words.h"
+#include "bench/report/formatting.h"
 
 #include <fmt/format.h>
 
