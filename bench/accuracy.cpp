@@ -54,14 +54,14 @@ int list_cases(const std::vector<HardCase>& cases) {
 std::vector<Row> measure_all(const Arguments& a, const std::vector<HardCase>& cases) {
     std::vector<const Backend*> backends;
     for (const std::string& name : a.backends) backends.push_back(find_backend(name));
-    accuracy::Effort effort;
-    effort.rays = static_cast<std::uint64_t>(a.rays);
-    effort.seconds = a.seconds;
-    effort.textbooks = !a.only_backends;
+    accuracy::Budget budget;
+    budget.rays = static_cast<std::uint64_t>(a.rays);
+    budget.seconds = a.seconds;
+    budget.textbooks = !a.only_backends;
     std::vector<Row> all;
     for (const HardCase& c : cases) {
         fmt::print(stderr, "etalon-bench: {}/{}\n", c.id, c.variant);
-        const std::vector<Row> rows = accuracy::measure(c, backends, effort);
+        const std::vector<Row> rows = accuracy::measure(c, backends, budget);
         fmt::print("{}", accuracy::table(rows, all.empty() ? "" : all.back().shape));
         std::fflush(stdout);
         all.insert(all.end(), rows.begin(), rows.end());

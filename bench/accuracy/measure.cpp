@@ -53,16 +53,16 @@ struct Result {
 class Measurement {
   public:
     Measurement(const hard::HardCase& hard_case, const std::vector<const Backend*>& backends,
-                const Effort& effort)
+                const Budget& budget)
         : case_(hard_case),
           setup_(hard_case.make()),
           oracle_(setup_.scene.geometry),
           seed_(seed_of(hard_case)),
-          effort_(effort) {
+          budget_(budget) {
         for (const Backend* b : backends) {
             enter(backend_tracer(*b, setup_.scene), b->exact, true);
         }
-        if (!effort.textbooks) return;
+        if (!budget.textbooks) return;
         if (auto kernel = kernel_tracer(setup_.scene)) enter(std::move(kernel), true, true);
         if (case_.criterion != hard::Criterion::oracle) return;
         for (auto& textbook : textbook_tracers(setup_.scene)) {
@@ -72,7 +72,7 @@ class Measurement {
 
     std::vector<Row> run() {
         results_.resize(entries_.size());
-        const std::uint64_t blocks = (effort_.rays + block_size - 1) / block_size;
+        const std::uint64_t blocks = (budget_.rays + block_size - 1) / block_size;
         parallel_for(blocks, 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t block = begin; block < end; ++block) {
                 if (block == 0 || !is_over_time()) shoot(block);
@@ -88,18 +88,18 @@ class Measurement {
 
     bool is_over_time() const {
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
-        return spent.count() > effort_.seconds;
+        return spent.count() > budget_.seconds;
     }
 
     bool takes_part(const TracerEntry& entry, std::uint64_t first_ray) const {
         const std::uint64_t all = first_ray * setup_.scene.geometry.primitives.size();
-        return entry.tracer->name() != reference_backend || all < effort_.tests;
+        return entry.tracer->name() != reference_backend || all < budget_.tests;
     }
 
     /// One block, whose results are then added to those of all.
     void shoot(std::uint64_t number) {
         const std::uint64_t first = number * block_size;
-        const std::uint64_t end = std::min(first + block_size, effort_.rays);
+        const std::uint64_t end = std::min(first + block_size, budget_.rays);
         std::vector<Ray> rays;
         for (std::uint64_t i = first; i < end; ++i) {
             Random random(seed_, i);
@@ -238,7 +238,7 @@ class Measurement {
     const hard::CaseSetup setup_;
     const Oracle oracle_;
     const std::uint64_t seed_;
-    const Effort effort_;
+    const Budget budget_;
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::vector<TracerEntry> entries_;
     std::mutex mutex_;
@@ -248,8 +248,8 @@ class Measurement {
 }  // namespace
 
 std::vector<Row> measure(const hard::HardCase& hard_case,
-                         const std::vector<const Backend*>& backends, const Effort& effort) {
-    return Measurement(hard_case, backends, effort).run();
+                         const std::vector<const Backend*>& backends, const Budget& budget) {
+    return Measurement(hard_case, backends, budget).run();
 }
 
 }  // namespace etalon::accuracy

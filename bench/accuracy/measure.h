@@ -7,7 +7,7 @@
 
 namespace etalon::accuracy {
 
-struct Effort {
+struct Budget {
     std::uint64_t rays = 100'000;  ///< for each case
     double seconds = infinity;     ///< for each case, on the wall: then no more rays are begun
     /// Where every ray is tested against every primitive, rays are fewer: no more than make this
@@ -19,6 +19,6 @@ struct Effort {
 /// A row for each backend and, where the scene is one primitive, for its kernels, in the order in
 /// which they are named; on all threads there are.
 std::vector<Row> measure(const hard::HardCase& hard_case,
-                         const std::vector<const Backend*>& backends, const Effort& effort);
+                         const std::vector<const Backend*>& backends, const Budget& budget);
 
 }  // namespace etalon::accuracy

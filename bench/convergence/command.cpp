@@ -78,14 +78,14 @@ nlohmann::ordered_json report_on(const Arguments& a, const Imath::V2i& size,
 
 /// The reference and the curves of one integrator.
 Result<Measured> measure_integrator(const Arguments& a, const bench::NamedScene& named,
-                                    const RenderSettings& settings, const Watcher& watcher) {
+                                    const RenderSettings& settings, const RunProgress& run) {
     Result<ReferenceImage> reference =
         a.reference.empty()
-            ? Result<ReferenceImage>{render_reference(*named.scene, settings, a.plan, watcher), {}}
+            ? Result<ReferenceImage>{render_reference(*named.scene, settings, a.plan, run), {}}
             : read_reference_image(a.reference, settings);
     if (!reference) return {{}, reference.error};
     Measured measured{reference.value.description, {}};
-    measured.curves = measure(*named.scene, settings, reference.value, a.plan, watcher);
+    measured.curves = measure(*named.scene, settings, reference.value, a.plan, run);
     return {std::move(measured), {}};
 }
 
@@ -102,11 +102,11 @@ int run(const Arguments& a) {
     const auto count = static_cast<double>(a.integrators.size());
     for (std::size_t i = 0; i < a.integrators.size() && signals.signal() == 0; ++i) {
         const auto done = static_cast<double>(i);
-        const Watcher watcher{signals.raised(),
+        const RunProgress run{signals.raised(),
                               [&](double part) { progress.update((done + part) / count); }};
         RenderSettings settings = named.settings;
         choose_integrator(a.integrators[i], settings);
-        Result<Measured> one = measure_integrator(a, named, settings, watcher);
+        Result<Measured> one = measure_integrator(a, named, settings, run);
         if (!one) return fail(exit_unusable, one.error);
         all.reference = one.value.reference;
         std::ranges::move(one.value.curves, std::back_inserter(all.curves));

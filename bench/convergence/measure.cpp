@@ -137,13 +137,13 @@ const std::vector<std::string>& sampler_names() {
 }
 
 ReferenceImage render_reference(const Scene& scene, const RenderSettings& scene_settings,
-                                const Plan& plan, const Watcher& watcher) {
+                                const Plan& plan, const RunProgress& run) {
     RenderSettings settings = scene_settings;
     settings.samples_per_pixel = reference_times * plan.samples;
     settings.seed = reference_seed;
     RunControl control;
-    control.stop = &watcher.stop;
-    control.progress = watcher.progress;
+    control.stop = &run.stop;
+    control.progress = run.progress;
     const Studio studio(scene, plan.backends.front());
     const Rendering r = render(scene.camera, *studio.integrator(settings), settings, control);
     return {r.film.pixels(), fmt::format("{} samples per pixel", settings.samples_per_pixel)};
@@ -151,21 +151,21 @@ ReferenceImage render_reference(const Scene& scene, const RenderSettings& scene_
 
 std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings,
                            const ReferenceImage& reference, const Plan& plan,
-                           const Watcher& watcher) {
+                           const RunProgress& run) {
     const ThreadLimit alone(1);
     std::vector<Curve> done;
     const std::vector<Curve> curves = wanted(plan, settings.integrator);
     for (Curve curve : curves) {
         const Studio studio(scene, curve.backend);
         std::vector<std::vector<Point>> seeds;
-        for (int seed = 0; seed < plan.seeds && !watcher.stop; ++seed) {
-            seeds.push_back(SeedRun(studio, settings, reference, plan, watcher.stop)
+        for (int seed = 0; seed < plan.seeds && !run.stop; ++seed) {
+            seeds.push_back(SeedRun(studio, settings, reference, plan, run.stop)
                                 .points(curve.sampler, static_cast<std::uint32_t>(seed)));
             const double part = static_cast<double>(seed + 1) / plan.seeds;
             const auto before = static_cast<double>(done.size());
-            watcher.progress((before + part) / static_cast<double>(curves.size()));
+            run.progress((before + part) / static_cast<double>(curves.size()));
         }
-        if (watcher.stop) break;
+        if (run.stop) break;
         curve.points = mean_of(seeds);
         curve.fit = fit(curve.points);
         done.push_back(std::move(curve));

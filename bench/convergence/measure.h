@@ -21,7 +21,7 @@ struct Plan {
 };
 
 /// What a task has to do with whoever runs it.
-struct Watcher {
+struct RunProgress {
     const std::atomic<bool>& stop;         ///< set: give up soon
     std::function<void(double)> progress;  ///< with the part done, from any thread
 };
@@ -36,12 +36,12 @@ struct ReferenceImage {
 inline constexpr int reference_times = 32;
 
 ReferenceImage render_reference(const Scene& scene, const RenderSettings& settings,
-                                const Plan& plan, const Watcher& watcher);
+                                const Plan& plan, const RunProgress& run);
 
 /// The curves, by the integrator of the settings, of all samplers with the first backend, and of
 /// the last sampler with the others. What is not finished when a stop comes is left out.
 std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings,
                            const ReferenceImage& reference, const Plan& plan,
-                           const Watcher& watcher);
+                           const RunProgress& run);
 
 }  // namespace etalon::convergence

@@ -12,14 +12,14 @@
 namespace etalon::bench_report {
 
 /// What a task has to do with whoever runs it.
-struct Context {
+struct TaskProgress {
     const std::atomic<bool>& stop;         ///< set: give up soon and keep what there is
     Deadline deadline;                     ///< over: the same
     std::function<void(double)> progress;  ///< with the part done, from any thread
 
     bool is_over() const { return stop || deadline.is_over(); }
     /// For a part of the task, which is done when `from` of it is, and then `to`.
-    Context part(double from, double to) const {
+    TaskProgress part(double from, double to) const {
         return {stop, deadline,
                 [tell = progress, from, to](double done) { tell(from + done * (to - from)); }};
     }
@@ -29,7 +29,7 @@ struct Task {
     std::string what;  ///< "soup", "hard cases of spheres"
     double seconds;    ///< on the wall, about, on two cores of 2026 with nothing else to do
     /// Adds what it measured. Says on standard error what it could not.
-    std::function<void(Results& results, const Context& context)> run;
+    std::function<void(Results& results, const TaskProgress& task_progress)> run;
 };
 
 std::vector<Task> image_tasks(const Settings& settings);

@@ -28,26 +28,26 @@ std::vector<Group> groups() {
     return groups;
 }
 
-accuracy::Effort effort_of(const Settings& settings) {
-    accuracy::Effort effort;
-    effort.rays = settings.case_rays;
-    effort.seconds = settings.case_seconds;
-    return effort;
+accuracy::Budget budget_of(const Settings& settings) {
+    accuracy::Budget budget;
+    budget.rays = settings.case_rays;
+    budget.seconds = settings.case_seconds;
+    return budget;
 }
 
 /// Cases side by side: one with few rays keeps but one core busy. Times are CPU time.
-void measure(const Group& group, Results& results, const Context& context) {
+void measure(const Group& group, Results& results, const TaskProgress& task_progress) {
     std::vector<const Backend*> backends;
     for (const std::string& name : results.settings.accuracy_backends) {
         backends.push_back(find_backend(name));
     }
-    const accuracy::Effort effort = effort_of(results.settings);
+    const accuracy::Budget budget = budget_of(results.settings);
     std::vector<std::vector<Row>> rows(group.cases.size());
     std::atomic<std::size_t> done{0};
     parallel_for(group.cases.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end && !context.is_over(); ++i) {
-            rows[i] = accuracy::measure(group.cases[i], backends, effort);
-            context.progress(static_cast<double>(++done) / static_cast<double>(rows.size()));
+        for (std::size_t i = begin; i < end && !task_progress.is_over(); ++i) {
+            rows[i] = accuracy::measure(group.cases[i], backends, budget);
+            task_progress.progress(static_cast<double>(++done) / static_cast<double>(rows.size()));
         }
     });
     for (std::vector<Row>& list : rows) {
@@ -66,10 +66,11 @@ std::vector<Task> accuracy_tasks(const Settings& settings) {
     std::vector<Task> tasks;
     for (Group& group : groups()) {
         const double seconds = seconds_for(group, settings);
-        tasks.push_back({"hard cases of " + group.shape, seconds,
-                         [group = std::move(group)](Results& results, const Context& context) {
-                             measure(group, results, context);
-                         }});
+        tasks.push_back(
+            {"hard cases of " + group.shape, seconds,
+             [group = std::move(group)](Results& results, const TaskProgress& task_progress) {
+                 measure(group, results, task_progress);
+             }});
     }
     return tasks;
 }

@@ -13,17 +13,19 @@ convergence::Plan plan_of(const ConvergenceRequest& request, const Settings& set
     return plan;
 }
 
-void measure(const ConvergenceRequest& request, Results& results, const Context& context) {
+void measure(const ConvergenceRequest& request, Results& results,
+             const TaskProgress& task_progress) {
     const auto shipped = shipped_scene(request.scene, request.width, request.height);
     if (!shipped) return;
     const auto& [scene, settings] = *shipped;
     const convergence::Plan plan = plan_of(request, results.settings);
-    const convergence::ReferenceImage reference =
-        render_reference(scene, settings, plan, {context.stop, context.part(0, 0.5).progress});
-    if (context.is_over()) return;
-    results.convergence.add({request, reference.description,
-                             convergence::measure(scene, settings, reference, plan,
-                                                  {context.stop, context.part(0.5, 1).progress})});
+    const convergence::ReferenceImage reference = render_reference(
+        scene, settings, plan, {task_progress.stop, task_progress.part(0, 0.5).progress});
+    if (task_progress.is_over()) return;
+    results.convergence.add(
+        {request, reference.description,
+         convergence::measure(scene, settings, reference, plan,
+                              {task_progress.stop, task_progress.part(0.5, 1).progress})});
 }
 
 /// The truth is rendered by all threads, the curves by one.
@@ -42,8 +44,8 @@ std::vector<Task> convergence_tasks(const Settings& settings) {
     std::vector<Task> tasks;
     for (const ConvergenceRequest& request : settings.convergence) {
         tasks.push_back({"convergence of " + request.scene, seconds_for(request, settings),
-                         [request](Results& results, const Context& context) {
-                             measure(request, results, context);
+                         [request](Results& results, const TaskProgress& task_progress) {
+                             measure(request, results, task_progress);
                          }});
     }
     return tasks;

@@ -9,12 +9,12 @@ namespace etalon::bench_report {
 
 /// Rays are counted by the image: so each pixel is an image of its own.
 PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
-                           const Context& context) {
+                           const TaskProgress& task_progress) {
     const auto intersector = find_backend(default_backend)->build(scene.geometry);
     std::vector<std::string> problems;
     const auto integrator =
         find_integrator(settings.integrator)->make(scene, *intersector, settings, problems);
-    RunControl control = control_of(context);
+    RunControl control = control_of(task_progress);
     control.progress = nullptr;
     const int width = settings.resolution.x, height = settings.resolution.y;
     return plane_of(width, height, [&](std::size_t pixel) {
@@ -27,10 +27,11 @@ PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
 }
 
 std::optional<PixelPlane> tests_of_camera_rays(const Scene& scene, const RenderSettings& settings,
-                                               const std::string& backend, const Context& context) {
+                                               const std::string& backend,
+                                               const TaskProgress& task_progress) {
     const auto intersector = find_backend(backend)->build(scene.geometry);
     const std::optional<CentreHits> hits =
-        centre_hits(scene, *intersector, settings, &context.stop);
+        centre_hits(scene, *intersector, settings, &task_progress.stop);
     if (!hits || hits->costs.empty()) return std::nullopt;
     return plane_of(settings.resolution.x, settings.resolution.y, [&](std::size_t pixel) {
         const TraversalCost& cost = hits->costs[pixel];

@@ -12,11 +12,12 @@ namespace etalon::bench_report {
 
 /// How many rays a sample takes, of whatever kind.
 PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
-                           const Context& context);
+                           const TaskProgress& task_progress);
 
 /// How many boxes and primitives a camera ray is tested against by a backend; nothing if that does
 /// not count.
 std::optional<PixelPlane> tests_of_camera_rays(const Scene& scene, const RenderSettings& settings,
-                                               const std::string& backend, const Context& context);
+                                               const std::string& backend,
+                                               const TaskProgress& task_progress);
 
 }  // namespace etalon::bench_report

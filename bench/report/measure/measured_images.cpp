@@ -22,11 +22,12 @@ std::string samples_of(int count) {
 }
 
 Rendered rendered(const ShippedScene& shipped, int samples, std::uint32_t seed,
-                  const Context& context) {
+                  const TaskProgress& task_progress) {
     RenderSettings settings = shipped.settings;
     settings.samples_per_pixel = samples;
     settings.seed = seed;
-    return bench_report::rendered(shipped.scene, default_backend, settings, control_of(context));
+    return bench_report::rendered(shipped.scene, default_backend, settings,
+                                  control_of(task_progress));
 }
 
 Bytes display(const RenderSettings& settings, const std::vector<Color>& pixels) {
@@ -51,12 +52,12 @@ void add_cost(const std::string& title, const PixelPlane& cost, ImageFigures& fi
         magma(cost, white), figures);
 }
 
-void measure(const ImageRequest& request, Results& results, const Context& context) {
+void measure(const ImageRequest& request, Results& results, const TaskProgress& task_progress) {
     const auto shipped = shipped_scene(request.scene, request.width, request.height);
     if (!shipped) return;
     const auto& [scene, settings] = *shipped;
-    const Rendered many = rendered(*shipped, request.samples, 0, context.part(0, 0.9));
-    const Rendered few = rendered(*shipped, request.fewer_samples, 1, context.part(0.9, 1));
+    const Rendered many = rendered(*shipped, request.samples, 0, task_progress.part(0, 0.9));
+    const Rendered few = rendered(*shipped, request.fewer_samples, 1, task_progress.part(0.9, 1));
     if (!many.rendering.complete || !few.rendering.complete) return;
     ImageFigures figures{request.scene,
                          image_command(request),
@@ -73,8 +74,8 @@ void measure(const ImageRequest& request, Results& results, const Context& conte
         magma(error), figures);
     RenderSettings fewer = settings;
     fewer.samples_per_pixel = request.fewer_samples;
-    add_cost("Rays of a sample", rays_of_samples(scene, fewer, context), figures);
-    if (const auto tests = tests_of_camera_rays(scene, settings, default_backend, context)) {
+    add_cost("Rays of a sample", rays_of_samples(scene, fewer, task_progress), figures);
+    if (const auto tests = tests_of_camera_rays(scene, settings, default_backend, task_progress)) {
         add_cost(std::string("Tests of a camera ray by ") + default_backend, *tests, figures);
     }
     results.images.add(std::move(figures));
@@ -89,8 +90,8 @@ std::vector<Task> image_tasks(const Settings& settings) {
             1.0 * request.width * request.height * (request.samples + 2 * request.fewer_samples);
         tasks.push_back({request.scene,
                          0.1 + 0.5e-6 * microseconds_of_sample(request.scene) * samples,
-                         [request](Results& results, const Context& context) {
-                             measure(request, results, context);
+                         [request](Results& results, const TaskProgress& task_progress) {
+                             measure(request, results, task_progress);
                          }});
     }
     return tasks;

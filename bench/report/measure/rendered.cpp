@@ -32,8 +32,8 @@ std::optional<ShippedScene> shipped_scene(const std::string& name, int width, in
     return ShippedScene{std::move(*loaded.scene), std::move(loaded.settings)};
 }
 
-RunControl control_of(const Context& context) {
-    return {context.deadline, &context.stop, context.progress};
+RunControl control_of(const TaskProgress& task_progress) {
+    return {task_progress.deadline, &task_progress.stop, task_progress.progress};
 }
 
 Rendered rendered(const Scene& scene, const std::string& backend, const RenderSettings& settings,

@@ -18,7 +18,7 @@ struct ShippedScene {
 /// built. Nothing, and the reason on standard error, if it cannot be read.
 std::optional<ShippedScene> shipped_scene(const std::string& name, int width, int height);
 
-RunControl control_of(const Context& context);
+RunControl control_of(const TaskProgress& task_progress);
 
 struct Rendered {
     Rendering rendering;

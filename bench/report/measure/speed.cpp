@@ -7,15 +7,15 @@
 namespace etalon::bench_report {
 namespace {
 
-void measure(const std::string& name, Results& results, const Context& context) {
+void measure(const std::string& name, Results& results, const TaskProgress& task_progress) {
     bench::NamedScene named = bench::bench_scene(name);
     fmt::print(stderr, "{}", named.messages);
     if (!named.scene) return;
     const speed::Plan& plan = results.settings.plan;
     const auto observer = [&](const speed::SceneFigures& figures) {
         const auto done = static_cast<double>(figures.kinds.size() + 1);
-        context.progress(done / static_cast<double>(plan.kinds.size() + 1));
-        return !context.is_over();
+        task_progress.progress(done / static_cast<double>(plan.kinds.size() + 1));
+        return !task_progress.is_over();
     };
     results.scenes.add(speed::measure_scene(name, std::move(*named.scene),
                                             named.settings.resolution, plan, observer));
@@ -34,10 +34,10 @@ double seconds_for(const speed::Plan& plan) {
 std::vector<Task> speed_tasks(const Settings& settings) {
     std::vector<Task> tasks;
     for (const std::string& name : settings.speed_scenes) {
-        tasks.push_back(
-            {name, seconds_for(settings.plan), [name](Results& results, const Context& context) {
-                 measure(name, results, context);
-             }});
+        tasks.push_back({name, seconds_for(settings.plan),
+                         [name](Results& results, const TaskProgress& task_progress) {
+                             measure(name, results, task_progress);
+                         }});
     }
     return tasks;
 }
