@@ -33,7 +33,7 @@ bool is_possible(Reader& in, const Material& m) {
 
 }  // namespace
 
-Material matt_grey() {
+Material default_diffuse() {
     Material m;
     m.diffuse = Color(0.5F);
     return m;

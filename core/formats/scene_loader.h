@@ -17,7 +17,7 @@ struct UnusableCamera {
 };
 
 /// What objects before any material are made of, where the format does not say.
-Material matt_grey();
+Material default_diffuse();
 
 /// Corners of the polygon being read, and their normals if it has some.
 struct Corners {
@@ -29,7 +29,7 @@ struct SceneLoader {
     Reader in;
     const LoadOptions& options;
     std::filesystem::path directory;  ///< of the scene file
-    Material default_material = matt_grey();
+    Material default_material = default_diffuse();
     Scene scene{};
     RenderSettings settings{};
     bool has_camera = false;
