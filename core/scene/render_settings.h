@@ -23,7 +23,8 @@ enum class PixelRays : std::uint8_t {
 struct WhittedRules {
     bool schlick = false;         ///< Schlick's approximation instead of the Fresnel equations
     bool clamp_each_ray = false;  ///< clamp to [0,1] what each ray returns
-    bool fit_eye_rays = false;    ///< divide what a camera ray returns by its largest part above 1
+    bool normalize_camera_rays =
+        false;  ///< divide what a camera ray returns by its largest part above 1
     /// To count rays by the rules of the Standard Procedural Databases: a mirrored ray wherever
     /// light passes through a surface, even one of no weight.
     bool mirror_all_glass = false;

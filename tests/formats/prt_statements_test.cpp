@@ -24,7 +24,7 @@ TEST_CASE("a PRT camera is five statements, its angle the field of view both way
     CHECK(r.scene->format == "prt");
     CHECK(r.settings.display_colors);
     CHECK(r.settings.max_depth == 5);
-    CHECK_FALSE(r.settings.whitted.fit_eye_rays);
+    CHECK_FALSE(r.settings.whitted.normalize_camera_rays);
     const Camera& c = r.scene->camera;
     CHECK(c.eye == Vec3(1, 2, 3));
     CHECK(c.at == Vec3(4, 5, 6));
@@ -107,5 +107,5 @@ TEST_CASE("legacy PRT has the program's camera and brings bright pixels into ran
     CHECK(c.fov_degrees == Approx(61.4).margin(0.05));
     CHECK(c.stretched);
     CHECK(r.settings.pixel_rays == PixelRays::upper_left);
-    CHECK(r.settings.whitted.fit_eye_rays);
+    CHECK(r.settings.whitted.normalize_camera_rays);
 }

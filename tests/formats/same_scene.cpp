@@ -24,7 +24,7 @@ auto fields(const Material& m) {
                       m.transmission, m.fresnel, m.ior, m.absorption);
 }
 auto fields(const WhittedRules& r) {
-    return std::tuple(r.schlick, r.clamp_each_ray, r.fit_eye_rays, r.mirror_all_glass,
+    return std::tuple(r.schlick, r.clamp_each_ray, r.normalize_camera_rays, r.mirror_all_glass,
                       r.fixed_bias);
 }
 auto fields(const RenderSettings& s) {
@@ -110,7 +110,8 @@ std::string difference(const LoadResult& first, const LoadResult& second) {
     if (fields(first.settings) != fields(second.settings)) return "settings";
     if (fields(a.camera) != fields(b.camera)) return "camera";
     if (fields(a.look.environment) != fields(b.look.environment)) return "environment";
-    if (!std::equal(a.look.lights.begin(), a.look.lights.end(), b.look.lights.begin(), b.look.lights.end(), same)) {
+    if (!std::equal(a.look.lights.begin(), a.look.lights.end(), b.look.lights.begin(),
+                    b.look.lights.end(), same)) {
         return "lights";
     }
     if (a.geometry.primitives.size() != b.geometry.primitives.size()) return "number of primitives";

@@ -100,7 +100,7 @@ TEST_CASE("eyes' rays made to fit keep their hue", "[render]") {
     TestScene scene = empty_scene();
     scene.look.environment.background = Color(0.5F, 1.0F, 4.0F);
     CHECK(centre(scene) == Color(0.5F, 1.0F, 4.0F));
-    scene.settings.whitted.fit_eye_rays = true;
+    scene.settings.whitted.normalize_camera_rays = true;
     CHECK(centre(scene) == Color(0.125F, 0.25F, 1.0F));
     scene.look.environment.background = Color(0.5F, 0.25F, 0.75F);
     CHECK(centre(scene) == Color(0.5F, 0.25F, 0.75F));

@@ -70,7 +70,7 @@ void apply_legacy(Scene& scene, RenderSettings& settings) {
     Camera& camera = scene.camera;
     camera.fov_degrees = legacy_fov(camera.fov_degrees);
     settings.pixel_rays = PixelRays::upper_left;
-    settings.whitted.fit_eye_rays = true;
+    settings.whitted.normalize_camera_rays = true;
     for (Quadric& q : scene.geometry.all<Quadric>()) q.centre = Vec3(0);
 }
 

@@ -47,7 +47,8 @@ class P3fScene {
         if (depth != p3f_depth && std::ranges::any_of(scene_.look.materials, sends_rays)) {
             lost_.add(fmt::format("depth of {} rays, now {}", depth, p3f_depth));
         }
-        if (rules.schlick || rules.clamp_each_ray || rules.fit_eye_rays || rules.fixed_bias != 0) {
+        if (rules.schlick || rules.clamp_each_ray || rules.normalize_camera_rays ||
+            rules.fixed_bias != 0) {
             lost_.add("shading as an old program did it");
         }
         if (scene_.camera.stretched) lost_.add("pixels that are not square");

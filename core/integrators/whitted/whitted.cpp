@@ -61,7 +61,7 @@ Color Whitted::radiance(const Ray& camera_ray, const SampleSource& sample,
     const std::optional<Hit> hit = intersector_.closest(camera_ray);
     if (hit) ++counts.camera_hits;
     const Color color = trace({camera_ray, 1, camera_ray_name, Color(0.0F)}, hit, context);
-    return rules_.fit_eye_rays ? fitted(color) : color;
+    return rules_.normalize_camera_rays ? fitted(color) : color;
 }
 
 Color Whitted::trace(const Path& path, std::optional<Hit> hit, Context& context) const {
