@@ -16,11 +16,11 @@ class SampleSource {
           index_(index),
           points_(sampler == Sampler::sobol ? scrambled_sobol : uniform_random) {}
 
-    Vec2 point(std::uint32_t dimension) const { return part(dimension, 0, 1); }
+    Vec2 point(std::uint32_t dimension) const { return stratified(dimension, 0, 1); }
 
     /// Where a dimension wants several points of each sample: number `k` of `parts`. Over all
     /// samples of the pixel they make one well distributed set.
-    Vec2 part(std::uint32_t dimension, std::uint32_t k, std::uint32_t parts) const {
+    Vec2 stratified(std::uint32_t dimension, std::uint32_t k, std::uint32_t parts) const {
         return points_(index_ * parts + k, hash(pixel_, dimension));
     }
 

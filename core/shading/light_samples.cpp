@@ -36,8 +36,8 @@ Vec3 LightSamples::position(int k, const SampleSource& sample, std::uint32_t dim
     if (columns_ > 0) {
         uv = Vec2((k % columns_ + 0.5) / columns_, (k / columns_ + 0.5) / (count_ / columns_));
     } else {
-        uv = sample.part(dimension, static_cast<std::uint32_t>(k),
-                         static_cast<std::uint32_t>(count_));
+        uv = sample.stratified(dimension, static_cast<std::uint32_t>(k),
+                               static_cast<std::uint32_t>(count_));
     }
     return quad.corner + uv.x * quad.edge1 + uv.y * quad.edge2;
 }

@@ -58,7 +58,7 @@ TEST_CASE("Parts of a dimension over all samples make one well distributed set",
     std::vector<Vec2> points;
     for (std::uint32_t sample = 0; sample < 16; ++sample) {
         for (std::uint32_t k = 0; k < 4; ++k) {
-            points.push_back(SampleSource(1, 2, 3, sample).part(7, k, 4));
+            points.push_back(SampleSource(1, 2, 3, sample).stratified(7, k, 4));
         }
     }
     CHECK(one_point_in_every_cell(points, 8, 8));

@@ -30,7 +30,7 @@ Color AmbientOcclusion::radiance(const Ray& camera_ray, const SampleSource& samp
     const std::uint32_t dimension = occlusion_dimension(camera_ray_name);
     std::uint32_t blocked = 0;
     for (std::uint32_t k = 0; k < rays_; ++k) {
-        const Vec2 uv = sample.part(dimension, k, rays_);
+        const Vec2 uv = sample.stratified(dimension, k, rays_);
         Ray ray = spawn_ray(at.surface, cosine_direction(at.ng, uv));
         ray.tmax = max_distance_;
         if (intersector_.occluded(ray)) ++blocked;
