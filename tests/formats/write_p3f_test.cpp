@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "core/formats/write/ends.h"
+#include "core/formats/write/exact_endpoint.h"
 #include "core/formats/write/p3f_material.h"
 #include "core/formats/write/write.h"
 #include "core/numerics/transforms.h"
@@ -148,11 +148,11 @@ TEST_CASE("the end of an edge is found where there is one") {
     Random random(23);
     for (int i = 0; i < 100000; ++i) {
         const Vec3 start = some_point(random), end = some_point(random);
-        const EdgeEnd found = end_of_edge(start, end - start);
+        const ExactEndpoint found = exact_endpoint(start, end - start);
         REQUIRE(found.exact);
         REQUIRE(found.point - start == end - start);
     }
-    CHECK_FALSE(end_of_edge(Vec3(1e20, 0, 0), Vec3(1, 0, 0)).exact);
+    CHECK_FALSE(exact_endpoint(Vec3(1e20, 0, 0), Vec3(1, 0, 0)).exact);
 }
 
 TEST_CASE("a plane is found again by three points, its normal up to a power of two") {

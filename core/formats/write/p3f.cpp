@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "core/formats/degenerate.h"
-#include "core/formats/write/ends.h"
+#include "core/formats/write/exact_endpoint.h"
 #include "core/formats/write/facets.h"
 #include "core/formats/write/mesh_run.h"
 #include "core/formats/write/p3f_material.h"
@@ -77,7 +77,8 @@ class P3fScene {
     void write_light(const PointLight& l) { out_.light(l.position, l.color); }
 
     void write_light(const QuadLight& l) {
-        const EdgeEnd end1 = end_of_edge(l.corner, l.edge1), end2 = end_of_edge(l.corner, l.edge2);
+        const ExactEndpoint end1 = exact_endpoint(l.corner, l.edge1),
+                            end2 = exact_endpoint(l.corner, l.edge2);
         if (!end1.exact || !end2.exact) lost_.add("last bits of an area light's edges");
         out_.quad_light(l.corner, l.color, end1.point, end2.point, l.samples);
     }

@@ -1,4 +1,4 @@
-#include "core/formats/write/ends.h"
+#include "core/formats/write/exact_endpoint.h"
 
 #include <cmath>
 
@@ -41,7 +41,7 @@ double stretch_of(const Vec3& start, const Vec3& edge) {
 PlanePoints points_by(const Plane& plane, double p) {
     const Vec3& start = plane.point;
     const auto end = [&](const Vec3& edge) {
-        return end_of_edge(start, edge * stretch_of(start, edge)).point;
+        return exact_endpoint(start, edge * stretch_of(start, edge)).point;
     };
     const Edges edges = edges_across(to_unit_magnitude(plane.normal), p);
     PlanePoints result{{start, end(edges.first), end(edges.second)}, false};
@@ -52,8 +52,8 @@ PlanePoints points_by(const Plane& plane, double p) {
 
 }  // namespace
 
-EdgeEnd end_of_edge(const Vec3& start, const Vec3& edge) {
-    EdgeEnd end{start + edge, true};
+ExactEndpoint exact_endpoint(const Vec3& start, const Vec3& edge) {
+    ExactEndpoint end{start + edge, true};
     for (int k = 0; k < 3; ++k) {
         const double sum = end.point[k];
         const auto fits = [&](double x) { return x - start[k] == edge[k]; };

@@ -9,13 +9,13 @@
 namespace etalon {
 
 /// A point, and whether it gives exactly what was asked for or only the nearest there is.
-struct EdgeEnd {
+struct ExactEndpoint {
     Vec3 point;
     bool exact;
 };
 
 /// The point for which point - start is `edge`, as a reader computes it.
-EdgeEnd end_of_edge(const Vec3& start, const Vec3& edge);
+ExactEndpoint exact_endpoint(const Vec3& start, const Vec3& edge);
 
 struct PlanePoints {
     std::array<Vec3, 3> points;
