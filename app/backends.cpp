@@ -1,7 +1,7 @@
 #include "app/backends.h"
 
-#include "embree_backend/backends.h"
-#include "native_accel/backends.h"
+#include "embree_backend/embree_backends.h"
+#include "native_accel/native_backends.h"
 
 namespace etalon {
 

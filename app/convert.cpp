@@ -2,10 +2,10 @@
 
 #include <filesystem>
 
-#include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/output.h"
 #include "app/scene_arguments.h"
+#include "app/subcommands.h"
 #include "core/formats/write/write.h"
 
 namespace etalon {

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include "app/backends.h"
-#include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/output.h"
 #include "app/scene_arguments.h"
 #include "app/stats.h"
+#include "app/subcommands.h"
 
 namespace etalon {
 namespace {

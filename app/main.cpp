@@ -1,5 +1,5 @@
 // etalon: renders scene files, and shows what it does with them.
-#include "app/commands.h"
+#include "app/subcommands.h"
 
 namespace {
 

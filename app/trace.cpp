@@ -7,10 +7,10 @@
 #include <iterator>
 
 #include "app/backends.h"
-#include "app/commands.h"
 #include "app/exit_status.h"
 #include "app/output.h"
 #include "app/scene_arguments.h"
+#include "app/subcommands.h"
 #include "core/intersect/kernels.h"
 
 namespace etalon {

@@ -1,5 +1,5 @@
 // etalon-bench: measures accelerators.
-#include "bench/commands.h"
+#include "bench/bench_subcommands.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/intersect/clusters/targets.h"
+#include "core/intersect/clusters/instruction_sets.h"
 #include "core/intersect/kernels.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,15 +1,15 @@
 // etalon compare: how far an image is from another, in numbers and as a map.
 #include <fmt/format.h>
 
-#include "app/commands.h"
 #include "app/compare/image_pair.h"
 #include "app/compare/limit.h"
 #include "app/exit_status.h"
 #include "app/output.h"
+#include "app/subcommands.h"
 #include "core/image/atomic_file.h"
 #include "core/image/metrics/flip.h"
 #include "core/image/metrics/magma.h"
-#include "core/image/metrics/measure.h"
+#include "core/image/metrics/measure_metrics.h"
 #include "core/image/oiio.h"
 
 namespace etalon::compare {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/compare/report.h"
+#include "app/compare/metrics_report.h"
 #include "core/image/image.h"
 
 namespace etalon::compare {

@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/backends.h"
-#include "app/commands.h"
-#include "app/crosscheck/report.h"
+#include "app/crosscheck/crosscheck_report.h"
 #include "app/exit_status.h"
 #include "app/output.h"
 #include "app/scene_arguments.h"
+#include "app/subcommands.h"
 
 namespace etalon {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "app/reference_image.h"
 #include "core/image/metrics/flip.h"
-#include "core/image/metrics/measure.h"
+#include "core/image/metrics/measure_metrics.h"
 
 namespace etalon {
 

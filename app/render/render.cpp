@@ -4,8 +4,7 @@
 #include <filesystem>
 
 #include "app/backends.h"
-#include "app/commands.h"
-#include "app/compare/report.h"
+#include "app/compare/metrics_report.h"
 #include "app/exit_status.h"
 #include "app/output.h"
 #include "app/progress.h"
@@ -15,6 +14,7 @@
 #include "app/render/reference.h"
 #include "app/signals.h"
 #include "app/stats.h"
+#include "app/subcommands.h"
 #include "core/image/io.h"
 #include "core/parallel/parallel.h"
 #include "core/render/renderer.h"

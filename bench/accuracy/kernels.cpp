@@ -1,6 +1,6 @@
-#include "bench/accuracy/textbook/all.h"
+#include "bench/accuracy/textbook/textbooks.h"
 #include "bench/accuracy/tracer.h"
-#include "core/intersect/shapes/all.h"
+#include "core/intersect/shapes/all_shapes.h"
 
 namespace etalon::accuracy {
 namespace {

@@ -1,6 +1,6 @@
 // Numbers that are none, in primitives and in rays.
 #include "bench/hard_cases/add_face.h"
-#include "bench/hard_cases/families.h"
+#include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/random_scene.h"
 #include "bench/hard_cases/ray_targets.h"
 

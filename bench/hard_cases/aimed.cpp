@@ -2,8 +2,8 @@
 #include <memory>
 
 #include "bench/hard_cases/add_face.h"
+#include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/face_ray_targets.h"
-#include "bench/hard_cases/families.h"
 #include "bench/hard_cases/ray_generators.h"
 #include "bench/hard_cases/ray_targets.h"
 

@@ -1,7 +1,7 @@
 // Lattices, for what walks through cells: every number is a small multiple of a power of two, so
 // rays run exactly along cell planes and through cell corners.
 #include "bench/hard_cases/add_face.h"
-#include "bench/hard_cases/families.h"
+#include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/ray_targets.h"
 #include "bench/hard_cases/rows.h"
 

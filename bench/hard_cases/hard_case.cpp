@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "bench/hard_cases/families.h"
+#include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/ray_targets.h"
 
 namespace etalon::hard {

@@ -1,8 +1,8 @@
 // Closed surfaces seen from inside, and a terrain from above: whatever misses has leaked through.
 #include <memory>
 
-#include "bench/hard_cases/families.h"
-#include "bench/hard_cases/mesh.h"
+#include "bench/hard_cases/case_families.h"
+#include "bench/hard_cases/closed_meshes.h"
 #include "bench/hard_cases/ray_targets.h"
 #include "bench/hard_cases/rows.h"
 

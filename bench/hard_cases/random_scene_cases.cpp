@@ -1,5 +1,5 @@
 // Whole scenes against brute force: what a backend gets wrong that a kernel gets right.
-#include "bench/hard_cases/families.h"
+#include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/random_scene.h"
 #include "bench/hard_cases/ray_targets.h"
 #include "core/scene/transformed.h"

@@ -1,5 +1,5 @@
 // Ranges that begin or end exactly at a hit, or at the number beside it.
-#include "bench/hard_cases/families.h"
+#include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/ray_targets.h"
 #include "bench/hard_cases/rows.h"
 

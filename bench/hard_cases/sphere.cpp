@@ -1,4 +1,4 @@
-#include "bench/hard_cases/families.h"
+#include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/ray_targets.h"
 #include "bench/hard_cases/rows.h"
 

@@ -1,6 +1,6 @@
 // Scenes that hierarchies are built badly over: nothing to split at, or nothing to split by.
 #include "bench/hard_cases/add_face.h"
-#include "bench/hard_cases/families.h"
+#include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/random_scene.h"
 #include "bench/hard_cases/ray_targets.h"
 

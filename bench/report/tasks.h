@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/report/results.h"
+#include "bench/report/measured_results.h"
 #include "core/render/deadline.h"
 
 namespace etalon::bench_report {

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <filesystem>
 
-#include "bench/scenes/families.h"
+#include "bench/scenes/bench_families.h"
 #include "core/formats/load.h"
 
 namespace etalon::bench {

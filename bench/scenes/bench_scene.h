@@ -10,7 +10,7 @@
 namespace etalon::bench {
 
 /// What is wrong with a scene's name and what was expected; empty if it is "FAMILY" or
-/// "FAMILY:SIZE" with a family of bench/scenes/families.h, or the path of a file.
+/// "FAMILY:SIZE" with a family of bench/scenes/bench_families.h, or the path of a file.
 std::string complaint_about(const std::string& name);
 
 struct NamedScene {

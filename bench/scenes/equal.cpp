@@ -1,7 +1,7 @@
 #include <utility>
 
-#include "bench/scenes/families.h"
-#include "bench/scenes/mesh.h"
+#include "bench/scenes/bench_families.h"
+#include "bench/scenes/shared_corners.h"
 #include "bench/scenes/stage.h"
 
 namespace etalon::bench {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/scenes/mesh.h"
+#include "bench/scenes/shared_corners.h"
 
 namespace etalon::bench {
 

@@ -1,4 +1,4 @@
-#include "bench/scenes/families.h"
+#include "bench/scenes/bench_families.h"
 #include "bench/scenes/needles.h"
 #include "bench/scenes/stage.h"
 

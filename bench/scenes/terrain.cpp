@@ -1,5 +1,5 @@
-#include "bench/scenes/families.h"
-#include "bench/scenes/mesh.h"
+#include "bench/scenes/bench_families.h"
+#include "bench/scenes/shared_corners.h"
 #include "bench/scenes/stage.h"
 #include "core/sampling/sobol.h"
 

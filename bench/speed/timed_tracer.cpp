@@ -6,7 +6,7 @@
 #include "bench/speed/alternate.h"
 #include "bench/speed/pinned.h"
 #include "core/parallel/parallel.h"
-#include "embree_backend/backends.h"
+#include "embree_backend/embree_backends.h"
 
 namespace etalon::speed {
 namespace {

@@ -1,6 +1,6 @@
 #include "core/intersect/kernels.h"
 
-#include "core/intersect/shapes/all.h"
+#include "core/intersect/shapes/all_shapes.h"
 
 namespace etalon {
 

@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// See core/intersect/shapes/all.h for what these promise.
+/// See core/intersect/shapes/all_shapes.h for what these promise.
 Box3 primitive_bounds(const Geometry& geometry, std::uint32_t primitive);
 double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive,
                            const RayQuery& query);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/intersect/intersector.h"
-#include "native_accel/grid/trace.h"
+#include "native_accel/grid/grid_trace.h"
 
 namespace etalon {
 

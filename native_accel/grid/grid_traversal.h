@@ -16,8 +16,8 @@
 // have no end, and the traversal stops at a time that is its caller's.
 #pragma once
 
+#include "native_accel/grid/grid_ray.h"
 #include "native_accel/grid/layout.h"
-#include "native_accel/grid/ray.h"
 
 namespace etalon {
 

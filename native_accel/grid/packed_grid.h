@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/numerics/rounding.h"
-#include "native_accel/grid/builder.h"
+#include "native_accel/grid/grid_builder.h"
 
 namespace etalon {
 

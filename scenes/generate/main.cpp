@@ -4,8 +4,8 @@
 #include <string>
 #include <system_error>
 
-#include "scenes/generate/families.h"
-#include "scenes/generate/output.h"
+#include "scenes/generate/generator_families.h"
+#include "scenes/generate/scene_output.h"
 
 namespace etalon::generate {
 namespace {

@@ -1,7 +1,7 @@
 #include <array>
 
 #include "scenes/generate/arithmetic.h"
-#include "scenes/generate/families.h"
+#include "scenes/generate/generator_families.h"
 
 namespace etalon::generate {
 namespace {

@@ -2,7 +2,7 @@
 // is a cone with a sphere for its joint; its two children lean away to either side, the plane of
 // the fork turned by the golden angle from one fork to the next.
 #include "scenes/generate/arithmetic.h"
-#include "scenes/generate/families.h"
+#include "scenes/generate/generator_families.h"
 
 namespace etalon::generate {
 namespace {

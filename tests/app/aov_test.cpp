@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "core/image/io.h"
-#include "tests/app/program.h"
+#include "tests/app/run_program.h"
 #include "tests/catch.h"
 #include "tests/exr_channels.h"
 

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/image/io.h"
-#include "tests/app/program.h"
+#include "tests/app/run_program.h"
 #include "tests/catch.h"
 
 using namespace etalon::test;

@@ -3,7 +3,7 @@
 
 #include "core/image/io.h"
 #include "core/image/metrics/magma.h"
-#include "tests/app/program.h"
+#include "tests/app/run_program.h"
 #include "tests/catch.h"
 #include "tests/image/formula_images.h"
 

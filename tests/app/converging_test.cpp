@@ -1,7 +1,7 @@
 // render and etalon-bench convergence against references and limits, from outside.
 #include <nlohmann/json.hpp>
 
-#include "tests/app/program.h"
+#include "tests/app/run_program.h"
 #include "tests/catch.h"
 
 using namespace etalon::test;

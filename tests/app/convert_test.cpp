@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "core/image/io.h"
-#include "tests/app/program.h"
+#include "tests/app/run_program.h"
 #include "tests/catch.h"
 #include "tests/formats/shared_scenes.h"
 

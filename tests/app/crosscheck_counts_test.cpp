@@ -1,5 +1,5 @@
 // What crosscheck counts, on answers made up for the purpose.
-#include "app/crosscheck/results.h"
+#include "app/crosscheck/crosscheck_results.h"
 #include "tests/catch.h"
 
 using namespace etalon;

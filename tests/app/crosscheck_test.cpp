@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "tests/app/program.h"
+#include "tests/app/run_program.h"
 #include "tests/catch.h"
 
 using namespace etalon::test;

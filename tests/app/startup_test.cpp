@@ -1,7 +1,7 @@
 // A scene pays for what it contains: what is mapped into the process tells.
 #include <cstdlib>
 
-#include "tests/app/program.h"
+#include "tests/app/run_program.h"
 #include "tests/catch.h"
 
 using namespace etalon::test;

@@ -1,6 +1,6 @@
 // What the float filters of clusters let through, against what the kernels hit; and whole walks of
 // the tree, for every instruction set that they are compiled for and this machine has.
-#include "core/intersect/clusters/targets.h"
+#include "core/intersect/clusters/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/backends/cluster_filter_test.cpp"
@@ -26,9 +26,9 @@ HWY_AFTER_NAMESPACE();
 
 #include "core/render/aimed_rays.h"
 #include "native_accel/bvh/bvh.h"
-#include "tests/backends/rays.h"
+#include "tests/backends/each_instruction_set.h"
 #include "tests/backends/scenes.h"
-#include "tests/backends/targets.h"
+#include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
 
 namespace etalon {

@@ -1,8 +1,8 @@
 // Rays that are said to follow each other are walked by other code: it must find the same.
 #include "native_accel/bvh/lane_select.h"
 #include "native_accel/bvh/wide_tree.h"
-#include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
 #include "tests/catch.h"
 

@@ -1,6 +1,6 @@
 // What a nearest-hit query took is counted apart: it finds the same, and the counts mean something.
-#include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
 #include "tests/catch.h"
 

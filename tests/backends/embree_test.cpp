@@ -5,9 +5,9 @@
 #include <cfloat>
 
 #include "core/parallel/parallel.h"
-#include "embree_backend/backends.h"
-#include "tests/backends/rays.h"
+#include "embree_backend/embree_backends.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
 #include "tests/catch.h"
 

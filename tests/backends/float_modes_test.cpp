@@ -2,8 +2,8 @@
 #if defined(__SSE2__)
 #include <immintrin.h>
 
-#include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
 #include "tests/catch.h"
 

@@ -2,9 +2,9 @@
 // scenes, and what it promises of its size.
 #include "native_accel/grid/grid.h"
 
-#include "tests/backends/rays.h"
+#include "tests/backends/each_instruction_set.h"
 #include "tests/backends/scenes.h"
-#include "tests/backends/targets.h"
+#include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
 
 using namespace etalon;

@@ -1,7 +1,7 @@
 // Rays that say which primitive they have left, and so cannot meet again.
 #include "core/intersect/kernels.h"
-#include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
 #include "tests/catch.h"
 

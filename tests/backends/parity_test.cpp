@@ -1,7 +1,7 @@
 // Given the same ray, every exact backend finds the same primitive at the same t, to the last bit,
 // and says that a ray is occluded exactly when it finds something.
-#include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
 #include "tests/catch.h"
 

@@ -4,8 +4,8 @@
 
 #include "core/intersect/tree/scene_tree.h"
 #include "native_accel/bvh/traversal.h"
-#include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
 #include "tests/catch.h"
 

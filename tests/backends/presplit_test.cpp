@@ -7,8 +7,8 @@
 #include "core/intersect/tree/scene_tree.h"
 #include "core/intersect/tree/triangle_pieces.h"
 #include "core/parallel/parallel.h"
-#include "tests/backends/rays.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
 #include "tests/catch.h"
 

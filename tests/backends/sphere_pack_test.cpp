@@ -1,6 +1,6 @@
 // What the filter of the grid's packs of spheres lets through, against what the kernel hits, for
 // every instruction set that it is compiled for and this machine has.
-#include "core/intersect/clusters/targets.h"
+#include "core/intersect/clusters/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/backends/sphere_pack_test.cpp"
@@ -24,9 +24,9 @@ HWY_AFTER_NAMESPACE();
 
 #include "core/intersect/bounded.h"
 #include "core/intersect/kernels.h"
-#include "tests/backends/rays.h"
+#include "tests/backends/each_instruction_set.h"
 #include "tests/backends/scenes.h"
-#include "tests/backends/targets.h"
+#include "tests/backends/test_rays.h"
 
 namespace etalon {
 HWY_EXPORT(passing_spheres);

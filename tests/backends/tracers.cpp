@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "core/intersect/kernels.h"
-#include "embree_backend/backends.h"
-#include "native_accel/backends.h"
+#include "embree_backend/embree_backends.h"
+#include "native_accel/native_backends.h"
 #include "tests/catch.h"
 
 namespace etalon::test {

@@ -1,8 +1,8 @@
 // Moving a scene and its rays, by sums that are exact, changes no hit: kernels see differences
 // only, and the accelerators' frame moves along.
-#include "embree_backend/backends.h"
-#include "tests/backends/rays.h"
+#include "embree_backend/embree_backends.h"
 #include "tests/backends/scenes.h"
+#include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
 #include "tests/catch.h"
 

@@ -1,7 +1,7 @@
 // The report as Chromium shows it, where there is one.
 #include "bench/report/html/html.h"
 #include "bench/report/sections/sections.h"
-#include "tests/app/program.h"
+#include "tests/app/run_program.h"
 #include "tests/bench/report_results.h"
 #include "tests/catch.h"
 

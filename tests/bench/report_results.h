@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/report/results.h"
+#include "bench/report/measured_results.h"
 
 namespace etalon::test {
 

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "app/backends.h"
+#include "bench/scenes/bench_families.h"
 #include "bench/scenes/bench_scene.h"
-#include "bench/scenes/families.h"
 #include "core/render/ray_sets.h"
 #include "tests/catch.h"
 

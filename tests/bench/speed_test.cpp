@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/speed/pinned.h"
-#include "tests/app/program.h"
+#include "tests/app/run_program.h"
 #include "tests/catch.h"
 
 using namespace etalon::test;

@@ -7,7 +7,7 @@
 #include "bench/hard_cases/hard_case.h"
 #include "core/intersect/backend_roles.h"
 #include "core/intersect/intersector.h"
-#include "native_accel/backends.h"
+#include "native_accel/native_backends.h"
 #include "tests/catch.h"
 
 using namespace etalon;

@@ -1,8 +1,8 @@
 // Ellipsoids and closed cylinders: what the table of shapes does not ask of them.
 #include "core/intersect/kernels.h"
-#include "core/intersect/shapes/all.h"
+#include "core/intersect/shapes/all_shapes.h"
 #include "tests/catch.h"
-#include "tests/intersect/aimed_rays.h"
+#include "tests/intersect/rays_at_shapes.h"
 
 using namespace etalon;
 

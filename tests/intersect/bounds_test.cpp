@@ -1,6 +1,6 @@
 #include "core/intersect/kernels.h"
 #include "tests/catch.h"
-#include "tests/intersect/aimed_rays.h"
+#include "tests/intersect/rays_at_shapes.h"
 
 using namespace etalon;
 

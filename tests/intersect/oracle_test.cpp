@@ -2,7 +2,7 @@
 
 #include "core/intersect/oracle/tracked.h"
 #include "tests/catch.h"
-#include "tests/intersect/aimed_rays.h"
+#include "tests/intersect/rays_at_shapes.h"
 
 using namespace etalon;
 

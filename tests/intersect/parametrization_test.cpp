@@ -5,7 +5,7 @@
 #include "core/intersect/kernels.h"
 #include "core/intersect/parametrization.h"
 #include "tests/catch.h"
-#include "tests/intersect/aimed_rays.h"
+#include "tests/intersect/rays_at_shapes.h"
 
 using namespace etalon;
 

@@ -1,7 +1,7 @@
 #include "core/intersect/kernels.h"
 #include "tests/catch.h"
-#include "tests/intersect/aimed_rays.h"
 #include "tests/intersect/kernel_classification.h"
+#include "tests/intersect/rays_at_shapes.h"
 
 using namespace etalon;
 

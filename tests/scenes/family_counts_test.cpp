@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "tests/catch.h"
-#include "tests/scenes/families.h"
+#include "tests/scenes/generated_scenes.h"
 
 using namespace etalon;
 using namespace etalon::test;

@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "tests/catch.h"
-#include "tests/scenes/families.h"
+#include "tests/scenes/generated_scenes.h"
 
 using namespace etalon;
 using namespace etalon::test;

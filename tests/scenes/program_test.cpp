@@ -1,6 +1,6 @@
-#include "tests/app/program.h"
+#include "tests/app/run_program.h"
 #include "tests/catch.h"
-#include "tests/scenes/families.h"
+#include "tests/scenes/generated_scenes.h"
 
 using namespace etalon::test;
 

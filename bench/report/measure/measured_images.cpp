@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "app/backends.h"
-#include "bench/report/commands.h"
+#include "bench/report/command_lines.h"
 #include "bench/report/formatting.h"
 #include "bench/report/measure/cost_map.h"
 #include "bench/report/measure/rendered.h"

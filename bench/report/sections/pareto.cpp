@@ -5,7 +5,7 @@
 #include "bench/accuracy/report/numbers.h"
 #include "bench/accuracy/report/plot.h"
 #include "bench/accuracy/report/points.h"
-#include "bench/report/commands.h"
+#include "bench/report/command_lines.h"
 #include "bench/report/formatting.h"
 #include "bench/report/sections/sections.h"
 

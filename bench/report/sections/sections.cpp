@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/report/commands.h"
+#include "bench/report/command_lines.h"
 
 namespace etalon::bench_report {
 namespace {

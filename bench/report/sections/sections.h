@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bench/report/content.h"
-#include "bench/report/results.h"
+#include "bench/report/measured_results.h"
 
 namespace etalon::bench_report {
 

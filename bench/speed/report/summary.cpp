@@ -1,5 +1,5 @@
 #include "bench/speed/report/columns.h"
-#include "bench/speed/report/table.h"
+#include "bench/speed/report/speed_table.h"
 
 namespace etalon::speed {
 namespace {

@@ -1,8 +1,8 @@
 // mat and the old dialect's f: Cd(rgb) Kd Cs(rgb) Ks Shine T ior.
 #include <algorithm>
 
-#include "core/formats/p3f/loader.h"
-#include "core/formats/p3f/material.h"
+#include "core/formats/p3f/p3f_loader.h"
+#include "core/formats/p3f/p3f_statement.h"
 
 namespace etalon {
 

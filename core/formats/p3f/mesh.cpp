@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/formats/p3f/loader.h"
+#include "core/formats/p3f/p3f_loader.h"
 
 namespace etalon::p3f {
 namespace {

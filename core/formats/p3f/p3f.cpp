@@ -1,7 +1,7 @@
 #include "core/formats/p3f/p3f.h"
 
 #include "core/formats/camera_block.h"
-#include "core/formats/p3f/loader.h"
+#include "core/formats/p3f/p3f_loader.h"
 #include "core/formats/statements.h"
 
 namespace etalon {
@@ -20,8 +20,8 @@ void skip_private_extension(SceneLoader& loader) {
 
 using Entry = Keyword<SceneLoader>;
 
-// To add a statement: its reader in the fitting file of this folder, declared in loader.h, and a
-// line here.
+// To add a statement: its reader in the fitting file of this folder, declared in p3f_loader.h, and
+// a line here.
 constexpr std::array keywords = {
     Entry{"s", read_sphere},
     Entry{"p", read_polygon},

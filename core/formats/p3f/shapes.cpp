@@ -3,7 +3,7 @@
 #include <array>
 
 #include "core/formats/degenerate.h"
-#include "core/formats/p3f/loader.h"
+#include "core/formats/p3f/p3f_loader.h"
 #include "core/numerics/rounding.h"
 
 namespace etalon::p3f {

@@ -3,7 +3,7 @@
 // moved and its surfaces take effect, for what comes after the reference as well.
 #include <utility>
 
-#include "core/formats/prt/loader.h"
+#include "core/formats/prt/prt_loader.h"
 #include "core/scene/transformed.h"
 
 namespace etalon::prt {

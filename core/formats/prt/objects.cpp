@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "core/formats/degenerate.h"
-#include "core/formats/prt/loader.h"
+#include "core/formats/prt/prt_loader.h"
 
 namespace etalon::prt {
 namespace {

@@ -1,6 +1,6 @@
 #include "core/formats/prt/prt.h"
 
-#include "core/formats/prt/loader.h"
+#include "core/formats/prt/prt_loader.h"
 #include "core/formats/statements.h"
 
 namespace etalon {

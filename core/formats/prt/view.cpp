@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/formats/prt/loader.h"
+#include "core/formats/prt/prt_loader.h"
 
 namespace etalon::prt {
 namespace {

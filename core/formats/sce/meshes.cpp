@@ -4,7 +4,7 @@
 
 #include "core/formats/degenerate.h"
 #include "core/formats/file_text.h"
-#include "core/formats/sce/loader.h"
+#include "core/formats/sce/sce_loader.h"
 #include "core/numerics/transforms.h"
 
 namespace etalon::sce {

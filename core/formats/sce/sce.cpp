@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/formats/nearest_name.h"
-#include "core/formats/sce/loader.h"
+#include "core/formats/sce/sce_loader.h"
 
 namespace etalon {
 namespace {
@@ -19,8 +19,8 @@ struct Command {
 
 void do_nothing(Loader&, Reader&) {}
 
-// To add a command: its reader in the fitting file of this folder, declared in loader.h, and a line
-// here.
+// To add a command: its reader in the fitting file of this folder, declared in sce_loader.h, and a
+// line here.
 constexpr std::array commands = {
     Command{"sce1.0", 0, do_nothing},  // the first line of every real file
     Command{"{", 0, sce::open_braces},

@@ -1,7 +1,7 @@
 // ball and cylinder. Under a matrix they are ellipsoids and slanted cylinders.
 #include <cmath>
 
-#include "core/formats/sce/loader.h"
+#include "core/formats/sce/sce_loader.h"
 #include "core/numerics/transforms.h"
 
 namespace etalon::sce {

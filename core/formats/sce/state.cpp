@@ -1,7 +1,7 @@
 // Blocks, and what they save and restore: the matrix and the surface.
 #include <cmath>
 
-#include "core/formats/sce/loader.h"
+#include "core/formats/sce/sce_loader.h"
 #include "core/numerics/transforms.h"
 
 namespace etalon::sce {

@@ -1,5 +1,5 @@
 // ca, cr, cp and shininess: the surface of the shapes to come.
-#include "core/formats/sce/loader.h"
+#include "core/formats/sce/sce_loader.h"
 
 namespace etalon::sce {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/formats/p3f/material.h"
+#include "core/formats/p3f/p3f_statement.h"
 #include "core/formats/write/conversion_warnings.h"
 
 namespace etalon {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/formats/p3f/material.h"
+#include "core/formats/p3f/p3f_statement.h"
 #include "core/formats/write/text.h"
 #include "core/scene/camera.h"
 #include "core/scene/shapes.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/intersect/clusters/targets.h"
+#include "core/intersect/clusters/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/intersect/tree/binning.cpp"

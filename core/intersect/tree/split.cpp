@@ -1,6 +1,6 @@
 #include "core/intersect/tree/split.h"
 
-#include "core/intersect/clusters/targets.h"
+#include "core/intersect/clusters/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/intersect/tree/split.cpp"

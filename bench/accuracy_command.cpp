@@ -1,0 +1,129 @@
+// etalon-bench accuracy: the hard cases, by the million, against the oracle.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/backends.h"
+#include "app/exit_status.h"
+#include "app/output.h"
+#include "bench/accuracy/measure_case.h"
+#include "bench/accuracy/report/accuracy_json.h"
+#include "bench/accuracy/report/accuracy_table.h"
+#include "bench/accuracy/report/cases.h"
+#include "bench/accuracy/report/markdown.h"
+#include "bench/accuracy/report/plot.h"
+#include "bench/bench_subcommands.h"
+
+namespace etalon {
+namespace {
+
+using accuracy::Row;
+using hard::HardCase;
+
+struct Arguments {
+    std::vector<std::string> cases;
+    std::vector<std::string> backends = backend_names();
+    double rays = 100'000;
+    double seconds = infinity;
+    bool only_backends = false, list = false;
+    std::string json, markdown, plots;
+};
+
+/// "SPH" names all rows whose id begins so, "SPH-1" those of that id, "SPH-1/1e3" those of them
+/// whose variant begins so.
+bool is_named(const HardCase& c, const std::vector<std::string>& names) {
+    const std::string full = c.id + '/' + c.variant;
+    return names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+               return name == c.id || c.id.starts_with(name + '-') ||
+                      (name.find('/') != std::string::npos && full.starts_with(name));
+           });
+}
+
+std::vector<HardCase> chosen_cases(const Arguments& a) {
+    std::vector<HardCase> cases = hard::hard_cases();
+    std::erase_if(cases, [&](const HardCase& c) { return !is_named(c, a.cases); });
+    return cases;
+}
+
+int list_cases(const std::vector<HardCase>& cases) {
+    for (const HardCase& c : cases) fmt::print("{}/{}\n", c.id, c.variant);
+    return exit_done;
+}
+
+std::vector<Row> measure_all(const Arguments& a, const std::vector<HardCase>& cases) {
+    std::vector<const Backend*> backends;
+    for (const std::string& name : a.backends) backends.push_back(find_backend(name));
+    accuracy::Budget budget;
+    budget.rays = static_cast<std::uint64_t>(a.rays);
+    budget.seconds = a.seconds;
+    budget.textbooks = !a.only_backends;
+    std::vector<Row> all;
+    for (const HardCase& c : cases) {
+        fmt::print(stderr, "etalon-bench: {}/{}\n", c.id, c.variant);
+        const std::vector<Row> rows = accuracy::measure(c, backends, budget);
+        fmt::print("{}", accuracy::table(rows, all.empty() ? "" : all.back().shape));
+        std::fflush(stdout);
+        all.insert(all.end(), rows.begin(), rows.end());
+    }
+    return all;
+}
+
+/// A backend or kernel that promises to be right, and was not.
+bool is_broken_promise(const Row& row) {
+    return row.exact && row.stats.errors() > 0;
+}
+
+bool write_reports(const Arguments& a, const std::vector<Row>& rows) {
+    bool written = true;
+    if (!a.json.empty())
+        written &= write_json(a.json, accuracy::json(rows, accuracy::run_environment()));
+    if (!a.markdown.empty()) written &= write_text(a.markdown, accuracy::markdown(rows));
+    if (a.plots.empty()) return written;
+    for (const std::string& shape : accuracy::shapes_of(rows)) {
+        const std::string svg = accuracy::plot(rows, shape);
+        if (!svg.empty()) written &= write_text(a.plots + '/' + shape + ".svg", svg);
+    }
+    return written;
+}
+
+int run(const Arguments& a) {
+    const std::vector<HardCase> cases = chosen_cases(a);
+    if (a.list) return list_cases(cases);
+    if (cases.empty()) {
+        fmt::print(stderr, "etalon-bench: error: no case of that name: --list shows them all\n");
+        return exit_usage;
+    }
+    const std::vector<Row> rows = measure_all(a, cases);
+    const auto broken = std::count_if(rows.begin(), rows.end(), is_broken_promise);
+    if (broken > 0) fmt::print("{} rows with errors that none of them may have\n", broken);
+    if (!write_reports(a, rows)) return exit_not_written;
+    return broken > 0 ? exit_differs : exit_done;
+}
+
+}  // namespace
+
+Action declare_accuracy(Options& options) {
+    auto a = std::make_shared<Arguments>();
+    options
+        .add("--case", a->cases,
+             "Which, by commas: SPH, SPH-1, or \"SPH-1/1e3 radii\"; --list shows all")
+        .by_commas();
+    options.add("--backends", a->backends, "Which, by commas")
+        .by_commas()
+        .one_of(backend_names())
+        .show_default();
+    options.add("--rays", a->rays, "For each case; 1e7 is a number too")
+        .within(1.0, 1e12)
+        .show_default();
+    options.add("--limit", a->seconds, "Seconds for each case, which may then get fewer rays")
+        .positive();
+    options.add_flag("--only-backends", a->only_backends, "Leave out kernels by themselves");
+    options.add_flag("--list", a->list, "Only say which cases there are");
+    options.add("--json", a->json, "Write the figures to this file; - is standard output");
+    options.add("--markdown", a->markdown, "Write the table of docs/accuracy.md to this file");
+    options.add("--plots", a->plots, "Write error against cost, SHAPE.svg, to this directory");
+    return [a] { return run(*a); };
+}
+
+}  // namespace etalon

@@ -1,0 +1,155 @@
+// etalon-bench convergence: how soon an image comes to what it should be, by samplers and
+// backends.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/backends.h"
+#include "app/exit_status.h"
+#include "app/integrators.h"
+#include "app/output.h"
+#include "app/progress.h"
+#include "app/reference_image.h"
+#include "app/signals.h"
+#include "bench/bench_subcommands.h"
+#include "bench/convergence/curve_report.h"
+#include "bench/convergence/measure_curves.h"
+#include "bench/scenes/bench_scene.h"
+#include "bench/speed/report/speed_json.h"
+
+namespace etalon {
+namespace {
+
+using namespace convergence;
+
+struct Arguments {
+    std::string scene, reference, json;
+    int width = 0;
+    std::vector<std::string> integrators{std::string(scene_integrator)};
+    Plan plan;
+};
+
+int fail(int status, const std::string& message) {
+    fmt::print(stderr, "etalon-bench: error: {}\n", message);
+    return status;
+}
+
+/// What comes of one integrator, or of all.
+struct Measured {
+    std::string reference;  ///< what the curves are compared with
+    std::vector<Curve> curves;
+};
+
+/// The height follows.
+void set_width(Imath::V2i& size, int width) {
+    if (width == 0) return;
+    size.y = std::max(1, (size.y * width + size.x / 2) / size.x);
+    size.x = width;
+}
+
+Result<ReferenceImage> read_reference_image(const std::string& path,
+                                            const RenderSettings& settings) {
+    auto image = read_reference(path, settings);
+    return {{std::move(image.value), path}, image.error};
+}
+
+/// Tables make room for JSON that another program is to read from standard output.
+void show(const Arguments& a, const std::string& text) {
+    fmt::print(a.json == "-" ? stderr : stdout, "{}", text);
+}
+
+nlohmann::ordered_json report_on(const Arguments& a, const Imath::V2i& size,
+                                 const Measured& measured) {
+    nlohmann::ordered_json json = speed::json_of_machine();
+    json["scene"] = a.scene;
+    json["image"] = {{"width", size.x}, {"height", size.y}};
+    json["reference"] = measured.reference;
+    json["seeds"] = a.plan.seeds;
+    json["curves"] = nlohmann::ordered_json::array();
+    show(a, fmt::format("{}, {} x {}; reference: {}; {} seeds\n\n", a.scene, size.x, size.y,
+                        measured.reference, a.plan.seeds));
+    for (const Curve& curve : measured.curves) {
+        show(a, table(curve) + "\n");
+        json["curves"].push_back(json_of(curve));
+    }
+    return json;
+}
+
+/// The reference and the curves of one integrator.
+Result<Measured> measure_integrator(const Arguments& a, const bench::NamedScene& named,
+                                    const RenderSettings& settings, const RunProgress& run) {
+    Result<ReferenceImage> reference =
+        a.reference.empty()
+            ? Result<ReferenceImage>{render_reference(*named.scene, settings, a.plan, run), {}}
+            : read_reference_image(a.reference, settings);
+    if (!reference) return {{}, reference.error};
+    Measured measured{reference.value.description, {}};
+    measured.curves = measure(*named.scene, settings, reference.value, a.plan, run);
+    return {std::move(measured), {}};
+}
+
+int run(const Arguments& a) {
+    const std::string error = a.json.empty() || a.json == "-" ? "" : check_writable(a.json);
+    if (!error.empty()) return fail(exit_not_written, error);
+    bench::NamedScene named = bench::bench_scene(a.scene);
+    fmt::print(stderr, "{}", named.messages);
+    if (!named.scene) return exit_unusable;
+    set_width(named.settings.resolution, a.width);
+    const SignalGuard signals;
+    Progress progress(a.scene);
+    Measured all;
+    const auto count = static_cast<double>(a.integrators.size());
+    for (std::size_t i = 0; i < a.integrators.size() && signals.signal() == 0; ++i) {
+        const auto done = static_cast<double>(i);
+        const RunProgress run{signals.raised(),
+                              [&](double part) { progress.update((done + part) / count); }};
+        RenderSettings settings = named.settings;
+        choose_integrator(a.integrators[i], settings);
+        Result<Measured> one = measure_integrator(a, named, settings, run);
+        if (!one) return fail(exit_unusable, one.error);
+        all.reference = one.value.reference;
+        std::ranges::move(one.value.curves, std::back_inserter(all.curves));
+    }
+    const auto json = report_on(a, named.settings.resolution, all);
+    if (!a.json.empty() && !write_json(a.json, json)) return exit_not_written;
+    return signals.signal() != 0 ? exit_signal + signals.signal() : exit_done;
+}
+
+}  // namespace
+
+Action declare_convergence(Options& options) {
+    auto a = std::make_shared<Arguments>();
+    options.add("SCENE", a->scene, "A file, or a name as `etalon-bench speed --list` has them")
+        .required();
+    options.add("--reference", a->reference,
+                "The picture as it should be (default: rendered, with 32 times the samples)");
+    options.add("--samplers", a->plan.samplers, "Which, by commas; the first backend's curves")
+        .by_commas()
+        .one_of(sampler_names())
+        .show_default();
+    options
+        .add("--integrators", a->integrators,
+             "Comma-separated list of integrators, each with curves of its own and, without "
+             "--reference, a reference of its own; auto: the scene's")
+        .by_commas()
+        .one_of(integrator_choices())
+        .show_default();
+    options
+        .add("--backends", a->plan.backends,
+             "Which, by commas; those after the first take "
+             "the last sampler")
+        .by_commas()
+        .one_of(backend_names())
+        .show_default();
+    options.add("--spp", a->plan.samples, "Samples per pixel at the end of a curve")
+        .within(4, 1 << 16)
+        .show_default();
+    options.add("--seeds", a->plan.seeds, "Pictures for each curve").within(1, 1000).show_default();
+    options.add("--width", a->width, "Of the picture; its height follows (default: the scene's)")
+        .within(1, 65536);
+    options.add("--json", a->json, "Write the figures to this file; - is standard output");
+    return [a] { return run(*a); };
+}
+
+}  // namespace etalon

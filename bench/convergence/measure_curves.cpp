@@ -1,0 +1,176 @@
+#include "bench/convergence/measure_curves.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "app/backends.h"
+#include "app/stopwatch.h"
+#include "core/image/metrics/metrics.h"
+#include "core/integrators/integrators.h"
+#include "core/parallel/parallel.h"
+#include "core/render/renderer.h"
+
+namespace etalon::convergence {
+namespace {
+
+constexpr std::uint32_t reference_seed = 0x7ea1;
+
+/// An error that is never reached: an adaptive image ends at its samples.
+constexpr double no_error = 1e-30;
+constexpr int any_samples = 1 << 24;
+
+/// A scene made ready to be rendered again and again.
+class Studio {
+  public:
+    Studio(const Scene& scene, const std::string& backend)
+        : scene_(scene), intersector_(find_backend(backend)->build(scene.geometry)) {}
+
+    std::unique_ptr<Integrator> integrator(const RenderSettings& settings) const {
+        std::vector<std::string> problems;  // said when the scene was read
+        return find_integrator(settings.integrator)
+            ->make(scene_, *intersector_, settings, problems);
+    }
+
+    const Camera& camera() const { return scene_.camera; }
+
+  private:
+    const Scene& scene_;
+    std::unique_ptr<Intersector> intersector_;
+};
+
+/// One image, and what it is like after every pass. The time it takes to look is not counted.
+class SeedRun {
+  public:
+    SeedRun(const Studio& studio, const RenderSettings& settings, const ReferenceImage& reference,
+            const Plan& plan, const std::atomic<bool>& stop)
+        : studio_(studio), settings_(settings), reference_(reference), plan_(plan), stop_(stop) {}
+
+    /// Empty if it was stopped.
+    std::vector<Point> points(const std::string& sampler, std::uint32_t seed) {
+        RenderSettings settings = settings_;
+        const bool is_adaptive = sampler == "adaptive";
+        settings.samples_per_pixel = is_adaptive ? any_samples : plan_.samples;
+        settings.target_error = is_adaptive ? no_error : 0;
+        settings.sampler = sampler == "random" ? Sampler::random : Sampler::sobol;
+        settings.seed = seed;
+        RunControl control;
+        control.stop = &enough_;
+        control.progress = [&](double) { enough_ = enough_ || stop_; };
+        control.after_pass = [&](const RenderedPass& pass) { note(pass.film); };
+        const auto integrator = studio_.integrator(settings);
+        watch_.lap();
+        render(studio_.camera(), *integrator, settings, control);
+        return stop_ ? std::vector<Point>() : std::move(points_);
+    }
+
+  private:
+    void note(const Film& film) {
+        seconds_ += watch_.lap().cpu;
+        const std::vector<Color> pixels = film.pixels();
+        const auto samples = static_cast<double>(film.total_count());
+        Point point{samples / static_cast<double>(film.size()), seconds_,
+                    mse(pixels, reference_.pixels), relmse(pixels, reference_.pixels)};
+        point.mse_least = point.mse_most = point.mse;
+        points_.push_back(point);
+        enough_ = point.samples >= plan_.samples;
+        watch_.lap();
+    }
+
+    const Studio& studio_;
+    const RenderSettings& settings_;
+    const ReferenceImage& reference_;
+    const Plan& plan_;
+    const std::atomic<bool>& stop_;
+    std::atomic<bool> enough_ = false;
+    Stopwatch watch_;
+    double seconds_ = 0;
+    std::vector<Point> points_;
+};
+
+/// Pass by pass, as many as all have.
+std::vector<Point> mean_of(const std::vector<std::vector<Point>>& seeds) {
+    std::size_t passes = std::numeric_limits<std::size_t>::max();
+    for (const auto& points : seeds) passes = std::min(passes, points.size());
+    std::vector<Point> means;
+    const auto count = static_cast<double>(seeds.size());
+    for (std::size_t i = 0; i < passes; ++i) {
+        Point mean;
+        mean.mse_least = std::numeric_limits<double>::infinity();
+        for (const auto& points : seeds) {
+            mean.samples += points[i].samples / count;
+            mean.cpu_seconds += points[i].cpu_seconds / count;
+            mean.mse += points[i].mse / count;
+            mean.relmse += points[i].relmse / count;
+            mean.mse_least = std::min(mean.mse_least, points[i].mse);
+            mean.mse_most = std::max(mean.mse_most, points[i].mse);
+        }
+        means.push_back(mean);
+    }
+    return means;
+}
+
+/// Which curves there are.
+std::vector<Curve> wanted(const Plan& plan, const std::string& integrator) {
+    std::vector<Curve> curves;
+    const auto add = [&](const std::string& sampler, const std::string& backend) {
+        curves.push_back({fmt::format("{}, {}, {}", integrator, sampler, backend),
+                          sampler,
+                          integrator,
+                          backend,
+                          {},
+                          {}});
+    };
+    for (const std::string& sampler : plan.samplers) add(sampler, plan.backends.front());
+    for (std::size_t i = 1; i < plan.backends.size(); ++i) {
+        add(plan.samplers.back(), plan.backends[i]);
+    }
+    return curves;
+}
+
+}  // namespace
+
+const std::vector<std::string>& sampler_names() {
+    static const std::vector<std::string> names{"random", "sobol", "adaptive"};
+    return names;
+}
+
+ReferenceImage render_reference(const Scene& scene, const RenderSettings& scene_settings,
+                                const Plan& plan, const RunProgress& run) {
+    RenderSettings settings = scene_settings;
+    settings.samples_per_pixel = reference_times * plan.samples;
+    settings.seed = reference_seed;
+    RunControl control;
+    control.stop = &run.stop;
+    control.progress = run.progress;
+    const Studio studio(scene, plan.backends.front());
+    const Rendering r = render(scene.camera, *studio.integrator(settings), settings, control);
+    return {r.film.pixels(), fmt::format("{} samples per pixel", settings.samples_per_pixel)};
+}
+
+std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings,
+                           const ReferenceImage& reference, const Plan& plan,
+                           const RunProgress& run) {
+    const ThreadLimit alone(1);
+    std::vector<Curve> done;
+    const std::vector<Curve> curves = wanted(plan, settings.integrator);
+    for (Curve curve : curves) {
+        const Studio studio(scene, curve.backend);
+        std::vector<std::vector<Point>> seeds;
+        for (int seed = 0; seed < plan.seeds && !run.stop; ++seed) {
+            seeds.push_back(SeedRun(studio, settings, reference, plan, run.stop)
+                                .points(curve.sampler, static_cast<std::uint32_t>(seed)));
+            const double part = static_cast<double>(seed + 1) / plan.seeds;
+            const auto before = static_cast<double>(done.size());
+            run.progress((before + part) / static_cast<double>(curves.size()));
+        }
+        if (run.stop) break;
+        curve.points = mean_of(seeds);
+        curve.fit = fit(curve.points);
+        done.push_back(std::move(curve));
+    }
+    return done;
+}
+
+}  // namespace etalon::convergence

@@ -1,0 +1,95 @@
+#include "bench/report/command_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "bench/speed/figures.h"
+
+namespace etalon::bench_report {
+namespace {
+
+/// The baselines take part unasked.
+std::vector<std::string> asked(const speed::Plan& plan) {
+    std::vector<std::string> names = plan.tracers;
+    std::erase_if(names, [](const std::string& name) {
+        return name == speed::baseline || name == speed::robust_baseline;
+    });
+    return names;
+}
+
+}  // namespace
+
+std::string command_of(const Settings& settings) {
+    return fmt::format("build/bin/etalon-bench report{} -o report",
+                       settings.name == "quick" ? " --quick" : "");
+}
+
+std::string speed_command(const Settings& settings, const std::string& scene) {
+    const speed::Plan& plan = settings.plan;
+    return fmt::format(
+        "build/bin/etalon-bench speed --scene {} --backends {} --threads {} --repeat {} "
+        "--max-rays {} --oracle {}",
+        scene, fmt::join(asked(plan), ","), fmt::join(plan.threads, ","), plan.repeats,
+        plan.max_rays, plan.oracle_seconds);
+}
+
+std::string speed_command(const Settings& settings) {
+    return speed_command(settings, fmt::format("{}", fmt::join(settings.speed_scenes, ",")));
+}
+
+std::string builds_command(const Settings& settings, const std::string& scene) {
+    const speed::Plan& plan = settings.plan;
+    return fmt::format(
+        "build/bin/etalon-bench speed --only-build --scene {} --backends {} --threads {} "
+        "--repeat {}",
+        scene, fmt::join(asked(plan), ","), fmt::join(plan.threads, ","), plan.repeats);
+}
+
+std::string accuracy_command(const Settings& settings) {
+    return fmt::format("build/bin/etalon-bench accuracy --backends {} --rays {} --limit {}",
+                       fmt::join(settings.accuracy_backends, ","), settings.case_rays,
+                       settings.case_seconds);
+}
+
+std::string accuracy_command(const Settings& settings, const std::vector<accuracy::Row>& rows,
+                             const std::string& shape) {
+    std::vector<std::string> ids;
+    for (const accuracy::Row& row : rows) {
+        const bool is_new = std::find(ids.begin(), ids.end(), row.id) == ids.end();
+        if (row.shape == shape && is_new) ids.push_back(row.id);
+    }
+    return fmt::format("{} --case {}", accuracy_command(settings), fmt::join(ids, ","));
+}
+
+std::string spd_command(const Settings& settings) {
+    std::string scenes;
+    for (const SpdScene& s : settings.spd_scenes) {
+        scenes += fmt::format("\"{} {}\" ", s.family, s.size);
+    }
+    return fmt::format(
+        "for scene in {}; do set -- $scene; build/bin/etalon-scenes $1 --size $2 -o $1.p3f; "
+        "build/bin/etalon render $1.p3f --spd --stats -; done",
+        scenes.substr(0, scenes.size() - 1));
+}
+
+std::string image_command(const ImageRequest& request) {
+    const std::string name = std::filesystem::path(request.scene).stem().string();
+    const std::string render = fmt::format("build/bin/etalon render scenes/{} --resolution {}x{}",
+                                           request.scene, request.width, request.height);
+    return fmt::format(
+        "{0} --spp {1} -o {2}.exr -o {2}.png --aov cost.boxTests,cost.primitiveTests && {0} --spp "
+        "{3} --seed 1 -o fewer.exr && "
+        "build/bin/etalon compare fewer.exr {2}.exr --heatmap {2}-error.png",
+        render, request.samples, name, request.fewer_samples);
+}
+
+std::string convergence_command(const Settings& settings, const ConvergenceRequest& request) {
+    return fmt::format(
+        "build/bin/etalon-bench convergence scenes/{} --width {} --spp {} --seeds {} --backends {}",
+        request.scene, request.width, request.samples, settings.convergence_seeds,
+        fmt::join(settings.convergence_backends, ","));
+}
+
+}  // namespace etalon::bench_report

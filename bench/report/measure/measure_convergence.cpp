@@ -1,0 +1,54 @@
+#include "bench/convergence/measure_curves.h"
+
+#include "bench/report/measure/rendered.h"
+
+namespace etalon::bench_report {
+namespace {
+
+convergence::Plan plan_of(const ConvergenceRequest& request, const Settings& settings) {
+    convergence::Plan plan;
+    plan.backends = settings.convergence_backends;
+    plan.samples = request.samples;
+    plan.seeds = settings.convergence_seeds;
+    return plan;
+}
+
+void measure(const ConvergenceRequest& request, Results& results,
+             const TaskProgress& task_progress) {
+    const auto shipped = shipped_scene(request.scene, request.width, request.height);
+    if (!shipped) return;
+    const auto& [scene, settings] = *shipped;
+    const convergence::Plan plan = plan_of(request, results.settings);
+    const convergence::ReferenceImage reference = render_reference(
+        scene, settings, plan, {task_progress.stop, task_progress.part(0, 0.5).progress});
+    if (task_progress.is_over()) return;
+    results.convergence.add(
+        {request, reference.description,
+         convergence::measure(scene, settings, reference, plan,
+                              {task_progress.stop, task_progress.part(0.5, 1).progress})});
+}
+
+/// The truth is rendered by all threads, the curves by one.
+double seconds_for(const ConvergenceRequest& request, const Settings& settings) {
+    const auto curves = 3.0 + static_cast<double>(settings.convergence_backends.size() - 1);
+    const double samples =
+        (convergence::reference_times / 2.0 + curves * settings.convergence_seeds) *
+        request.samples;
+    return 0.1 +
+           1e-6 * microseconds_of_sample(request.scene) * samples * request.width * request.height;
+}
+
+}  // namespace
+
+std::vector<Task> convergence_tasks(const Settings& settings) {
+    std::vector<Task> tasks;
+    for (const ConvergenceRequest& request : settings.convergence) {
+        tasks.push_back({"convergence of " + request.scene, seconds_for(request, settings),
+                         [request](Results& results, const TaskProgress& task_progress) {
+                             measure(request, results, task_progress);
+                         }});
+    }
+    return tasks;
+}
+
+}  // namespace etalon::bench_report

@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+
+#include "bench/report/tasks.h"
+#include "bench/scenes/bench_scene.h"
+#include "bench/speed/measured_scene.h"
+
+namespace etalon::bench_report {
+namespace {
+
+void measure(const std::string& name, Results& results, const TaskProgress& task_progress) {
+    bench::NamedScene named = bench::bench_scene(name);
+    fmt::print(stderr, "{}", named.messages);
+    if (!named.scene) return;
+    const speed::Plan& plan = results.settings.plan;
+    const auto observer = [&](const speed::SceneFigures& figures) {
+        const auto done = static_cast<double>(figures.kinds.size() + 1);
+        task_progress.progress(done / static_cast<double>(plan.kinds.size() + 1));
+        return !task_progress.is_over();
+    };
+    results.scenes.add(speed::measure_scene(name, std::move(*named.scene),
+                                            named.settings.resolution, plan, observer));
+}
+
+/// A ray takes about a microsecond, whoever answers it.
+double seconds_for(const speed::Plan& plan) {
+    const auto rays = static_cast<double>(plan.max_rays * plan.kinds.size() * plan.repeats);
+    const auto ways = static_cast<double>(plan.tracers.size() * plan.threads.size());
+    const double judging = 2 * plan.oracle_seconds * static_cast<double>(plan.kinds.size());
+    return 0.5 + rays * ways * 0.6e-6 + 0.5 * judging;
+}
+
+}  // namespace
+
+std::vector<Task> speed_tasks(const Settings& settings) {
+    std::vector<Task> tasks;
+    for (const std::string& name : settings.speed_scenes) {
+        tasks.push_back({name, seconds_for(settings.plan),
+                         [name](Results& results, const TaskProgress& task_progress) {
+                             measure(name, results, task_progress);
+                         }});
+    }
+    return tasks;
+}
+
+}  // namespace etalon::bench_report

@@ -1,0 +1,136 @@
+// etalon-bench report: everything measured, and one page about it.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/exit_status.h"
+#include "app/output.h"
+#include "app/progress.h"
+#include "app/signals.h"
+#include "bench/bench_subcommands.h"
+#include "bench/report/formatting.h"
+#include "bench/report/html/html.h"
+#include "bench/report/sections/sections.h"
+#include "bench/report/tasks.h"
+
+namespace etalon {
+namespace {
+
+using namespace bench_report;
+
+struct Arguments {
+    std::string folder = "report";
+    bool quick = false;
+};
+
+double total(const std::vector<Task>& tasks) {
+    double seconds = 0;
+    for (const Task& task : tasks) seconds += task.seconds;
+    return seconds;
+}
+
+Results nothing_yet(const Settings& settings) {
+    Results results;
+    results.settings = settings;
+    results.begun = date_now();
+    results.machine = this_machine();
+    return results;
+}
+
+/// One run of the command. The page is written again after every task, so that it shows what there
+/// is, whatever ends the run.
+class Report {
+  public:
+    explicit Report(const Arguments& a)
+        : path_((std::filesystem::path(a.folder) / "index.html").string()),
+          results_(nothing_yet(a.quick ? quick_settings() : full_settings())),
+          deadline_(results_.settings.seconds_limit),
+          tasks_(all_tasks(results_.settings)),
+          seconds_(total(tasks_)) {}
+
+    int run() {
+        announce();
+        if (!write("It is being measured: nothing yet.")) return exit_not_written;
+        if (!measure()) return exit_not_written;
+        if (!write(missing())) return exit_not_written;
+        fmt::print("{}\n", path_);
+        return signals_.signal() != 0 ? exit_signal + signals_.signal() : exit_done;
+    }
+
+  private:
+    void announce() const {
+        fmt::print(stderr,
+                   "etalon-bench: the {} report takes about {} on two free cores; Ctrl-C ends it "
+                   "with what there is{}\n",
+                   results_.settings.name, duration(seconds_),
+                   results_.settings.name == "quick" ? "" : ", --quick takes two minutes");
+    }
+
+    /// False if the page cannot be written.
+    bool measure() {
+        Progress progress("report");
+        double before = 0;
+        for (; done_ < tasks_.size() && !is_over(); ++done_) {
+            const Task& task = tasks_[done_];
+            const auto tell = [&](double part) {
+                progress.update((before + part * task.seconds) / seconds_);
+            };
+            task.run(results_, {signals_.raised(), deadline_, tell});
+            before += task.seconds;
+            if (!write(fmt::format("It is being measured: {} of {} parts are done.", done_ + 1,
+                                   tasks_.size())))
+                return false;
+        }
+        return true;
+    }
+
+    bool is_over() const { return signals_.raised() || deadline_.is_over(); }
+
+    double elapsed() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+    /// Why not all is there; a task that was interrupted counts as done.
+    std::string missing() const {
+        if (signals_.signal() == 0 && done_ == tasks_.size()) return {};
+        const char* why = signals_.signal() != 0 ? "It was interrupted" : "Its time was up";
+        return fmt::format("{} after {}, when {} of {} parts had been measured.", why,
+                           duration(elapsed()), done_, tasks_.size());
+    }
+
+    bool write(const std::string& missing) {
+        results_.missing = missing;
+        return write_text(path_, html(page_of(results_)));
+    }
+
+    const SignalGuard signals_;
+    const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    const std::string path_;
+    Results results_;
+    const Deadline deadline_;
+    const std::vector<Task> tasks_;
+    const double seconds_;  ///< that all tasks take, about
+    std::size_t done_ = 0;
+};
+
+int run(const Arguments& a) {
+    std::error_code error;
+    std::filesystem::create_directories(a.folder, error);
+    if (error) {
+        fmt::print(stderr, "etalon-bench: error: {}: {}\n", a.folder, error.message());
+        return exit_not_written;
+    }
+    return Report(a).run();
+}
+
+}  // namespace
+
+Action declare_report(Options& options) {
+    auto a = std::make_shared<Arguments>();
+    options.add("-o,--output", a->folder, "Folder for index.html, made if it is not there")
+        .show_default();
+    options.add_flag("--quick", a->quick, "Two minutes; else it says beforehand how long");
+    return [a] { return run(*a); };
+}
+
+}  // namespace etalon

@@ -1,0 +1,166 @@
+// How many rays a second, with how many of them wrong beside it.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "bench/accuracy/report/numbers.h"
+#include "bench/report/command_lines.h"
+#include "bench/report/formatting.h"
+#include "bench/report/sections/sections.h"
+
+namespace etalon::bench_report {
+namespace {
+
+using namespace speed;
+
+double rate(const KindFigures& kind, const std::vector<double>& seconds) {
+    return 1e-6 * static_cast<double>(kind.rays) / median(seconds);
+}
+
+/// Of the rays that the oracle was asked about, of a sample and of those in dispute.
+struct Wrong {
+    Wrong& operator+=(const Errors& e) {
+        wrong += e.sample.errors() + e.disputed.errors();
+        judged += e.sample.rays + e.disputed.rays;
+        return *this;
+    }
+    std::uint64_t wrong = 0, judged = 0;
+};
+
+Bar bar_of(const KindFigures& kind, const RayFigures& r) {
+    const Runs& runs = r.by_threads.front();
+    Wrong wrong;
+    wrong += r.errors;
+    std::vector<double> rates;
+    for (const double seconds : runs.cpu()) rates.push_back(rate(kind, {seconds}));
+    const Estimate speed = estimate(rates);
+    return {r.tracer,
+            colour_of(r.tracer),
+            speed.median,
+            speed.spread,
+            three_digits(speed.median),
+            times(runs.ratio),
+            wrong_of(wrong.wrong, wrong.judged)};
+}
+
+Figure figure_of(const Results& results, const SceneFigures& scene) {
+    Bars bars;
+    for (const KindFigures& kind : scene.kinds) {
+        BarGroup group{kind.kind + " rays", "Mrays/s", "× builtin", "wrong", {}};
+        for (const RayFigures& r : kind.tracers) group.bars.push_back(bar_of(kind, r));
+        bars.groups.push_back(std::move(group));
+    }
+    return {
+        fmt::format("{}, {}", scene.scene, count_of(scene.primitives, "primitive")),
+        "Million rays per CPU second on one thread; that as a multiple of embree-builtin; wrong "
+        "answers of those judged.",
+        speed_command(results.settings, scene.scene), results.scenes.date, std::move(bars)};
+}
+
+/// One tracer over all scenes and kinds of rays.
+struct Sum {
+    std::vector<double> ratios;
+    Wrong wrong;
+};
+
+Figure overview(const Results& results) {
+    std::map<std::string, Sum> sums;
+    std::vector<std::string> names;
+    for (const SceneFigures& scene : results.scenes.list) {
+        for (const KindFigures& kind : scene.kinds) {
+            for (const RayFigures& r : kind.tracers) {
+                if (!sums.contains(r.tracer)) names.push_back(r.tracer);
+                sums[r.tracer].ratios.push_back(r.by_threads.front().ratio.median);
+                sums[r.tracer].wrong += r.errors;
+            }
+        }
+    }
+    BarGroup group{"backend", "× builtin", "", "wrong", {}};
+    for (const std::string& name : names) {
+        const Sum& sum = sums[name];
+        const double mean = geometric_mean(sum.ratios);
+        group.bars.push_back({name, colour_of(name), mean, 0, three_digits(mean), "",
+                              wrong_of(sum.wrong.wrong, sum.wrong.judged)});
+    }
+    return {"All together",
+            fmt::format("Times as fast as embree-builtin: geometric means over {} and all kinds of "
+                        "rays.",
+                        count_of(results.scenes.list.size(), "scene")),
+            speed_command(results.settings), results.scenes.date, Bars{{std::move(group)}}};
+}
+
+const std::vector<Column> columns = {
+    {"scene", false}, {"rays", false},       {"backend", false}, {"threads"},
+    {"Mrays/CPU s"},  {"Mrays/s"},           {"× builtin"},      {"±"},
+    {"× robust"},     {"× one thread"},      {"other hits"},     {"wrong of sample"},
+    {"sample"},       {"wrong of disputed"}, {"disputed"},
+};
+
+std::vector<Cell> row_of(const SceneFigures& scene, const KindFigures& kind, const RayFigures& r,
+                         const Runs& runs) {
+    const auto count = [](std::uint64_t n) { return Cell{grouped(n)}; };
+    const auto errors = [](std::uint64_t n) {
+        return Cell{grouped(n), n > 0 ? Mark::bad : Mark::none};
+    };
+    const Errors& e = r.errors;
+    return {{scene.scene},
+            {kind.kind},
+            {r.tracer},
+            {std::to_string(runs.threads)},
+            {three_digits(rate(kind, runs.cpu()))},
+            {three_digits(rate(kind, runs.wall()))},
+            {three_digits(runs.ratio.median)},
+            {fmt::format("{:.3f}", runs.ratio.spread)},
+            {three_digits(runs.ratio_robust.median)},
+            {three_digits(runs.wall_scaling.median)},
+            errors(e.disagreement.hit_or_miss + e.disagreement.primitive),
+            errors(e.sample.errors()),
+            count(e.sample.rays),
+            errors(e.disputed.errors()),
+            count(e.disputed.rays)};
+}
+
+Figure all_numbers(const Results& results) {
+    Table table{columns, {}};
+    for (const SceneFigures& scene : results.scenes.list) {
+        for (const KindFigures& kind : scene.kinds) {
+            for (const RayFigures& r : kind.tracers) {
+                for (const Runs& runs : r.by_threads) {
+                    table.rows.push_back(row_of(scene, kind, r, runs));
+                }
+            }
+        }
+    }
+    return {"All numbers of this section",
+            "“Other hits” counts rays on which an exact backend hits something else; rays are "
+            "disputed where not all backends answer alike, to the last bit where they are exact.",
+            speed_command(results.settings),
+            results.scenes.date,
+            std::move(table),
+            true};
+}
+
+}  // namespace
+
+Section speed_section(const Results& results) {
+    const Settings& settings = results.settings;
+    Section section{"speed", "Speed, and the errors beside it", {}, {}};
+    section.prose = {
+        fmt::format(
+            "Every backend answers the same rays, in turn, {} times over; medians count, and "
+            "± is the distance of the middle half. CPU time of pinned threads, so that what "
+            "else the machine does disturbs little.",
+            settings.plan.repeats),
+        "A speed without its errors says nothing. A quad-precision oracle judges a sample of the "
+        "rays, and those on which the backends do not agree: “wrong” are hits where there is "
+        "nothing, misses where there is something, and other primitives than the nearest."};
+    if (results.scenes.list.empty()) return section;
+    section.figures.push_back(overview(results));
+    for (const SceneFigures& scene : results.scenes.list) {
+        section.figures.push_back(figure_of(results, scene));
+    }
+    section.figures.push_back(all_numbers(results));
+    return section;
+}
+
+}  // namespace etalon::bench_report

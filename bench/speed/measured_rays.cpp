@@ -1,0 +1,93 @@
+#include "bench/speed/measured_rays.h"
+
+#include <algorithm>
+
+#include "bench/speed/alternate.h"
+
+namespace etalon::speed {
+namespace {
+
+/// An exact backend that shares no tree with the one that is compared with it.
+std::string reference_of(const std::string& tracer) {
+    return tracer == default_backend ? second_backend : default_backend;
+}
+
+const Tracer* find(const std::vector<Tracer>& list, const std::string& name) {
+    const auto found =
+        std::find_if(list.begin(), list.end(), [&](const Tracer& c) { return c.name() == name; });
+    return found == list.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+RayMeasurement::RayMeasurement(const hard::CaseSetup& setup, const std::vector<Tracer>& tracers,
+                               const Plan& plan)
+    : setup_(setup), tracers_(tracers), plan_(plan), oracle_(setup.scene.geometry) {
+    for (const std::string name : {default_backend, second_backend}) {
+        if (find(tracers, name) != nullptr) continue;
+        const Backend& backend = find_tracer(name);
+        references_.push_back({&backend, backend.build(setup.scene.geometry)});
+    }
+}
+
+const Tracer& RayMeasurement::who(const std::string& name) const {
+    const Tracer* tracer = find(tracers_, name);
+    return tracer != nullptr ? *tracer : *find(references_, name);
+}
+
+KindFigures RayMeasurement::measure(const RaySet& set) const {
+    Answers answers(tracers_.size(), std::vector<Answer>(set.rays.size(), missed));
+    KindFigures figures{set.kind, set.rays.size(), set.occlusion, time(set, answers)};
+    find_errors(set, answers, figures);
+    return figures;
+}
+
+std::vector<RayFigures> RayMeasurement::time(const RaySet& set, Answers& answers) const {
+    std::vector<RayFigures> all(tracers_.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i].tracer = tracers_[i].name();
+        all[i].by_threads = runs_on(plan_.threads);
+    }
+    const std::size_t ways = plan_.threads.size();
+    alternate(plan_.repeats, tracers_.size() * ways, [&](int, std::size_t k) {
+        const std::size_t i = k / ways;
+        const Intersector& intersector = *tracers_[i].intersector;
+        Runs& runs = all[i].by_threads[k % ways];
+        runs.repeats.push_back(trace(intersector, set, runs.threads, answers[i]));
+    });
+    compare_with_baselines(all);
+    return all;
+}
+
+std::vector<Answer> RayMeasurement::answers_of(const std::string& name, const RaySet& set,
+                                               const Answers& answers) const {
+    for (std::size_t i = 0; i < tracers_.size(); ++i) {
+        if (tracers_[i].name() == name) return answers[i];
+    }
+    std::vector<Answer> found(set.rays.size(), missed);
+    trace(*who(name).intersector, set, 1, found);
+    return found;
+}
+
+OracleReferences RayMeasurement::oracle_references(const RaySet& set,
+                                                   const std::vector<std::size_t>& places) const {
+    return {setup_, oracle_, set, places, plan_.oracle_seconds};
+}
+
+void RayMeasurement::find_errors(const RaySet& set, const Answers& answers,
+                                 KindFigures& figures) const {
+    const std::vector<Answer> first = answers_of(default_backend, set, answers);
+    const std::vector<Answer> second = answers_of(second_backend, set, answers);
+    const OracleReferences sample = oracle_references(set, scattered(set.rays.size()));
+    const OracleReferences quarrels = oracle_references(set, disputed(answers, set.occlusion));
+    for (std::size_t i = 0; i < tracers_.size(); ++i) {
+        Errors& errors = figures.tracers[i].errors;
+        errors.reference = reference_of(tracers_[i].name());
+        errors.disagreement = compare(
+            answers[i], errors.reference == default_backend ? first : second, set.occlusion);
+        errors.sample = sample.check(answers[i], tracers_[i].backend->exact);
+        errors.disputed = quarrels.check(answers[i], tracers_[i].backend->exact);
+    }
+}
+
+}  // namespace etalon::speed

@@ -1,0 +1,117 @@
+#include "bench/speed/report/speed_json.h"
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "bench/accuracy/report/accuracy_json.h"
+#include "bench/speed/pinned.h"
+#include "embree_backend/embree_backends.h"
+
+namespace etalon::speed {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Of the last minute: what else the machine had to do; 0 where it cannot be told.
+double load_average() {
+    double load = 0;
+    getloadavg(&load, 1);
+    return load;
+}
+
+/// Alike for builds and rays.
+Json json_of(const Runs& runs) {
+    return {{"cpu_seconds", median(runs.cpu())},
+            {"wall_seconds", median(runs.wall())},
+            {"ratio", runs.ratio.median},
+            {"spread", runs.ratio.spread},
+            {"ratio_robust", runs.ratio_robust.median},
+            {"spread_robust", runs.ratio_robust.spread},
+            {"cpu_scaling", runs.cpu_scaling.median},
+            {"wall_scaling", runs.wall_scaling.median},
+            {"repeats", {{"cpu_seconds", runs.cpu()}, {"wall_seconds", runs.wall()}}}};
+}
+
+Json json_of(const BuildFigures& build) {
+    Json json = {{"isa", build.isa}, {"bytes_per_primitive", build.bytes_per_primitive}};
+    for (const Runs& runs : build.by_threads) {
+        json["threads"][std::to_string(runs.threads)] = json_of(runs);
+    }
+    return json;
+}
+
+/// With the rates that the seconds mean.
+Json json_of(const Runs& runs, double rays) {
+    Json json = {{"mrays_per_s", rays / median(runs.cpu()) * 1e-6},
+                 {"mrays_per_wall_s", rays / median(runs.wall()) * 1e-6}};
+    json.update(json_of(runs));
+    return json;
+}
+
+Json json_of(const OracleCheck& j) {
+    return {{"rays", j.rays},
+            {"undecidable", j.undecidable},
+            {"false_hits", j.false_hits},
+            {"false_misses", j.false_misses},
+            {"wrong_primitives", j.wrong_primitives},
+            {"t_float_ulps_max", j.t_ulps}};
+}
+
+Json json_of(const Errors& errors) {
+    const Disagreement& d = errors.disagreement;
+    return {{"reference", errors.reference},
+            {"rays", d.rays},
+            {"hit_or_miss", d.hit_or_miss},
+            {"primitive", d.primitive},
+            {"t_bits", d.distance},
+            {"oracle", json_of(errors.sample)},
+            {"disputed", json_of(errors.disputed)}};
+}
+
+/// The figures of one thread, and below "threads" those of all numbers of them.
+Json json_of(const RayFigures& figures, double rays) {
+    Json json = json_of(figures.by_threads.front(), rays);
+    json["errors"] = json_of(figures.errors);
+    for (const Runs& runs : figures.by_threads) {
+        json["threads"][std::to_string(runs.threads)] = json_of(runs, rays);
+    }
+    return json;
+}
+
+Json json_of(const KindFigures& kind) {
+    Json json = Json::object();
+    for (const RayFigures& figures : kind.tracers) {
+        json[figures.tracer] = json_of(figures, static_cast<double>(kind.rays));
+    }
+    return json;
+}
+
+}  // namespace
+
+Json json_of_machine() {
+    const accuracy::RunEnvironment here = accuracy::run_environment();
+    const EmbreeLibrary embree = embree_library();
+    return {{"version", here.version},
+            {"machine",
+             {{"cpu", here.machine}, {"cores", usable_cores()}, {"load_average", load_average()}}},
+            {"compiler", here.compiler},
+            {"flags", here.flags},
+            {"embree", {{"version", embree.version}, {"isa", embree.isa}}}};
+}
+
+Json json_of_environment(const Plan& plan) {
+    Json json = json_of_machine();
+    json["baselines"] = {baseline, robust_baseline};
+    json["repeats"] = plan.repeats;
+    json["threads"] = plan.threads;
+    return json;
+}
+
+Json json_of(const SceneFigures& scene) {
+    Json json = {{"scene", scene.scene}, {"primitives", scene.primitives}};
+    for (const BuildFigures& build : scene.builds) json["build"][build.tracer] = json_of(build);
+    for (const KindFigures& kind : scene.kinds) json["rays"][kind.kind] = json_of(kind);
+    return json;
+}
+
+}  // namespace etalon::speed

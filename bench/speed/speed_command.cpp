@@ -1,0 +1,165 @@
+// etalon-bench speed: how many rays a second, and how many bytes and seconds of building, each
+// backend needs, beside how often it is wrong on the same rays.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/exit_status.h"
+#include "app/output.h"
+#include "bench/bench_subcommands.h"
+#include "bench/scenes/bench_scene.h"
+#include "bench/speed/measured_scene.h"
+#include "bench/speed/pinned.h"
+#include "bench/speed/report/speed_json.h"
+#include "bench/speed/report/speed_table.h"
+#include "bench/speed/timed_tracer.h"
+#include "core/render/ray_sets.h"
+
+namespace etalon {
+namespace {
+
+using namespace speed;
+
+/// The reference tests every primitive against every ray: only who asks for it is to wait for it.
+std::vector<std::string> usual_tracers() {
+    std::vector<std::string> names = tracer_names();
+    std::erase(names, reference_backend);
+    return names;
+}
+
+struct Arguments {
+    std::vector<std::string> scenes{"terrain", "flake",        "soup",   "stadium",
+                                    "slivers", "spheres:1000", "spheres"};
+    std::vector<std::string> backends = usual_tracers();
+    std::vector<std::string> kinds{"camera", "bounce", "shadow", "random"};
+    std::vector<int> threads{1};
+    int repeats = 5;
+    std::size_t max_rays = 1 << 18;
+    double oracle_seconds = 1;
+    bool only_build = false, list = false;
+    std::string json;
+
+    Plan plan() const {
+        std::set<int> counts(threads.begin(), threads.end());
+        counts.insert(1);
+        return {with_baselines(backends),
+                {counts.begin(), counts.end()},
+                repeats,
+                oracle_seconds,
+                only_build ? std::vector<std::string>() : kinds,
+                max_rays};
+    }
+};
+
+/// Tables make room for JSON that another program is to read from standard output.
+void show(const Arguments& a, const std::string& text) {
+    std::FILE* to = a.json == "-" ? stderr : stdout;
+    fmt::print(to, "{}", text);
+    std::fflush(to);
+}
+
+/// What came last.
+std::string table_of(const SceneFigures& figures) {
+    return figures.kinds.empty() ? table(figures.builds) : table(figures.kinds.back());
+}
+
+SceneFigures measure(const Arguments& a, const std::string& name, bench::NamedScene named) {
+    show(a, fmt::format("{}: {} primitives\n", name, named.scene->geometry.primitives.size()));
+    const auto observer = [&](const SceneFigures& figures) {
+        if (figures.kinds.size() == 1) show(a, heading_of_rays());
+        show(a, table_of(figures));
+        return true;
+    };
+    const SceneFigures figures =
+        measure_scene(name, std::move(*named.scene), named.settings.resolution, a.plan(), observer);
+    show(a, (a.only_build ? "" : summary(figures)) + "\n");
+    return figures;
+}
+
+/// Before anything is measured: a slip of the pen in the last name is to cost no hour.
+int check_arguments(const Arguments& a) {
+    std::string complaints;
+    for (const std::string& name : a.scenes) {
+        const std::string complaint = bench::complaint_about(name);
+        if (!complaint.empty()) complaints += "etalon-bench: error: " + complaint + "\n";
+    }
+    fmt::print(stderr, "{}", complaints);
+    if (!complaints.empty()) return exit_unusable;
+    const std::string error = a.json.empty() || a.json == "-" ? "" : check_writable(a.json);
+    if (error.empty()) return exit_done;
+    fmt::print(stderr, "etalon-bench: error: {}\n", error);
+    return exit_not_written;
+}
+
+/// A file after every scene, so that who interrupts a long run keeps what was measured.
+bool save(const Arguments& a, const nlohmann::ordered_json& json, bool is_complete) {
+    if (a.json.empty() || (a.json == "-" && !is_complete)) return true;
+    return write_json(a.json, json);
+}
+
+int run(const Arguments& a) {
+    if (a.list) return fmt::print("{}", bench::list_of_scenes()), exit_done;
+    if (const int status = check_arguments(a); status != exit_done) return status;
+    nlohmann::ordered_json json = json_of_environment(a.plan());
+    for (const std::string& name : a.scenes) {
+        bench::NamedScene named = bench::bench_scene(name);
+        fmt::print(stderr, "{}", named.messages);
+        if (!named.scene) return exit_unusable;
+        json["scenes"].push_back(json_of(measure(a, name, std::move(named))));
+        if (!save(a, json, &name == &a.scenes.back())) return exit_not_written;
+    }
+    return exit_done;
+}
+
+void declare_what(Options& options, Arguments& a) {
+    options
+        .add("--scene", a.scenes,
+             "Names as --list has them, with or without :SIZE, or files; several by commas")
+        .by_commas()
+        .show_default();
+    options
+        .add("--backends", a.backends,
+             "Which, by commas; those that all are compared with take part always")
+        .by_commas()
+        .one_of(tracer_names())
+        .show_default();
+    options.add("--rays", a.kinds, "Kinds of rays, by commas")
+        .by_commas()
+        .one_of(std::vector<std::string>(ray_kinds.begin(), ray_kinds.end()))
+        .show_default();
+    options.add_flag("--list", a.list, "Only say which scenes there are by name");
+    options.add_flag("--only-build", a.only_build, "Shoot no rays");
+}
+
+void declare_how(Options& options, Arguments& a) {
+    options.add("--threads", a.threads, "How many, by commas; 1 is measured always")
+        .by_commas()
+        .within(1, usable_cores())
+        .show_default();
+    options.add("--repeat", a.repeats, "Alternating repeats; medians count")
+        .within(1, 1000)
+        .show_default();
+    options.add("--max-rays", a.max_rays, "Of each kind, about")
+        .within(std::size_t{1}, std::size_t{1} << 28)
+        .show_default();
+    options
+        .add("--oracle", a.oracle_seconds,
+             "CPU seconds in which the oracle judges a sample of each kind of ray, and as many "
+             "again for rays in dispute")
+        .not_negative()
+        .show_default();
+    options.add("--json", a.json, "Write the figures to this file; - is standard output");
+}
+
+}  // namespace
+
+Action declare_speed(Options& options) {
+    auto a = std::make_shared<Arguments>();
+    declare_what(options, *a);
+    declare_how(options, *a);
+    return [a] { return run(*a); };
+}
+
+}  // namespace etalon

@@ -1,0 +1,59 @@
+#include "embree_backend/embree_backends.h"
+
+#include "core/parallel/float_environment.h"
+#include "embree_backend/builtin.h"
+#include "embree_backend/plain_user_geometry.h"
+#include "embree_backend/user_geometry.h"
+
+namespace etalon {
+namespace {
+
+/// Embree's builder leaves the calling thread flushing denormals to zero: that ends here.
+template <class Accelerator>
+std::unique_ptr<Intersector> build(const Geometry& geometry) {
+    const DefaultFloatEnvironment restored;
+    return std::make_unique<Accelerator>(geometry);
+}
+
+std::unique_ptr<Intersector> build_robust(const Geometry& geometry) {
+    const DefaultFloatEnvironment restored;
+    return std::make_unique<EmbreeBuiltin>(geometry, EmbreeBuiltin::Traversal::robust);
+}
+
+constexpr Backend backends[] = {
+    {"embree", "Embree's hierarchy over the exact kernels", true, build<EmbreeUserGeometry>, false,
+     false, 6},
+    {"embree-user", "Embree's user geometry, one primitive a callback: the witness", true,
+     build<PlainUserGeometry>, false, false, 4},
+    {"embree-builtin", "Embree's own float triangles, quads and spheres", false,
+     build<EmbreeBuiltin>, false, false, 2},
+};
+
+constexpr Backend robust = {"embree-builtin-robust",
+                            "The same, traversed with more care",
+                            false,
+                            build_robust,
+                            false,
+                            false,
+                            5};
+
+}  // namespace
+
+std::span<const Backend> embree_backends() {
+    return backends;
+}
+
+const Backend& embree_builtin_robust() {
+    return robust;
+}
+
+EmbreeLibrary embree_library() {
+    const DefaultFloatEnvironment restored;
+    const EmbreeDevice device;
+    const auto v = rtcGetDeviceProperty(device.handle(), RTC_DEVICE_PROPERTY_VERSION);
+    const std::string version = std::to_string(v / 10000) + '.' + std::to_string(v / 100 % 100) +
+                                '.' + std::to_string(v % 100);
+    return {version, device.isa()};
+}
+
+}  // namespace etalon

@@ -1,0 +1,64 @@
+// How a ray goes through the grids. Compiled for each instruction set.
+#if defined(ETALON_GRID_TRACE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ETALON_GRID_TRACE_INL_H
+#undef ETALON_GRID_TRACE_INL_H
+#else
+#define ETALON_GRID_TRACE_INL_H
+#endif
+
+#include "native_accel/common/tally.h"
+#include "native_accel/grid/cell_tests-inl.h"
+#include "native_accel/grid/grid_trace.h"
+#include "native_accel/grid/visit-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+/// Calls offer(t, id), which returns the tmax from then on, for what the ray could hit from tmin to
+/// tmax in normalized space.
+template <class Counters, class Offer>
+HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const NormalizedRay& local,
+                      const float& tmax, Counters counters, const Offer& offer) {
+    const GridRay ray(local);
+    const float tmin = local.tmin(query.ray.tmin);
+    const PackedGrid<BoxPack>& boxes = grid.others.boxes();
+    if (!boxes.empty()) {
+        const Passage passage(boxes.box(), ray, tmin, tmax);
+        const Clusters& clusters = grid.others.clusters();
+        const auto ask = [&](ClusterRef ref, std::size_t lane) HWY_ATTR {
+            const auto [id, t] = clusters.intersect_lane(grid.geometry, ref, lane, query);
+            return offer(t, id);
+        };
+        if (!passage.empty()) {
+            const ClusterTest test(clusters, query, local, passage.entry, ask, counters);
+            GridVisit(boxes, ray, test, tmax).visit(passage);
+        }
+    }
+    if (!grid.spheres.empty()) {
+        const Passage passage(grid.spheres.box(), ray, tmin, tmax);
+        const auto ask = [&](std::uint32_t id) HWY_ATTR {
+            return offer(primitive_first_hit(grid.geometry, id, query), id);
+        };
+        if (!passage.empty()) {
+            const SphereTest test(local, ask, counters);
+            GridVisit(grid.spheres, ray, test, tmax).visit(passage);
+        }
+    }
+}
+
+template <class Counters>
+HWY_INLINE void find_closest(const GridView& grid, const RayQuery& query,
+                             const NormalizedRay& local, NearestHit& nearest, Counters counters) {
+    float tmax = local.tmax(nearest.t);
+    trace(grid, query, local, tmax, counters, [&](double t, std::uint32_t id) HWY_ATTR {
+        const double before = nearest.t;
+        nearest.offer(t, id);
+        if (nearest.t < before) tmax = local.tmax(nearest.t);
+        return tmax;
+    });
+}
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

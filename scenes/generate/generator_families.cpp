@@ -1,0 +1,49 @@
+#include "scenes/generate/generator_families.h"
+
+#include <algorithm>
+#include <array>
+
+namespace etalon::generate {
+namespace {
+
+// The largest sizes keep the number of primitives under 2^32. The default sizes are those of SPD.
+constexpr std::array table{
+    Family{"sphereflake", sphereflake,
+           "spheres that bear nine at a third of their radius, N times over: (9^(N+1) - 1) / 8", 4,
+           0, 10},
+    Family{"tetra", tetra, "Sierpinski's tetrahedron: 4^N tetrahedra of 4 triangles", 6, 0, 14},
+    Family{"mountain", mountain,
+           "a fractal height field under four glass spheres: 2 * 4^N triangles", 6, 0, 15},
+    Family{"rings", rings,
+           "a pyramid of N layers of knots, each of six interlocked pentagons: "
+           "10 N (N+1) (2N+1) cylinders and spheres",
+           7, 1, 500},
+    Family{"gears", gears,
+           "N x N x N meshing gears, each of two polygons with 144 corners and 144 quadrilaterals",
+           4, 1, 300},
+    Family{"tree", tree, "a tree that forks N times: 2^(N+1) - 1 cones and as many spheres", 11, 0,
+           29},
+    Family{"soup", soup, "N small random triangles in a cube", 100'000, 1, 4'000'000'000},
+    Family{"spheres", spheres, "N random spheres in a cube", 100'000, 1, 4'000'000'000},
+};
+
+}  // namespace
+
+std::span<const Family> families() {
+    return table;
+}
+
+const Family* find_family(std::string_view name) {
+    const auto* found = std::ranges::find(table, name, &Family::name);
+    return found == table.end() ? nullptr : found;
+}
+
+void ground(Writer& out, const P3fMaterial& material) {
+    out.material(material);
+    constexpr double half = 24;
+    const std::array<Vec3, 4> corners{Vec3(-half, 0, -half), Vec3(-half, 0, half),
+                                      Vec3(half, 0, half), Vec3(half, 0, -half)};
+    out.polygon(corners);
+}
+
+}  // namespace etalon::generate

@@ -1,0 +1,45 @@
+// The families of scenes, and the table that names them. After Haines 1987, "A Proposal for
+// Standard Graphics Environments" (the Standard Procedural Databases), whose subjects they share;
+// the constructions are this project's own. Y is up and the ground is y = 0 in all of them.
+//
+// To add a family: its function here, its file, its line in the table of generator_families.cpp,
+// and its count of primitives in tests/scenes/generator_test.cpp.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "core/formats/write/p3f_writer.h"
+
+namespace etalon::generate {
+
+using Writer = P3fWriter;
+
+/// Each writes a whole scene; what `size` means is in the table.
+void sphereflake(Writer& out, std::int64_t size);
+void tetra(Writer& out, std::int64_t size);
+void mountain(Writer& out, std::int64_t size);
+void rings(Writer& out, std::int64_t size);
+void gears(Writer& out, std::int64_t size);
+void tree(Writer& out, std::int64_t size);
+void soup(Writer& out, std::int64_t size);
+void spheres(Writer& out, std::int64_t size);
+
+struct Family {
+    std::string_view name;
+    void (*generate)(Writer& out, std::int64_t size);
+    std::string_view description;  ///< with the number of primitives as a function of N, the size
+    std::int64_t default_size, min_size, max_size;
+};
+
+std::span<const Family> families();
+
+/// The family called `name`, or nullptr.
+const Family* find_family(std::string_view name);
+
+/// What the classic families stand on: a large square in a material of its own.
+void ground(Writer& out,
+            const P3fMaterial& material = {.diffuse = {1.0F, 0.85F, 0.62F}, .kd = 0.8});
+
+}  // namespace etalon::generate
