@@ -107,9 +107,9 @@ Action declare_accuracy(Options& options) {
     auto a = std::make_shared<Arguments>();
     options
         .add("--case", a->cases,
-             "Which, by commas: SPH, SPH-1, or \"SPH-1/1e3 radii\"; --list shows all")
+             "Comma-separated list of cases: SPH, SPH-1, or \"SPH-1/1e3 radii\"; --list shows all")
         .by_commas();
-    options.add("--backends", a->backends, "Which, by commas")
+    options.add("--backends", a->backends, "Comma-separated list of backends")
         .by_commas()
         .one_of(backend_names())
         .show_default();
@@ -119,7 +119,7 @@ Action declare_accuracy(Options& options) {
     options.add("--limit", a->seconds, "Seconds for each case, which may then get fewer rays")
         .positive();
     options.add_flag("--only-backends", a->only_backends, "Leave out kernels by themselves");
-    options.add_flag("--list", a->list, "Only say which cases there are");
+    options.add_flag("--list", a->list, "List the cases and exit");
     options.add("--json", a->json, "Write the figures to this file; - is standard output");
     options.add("--markdown", a->markdown, "Write the table of docs/accuracy.md to this file");
     options.add("--plots", a->plots, "Write error against cost, SHAPE.svg, to this directory");

@@ -49,7 +49,7 @@ Action declare_crosscheck(Options& options) {
     declare_scene(options, a->scene);
     options
         .add("-b,--backend", a->backends,
-             "Which, by commas; an error of embree-builtin is "
+             "Comma-separated list of backends; an error of embree-builtin is "
              "shown but does not count")
         .by_commas()
         .one_of(backend_names())

@@ -51,10 +51,10 @@ void declare_samples(Options& options, RenderArguments& a) {
         .add("--reference", a.reference,
              "A picture of the same size: say how far from it this one is, and at what time")
         .group(group);
-    options.add("--sampler", a.sampler, "sobol, or random to compare with")
+    options.add("--sampler", a.sampler, "Sample generator")
         .one_of({"sobol", "random"})
         .group(group);
-    options.add("--seed", a.seed, "Of the sample points").group(group);
+    options.add("--seed", a.seed, "Random seed").group(group);
     options
         .add_flag("--spd", a.spd,
                   "Count rays by the rules of the Standard Procedural Databases: one through each "

@@ -124,7 +124,9 @@ Action declare_convergence(Options& options) {
         .required();
     options.add("--reference", a->reference,
                 "The picture as it should be (default: rendered, with 32 times the samples)");
-    options.add("--samplers", a->plan.samplers, "Which, by commas; the first backend's curves")
+    options
+        .add("--samplers", a->plan.samplers,
+             "Comma-separated list of samplers; the first backend's curves")
         .by_commas()
         .one_of(sampler_names())
         .show_default();
@@ -137,7 +139,7 @@ Action declare_convergence(Options& options) {
         .show_default();
     options
         .add("--backends", a->plan.backends,
-             "Which, by commas; those after the first take "
+             "Comma-separated list of backends; those after the first take "
              "the last sampler")
         .by_commas()
         .one_of(backend_names())

@@ -116,25 +116,27 @@ int run(const Arguments& a) {
 void declare_what(Options& options, Arguments& a) {
     options
         .add("--scene", a.scenes,
-             "Names as --list has them, with or without :SIZE, or files; several by commas")
+             "Names as --list has them, with or without :SIZE, or files; a comma-separated list")
         .by_commas()
         .show_default();
     options
         .add("--backends", a.backends,
-             "Which, by commas; those that all are compared with take part always")
+             "Comma-separated list of backends; those that all are compared with take part always")
         .by_commas()
         .one_of(tracer_names())
         .show_default();
-    options.add("--rays", a.kinds, "Kinds of rays, by commas")
+    options.add("--rays", a.kinds, "Comma-separated list of the kinds of rays")
         .by_commas()
         .one_of(std::vector<std::string>(ray_kinds.begin(), ray_kinds.end()))
         .show_default();
-    options.add_flag("--list", a.list, "Only say which scenes there are by name");
-    options.add_flag("--only-build", a.only_build, "Shoot no rays");
+    options.add_flag("--list", a.list, "List the scenes that have names and exit");
+    options.add_flag("--only-build", a.only_build, "Measure builds only");
 }
 
 void declare_how(Options& options, Arguments& a) {
-    options.add("--threads", a.threads, "How many, by commas; 1 is measured always")
+    options
+        .add("--threads", a.threads,
+             "Comma-separated list of numbers of threads; 1 is measured always")
         .by_commas()
         .within(1, usable_cores())
         .show_default();
