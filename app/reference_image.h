@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "core/image/image.h"
+#include "core/base/result.h"
+#include "core/numerics/vec.h"
 #include "core/scene/render_settings.h"
 
 namespace etalon {

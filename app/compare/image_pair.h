@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/image/image.h"
+#include "core/base/result.h"
+#include "core/numerics/vec.h"
 
 namespace etalon::compare {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/compare/metrics_report.h"
-#include "core/image/image.h"
+#include "core/base/result.h"
 
 namespace etalon::compare {
 

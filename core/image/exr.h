@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/base/result.h"
 #include "core/image/image.h"
 #include "core/image/rendered_image.h"
 

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <variant>
 #include <vector>
 
@@ -31,13 +30,5 @@ struct Image {
 
 /// The colours of all pixels, by rows from the top: linear RGB, or the display values.
 std::vector<Color> linear_pixels(const Image& image);
-
-/// A result, or the reason why there is none.
-template <class T>
-struct Result {
-    T value{};
-    std::string error;  ///< empty on success
-    explicit operator bool() const { return error.empty(); }
-};
 
 }  // namespace etalon

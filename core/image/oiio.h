@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "core/base/result.h"
 #include "core/image/image.h"
 
 namespace etalon {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/image/image.h"
+#include "core/base/result.h"
 #include "core/image/oiio_abi.h"
 
 namespace etalon {

@@ -68,7 +68,8 @@ void add_shape(Scene& scene, Random& random, double size, Sides sides) {
         scene.geometry.add(Plane{3.0 * place, random.direction()}, 0, sides);
     } else if constexpr (std::is_same_v<Shape, Ring>) {
         const double outer = size * random.uniform(0.1, 1);
-        scene.geometry.add(Ring{place, random.direction(), outer * random.uniform(0, 0.9), outer}, 0, sides);
+        scene.geometry.add(Ring{place, random.direction(), outer * random.uniform(0, 0.9), outer},
+                           0, sides);
     } else if constexpr (std::is_same_v<Shape, Quadric>) {
         add_quadric(scene, random, place, size, sides);
     } else if constexpr (std::is_same_v<Shape, Ellipsoid>) {
@@ -78,8 +79,8 @@ void add_shape(Scene& scene, Random& random, double size, Sides sides) {
     } else {
         static_assert(std::is_same_v<Shape, Cone>);
         scene.geometry.add(Cone{place, place + random.in_cube(size), size * random.uniform(0, 0.5),
-                       size * random.uniform(0.1, 0.5)},
-                  0, sides);
+                                size * random.uniform(0.1, 0.5)},
+                           0, sides);
     }
 }
 

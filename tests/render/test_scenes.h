@@ -45,7 +45,7 @@ inline TestScene empty_scene(int width = 32, int height = 24) {
 inline TestScene mixed_scene(int width = 48, int height = 36) {
     TestScene s = empty_scene(width, height);
     s.look.lights = {PointLight{Vec3(3, 6, 4), Color(0.6F)},
-                QuadLight{Vec3(-3, 4, 1), Vec3(1, 0, 0), Vec3(0, 0, 1), Color(0.5F), 9}};
+                     QuadLight{Vec3(-3, 4, 1), Vec3(1, 0, 0), Vec3(0, 0, 1), Color(0.5F), 9}};
     Material mirror = matte(Color(0.2F));
     mirror.specular = mirror.reflection = Color(0.7F);
     mirror.shininess = 40;

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/integrators/integrator.h"
-#include "core/scene/scene.h"
 #include "core/intersect/intersector.h"
 #include "core/scene/render_settings.h"
+#include "core/scene/scene.h"
 
 namespace etalon {
 
