@@ -1,6 +1,6 @@
 #include "bench/scenes/bench_families.h"
 #include "bench/scenes/stage.h"
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 
 namespace etalon::bench {
 

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 
 namespace etalon {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "core/scene/geometry.h"
 
 namespace etalon {

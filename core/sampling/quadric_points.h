@@ -1,7 +1,7 @@
 // Points of a quadric, for aiming at it.
 #pragma once
 
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "core/scene/quadric_form.h"
 #include "core/scene/shapes.h"
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "core/scene/geometry.h"
 
 namespace etalon {

@@ -1,6 +1,6 @@
 #include "bench/accuracy/tracer.h"
 #include "core/intersect/kernels.h"
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;

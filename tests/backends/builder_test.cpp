@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "core/intersect/tree/binning.h"
+#include "core/numerics/random.h"
 #include "core/parallel/parallel.h"
-#include "core/sampling/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;

@@ -1,7 +1,7 @@
 // How a scene's primitives are sorted for accelerators.
 #include "core/intersect/bounded.h"
+#include "core/numerics/random.h"
 #include "core/parallel/parallel.h"
-#include "core/sampling/random.h"
 #include "core/scene/scene.h"
 #include "tests/catch.h"
 

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "core/scene/quadric_form.h"
 #include "tests/catch.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/intersect/ray.h"
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "core/scene/scene.h"
 
 namespace etalon::test {

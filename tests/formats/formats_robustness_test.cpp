@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/formats/write/write.h"
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "tests/catch.h"
 #include "tests/formats/messages.h"
 #include "tests/formats/sane_scene.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "tests/catch.h"
 #include "tests/formats/nff_text.h"
 #include "tests/formats/p3f_text.h"

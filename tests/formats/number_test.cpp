@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;

@@ -1,6 +1,6 @@
 #include "core/formats/obj.h"
 
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;

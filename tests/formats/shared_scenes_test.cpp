@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "core/formats/write/write.h"
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "tests/catch.h"
 #include "tests/formats/p3f_text.h"
 #include "tests/formats/same_scene.h"

@@ -1,6 +1,6 @@
 #include "tests/formats/whole_scenes.h"
 
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 
 namespace etalon {
 namespace {

@@ -1,7 +1,7 @@
 #include <cstdlib>
 
 #include "core/image/io.h"
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "tests/catch.h"
 #include "tests/formats/shared_scenes.h"
 #include "tests/image/random_images.h"

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "core/image/rendered_image.h"
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 
 namespace etalon::test {
 

@@ -3,7 +3,7 @@
 
 #include "core/intersect/kernels.h"
 #include "core/intersect/oracle/oracle.h"
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "core/scene/scene.h"
 
 namespace etalon {

@@ -2,7 +2,7 @@
 #include "core/scene/scene.h"
 
 #include "core/intersect/kernels.h"
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;

@@ -1,5 +1,5 @@
 #include "core/intersect/kernels.h"
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "core/scene/scene.h"
 #include "tests/catch.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "core/scene/scene.h"
 
 namespace etalon {

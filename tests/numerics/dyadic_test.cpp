@@ -1,7 +1,7 @@
 #include "core/numerics/dyadic.h"
 
 #include "core/numerics/exact.h"
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "tests/catch.h"
 #include "tests/numerics/long_sum.h"
 

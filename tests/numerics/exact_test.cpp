@@ -1,6 +1,6 @@
 #include "core/numerics/exact.h"
 
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "tests/catch.h"
 #include "tests/numerics/long_sum.h"
 

@@ -1,7 +1,7 @@
 #include "core/numerics/local_frame.h"
 
+#include "core/numerics/random.h"
 #include "core/numerics/rounding.h"
-#include "core/sampling/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;

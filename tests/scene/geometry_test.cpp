@@ -1,6 +1,6 @@
 #include "core/scene/geometry.h"
 
-#include "core/sampling/random.h"
+#include "core/numerics/random.h"
 #include "core/scene/transformed.h"
 #include "tests/catch.h"
 
