@@ -1,7 +1,7 @@
 // What is asked, and what is true.
 #pragma once
 
-#include "core/intersect/oracle/oracle.h"
+#include "core/oracle/oracle.h"
 #include "core/render/ray_sets.h"
 
 namespace etalon::crosscheck {

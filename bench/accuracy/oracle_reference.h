@@ -6,7 +6,7 @@
 #include "bench/accuracy/error_stats.h"
 #include "bench/accuracy/tracer.h"
 #include "bench/hard_cases/hard_case.h"
-#include "core/intersect/oracle/oracle.h"
+#include "core/oracle/oracle.h"
 
 namespace etalon::accuracy {
 

@@ -2,8 +2,8 @@
 #include "core/scene/scene.h"
 
 #include "core/intersect/kernels.h"
-#include "core/intersect/oracle/oracle.h"
 #include "core/numerics/random.h"
+#include "core/oracle/oracle.h"
 #include "tests/catch.h"
 
 using namespace etalon;

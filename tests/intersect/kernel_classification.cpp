@@ -1,8 +1,8 @@
 #include "tests/intersect/kernel_classification.h"
 
 #include "core/intersect/kernels.h"
-#include "core/intersect/oracle/definitions.h"
 #include "core/numerics/rounding.h"
+#include "core/oracle/definitions.h"
 
 namespace etalon {
 namespace {

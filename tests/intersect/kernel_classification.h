@@ -1,7 +1,7 @@
 // Is a kernel's answer right?
 #pragma once
 
-#include "core/intersect/oracle/oracle.h"
+#include "core/oracle/oracle.h"
 #include "tests/intersect/shape_cases.h"
 
 namespace etalon {

@@ -1,6 +1,6 @@
-#include "core/intersect/oracle/oracle.h"
+#include "core/oracle/oracle.h"
 
-#include "core/intersect/oracle/tracked.h"
+#include "core/oracle/tracked.h"
 #include "tests/catch.h"
 #include "tests/intersect/rays_at_shapes.h"
 

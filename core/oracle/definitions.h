@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "core/intersect/oracle/tracked.h"
 #include "core/intersect/ray.h"
+#include "core/oracle/tracked.h"
 #include "core/scene/geometry.h"
 
 namespace etalon {

@@ -1,10 +1,10 @@
-#include "core/intersect/oracle/define.h"
+#include "core/oracle/define.h"
 
 #include <utility>
 
-#include "core/intersect/oracle/mapped_ray.h"
-#include "core/intersect/oracle/quadratic.h"
-#include "core/intersect/oracle/stretch.h"
+#include "core/oracle/mapped_ray.h"
+#include "core/oracle/quadratic.h"
+#include "core/oracle/stretch.h"
 
 namespace etalon::definition {
 namespace {

@@ -1,7 +1,7 @@
 // One definition for each shape, of what is said of all in definitions.h.
 #pragma once
 
-#include "core/intersect/oracle/definitions.h"
+#include "core/oracle/definitions.h"
 
 namespace etalon::definition {
 

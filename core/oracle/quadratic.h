@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/intersect/oracle/tracked.h"
+#include "core/oracle/tracked.h"
 
 namespace etalon::definition {
 

@@ -1,11 +1,11 @@
-#include "core/intersect/oracle/define.h"
+#include "core/oracle/define.h"
 
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "core/intersect/oracle/stretch.h"
 #include "core/numerics/rounding.h"
+#include "core/oracle/stretch.h"
 
 namespace etalon::definition {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/intersect/oracle/define.h"
+#include "core/oracle/define.h"
 
 namespace etalon::definition {
 

@@ -1,6 +1,6 @@
-#include "core/intersect/oracle/definitions.h"
+#include "core/oracle/definitions.h"
 
-#include "core/intersect/oracle/define.h"
+#include "core/oracle/define.h"
 
 namespace etalon {
 

@@ -1,7 +1,7 @@
-#include "core/intersect/oracle/define.h"
+#include "core/oracle/define.h"
 
-#include "core/intersect/oracle/mapped_ray.h"
-#include "core/intersect/oracle/quadratic.h"
+#include "core/oracle/mapped_ray.h"
+#include "core/oracle/quadratic.h"
 
 namespace etalon::definition {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/intersect/oracle/definitions.h"
+#include "core/oracle/definitions.h"
 
 namespace etalon::definition {
 

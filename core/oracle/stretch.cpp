@@ -1,4 +1,4 @@
-#include "core/intersect/oracle/stretch.h"
+#include "core/oracle/stretch.h"
 
 namespace etalon::definition {
 

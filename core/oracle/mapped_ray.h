@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/intersect/oracle/definitions.h"
+#include "core/oracle/definitions.h"
 
 namespace etalon::definition {
 

@@ -1,9 +1,9 @@
-#include "core/intersect/oracle/oracle.h"
+#include "core/oracle/oracle.h"
 
 #include <optional>
 
 #include "core/intersect/kernels.h"
-#include "core/intersect/oracle/definitions.h"
+#include "core/oracle/definitions.h"
 
 namespace etalon {
 namespace {

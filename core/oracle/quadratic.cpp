@@ -1,4 +1,4 @@
-#include "core/intersect/oracle/quadratic.h"
+#include "core/oracle/quadratic.h"
 
 namespace etalon::definition {
 

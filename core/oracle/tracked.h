@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/intersect/oracle/quad.h"
 #include "core/numerics/vec.h"
+#include "core/oracle/quad.h"
 
 namespace etalon {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "core/intersect/oracle/quad.h"
 #include "core/intersect/ray.h"
+#include "core/oracle/quad.h"
 #include "core/scene/geometry.h"
 
 namespace etalon {
