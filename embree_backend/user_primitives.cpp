@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/intersect/tree/scene_tree.h"
+#include "core/accel/tree/scene_tree.h"
 
 namespace etalon {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/intersect/clusters/instruction_sets.h"
+#include "core/accel/clusters/instruction_sets.h"
 #include "core/intersect/kernels.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -11,7 +11,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "core/intersect/clusters/filter-inl.h"
+#include "core/accel/clusters/filter-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {

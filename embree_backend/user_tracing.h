@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/intersect/clusters/clusters.h"
+#include "core/accel/clusters/clusters.h"
 #include "core/intersect/ray.h"
 #include "embree_backend/embree_shim.h"
 #include "embree_backend/primitive_ids.h"

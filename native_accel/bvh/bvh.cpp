@@ -1,6 +1,6 @@
 #include "native_accel/bvh/bvh.h"
 
-#include "core/intersect/tree/scene_tree.h"
+#include "core/accel/tree/scene_tree.h"
 #include "native_accel/common/isa.h"
 
 namespace etalon {

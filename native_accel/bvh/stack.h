@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "core/intersect/tree/builder.h"
+#include "core/accel/tree/builder.h"
 #include "native_accel/common/wide_node.h"
 
 namespace etalon {

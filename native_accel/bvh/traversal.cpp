@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/intersect/clusters/instruction_sets.h"
+#include "core/accel/clusters/instruction_sets.h"
 #include "native_accel/bvh/lane_select.h"
 #include "native_accel/common/tally.h"
 
@@ -12,7 +12,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "core/intersect/clusters/filter-inl.h"
+#include "core/accel/clusters/filter-inl.h"
 #include "native_accel/bvh/traversal-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/intersect/tree/node.h"
+#include "core/accel/tree/node.h"
 #include "native_accel/common/wide_node.h"
 
 namespace etalon {

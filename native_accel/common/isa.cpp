@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/intersect/clusters/instruction_sets.h"
+#include "core/accel/clusters/instruction_sets.h"
 
 #include <hwy/highway.h>
 

@@ -6,7 +6,7 @@
 #define ETALON_SLABS_INL_H
 #endif
 
-#include "core/intersect/clusters/lanes-inl.h"
+#include "core/accel/clusters/lanes-inl.h"
 #include "native_accel/common/wide_node.h"
 
 HWY_BEFORE_NAMESPACE();

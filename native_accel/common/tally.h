@@ -2,7 +2,7 @@
 // whoever does not ask does not pay.
 #pragma once
 
-#include "core/intersect/clusters/clusters.h"
+#include "core/accel/clusters/clusters.h"
 #include "core/intersect/traversal_cost.h"
 
 namespace etalon {

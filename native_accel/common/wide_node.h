@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/intersect/clusters/clusters.h"
+#include "core/accel/clusters/clusters.h"
 
 namespace etalon {
 

@@ -10,7 +10,7 @@
 #include <bit>
 #include <span>
 
-#include "core/intersect/clusters/filter-inl.h"
+#include "core/accel/clusters/filter-inl.h"
 #include "native_accel/common/slabs-inl.h"
 #include "native_accel/grid/cluster_grid.h"
 #include "native_accel/grid/sphere_pack_filter-inl.h"

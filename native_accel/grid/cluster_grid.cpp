@@ -1,6 +1,6 @@
 #include "native_accel/grid/cluster_grid.h"
 
-#include "core/intersect/tree/scene_tree.h"
+#include "core/accel/tree/scene_tree.h"
 
 namespace etalon {
 

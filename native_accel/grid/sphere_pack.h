@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/intersect/clusters/cluster.h"
+#include "core/accel/clusters/cluster.h"
 #include "native_accel/grid/cost.h"
 #include "native_accel/grid/overlap.h"
 

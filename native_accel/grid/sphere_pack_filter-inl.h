@@ -6,7 +6,7 @@
 #define ETALON_GRID_SPHERE_PACK_FILTER_INL_H
 #endif
 
-#include "core/intersect/clusters/lanes-inl.h"
+#include "core/accel/clusters/lanes-inl.h"
 #include "native_accel/grid/sphere_pack.h"
 
 HWY_BEFORE_NAMESPACE();

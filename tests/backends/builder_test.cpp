@@ -1,10 +1,10 @@
 // The binary tree under the BVH: what it must be whatever it is built from, and on how many
 // threads.
-#include "core/intersect/tree/builder.h"
+#include "core/accel/tree/builder.h"
 
 #include <algorithm>
 
-#include "core/intersect/tree/binning.h"
+#include "core/accel/tree/binning.h"
 #include "core/numerics/random.h"
 #include "core/parallel/parallel.h"
 #include "tests/catch.h"

@@ -1,14 +1,14 @@
 // What the float filters of clusters let through, against what the kernels hit; and whole walks of
 // the tree, for every instruction set that they are compiled for and this machine has.
-#include "core/intersect/clusters/instruction_sets.h"
+#include "core/accel/clusters/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/backends/cluster_filter_test.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "core/intersect/clusters/clusters.h"
-#include "core/intersect/clusters/filter-inl.h"
+#include "core/accel/clusters/clusters.h"
+#include "core/accel/clusters/filter-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {

@@ -2,7 +2,7 @@
 // `none` agree with each other and contradict it.
 #include <algorithm>
 
-#include "core/intersect/tree/scene_tree.h"
+#include "core/accel/tree/scene_tree.h"
 #include "native_accel/bvh/traversal.h"
 #include "tests/backends/scenes.h"
 #include "tests/backends/test_rays.h"

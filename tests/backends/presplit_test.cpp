@@ -1,11 +1,11 @@
 // Triangles cut into pieces before the BVH is built: what the pieces' boxes must hold, and where
 // they are used.
-#include "core/intersect/tree/presplit.h"
+#include "core/accel/tree/presplit.h"
 
 #include <algorithm>
 
-#include "core/intersect/tree/scene_tree.h"
-#include "core/intersect/tree/triangle_pieces.h"
+#include "core/accel/tree/scene_tree.h"
+#include "core/accel/tree/triangle_pieces.h"
 #include "core/parallel/parallel.h"
 #include "tests/backends/scenes.h"
 #include "tests/backends/test_rays.h"

@@ -1,6 +1,6 @@
 // What the filter of the grid's packs of spheres lets through, against what the kernel hits, for
 // every instruction set that it is compiled for and this machine has.
-#include "core/intersect/clusters/instruction_sets.h"
+#include "core/accel/clusters/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/backends/sphere_pack_test.cpp"

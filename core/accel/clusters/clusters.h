@@ -1,0 +1,101 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/accel/clusters/cluster.h"
+#include "core/intersect/kernels.h"
+#include "core/parallel/large_pages.h"
+
+namespace etalon {
+
+/// Where a cluster is: 32 bits for the leaves of trees.
+struct ClusterRef {
+    enum Kind : std::uint32_t { list, triangles, spheres };
+
+    ClusterRef(Kind kind, std::size_t index)
+        : bits(kind << 29 | static_cast<std::uint32_t>(index)) {}
+    explicit ClusterRef(std::uint32_t from) : bits(from) {}
+
+    Kind kind() const { return static_cast<Kind>(bits >> 29); }
+    std::uint32_t index() const { return bits & 0x1FFFFFFFU; }
+
+    std::uint32_t bits;  ///< the highest is free
+};
+
+/// In what clusters primitives of a kind are.
+constexpr ClusterRef::Kind cluster_kind(ShapeKind kind) {
+    if (kind == kind_of<Triangle>()) return ClusterRef::triangles;
+    return kind == kind_of<Sphere>() ? ClusterRef::spheres : ClusterRef::list;
+}
+
+/// A part of a list.
+struct Range {
+    std::uint32_t first, count;
+};
+
+/// A scene's primitives in clusters. Those that no filter is for are in lists of numbers.
+class Clusters {
+  public:
+    Clusters() = default;
+
+    /// One for each of `ranges` of `ids`, of at most cluster_lanes primitives of one kind of
+    /// cluster, and to refs[i] where the i-th is. As many threads as allowed.
+    Clusters(const Geometry& geometry, const NormalizedSpace& space,
+             std::span<const std::uint32_t> ids, std::span<const Range> ranges,
+             std::vector<ClusterRef>& refs);
+
+    /// A primitive, and its kernel's answer.
+    struct Candidate {
+        std::uint32_t id;
+        double t;
+    };
+
+    /// What is at a lane that is taken; of a list, at any, with no_index where none is.
+    Candidate intersect_lane(const Geometry& geometry, ClusterRef ref, std::size_t lane,
+                             const RayQuery& query) const;
+
+    const TriangleCluster& triangles(ClusterRef ref) const { return triangles_[ref.index()]; }
+    const SphereCluster& spheres(ClusterRef ref) const { return spheres_[ref.index()]; }
+
+    bool has_spheres() const { return !spheres_.empty(); }
+
+    /// How many primitives it has.
+    std::size_t size(ClusterRef ref) const;
+
+    std::size_t memory_bytes() const;
+
+  private:
+    /// Primitive numbers; after the last, no_index.
+    using List = std::array<std::uint32_t, cluster_lanes>;
+
+    void fill(const Geometry& geometry, const NormalizedSpace& space, ClusterRef ref,
+              std::span<const std::uint32_t> ids);
+
+    std::vector<TriangleCluster, LargePages<TriangleCluster>> triangles_;
+    std::vector<SphereCluster, LargePages<SphereCluster>> spheres_;
+    std::vector<List> lists_;
+};
+
+inline Clusters::Candidate Clusters::intersect_lane(const Geometry& geometry, ClusterRef ref,
+                                                    std::size_t lane, const RayQuery& query) const {
+    switch (ref.kind()) {
+        case ClusterRef::triangles: {
+            const TriangleCluster& cluster = triangles(ref);
+            const Triangle triangle{cluster.vertices[lane]};
+            return {cluster.ids[lane],
+                    shape_first_hit(geometry, triangle, cluster.sides[lane], query)};
+        }
+        case ClusterRef::spheres: {
+            const SphereCluster& cluster = spheres(ref);
+            return {cluster.ids[lane],
+                    shape_first_hit(geometry, cluster.exact[lane], cluster.sides[lane], query)};
+        }
+        default: {
+            const std::uint32_t id = lists_[ref.index()][lane];
+            return {id, id == no_index ? no_hit : primitive_first_hit(geometry, id, query)};
+        }
+    }
+}
+
+}  // namespace etalon

@@ -1,0 +1,47 @@
+// How primitives are brought to their side of a split.
+#pragma once
+
+#include "core/accel/tree/primitive_set.h"
+#include "core/accel/tree/split.h"
+
+namespace etalon {
+
+/// What is known from the bins of both sides.
+struct SideBins {
+    Bin left, right;
+};
+SideBins sides(const Bins& bins, const Split& split);
+
+/// Reorders the primitives that `bins` counted, without a branch on where one goes.
+SplitSets partition(std::span<BoundedPrimitive> primitives, const Binning& binning,
+                    const Bins& bins, const Split& split);
+
+/// The centres on both sides of a split.
+struct SideCentres {
+    /// The other side is offered a point that changes nothing.
+    void extend(Bounds::Corner centre, bool is_left) {
+        using Mask = std::int32_t __attribute__((vector_size(16)));
+        const Mask here = Mask{} - static_cast<std::int32_t>(is_left);
+        const Bounds nothing;
+        left.min = Bounds::lower(left.min, here ? centre : nothing.min);
+        left.max = Bounds::upper(left.max, here ? centre : nothing.max);
+        right.min = Bounds::lower(right.min, here ? nothing.min : centre);
+        right.max = Bounds::upper(right.max, here ? nothing.max : centre);
+    }
+    void extend(const SideCentres& other) {
+        left.extend(other.left);
+        right.extend(other.right);
+    }
+
+    Bounds left, right;
+};
+
+/// Copies primitives to two places, in order, and past the end of none.
+SideCentres scatter(std::span<const BoundedPrimitive> primitives, const Binning& binning,
+                    const Split& split, BoundedPrimitive* left, BoundedPrimitive* right);
+
+/// Brings the smaller boxes to the front, where no plane between centres tells them apart. Returns
+/// how many that are.
+std::size_t smaller_half(std::span<BoundedPrimitive> primitives);
+
+}  // namespace etalon
