@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/oracle/oracle.h"
-#include "core/render/ray_sets.h"
+#include "core/test_rays/ray_sets.h"
 
 namespace etalon::crosscheck {
 

@@ -1,8 +1,8 @@
 // Surfaces without a hole.
 #pragma once
 
-#include "core/sampling/outline.h"
 #include "core/scene/scene.h"
+#include "core/test_rays/outline.h"
 
 namespace etalon::hard {
 

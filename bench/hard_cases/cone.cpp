@@ -1,7 +1,7 @@
 #include "bench/hard_cases/case_families.h"
 #include "bench/hard_cases/ray_targets.h"
 #include "bench/hard_cases/rows.h"
-#include "core/sampling/frustum.h"
+#include "core/test_rays/frustum.h"
 
 namespace etalon::hard {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "bench/hard_cases/add_face.h"
 #include "bench/hard_cases/ray_targets.h"
-#include "core/sampling/outline.h"
+#include "core/test_rays/outline.h"
 
 namespace etalon::hard {
 namespace {

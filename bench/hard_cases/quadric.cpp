@@ -2,7 +2,7 @@
 #include "bench/hard_cases/ray_targets.h"
 #include "bench/hard_cases/rows.h"
 #include "core/numerics/rounding.h"
-#include "core/sampling/quadric_points.h"
+#include "core/test_rays/quadric_points.h"
 
 namespace etalon::hard {
 namespace {

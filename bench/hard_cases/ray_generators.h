@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/intersect/ray.h"
-#include "core/sampling/targets.h"
+#include "core/test_rays/targets.h"
 
 namespace etalon::hard {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/intersect/ray.h"
-#include "core/sampling/directions.h"
+#include "core/test_rays/directions.h"
 
 namespace etalon::hard {
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "core/sampling/directions.h"
 #include "core/scene/scene.h"
+#include "core/test_rays/directions.h"
 
 namespace etalon::bench {
 

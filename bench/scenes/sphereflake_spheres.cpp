@@ -1,6 +1,6 @@
 #include "bench/scenes/sphereflake_spheres.h"
 
-#include "core/sampling/directions.h"
+#include "core/test_rays/directions.h"
 
 namespace etalon::bench {
 namespace {

@@ -15,7 +15,7 @@
 #include "bench/speed/report/speed_json.h"
 #include "bench/speed/report/speed_table.h"
 #include "bench/speed/timed_tracer.h"
-#include "core/render/ray_sets.h"
+#include "core/test_rays/ray_sets.h"
 
 namespace etalon {
 namespace {

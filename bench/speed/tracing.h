@@ -5,7 +5,7 @@
 
 #include "app/stopwatch.h"
 #include "bench/accuracy/tracer.h"
-#include "core/render/ray_sets.h"
+#include "core/test_rays/ray_sets.h"
 
 namespace etalon::speed {
 

@@ -24,7 +24,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-#include "core/render/aimed_rays.h"
+#include "core/test_rays/aimed_rays.h"
 #include "native_accel/bvh/bvh.h"
 #include "tests/backends/each_instruction_set.h"
 #include "tests/backends/scenes.h"

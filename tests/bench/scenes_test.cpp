@@ -7,7 +7,7 @@
 #include "app/backends.h"
 #include "bench/scenes/bench_families.h"
 #include "bench/scenes/bench_scene.h"
-#include "core/render/ray_sets.h"
+#include "core/test_rays/ray_sets.h"
 #include "tests/catch.h"
 
 using namespace etalon;

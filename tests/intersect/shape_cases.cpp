@@ -1,7 +1,7 @@
 #include "tests/intersect/shape_cases.h"
 
-#include "core/sampling/directions.h"
-#include "core/sampling/quadric_points.h"
+#include "core/test_rays/directions.h"
+#include "core/test_rays/quadric_points.h"
 
 namespace etalon {
 namespace {

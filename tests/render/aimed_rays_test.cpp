@@ -1,11 +1,11 @@
-#include "core/render/aimed_rays.h"
+#include "core/test_rays/aimed_rays.h"
 
 #include <algorithm>
 #include <set>
 
 #include "app/backends.h"
 #include "core/intersect/kernels.h"
-#include "core/render/ray_sets.h"
+#include "core/test_rays/ray_sets.h"
 #include "tests/catch.h"
 #include "tests/render/test_scenes.h"
 

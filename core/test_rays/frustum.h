@@ -1,8 +1,8 @@
 // The geometry of a cone or cylinder, for aiming at it.
 #pragma once
 
-#include "core/sampling/directions.h"
 #include "core/scene/shapes.h"
+#include "core/test_rays/directions.h"
 
 namespace etalon {
 

@@ -1,7 +1,7 @@
-#include "core/render/aimed_rays.h"
+#include "core/test_rays/aimed_rays.h"
 
 #include "core/intersect/kernels.h"
-#include "core/sampling/targets.h"
+#include "core/test_rays/targets.h"
 
 namespace etalon {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/sampling/quadric_points.h"
+#include "core/test_rays/quadric_points.h"
 
 #include <optional>
 

@@ -1,16 +1,16 @@
-#include "core/render/ray_sets.h"
+#include "core/test_rays/ray_sets.h"
 
 #include <cmath>
 #include <numbers>
 
 #include "core/intersect/kernels.h"
-#include "core/render/aimed_rays.h"
 #include "core/render/camera_rays.h"
 #include "core/render/tiles.h"
 #include "core/sampling/dimensions.h"
 #include "core/sampling/hemisphere.h"
 #include "core/sampling/sample_source.h"
 #include "core/shading/light_samples.h"
+#include "core/test_rays/aimed_rays.h"
 
 namespace etalon {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/sampling/outline.h"
+#include "core/test_rays/outline.h"
 
 namespace etalon {
 namespace {

@@ -24,7 +24,7 @@ inline constexpr std::array ray_kinds = {"camera", "bounce", "shadow", "aimed", 
 ///   when all are taken bounce  from each camera hit, cosine-distributed, on the side of the camera
 ///   shadow  from each camera hit to each light in turn
 ///   aimed   at what there is to aim at on the scene's shapes, and at borders between primitives
-///           as the camera sees them: see core/render/aimed_rays.h
+///           as the camera sees them: see core/test_rays/aimed_rays.h
 ///   random  chords of the scene's bounding sphere
 RaySet make_ray_set(const std::string& kind, const Scene& scene, const Imath::V2i& resolution,
                     const Intersector& exact, std::size_t limit);

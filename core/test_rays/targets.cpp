@@ -1,9 +1,9 @@
-#include "core/sampling/targets.h"
+#include "core/test_rays/targets.h"
 
-#include "core/sampling/directions.h"
-#include "core/sampling/frustum.h"
-#include "core/sampling/outline.h"
-#include "core/sampling/quadric_points.h"
+#include "core/test_rays/directions.h"
+#include "core/test_rays/frustum.h"
+#include "core/test_rays/outline.h"
+#include "core/test_rays/quadric_points.h"
 
 namespace etalon {
 namespace {
