@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "app/exit_status.h"
-#include "app/output.h"
+#include "app/common/exit_status.h"
+#include "app/common/output.h"
 #include "app/scene_arguments.h"
 #include "app/subcommands.h"
 #include "core/formats/write/write.h"

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "app/backends.h"
-#include "app/exit_status.h"
-#include "app/output.h"
+#include "app/common/backends.h"
+#include "app/common/exit_status.h"
+#include "app/common/output.h"
 #include "app/scene_arguments.h"
 #include "app/stats.h"
 #include "app/subcommands.h"

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "app/exit_status.h"
+#include "app/common/exit_status.h"
 
 namespace etalon {
 namespace {

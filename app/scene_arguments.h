@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/options.h"
+#include "app/common/options.h"
 #include "core/formats/load.h"
 #include "core/scene/scene.h"
 

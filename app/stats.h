@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/stopwatch.h"
+#include "app/common/stopwatch.h"
 #include "core/integrators/ray_counts.h"
 #include "core/scene/scene.h"
 

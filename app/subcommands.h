@@ -1,7 +1,7 @@
 // The subcommands of etalon.
 #pragma once
 
-#include "app/program.h"
+#include "app/common/program.h"
 
 namespace etalon {
 

@@ -6,9 +6,9 @@
 #include <iostream>
 #include <iterator>
 
-#include "app/backends.h"
-#include "app/exit_status.h"
-#include "app/output.h"
+#include "app/common/backends.h"
+#include "app/common/exit_status.h"
+#include "app/common/output.h"
 #include "app/scene_arguments.h"
 #include "app/subcommands.h"
 #include "core/intersect/kernels.h"

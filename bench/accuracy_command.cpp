@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/backends.h"
-#include "app/exit_status.h"
-#include "app/output.h"
+#include "app/common/backends.h"
+#include "app/common/exit_status.h"
+#include "app/common/output.h"
 #include "bench/accuracy/measure_case.h"
 #include "bench/accuracy/report/accuracy_json.h"
 #include "bench/accuracy/report/accuracy_table.h"

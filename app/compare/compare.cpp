@@ -1,10 +1,10 @@
 // etalon compare: how far an image is from another, in numbers and as a map.
 #include <fmt/format.h>
 
+#include "app/common/exit_status.h"
+#include "app/common/output.h"
 #include "app/compare/image_pair.h"
 #include "app/compare/limit.h"
-#include "app/exit_status.h"
-#include "app/output.h"
 #include "app/subcommands.h"
 #include "core/image/atomic_file.h"
 #include "core/image/metrics/flip.h"

@@ -3,10 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/backends.h"
+#include "app/common/backends.h"
+#include "app/common/exit_status.h"
+#include "app/common/output.h"
 #include "app/crosscheck/crosscheck_report.h"
-#include "app/exit_status.h"
-#include "app/output.h"
 #include "app/scene_arguments.h"
 #include "app/subcommands.h"
 

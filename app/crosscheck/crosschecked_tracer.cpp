@@ -1,7 +1,7 @@
 #include "app/crosscheck/crosschecked_tracer.h"
 
-#include "app/backends.h"
-#include "app/stopwatch.h"
+#include "app/common/backends.h"
+#include "app/common/stopwatch.h"
 
 namespace etalon::crosscheck {
 namespace {

@@ -1,6 +1,6 @@
 #include "app/crosscheck/trial.h"
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "core/parallel/parallel.h"
 
 namespace etalon::crosscheck {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "core/formats/nearest_name.h"
 
 namespace etalon {

@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
-#include "app/backends.h"
-#include "app/integrators.h"
+#include "app/common/backends.h"
+#include "app/common/integrators.h"
 #include "app/render/aovs.h"
 #include "core/image/io.h"
 

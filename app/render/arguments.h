@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/integrators.h"
-#include "app/options.h"
+#include "app/common/integrators.h"
+#include "app/common/options.h"
 #include "app/scene_arguments.h"
 #include "core/scene/render_settings.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "app/render/aovs.h"
 #include "app/render/arguments.h"
 #include "core/image/io.h"

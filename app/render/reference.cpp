@@ -1,6 +1,6 @@
 #include "app/render/reference.h"
 
-#include "app/reference_image.h"
+#include "app/common/reference_image.h"
 #include "core/image/metrics/flip.h"
 #include "core/image/metrics/measure_metrics.h"
 

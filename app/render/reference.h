@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/stopwatch.h"
+#include "app/common/stopwatch.h"
 #include "core/image/metrics/metrics.h"
 #include "core/render/renderer.h"
 

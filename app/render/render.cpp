@@ -3,16 +3,16 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/backends.h"
+#include "app/common/backends.h"
+#include "app/common/exit_status.h"
+#include "app/common/output.h"
+#include "app/common/progress.h"
+#include "app/common/signals.h"
 #include "app/compare/metrics_report.h"
-#include "app/exit_status.h"
-#include "app/output.h"
-#include "app/progress.h"
 #include "app/render/aovs.h"
 #include "app/render/arguments.h"
 #include "app/render/output_image.h"
 #include "app/render/reference.h"
-#include "app/signals.h"
 #include "app/stats.h"
 #include "app/subcommands.h"
 #include "core/image/io.h"

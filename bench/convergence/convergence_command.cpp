@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/backends.h"
-#include "app/exit_status.h"
-#include "app/integrators.h"
-#include "app/output.h"
-#include "app/progress.h"
-#include "app/reference_image.h"
-#include "app/signals.h"
+#include "app/common/backends.h"
+#include "app/common/exit_status.h"
+#include "app/common/integrators.h"
+#include "app/common/output.h"
+#include "app/common/progress.h"
+#include "app/common/reference_image.h"
+#include "app/common/signals.h"
 #include "bench/bench_subcommands.h"
 #include "bench/convergence/curve_report.h"
 #include "bench/convergence/measure_curves.h"

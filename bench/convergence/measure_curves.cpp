@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/backends.h"
-#include "app/stopwatch.h"
+#include "app/common/backends.h"
+#include "app/common/stopwatch.h"
 #include "core/image/metrics/metrics.h"
 #include "core/integrators/integrators.h"
 #include "core/parallel/parallel.h"

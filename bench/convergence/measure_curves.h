@@ -3,7 +3,7 @@
 #include <atomic>
 #include <functional>
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "bench/convergence/curve.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/scene.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/stopwatch.h"
+#include "app/common/stopwatch.h"
 #include "bench/accuracy/error_stats.h"
 #include "bench/convergence/curve.h"
 #include "bench/report/settings.h"

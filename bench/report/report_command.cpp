@@ -3,10 +3,10 @@
 
 #include <filesystem>
 
-#include "app/exit_status.h"
-#include "app/output.h"
-#include "app/progress.h"
-#include "app/signals.h"
+#include "app/common/exit_status.h"
+#include "app/common/output.h"
+#include "app/common/progress.h"
+#include "app/common/signals.h"
 #include "bench/bench_subcommands.h"
 #include "bench/report/formatting.h"
 #include "bench/report/html/html.h"

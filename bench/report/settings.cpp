@@ -4,7 +4,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "bench/speed/pinned.h"
 #include "bench/speed/timed_tracer.h"
 

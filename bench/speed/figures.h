@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/stopwatch.h"
+#include "app/common/stopwatch.h"
 #include "bench/speed/disagreement.h"
 #include "bench/speed/oracle_check.h"
 #include "bench/speed/statistics.h"

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "app/stopwatch.h"
+#include "app/common/stopwatch.h"
 
 namespace etalon::speed {
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/exit_status.h"
-#include "app/output.h"
+#include "app/common/exit_status.h"
+#include "app/common/output.h"
 #include "bench/bench_subcommands.h"
 #include "bench/scenes/bench_scene.h"
 #include "bench/speed/measured_scene.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "bench/speed/alternate.h"
 #include "bench/speed/pinned.h"
 #include "core/parallel/parallel.h"

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "app/stopwatch.h"
+#include "app/common/stopwatch.h"
 #include "bench/accuracy/tracer.h"
 #include "core/test_rays/ray_sets.h"
 

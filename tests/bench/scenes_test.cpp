@@ -4,7 +4,7 @@
 #include <ranges>
 #include <set>
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "bench/scenes/bench_families.h"
 #include "bench/scenes/bench_scene.h"
 #include "core/test_rays/ray_sets.h"

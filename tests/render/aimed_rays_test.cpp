@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "core/intersect/kernels.h"
 #include "core/test_rays/ray_sets.h"
 #include "tests/catch.h"

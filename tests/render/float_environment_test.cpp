@@ -3,7 +3,7 @@
 #include <atomic>
 #include <limits>
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "core/parallel/parallel.h"
 #include "tests/catch.h"
 #include "tests/render/test_scenes.h"

@@ -1,7 +1,7 @@
 // Images of scenes in memory.
 #pragma once
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "core/integrators/integrators.h"
 #include "core/render/renderer.h"
 #include "tests/render/test_scenes.h"

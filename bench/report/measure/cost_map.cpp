@@ -1,6 +1,6 @@
 #include "bench/report/measure/cost_map.h"
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "bench/report/measure/rendered.h"
 #include "core/integrators/integrators.h"
 #include "core/render/features.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "bench/accuracy/measure_case.h"
 #include "bench/report/tasks.h"
 #include "core/parallel/parallel.h"

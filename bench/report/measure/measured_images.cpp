@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "bench/report/command_lines.h"
 #include "bench/report/formatting.h"
 #include "bench/report/measure/cost_map.h"

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "core/formats/load.h"
 #include "core/integrators/integrators.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/stopwatch.h"
+#include "app/common/stopwatch.h"
 #include "bench/report/tasks.h"
 #include "core/render/renderer.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "bench/accuracy/report/cases.h"
 #include "bench/report/command_lines.h"
 #include "bench/report/formatting.h"

@@ -1,7 +1,7 @@
 // The machine and the versions.
 #include <fmt/format.h>
 
-#include "app/backends.h"
+#include "app/common/backends.h"
 #include "bench/report/command_lines.h"
 #include "bench/report/formatting.h"
 #include "bench/report/sections/sections.h"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <span>
 
-#include "app/options.h"
+#include "app/common/options.h"
 
 namespace etalon {
 

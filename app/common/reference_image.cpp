@@ -1,4 +1,4 @@
-#include "app/reference_image.h"
+#include "app/common/reference_image.h"
 
 #include <fmt/format.h>
 

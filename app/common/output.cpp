@@ -1,4 +1,4 @@
-#include "app/output.h"
+#include "app/common/output.h"
 
 #include <fmt/core.h>
 #include <unistd.h>

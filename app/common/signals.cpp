@@ -1,4 +1,4 @@
-#include "app/signals.h"
+#include "app/common/signals.h"
 
 #include <csignal>
 

@@ -1,4 +1,4 @@
-#include "app/program.h"
+#include "app/common/program.h"
 
 #include <fmt/core.h>
 
@@ -6,7 +6,7 @@
 #include <new>
 #include <vector>
 
-#include "app/exit_status.h"
+#include "app/common/exit_status.h"
 
 namespace etalon {
 namespace {

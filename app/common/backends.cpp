@@ -1,4 +1,4 @@
-#include "app/backends.h"
+#include "app/common/backends.h"
 
 #include "embree_backend/embree_backends.h"
 #include "native_accel/native_backends.h"
