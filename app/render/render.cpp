@@ -44,7 +44,7 @@ class Render {
         scene_ = std::move(*loaded.scene);
         settings_ = std::move(loaded.settings);
         stats_.parse = watch_.lap();
-        const std::string error = apply(a_, settings_);
+        const std::string error = apply_overrides(a_, settings_);
         if (!error.empty()) return complain(error), exit_usage;
         if (a_.outputs.empty()) a_.outputs = {default_output(a_.scene.path)};
         if (!outputs_are_writable()) return exit_not_written;

@@ -9,7 +9,7 @@ namespace {
 
 /// An exact backend that shares no tree with the one that is compared with it.
 std::string reference_of(const std::string& tracer) {
-    return tracer == default_backend ? second_backend : default_backend;
+    return tracer == second_backend ? default_backend : second_backend;
 }
 
 const Tracer* find(const std::vector<Tracer>& list, const std::string& name) {

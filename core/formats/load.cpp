@@ -85,6 +85,14 @@ LoadResult refuse(const std::string& file, std::string_view kind, fmt::format_st
     return {std::nullopt, {}, log.take()};
 }
 
+/// Loads with a format's loader. What is whole needs no room to grow.
+LoadResult load_with(const Format& format, std::string_view text, const std::string& path,
+                     const LoadOptions& options) {
+    LoadResult result = format.load(text, path, options);
+    if (result.scene) shrink_to_fit(result.scene->geometry);
+    return result;
+}
+
 std::string readable_names() {
     return fmt::format("Etalon reads: {}", fmt::join(names(), ", "));
 }
@@ -106,13 +114,13 @@ LoadResult load_scene_text(std::string_view text, const std::string& path,
     if (text.size() > largest_file) return refuse(path, "file", "is larger than 16 GiB");
     if (!options.format.empty()) {
         const Format* const asked = find(options.format);
-        if (asked && asked->load) return asked->load(text, path, options);
+        if (asked && asked->load) return load_with(*asked, text, path, options);
         return refuse(path, "format", "unknown format {}; {}{}", in_quotes(options.format),
                       readable_names(), did_you_mean(options.format, names()));
     }
     const Format* const format = detect_format(text, path);
     if (!format) return refuse(path, "format", "no format recognised; {}", readable_names());
-    if (format->load) return format->load(text, path, options);
+    if (format->load) return load_with(*format, text, path, options);
     return refuse(path, "format", "this looks like {}; {}", format->described, readable_names());
 }
 

@@ -14,7 +14,7 @@ bool same_bits(const Vec3& a, const Vec3& b) {
     return bits_of(a) == bits_of(b);
 }
 
-std::uint64_t hash_of(const Vec3& position, const Vec3& normal) {
+std::uint32_t hash_of(const Vec3& position, const Vec3& normal) {
     std::uint64_t h = 0;
     for (const Vec3& v : {position, normal}) {
         for (const std::uint64_t bits : bits_of(v)) {
@@ -22,7 +22,7 @@ std::uint64_t hash_of(const Vec3& position, const Vec3& normal) {
             h ^= h >> 32;
         }
     }
-    return h;
+    return static_cast<std::uint32_t>(h);
 }
 
 }  // namespace
@@ -33,34 +33,29 @@ std::uint32_t SmoothVertices::number(Geometry& geometry, const Vec3& position, c
         size_ = 0;
         normal_offset_ = geometry.normal_offset();
     }
-    if (2 * size_ >= table_.size()) grow(geometry);
-    std::uint32_t& entry = table_[place_of(geometry, position, normal)];
-    if (entry == no_index) {
-        entry = geometry.add_vertex(position, normal);
-        ++size_;
+    if (2 * size_ >= table_.size()) grow();
+    const std::uint32_t hash = hash_of(position, normal);
+    std::size_t place = first_place(hash);
+    for (; table_[place].vertex != no_index; place = next_place(place)) {
+        const auto [known_hash, vertex] = table_[place];
+        if (known_hash == hash && same_bits(geometry.vertices[vertex], position) &&
+            same_bits(geometry.normals[vertex - normal_offset_], normal)) {
+            return vertex;
+        }
     }
-    return entry;
+    ++size_;
+    table_[place] = {hash, geometry.add_vertex(position, normal)};
+    return table_[place].vertex;
 }
 
-/// Where the vertex is in the table, or the empty place where it belongs.
-std::size_t SmoothVertices::place_of(const Geometry& geometry, const Vec3& position,
-                                     const Vec3& normal) const {
-    const std::size_t mask = table_.size() - 1;
-    std::size_t place = hash_of(position, normal) & mask;
-    while (table_[place] != no_index &&
-           !(same_bits(geometry.vertices[table_[place]], position) &&
-             same_bits(geometry.normals[table_[place] - normal_offset_], normal))) {
-        place = (place + 1) & mask;
-    }
-    return place;
-}
-
-void SmoothVertices::grow(const Geometry& geometry) {
-    std::vector<std::uint32_t> before(std::max<std::size_t>(64, 2 * table_.size()), no_index);
+void SmoothVertices::grow() {
+    std::vector<Entry> before(std::max<std::size_t>(64, 4 * table_.size()));
     before.swap(table_);
-    for (const std::uint32_t v : before) {
-        if (v == no_index) continue;
-        table_[place_of(geometry, geometry.vertices[v], geometry.normals[v - normal_offset_])] = v;
+    for (const Entry& entry : before) {
+        if (entry.vertex == no_index) continue;
+        std::size_t place = first_place(entry.hash);
+        while (table_[place].vertex != no_index) place = next_place(place);
+        table_[place] = entry;
     }
 }
 

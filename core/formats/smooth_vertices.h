@@ -13,10 +13,17 @@ class SmoothVertices {
     std::uint32_t number(Geometry& geometry, const Vec3& position, const Vec3& normal);
 
   private:
-    void grow(const Geometry& geometry);
-    std::size_t place_of(const Geometry& geometry, const Vec3& position, const Vec3& normal) const;
+    struct Entry {
+        std::uint32_t hash = 0, vertex = no_index;
+    };
 
-    std::vector<std::uint32_t> table_;  ///< of 2^k places, half of them empty at least
+    void grow();
+
+    /// Returns the place at which the search for a vertex with this hash begins.
+    std::size_t first_place(std::uint32_t hash) const { return hash & (table_.size() - 1); }
+    std::size_t next_place(std::size_t place) const { return (place + 1) & (table_.size() - 1); }
+
+    std::vector<Entry> table_;  ///< of 2^k places, half of them empty at least
     std::size_t size_ = 0;
     std::uint32_t normal_offset_ = 0;  ///< of all vertices in the table
 };

@@ -1,6 +1,7 @@
 #include "core/numerics/decimal.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace etalon {
 namespace {
@@ -17,9 +18,15 @@ constexpr std::array<double, 23> powers = make_powers();
 
 /// The largest e with |x| 10^e below the mantissa's end, or one more.
 int exponent_for(double x) {
-    if (x == 0) return 0;
-    const int binary = 26 - std::ilogb(x);  // 10^e <= 2^binary
-    return std::clamp(binary * 77 / 256, 0, static_cast<int>(powers.size()) - 1);
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const int exponent = static_cast<int>(bits >> 52 & 0x7FF) - 1023;  // 2^exponent <= |x|
+    return std::clamp((26 - exponent) * 77 / 256, 0, static_cast<int>(powers.size()) - 1);
+}
+
+/// The nearest whole number, of |x| < 2^51: what is below 1 is rounded away from the sum.
+double rounded(double x) {
+    constexpr double magic = 0x1.8p52;
+    return (x + magic) - magic;
 }
 
 }  // namespace
@@ -29,10 +36,10 @@ int exponent_for(double x) {
 std::optional<Decimal> Decimal::from(double x) {
     if (!(std::abs(x) < mantissa_end) || (x == 0 && std::signbit(x))) return std::nullopt;
     int e = exponent_for(x);
-    double mantissa = std::nearbyint(x * powers[static_cast<std::size_t>(e)]);
+    double mantissa = rounded(x * powers[static_cast<std::size_t>(e)]);
     if (std::abs(mantissa) >= mantissa_end) {
         if (e == 0) return std::nullopt;
-        mantissa = std::nearbyint(x * powers[static_cast<std::size_t>(--e)]);
+        mantissa = rounded(x * powers[static_cast<std::size_t>(--e)]);
     }
     const Decimal result(static_cast<std::int32_t>(mantissa), e);
     if (result.value() != x) return std::nullopt;

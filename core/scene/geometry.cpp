@@ -83,6 +83,14 @@ void append(Geometry& geometry, const Geometry& other) {
     append(geometry.normals, other.normals);
 }
 
+void shrink_to_fit(Geometry& g) {
+    std::apply([](auto&... v) { (v.shrink_to_fit(), ...); }, g.shapes);
+    g.primitives.shrink_to_fit();
+    g.vertices.shrink_to_fit();
+    g.normals.shrink_to_fit();
+    g.decimal_vertices.shrink_to_fit();
+}
+
 std::size_t memory_bytes(const Geometry& g) {
     const std::size_t shapes =
         std::apply([](const auto&... v) { return (memory_bytes(v) + ...); }, g.shapes);

@@ -84,6 +84,9 @@ struct Geometry {
 /// Adds the primitives of `other` after those that there are. Materials keep their numbers.
 void append(Geometry& geometry, const Geometry& other);
 
+/// Gives back the memory that the arrays hold beyond what is in them: for a geometry that is whole.
+void shrink_to_fit(Geometry& geometry);
+
 /// Bytes held by the arrays.
 std::size_t memory_bytes(const Geometry& geometry);
 

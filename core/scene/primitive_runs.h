@@ -68,6 +68,11 @@ class PrimitiveRuns {
     ValueIterator<PrimitiveRuns> begin() const { return {*this, 0}; }
     ValueIterator<PrimitiveRuns> end() const { return {*this, size_}; }
 
+    void shrink_to_fit() {
+        runs_.shrink_to_fit();
+        of_strides_.shrink_to_fit();
+    }
+
     std::size_t memory_bytes() const {
         return runs_.capacity() * sizeof(Run) + of_strides_.capacity() * sizeof(std::uint32_t);
     }

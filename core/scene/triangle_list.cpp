@@ -48,6 +48,13 @@ void TriangleList::close_block() {
     open_.clear();
 }
 
+void TriangleList::shrink_to_fit() {
+    blocks_.shrink_to_fit();
+    narrow_.shrink_to_fit();
+    wide_.shrink_to_fit();
+    open_.shrink_to_fit();
+}
+
 std::size_t TriangleList::memory_bytes() const {
     return bytes(blocks_) + bytes(narrow_) + bytes(wide_) + bytes(open_);
 }

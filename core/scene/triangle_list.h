@@ -33,6 +33,7 @@ class TriangleList {
     ValueIterator<TriangleList> begin() const { return {*this, 0}; }
     ValueIterator<TriangleList> end() const { return {*this, size()}; }
 
+    void shrink_to_fit();
     std::size_t memory_bytes() const;
 
   private:

@@ -6,6 +6,7 @@
 #include "core/formats/write/write.h"
 #include "core/numerics/random.h"
 #include "tests/catch.h"
+#include "tests/formats/corners.h"
 #include "tests/formats/p3f_text.h"
 #include "tests/formats/same_scene.h"
 #include "tests/formats/sane_scene.h"
@@ -51,7 +52,7 @@ TEST_CASE("every real P3F scene is read without a warning, but for the one with 
         CHECK(r.diagnostics[0].line == 16);
         CHECK(r.diagnostics[0].column == 29);
         CHECK(r.scene->geometry.all<Triangle>().size() == 100000);
-        CHECK(r.scene->geometry.vertices.size() == 50000);
+        CHECK(vertex_count(*r.scene) == 50000);
         CHECK(r.scene->look.lights.size() == 2);
     }
 }
