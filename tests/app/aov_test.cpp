@@ -45,12 +45,12 @@ TEST_CASE("--aov writes what was asked for as channels of the EXR", "[app]") {
     const std::size_t middle = 12 * 32 + 16;
     CHECK(ids[middle] == 1);
     CHECK(depths[middle] == Approx(std::sqrt(26) - 1).margin(0.02));
-    // Seen from (0, 1, 5): u a quarter turn from +x, and v not far from the pole at +z.
-    CHECK(channel<float>(path, "uv.U")[middle] == Approx(0.25).margin(0.06));
-    CHECK(channel<float>(path, "uv.V")[middle] ==
-          Approx(1 - std::atan(0.2) / 3.14159).margin(0.03));
-    CHECK(channel<float>(path, "dpdu.X")[middle] ==
-          Approx(-2 * 3.14159 / std::sqrt(26)).margin(0.5));
+    const auto at = [&](const char* name) { return channel<float>(path, name)[middle]; };
+    const double x = at("P.X"), y = at("P.Y"), z = at("P.Z");  // of the unit sphere
+    CHECK(at("uv.U") == Approx(std::atan2(y, x) / (2 * 3.14159265)).margin(1e-5));
+    CHECK(at("uv.V") == Approx(1 - std::acos(z) / 3.14159265).margin(1e-4));
+    CHECK(at("dpdu.X") == Approx(-2 * 3.14159265 * y).margin(1e-4));
+    CHECK(at("dpdu.Y") == Approx(2 * 3.14159265 * x).margin(1e-4));
     CHECK(albedo[middle] == Approx(0.7 * 0.2 + 0.3));
     CHECK(ids[0] == 4294967295U);
     CHECK(depths[0] == std::numeric_limits<float>::infinity());

@@ -77,7 +77,7 @@ constexpr Column<RayLine> columns[] = {
     {"to", "robust", 8, ratio<RayLine, &Runs::ratio_robust>},
     {"of one:", "CPU", 9, scaling<RayLine, &Runs::cpu_scaling>},
     {"", "wall", 7, scaling<RayLine, &Runs::wall_scaling>},
-    {"differs", "from", 9, any_query<reference>},
+    {"differs", "from", 13, any_query<reference>},
     {"of", "rays", 8, any_query<disagreement<&Disagreement::rays>>},
     {"hit or", "miss", 7, any_query<disagreement<&Disagreement::hit_or_miss>>},
     {"", "prim", 7, nearest_hit<disagreement<&Disagreement::primitive>>},
