@@ -42,7 +42,7 @@ std::uint32_t SmoothVertices::number(Geometry& geometry, const Vec3& position, c
     return entry;
 }
 
-/// Where the vertex is in the table, or the empty place where it belongs.
+/// Returns the vertex's place in the table, or the empty place where it belongs.
 std::size_t SmoothVertices::place_of(const Geometry& geometry, const Vec3& position,
                                      const Vec3& normal) const {
     const std::size_t mask = table_.size() - 1;

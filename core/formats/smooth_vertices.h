@@ -16,9 +16,9 @@ class SmoothVertices {
     void grow(const Geometry& geometry);
     std::size_t place_of(const Geometry& geometry, const Vec3& position, const Vec3& normal) const;
 
-    std::vector<std::uint32_t> table_;  ///< of 2^k places, half of them empty at least
+    std::vector<std::uint32_t> table_;  ///< hash table of 2^k places, half of them empty at least
     std::size_t size_ = 0;
-    std::uint32_t normal_offset_ = 0;  ///< of all vertices in the table
+    std::uint32_t normal_offset_ = 0;  ///< offset of all vertices in the table
 };
 
 }  // namespace etalon
