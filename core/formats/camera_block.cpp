@@ -104,8 +104,8 @@ class BlockReader {
         in_.recover();
     }
 
-    /// Which line the word just read opens. The programs of P3F's course take any word for the one
-    /// that is due; so does this, if the right number of numbers follows.
+    /// Returns the line that the word just read opens. The programs of P3F's course take any word
+    /// for the one that is due; so does this, if the right number of numbers follows.
     const Line* line_of(std::string_view word, std::size_t offset) {
         if (const Line* const line = find(word)) {
             if (given(*line)) {
@@ -133,10 +133,10 @@ class BlockReader {
 
     Reader& in_;
     std::span<const Line> lines_;
-    std::array<bool, most_lines> given_{};  ///< which lines the block has had so far
+    std::array<bool, most_lines> given_{};  ///< lines that the block has had so far
 };
 
-/// Why nothing can be seen with this camera, or an empty string.
+/// Returns why nothing can be seen with this camera, or an empty string.
 std::string check_camera(const CameraBlock& b) {
     const Vec3 view = to_unit_magnitude(b.camera.eye - b.camera.at);
     const double fov = b.camera.fov_degrees;

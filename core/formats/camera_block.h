@@ -10,7 +10,7 @@ namespace etalon {
 
 /// A camera half read.
 struct CameraBlock {
-    std::size_t start = 0;  ///< of the statement that complaints are about
+    std::size_t start = 0;  ///< start of the statement that complaints are about
     Camera camera{};
     std::int64_t width = 0, height = 0;
 };
@@ -21,8 +21,8 @@ void read_resolution(Reader& in, CameraBlock& block);
 /// what it ought to have and has not.
 void finalize_camera(SceneLoader& loader, CameraBlock block, const std::string& missing);
 
-/// NFF's camera is a block of lines that each start with a word of their own; P3F's has a lens, and
-/// a new word for `from`.
+/// Dialects of the camera: NFF's is a block of lines that each start with a word of their own;
+/// P3F's has a lens, and a new word for `from`.
 enum class CameraDialect : std::uint8_t { nff, p3f };
 
 void read_camera_block(SceneLoader& loader, CameraDialect dialect);

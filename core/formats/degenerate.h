@@ -1,4 +1,4 @@
-// What makes a shape one that cannot be seen. All of it exact: no tolerance, and the same answer
+// Tests for shapes that cannot be seen. All are exact: no tolerance, and the same answer
 // for a scene scaled by a power of two.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace etalon {
 /// of its numbers, and those of the product.
 bool is_of_unit_length(const Vec3& v);
 
-/// Along the normal of a polygon, on the side from which the corners run counter-clockwise
+/// Vector along the normal of a polygon, on the side from which the corners run counter-clockwise
 /// (Newell's sum of the fan of triangles about the first corner). Zero if they span no area.
 Vec3 area_normal(std::span<const Vec3> corners);
 

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t bytes_read = std::size_t{1} << 16;
 constexpr std::size_t statements_read = 1000;
 
-/// `numbers`: how many must follow the word; any is -1.
+/// Word that a statement starts with; `numbers`: how many must follow it, or -1 for any number.
 struct Signature {
     std::string_view word;
     int numbers = -1;
@@ -99,7 +99,7 @@ bool is_obj(const FormatProbe& o) {
     return shows(o, {{"v", 3}, {"v", 4}, {"v", 6}, {"vn", 3}, {"vt", 2}, {"mtllib"}});
 }
 
-/// More than one byte in fifty that no text has.
+/// Whether more than one byte in fifty is one that no text has.
 bool is_binary(const FormatProbe& o) {
     const auto strange = std::ranges::count_if(o.text, [](char c) {
         return (c >= '\0' && c < '\t') || (c > '\r' && c < ' ') || c == '\x7F';

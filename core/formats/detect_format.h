@@ -1,4 +1,4 @@
-// Telling what a text is from how it starts.
+// Detection of a text's format from how it starts.
 #pragma once
 
 #include <string_view>

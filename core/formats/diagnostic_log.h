@@ -46,7 +46,7 @@ class DiagnosticLog {
     struct Kind {
         std::string_view name;
         int kept;
-        std::size_t last;  ///< of those kept
+        std::size_t last;  ///< last of those kept
     };
 
     template <class... T>

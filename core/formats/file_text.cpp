@@ -22,7 +22,7 @@ FileText too_large() {
     return failure("is larger than 16 GiB");
 }
 
-/// To the end of the stream; one of `expected` bytes is read in one go.
+/// Reads to the end of the stream; a file of `expected` bytes is read in one go.
 FileText read_all(std::FILE* stream, std::size_t expected) {
     std::size_t capacity = std::max<std::size_t>(expected, 1 << 16) + 1;  // one more meets the end
     FileText file{std::make_unique_for_overwrite<char[]>(capacity), 0, {}};

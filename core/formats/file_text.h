@@ -16,8 +16,8 @@ struct FileText {
     std::string_view text() const { return {bytes.get(), size}; }
 };
 
-/// Nothing in a scene takes less than 6 bytes ("0 0 0 "), so what is in a file of this size can
-/// still be numbered by 32 bits.
+/// Size limit in bytes. Nothing in a scene takes less than 6 ("0 0 0 "), so what is in a file of
+/// this size can still be numbered by 32 bits.
 inline constexpr std::size_t largest_file = std::size_t{1} << 34;
 
 /// Reads a whole file, but none larger than largest_file; "-" is standard input.

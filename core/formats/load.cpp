@@ -24,8 +24,8 @@ using Loader = LoadResult (*)(std::string_view text, const std::string& path,
                               const LoadOptions& options);
 
 struct Format {
-    std::string_view name;       ///< for --format; the extension is the same
-    std::string_view described;  ///< in messages: "this looks like ..."
+    std::string_view name;       ///< value of --format; the extension is the same
+    std::string_view described;  ///< name in messages: "this looks like ..."
     FormatMatcher matches;
     Loader load;  ///< null: only recognised, so that it can be named
     bool has_legacy = false;
@@ -67,7 +67,7 @@ const Format* find(std::string_view name) {
     return f != formats.end() ? &*f : nullptr;
 }
 
-/// What the text says it is, else what its file's name says; null if neither says anything.
+/// Finds the format by the text, else by the extension of the path; null if neither tells.
 const Format* detect_format(std::string_view text, const std::string& path) {
     const FormatProbe probe(text);
     for (const Format& f : formats) {

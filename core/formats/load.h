@@ -22,7 +22,7 @@ struct LoadOptions {
 
 struct LoadResult {
     std::optional<Scene> scene;  ///< nothing if the file holds nothing that can be rendered
-    RenderSettings settings{};   ///< what the file says about how to render it
+    RenderSettings settings{};   ///< settings that the file gives for rendering it
     std::vector<Diagnostic> diagnostics{};
 };
 
@@ -37,7 +37,7 @@ LoadResult load_scene_text(std::string_view text, const std::string& path,
 /// Names of the formats that can be read.
 std::span<const std::string_view> format_names();
 
-/// Those for which LoadOptions::legacy means something.
+/// Names of the formats for which LoadOptions::legacy has a meaning.
 std::span<const std::string_view> legacy_names();
 
 }  // namespace etalon

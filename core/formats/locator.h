@@ -16,7 +16,7 @@ class Locator {
   public:
     explicit Locator(std::string_view text) : text_(text) {}
 
-    /// `offset` may be the end of the text.
+    /// Returns the position of `offset`, which may be the end of the text.
     TextPosition locate(std::size_t offset);
 
   private:

@@ -11,7 +11,7 @@ namespace etalon {
 /// first on a tie; empty where none is close enough to be worth a suggestion.
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> names);
 
-/// "; did you mean 'name'?", or nothing if no name is near.
+/// Returns "; did you mean 'name'?", or nothing if no name is near.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> names);
 
 }  // namespace etalon

@@ -12,7 +12,7 @@ namespace {
 /// A number taken apart: digits * 10^exponent. `digits` has wrapped around if there were too many.
 struct Decimal {
     std::uint64_t digits = 0;
-    std::int64_t count = 0;  ///< of digits, leading zeros included
+    std::int64_t count = 0;  ///< number of digits, leading zeros included
     std::int64_t exponent = 0;
 };
 
@@ -35,7 +35,7 @@ inline std::int64_t read_digits(const char*& p, const char* last, std::uint64_t&
     return p - first;
 }
 
-/// What stands after an 'e'. Without digits it is not an exponent and is left alone.
+/// Reads the exponent after an 'e'. Without digits it is not an exponent and is left alone.
 std::int64_t read_exponent(const char*& p, const char* last) {
     const char* q = p + 1;
     const bool negative = read_minus(q, last);

@@ -15,11 +15,11 @@ namespace etalon {
 /// consumed, until recover(). So a loader reads all it wants and then asks once whether it is ok().
 class Reader {
   public:
-    /// `keywords` are the words that statements start with.
+    /// Reader of a whole text; `keywords` are the words that statements start with.
     Reader(std::string_view text, DiagnosticLog& log, std::span<const std::string_view> keywords)
         : tokens_(text), log_(log), keywords_(keywords) {}
 
-    /// For a format in which the line ends a statement.
+    /// Reader of one line, for a format in which the line ends a statement.
     Reader(const Tokenizer& line, DiagnosticLog& log)
         : tokens_(line), log_(log), end_("the end of the line") {}
 
@@ -38,10 +38,10 @@ class Reader {
     Tokenizer& tokens() { return tokens_; }
     const Tokenizer& tokens() const { return tokens_; }
 
-    /// Where the statement starts.
+    /// Offset at which the statement starts.
     std::size_t start() const { return start_; }
 
-    /// Finite values; `what` names them in messages: "expected a number for the `what` of 's'".
+    /// Reads finite values. `what` is for messages: "expected a number for the `what` of 's'".
     double number(std::string_view what) { return read<double>("a number", what); }
     std::int64_t integer(std::string_view what) {
         return read<std::int64_t>("a whole number", what);

@@ -16,7 +16,7 @@ struct UnusableCamera {
     std::string why;
 };
 
-/// What objects before any material are made of, where the format does not say.
+/// Material of objects before any material, where the format does not say.
 Material default_diffuse();
 
 /// Corners of the polygon being read, and their normals if it has some.
@@ -28,18 +28,18 @@ struct Corners {
 struct SceneLoader {
     Reader in;
     const LoadOptions& options;
-    std::filesystem::path directory;  ///< of the scene file
+    std::filesystem::path directory;  ///< directory of the scene file
     Material default_material = default_diffuse();
     Scene scene{};
     RenderSettings settings{};
     bool has_camera = false;
     std::optional<UnusableCamera> unusable_camera{};  ///< the first; an error if no other is good
-    std::optional<std::uint32_t> material{};          ///< of the objects to come
-    std::vector<std::size_t> uncolored_lights{};      ///< those the file gives no colour
+    std::optional<std::uint32_t> material{};          ///< material of the objects to come
+    std::vector<std::size_t> uncolored_lights{};      ///< lights that the file gives no colour
     Corners corners{};  ///< kept from one polygon to the next for their room
     SmoothVertices smooth_vertices{};
 
-    /// Of the objects to come, if there can be such a surface; if not, says why.
+    /// Sets the material of the objects to come, if such a surface can be; if not, says why.
     void set_material(const Material& material);
 
     /// A white point light that the file says no more about. So that an image does not grow
@@ -49,8 +49,8 @@ struct SceneLoader {
     /// The number of the current material. The first object may find none.
     std::uint32_t current_material();
 
-    /// Of a shape of the current material. The documents have only the front of opaque things
-    /// visible; the formats' own programs show both sides.
+    /// Returns the visible sides of a shape of the current material. The documents show only the
+    /// front of opaque things; the formats' own programs show both sides.
     Sides sides();
 
     /// The same, but a negative radius shows only the inside of a shape.

@@ -25,7 +25,7 @@ class SmoothVertices {
 
     std::vector<Entry> table_;  ///< of 2^k places, half of them empty at least
     std::size_t size_ = 0;
-    std::uint32_t normal_offset_ = 0;  ///< of all vertices in the table
+    std::uint32_t normal_offset_ = 0;  ///< offset of all vertices in the table
 };
 
 }  // namespace etalon

@@ -18,7 +18,7 @@ struct Keyword {
     bool suggested = true;  ///< whether a misspelt word may have been meant to be this one
 };
 
-/// For Reader, which stops there after an error.
+/// Names of the keywords, for Reader, which stops there after an error.
 template <class Loader, std::size_t count>
 constexpr auto names_of(const std::array<Keyword<Loader>, count>& keywords) {
     std::array<std::string_view, count> names;
@@ -26,8 +26,8 @@ constexpr auto names_of(const std::array<Keyword<Loader>, count>& keywords) {
     return names;
 }
 
-/// One warning for what stands where a keyword should, however long it goes on. `before` is the
-/// keyword of the statement before it, or empty.
+/// Skips what stands where a keyword should, with one warning however long it goes on. `before` is
+/// the keyword of the statement before it, or empty.
 void skip_stray_words(Reader& in, std::string_view before,
                       std::span<const std::string_view> suggestions);
 

@@ -24,8 +24,8 @@ class Tokenizer {
     std::string_view peek() const;
     std::string_view next();
 
-    /// What is left of the line with the next word, which this one then has passed: for formats
-    /// where the line ends a statement.
+    /// Takes the rest of the line that the next word is on, and moves past it: for formats where
+    /// the line ends a statement.
     Tokenizer take_line();
 
     /// Reads the next word as a number, and moves on only if it is one as a whole.
@@ -46,7 +46,7 @@ class Tokenizer {
     static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
     static bool ends_word(char c) { return is_blank(c) || c == '#'; }
 
-    /// To the first word at or after `p`.
+    /// Moves to the first word at or after `p`.
     void move_to(const char* p) {
         while (p != last_ && is_blank(*p)) ++p;
         cursor_ = p;

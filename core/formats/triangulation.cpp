@@ -18,7 +18,7 @@ class Triangulator {
         for (std::uint32_t i = 0; i < left_.size(); ++i) left_[i] = i;
     }
 
-    /// Where all of it turns one way, seen from the first corner.
+    /// Whether the whole polygon turns one way, seen from the first corner.
     bool is_fan() const {
         for (std::uint32_t i = 2; i < points_.size(); ++i) {
             if (!(area(0, i - 1, i) >= 0)) return false;
@@ -53,7 +53,7 @@ class Triangulator {
         return (points_[b] - points_[a]).cross(points_[c] - points_[a]).dot(normal_);
     }
 
-    /// Where roundings or a polygon that crosses itself leave none, any corner will do.
+    /// Finds an ear. If roundings or a polygon that crosses itself leave none, any corner will do.
     std::size_t find_ear() const {
         for (std::size_t i = 0; i < left_.size(); ++i) {
             if (is_ear(i)) return i;

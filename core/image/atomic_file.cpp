@@ -53,7 +53,7 @@ int open_beside(const fs::path& path, std::string& name) {
     return file;
 }
 
-/// `replaced`: what is at `path` now, or nullptr.
+/// Writes and renames a file; `replaced` is what is at `path` now, or nullptr.
 Errno write_and_rename(const std::string& path, std::string_view content,
                        const struct stat* replaced) {
     std::string temporary;

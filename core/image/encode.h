@@ -16,7 +16,7 @@ std::uint8_t srgb_byte(float value, double gain = 1);
 /// times the value, truncated. Out of [0, 1] is clamped; NaN is black.
 std::uint8_t display_byte(float value, double gain = 1);
 
-/// R, G, B of each pixel of the image's window. `exposure` in stops.
+/// Returns R, G, B of each pixel of the image's window. `exposure` is in stops.
 std::vector<std::uint8_t> display_bytes(const RenderedImage& image, double exposure);
 
 }  // namespace etalon

@@ -24,7 +24,7 @@ const void* data(const Channel& channel) {
     return std::visit([](const auto& v) -> const void* { return v.data(); }, channel.values);
 }
 
-/// OpenEXR goes back to fill in the table of its blocks, so writing may replace what is there.
+/// Stream in memory. OpenEXR goes back to fill in its table of blocks: writing may replace bytes.
 class MemoryStream : public Imf::OStream {
   public:
     explicit MemoryStream(std::string& bytes) : OStream("picture"), bytes_(bytes) {}

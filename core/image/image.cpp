@@ -26,7 +26,7 @@ float decoded(std::uint8_t value) {
     return table[value];
 }
 
-/// `convert` takes what is stored, a byte or a float, to a number.
+/// Colour of a pixel; `convert` takes what is stored, a byte or a float, to a number.
 template <class Convert>
 Color color_at(const Image& image, int x, int y, const Convert& convert) {
     const std::size_t first = (static_cast<std::size_t>(y) * image.width + x) * image.channels;

@@ -9,8 +9,8 @@
 
 namespace etalon {
 
-/// What stored values are: light; or light encoded by sRGB's curve; or display values as programs
-/// make them that know no light, which files of either kind hold as they are.
+/// Meaning of stored values: light; or light encoded by sRGB's curve; or display values of programs
+/// that know no light, which files of either kind hold as they are.
 enum class Encoding { linear, srgb, display };
 
 /// Pixels by rows from the top, channels interleaved (R, G, B, ...). Eight-bit sources stay bytes:

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In lower case, with its dot.
+/// Returns the extension in lower case, with its dot.
 std::string extension(const std::string& path) {
     std::string text = fs::path(path).extension().string();
     std::transform(text.begin(), text.end(), text.begin(),
@@ -46,7 +46,7 @@ Result<std::string> encode(const std::string& kind, const RenderedImage& image, 
     return {{}, "expected a name ending in .exr or .png"};
 }
 
-/// Why no file can be read there, as far as the file system knows; libraries say it worse.
+/// Returns why no file can be read there, as far as the file system knows; libraries say it worse.
 std::string check_readable(const std::string& path) {
     if (::access(path.c_str(), R_OK) != 0) return std::generic_category().message(errno);
     std::error_code none;

@@ -1,5 +1,5 @@
-// What the OpenImageIO module and the rest of the program say to each other: C types only, so that
-// no exception and no type of a library crosses the border. Texts are UTF-8 and end in a zero.
+// Interface of the OpenImageIO module to the rest of the program: C types only, so that
+// no exception and no type of a library crosses it. Texts are UTF-8 and end in a zero.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ struct EtalonImageFormat {
     int is_srgb;   ///< encoded by its curve, else linear
 };
 
-/// Where results go. Both functions return 0 on failure, and whoever calls them then gives up.
+/// Receiver of results. Both functions return 0 on failure, and their caller then gives up.
 struct EtalonSink {
     void* context;
     int (*begin)(void* context, const EtalonImageFormat* format);  ///< null if there is no format
@@ -25,7 +25,7 @@ struct EtalonOiio {
     int version;  ///< etalon_oiio_version
 
     /// Reads the first image of a file: begin, then rows from the top in any number of appends.
-    /// At most four channels. Returns 0 after fail.
+    /// The image has at most four channels. Returns 0 after fail.
     int (*read)(const char* path, const EtalonSink* sink);
 
     /// Appends a PNG file of width * height RGB bytes in sRGB. Returns 0 after fail.

@@ -19,7 +19,7 @@ constexpr int max_channels = 4;
 /// Thrown when the sink gives up; it knows why.
 struct Refused {};
 
-/// OpenImageIO's messages pile up, a line each; the first is the cause.
+/// Throws the first of OpenImageIO's messages, which pile up, a line each: it is the cause.
 [[noreturn]] void fail(const std::string& messages) {
     const std::string cause = messages.substr(0, messages.find('\n'));
     throw std::runtime_error(cause.empty() ? "unknown reason" : cause);
@@ -53,7 +53,7 @@ std::unique_ptr<OIIO::ImageInput> open(const char* path) {
     return input;
 }
 
-/// Rows of the image into `rows`, a few at a time: memory grows with what the file really holds.
+/// Reads rows of the image into `rows`, a few at a time: memory grows with what the file holds.
 void read_rows(OIIO::ImageInput& input, const EtalonImageFormat& format, const EtalonSink& sink) {
     const OIIO::ImageSpec& spec = input.spec();
     const OIIO::TypeDesc type = format.is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;

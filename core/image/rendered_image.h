@@ -10,9 +10,9 @@
 
 namespace etalon {
 
-/// Something else than colour that is known of each pixel.
+/// Channel of something else than colour that is known of each pixel.
 struct Channel {
-    std::string name;  ///< what is before the last dot is a layer: "albedo.R"
+    std::string name;  ///< name, of which the part before the last dot is a layer: "albedo.R"
     std::variant<std::vector<float>, std::vector<std::uint32_t>> values;
 
     std::size_t size() const {
@@ -22,7 +22,7 @@ struct Channel {
 
 /// A rendered image: linear scene values in a data window inside the full frame.
 struct RenderedImage {
-    int width = 0, height = 0;    ///< of the full frame (display window)
+    int width = 0, height = 0;    ///< size of the full frame (display window)
     Imath::Box2i window;          ///< pixels present, inclusive on both ends as in OpenEXR
     std::vector<Color> pixels;    ///< window.size() + 1 in each axis, rows from the top
     bool display_colors = false;  ///< values are display values: PNG takes them without a curve

@@ -6,17 +6,17 @@
 
 namespace etalon {
 
-/// What a display shows of a linear value: [0, 1], with NaN as black (the comparison is false).
+/// Linear value as a display shows it: in [0, 1], with NaN as black (the comparison is false).
 inline double displayed(double linear) {
     return linear > 0 ? std::min(linear, 1.0) : 0.0;
 }
 
-/// [0, 1] to [0, 1].
+/// Encodes a linear value by sRGB's curve, [0, 1] to [0, 1].
 inline double srgb_encoded(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
-/// The inverse.
+/// Decodes a value: the inverse of srgb_encoded().
 inline double srgb_decoded(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }

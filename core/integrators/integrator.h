@@ -1,4 +1,4 @@
-// The seam between the renderer, which asks for the colour of samples, and how it is computed.
+// Interface between the renderer, which asks for the colour of samples, and what computes it.
 #pragma once
 
 #include "core/integrators/ray_counts.h"

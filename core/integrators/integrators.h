@@ -30,13 +30,13 @@ struct IntegratorType {
     bool obeys(std::string_view option) const;
 };
 
-/// In the order of help texts. To add an integrator, add its line to the table.
+/// All integrators, in the order of help texts. To add an integrator, add its line to the table.
 std::span<const IntegratorType> all_integrators();
 
-/// nullptr if there is none of that name.
+/// Returns the integrator of that name, or nullptr if there is none.
 const IntegratorType* find_integrator(std::string_view name);
 
-/// "whitted", ...
+/// Names of all integrators: "whitted", ...
 std::vector<std::string> integrator_names();
 
 }  // namespace etalon

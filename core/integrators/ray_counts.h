@@ -9,7 +9,7 @@ struct RayCounts {
     std::uint64_t camera = 0, camera_hits = 0;
     std::uint64_t shadow = 0, shadow_blocked = 0;  ///< asked only whether anything is in the way
     std::uint64_t reflected = 0, refracted = 0;
-    std::uint64_t secondary_hits = 0;  ///< of reflected and refracted rays
+    std::uint64_t secondary_hits = 0;  ///< hits of reflected and refracted rays
 
     std::uint64_t total() const { return camera + shadow + reflected + refracted; }
     RayCounts& operator+=(const RayCounts& other);

@@ -1,4 +1,4 @@
-// The parts that single backends play in the programs, so that their names stand here and in their
+// Roles that single backends have in the programs, so that their names stand here and in their
 // own tables alone.
 #pragma once
 
@@ -10,11 +10,11 @@ inline constexpr const char* default_backend = "bvh";
 /// Tests every primitive against every ray: exact with nothing that could be wrong, and slow.
 inline constexpr const char* reference_backend = "none";
 
-/// Exact, and shares no tree with the default backend: what its hits are compared with where the
-/// reference takes too long.
+/// Backend to compare the default one's hits with where the reference takes too long: exact, and
+/// without a tree in common.
 inline constexpr const char* second_backend = "embree-user";
 
-/// Not exact; what speeds are measured against.
+/// Baseline that speeds are measured against; not exact.
 inline constexpr const char* baseline_backend = "embree-builtin";
 
 }  // namespace etalon

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t chunk_size = 4096;
 
-/// What is known of a piece of the scene before there is a frame.
+/// Summary of a piece of the scene before there is a normalized space.
 struct BoundsSummary {
     Box3 world;
     std::size_t bounded = 0;

@@ -16,7 +16,7 @@ struct alignas(16) BoundedPrimitive {
 
     Box3f box() const { return {min, max}; }
 
-    Vec3f min;         ///< of the box in normalized space, padded
+    Vec3f min;         ///< lower corner of the box in normalized space, padded
     std::uint32_t id;  ///< number in Scene::primitives
     Vec3f max;
     std::uint32_t kind;
@@ -27,10 +27,10 @@ static_assert(sizeof(BoundedPrimitive) == 32);
 /// A scene's primitives sorted by what an accelerator can do with them. Degenerate ones, which
 /// nothing can hit, are in neither list.
 struct SceneBounds {
-    /// On as many threads as allowed; both lists are in the order of the scene.
+    /// Sorts a scene's primitives, on as many threads as allowed; both lists are in its order.
     static SceneBounds of(const Geometry& geometry);
 
-    /// Every primitive in the list of those that must always be tested.
+    /// Puts every primitive into the list of those that must always be tested.
     static SceneBounds none_bounded(const Geometry& geometry);
 
     NormalizedSpace space;

@@ -1,4 +1,4 @@
-// The seam between what is rendered and how hits are found.
+// Interface between the renderer and the backends that find hits.
 #pragma once
 
 #include <memory>
@@ -32,7 +32,7 @@ class Intersector {
     /// The same hit. Adds to `cost` what it took, as far as the backend counts (see Backend).
     std::optional<Hit> closest(const Ray& ray, TraversalCost& cost) const;
 
-    /// True exactly where closest(ray) finds something.
+    /// Whether closest(ray) finds something.
     bool occluded(const Ray& ray) const;
 
     /// Bytes of the backend's own structure.
@@ -75,12 +75,12 @@ struct Backend {
     std::string_view name;
     std::string_view summary;
     bool exact;  ///< hits are decided by the kernels, so bit-identical to every other exact backend
-    /// Never null. Throws std::bad_alloc, and std::runtime_error with the reason where a library
-    /// that the backend stands on cannot work on this machine.
+    /// Builds the backend; never null. Throws std::bad_alloc, and std::runtime_error with the
+    /// reason where a library that the backend stands on cannot work on this machine.
     std::unique_ptr<Intersector> (*build)(const Geometry& geometry);
     bool counts_box_tests = false;  ///< in a TraversalCost
     bool counts_primitive_tests = false;
-    int colour = 7;  ///< in reports: which colour of bench/plot/style.h, from 1; 7 is grey
+    int colour = 7;  ///< colour in reports, of bench/plot/style.h, from 1; 7 is grey
 };
 
 }  // namespace etalon

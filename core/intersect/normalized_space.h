@@ -16,11 +16,11 @@ struct NormalizedRay {
     Vec3f origin, direction;  ///< |origin| <= 3, the direction's largest component in [1, 2)
     double shift, scale;
 
-    /// Rounded down, but no less than 0: before that there is nothing in normalized space. Most
+    /// tmin in normalized space, rounded down but not below 0: before that there is nothing. Most
     /// rays begin there and have no end, which is predicted: nothing waits for the roundings then.
     float tmin(double t) const { return t <= shift ? 0 : float_down((t - shift) * scale); }
 
-    /// Rounded up, so what lies at t exactly is never culled; finite.
+    /// tmax in normalized space, rounded up, so what lies at t exactly is never culled; finite.
     float tmax(double t) const {
         constexpr float last = std::numeric_limits<float>::max();
         return t == infinity ? last : std::min(float_up((t - shift) * scale), last);
@@ -34,26 +34,26 @@ class NormalizedSpace {
     NormalizedSpace() = default;
     explicit NormalizedSpace(const Box3& world);
 
-    /// What a box must have around its content so that a float slab test with a reciprocal good to
-    /// 2.6 units of rounding cannot miss what a double ray hits: u (7 |o| + 5 |b|), u = 2^-24, |o|
-    /// <= 3 the largest origin a NormalizedRay can have, |b| <= 1.
+    /// Padding that a box needs around its content so that a float slab test with a reciprocal good
+    /// to 2.6 units of rounding cannot miss what a double ray hits: u (7 |o| + 5 |b|), u = 2^-24,
+    /// |o| <= 3 the largest origin a NormalizedRay can have, |b| <= 1.
     static constexpr double padding = unit_roundoff_f * (7 * largest_origin + 5);
 
     /// `world` in normalized space, rounded outward and padded.
     Box3f box(const Box3& world) const;
 
-    /// Without padding: for geometry that an accelerator decides on by itself.
+    /// Maps a point without padding: for geometry that an accelerator decides on by itself.
     Vec3 point(const Vec3& world) const { return (world - centre_) * scale_; }
     double scale() const { return scale_; }
 
-    /// Rays that start far away are first advanced, in double, to the neighbourhood of the scene.
-    /// Nothing where the ray's line passes the scene by.
+    /// Maps a ray. One that starts far away is first advanced, in double, to the neighbourhood of
+    /// the scene. Returns nothing if the ray's line passes the scene by.
     std::optional<NormalizedRay> ray(const Ray& ray) const;
 
     /// False for rays from so far (2^24 times the scene's size) that a rounding of their double
     /// coordinates is no longer small against the padding, and for those that pass the scene in so
     /// little or so much of t (2^+-900) that t would leave the range of double on its way into the
-    /// frame. They must be tested against everything.
+    /// normalized space. They must be tested against everything.
     bool resolves(const Ray& ray) const;
 
   private:

@@ -43,7 +43,7 @@ struct RayQuery {
     double dx, dy, dz;
 
   private:
-    /// Zero for a component of less than 2^-500 of the largest. It moves no point that a double can
+    /// Returns a component, or 0 below 2^-500 of the largest. It moves no point that a double can
     /// tell from its neighbours, but its products could leave the range in which signs are exact.
     double flush_negligible(int k) {
         double& component = ray.direction[k];
@@ -52,11 +52,11 @@ struct RayQuery {
     }
 };
 
-/// What every kernel promises: t is within this part of itself of the truth. Surfaces that are
-/// closer together may change places.
+/// Bound on the relative error of the t that any kernel returns. Surfaces that are closer together
+/// may change places.
 inline constexpr double t_tolerance = 0x1p-36;
 
-/// What a kernel returns when the ray misses: compares false with everything.
+/// Value that a kernel returns when the ray misses: compares false with everything.
 inline constexpr double no_hit = nan_value;
 
 /// The nearest hit so far, and the one rule by which all backends keep it: the smaller t, and at

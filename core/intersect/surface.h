@@ -5,16 +5,16 @@
 
 namespace etalon {
 
-/// Where a ray met a surface, refined onto the surface.
+/// Point where a ray met a surface, refined onto the surface.
 struct SurfacePoint {
     Vec3 position;
-    /// Per axis, how far the position may be from the true surface as the kernel sees it: a ray
+    /// Error bound of the position per axis, against the true surface as the kernel sees it: a ray
     /// that starts further out than this does not meet the surface it left.
     Vec3 error;
     Vec3 normal;          ///< geometric, unit, as the shape defines it (outward, or by winding)
     Vec3 shading_normal;  ///< unit; interpolated where the shape has corner normals
     std::uint32_t primitive = no_index;
-    Convexity convexity = Convexity::any;  ///< of the primitive
+    Convexity convexity = Convexity::any;  ///< convexity of the primitive
 };
 
 /// The bound used by the kernels: both the position's rounding and the kernel's own evaluation are
@@ -23,7 +23,7 @@ inline Vec3 position_error(const Vec3& magnitude, double extent) {
     return 64 * unit_roundoff * (magnitude + Vec3(extent));
 }
 
-/// To which side of the surface a ray leaves it: 1 for where the normal points, else -1.
+/// Side of the surface to which a ray leaves it: 1 for where the normal points, else -1.
 inline double side_of(const SurfacePoint& p, const Vec3& direction) {
     return p.normal.dot(direction) < 0 ? -1.0 : 1.0;
 }

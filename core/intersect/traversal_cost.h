@@ -4,7 +4,7 @@
 
 namespace etalon {
 
-/// What it took to find the nearest hit of a ray: a measure of an accelerator that no machine and
+/// Work of finding the nearest hit of a ray: a measure of an accelerator that no machine and
 /// no other load on it changes.
 struct TraversalCost {
     std::uint64_t box_tests = 0;        ///< of boxes, and cells of grids gone through

@@ -19,7 +19,7 @@ inline bool is_finite(const Affine& map) {
     return is_finite(map.x) && is_finite(map.y) && is_finite(map.z) && is_finite(map.origin);
 }
 
-/// First b, then a.
+/// Composition: first b, then a.
 inline Affine operator*(const Affine& a, const Affine& b) {
     return {a.vector(b.x), a.vector(b.y), a.vector(b.z), a.point(b.origin)};
 }

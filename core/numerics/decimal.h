@@ -12,7 +12,7 @@ namespace etalon {
 /// the bit. Negative zero is not among them.
 class Decimal {
   public:
-    /// Nothing for a number that is not one of these.
+    /// Converts a number; nothing for one that is not of this form.
     static std::optional<Decimal> from(double x);
 
     /// The product with 10^-e, which two doubles hold to 79 bits: the first half's is exact, so the

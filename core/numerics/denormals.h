@@ -7,7 +7,7 @@
 
 namespace etalon {
 
-/// As long as it lives denormals count, even if the caller's thread has been set to take them for
+/// Makes denormals count while it lives, even if the caller's thread has been set to take them for
 /// zeros, as Embree recommends. Nearly free where it has not.
 class DenormalsCount {
   public:

@@ -73,7 +73,7 @@ WideDouble Dyadic::magnitude() const {
     return {static_cast<double>(leading), (high() - 1) * limb_bits - zeros};
 }
 
-/// a, with zeros about it, and then b added to it in place.
+/// Copies a, with zeros about it, and then adds b to it in place.
 Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, bool b_negative) {
     Dyadic sum;
     sum.negative_ = a.negative_;
@@ -123,7 +123,7 @@ void Dyadic::subtract(const Dyadic& other) {
     if (borrow != 0) negate();
 }
 
-/// Of a magnitude in two's complement.
+/// Changes the sign, and negates the magnitude in two's complement.
 void Dyadic::negate() {
     negative_ = !negative_;
     Limb carry = 1;

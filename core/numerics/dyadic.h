@@ -60,7 +60,7 @@ class Dyadic {
 
     bool negative_ = false;
     int low_ = 0, size_ = 0;            ///< the place of the lowest limb, in units of 64 bits
-    std::array<Limb, capacity> limbs_;  ///< by increasing weight; neither end is zero
+    std::array<Limb, capacity> limbs_;  ///< limbs by increasing weight; neither end is zero
 };
 
 inline Dyadic square(const Dyadic& x) {

@@ -14,8 +14,8 @@ struct Rotation {
     TwoTerm cosine{1, 0}, sine{0, 0};
 };
 
-/// One that brings two vectors to right angles (Jacobi's, as Hestenes 1958 applies it to a matrix
-/// from one side), or none where they nearly are.
+/// Rotation that brings two vectors to right angles (Jacobi's, as Hestenes 1958 applies it to a
+/// matrix from one side), or none where they nearly are.
 Rotation rotation_to_right_angles(Vec3 a, Vec3 b) {
     const double scale = power_of_two_reciprocal(std::max(max_abs(a), max_abs(b)));
     a *= scale, b *= scale;
@@ -38,7 +38,7 @@ void rotate(const Rotation& r, Vec3TwoTerm& a, Vec3TwoTerm& b) {
     }
 }
 
-/// Turns the unit shape until the rows of the inverse are at right angles; whether it had to.
+/// Turns the unit shape until the rows of the inverse are at right angles; returns if it had to.
 bool turn(Matrix& rows, Matrix& columns, int i, int j) {
     const Rotation r = rotation_to_right_angles(rounded(rows[i]), rounded(rows[j]));
     rotate(r, rows[i], rows[j]);

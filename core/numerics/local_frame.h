@@ -15,16 +15,16 @@ class LocalFrame {
   public:
     LocalFrame(const Affine& map, Symmetry symmetry);
 
-    /// False for a map that is singular, which is found out exactly, or not finite.
+    /// Whether the map is finite and not singular, which is found out exactly.
     bool exists() const { return exists_; }
 
-    /// From the world to local coordinates. Each row of the matrix is good to two roundings of its
-    /// length, but for a distortion of the unit shape by 2^-90 and less.
+    /// Maps from the world to local coordinates. Each row of the matrix is good to two roundings of
+    /// its length, but for a distortion of the unit shape by 2^-90 and less.
     Vec3 vector(const Vec3& v) const { return {rows_[0].dot(v), rows_[1].dot(v), rows_[2].dot(v)}; }
     const Vec3& row(int k) const { return rows_[k]; }
-    double length(int k) const { return lengths_[k]; }  ///< of a row, rounded up
+    double length(int k) const { return lengths_[k]; }  ///< length of a row, rounded up
 
-    /// Back to the world. A normal's length is not kept.
+    /// Maps back to the world. A normal's length is not kept.
     Vec3 point(const Vec3& local) const { return to_world_.point(local); }
     Vec3 normal(const Vec3& local) const {
         return local.x * rows_[0] + local.y * rows_[1] + local.z * rows_[2];

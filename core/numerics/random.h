@@ -30,13 +30,13 @@ class Random {
         return low + (high - low) * std::ldexp(static_cast<double>(bits() >> 11), -53);
     }
 
-    /// In [0, count), where 0 < count <= 2^32.
+    /// Random index in [0, count), where 0 < count <= 2^32.
     std::uint32_t index(std::size_t count) { return static_cast<std::uint32_t>(bits() % count); }
     bool one_in(std::size_t count) { return index(count) == 0; }
     int axis() { return static_cast<int>(index(3)); }
     double sign() { return (bits() & 1) != 0 ? 1 : -1; }
 
-    /// From 10^low to 10^high, evenly in the exponent.
+    /// Random number from 10^low to 10^high, evenly distributed in the exponent.
     double magnitude(double low, double high) { return std::pow(10.0, uniform(low, high)); }
 
     /// A point of the cube [-half, half]^3.
@@ -45,7 +45,7 @@ class Random {
         return {x, y, z};
     }
 
-    /// Of unit length.
+    /// Random direction of unit length.
     Vec3 direction() {
         for (;;) {
             const Vec3 v = in_cube();

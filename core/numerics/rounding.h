@@ -29,7 +29,7 @@ inline float next_below(float x) {
     return -next_above(-x);
 }
 
-/// From the bits of a float to its place among all floats, with -0 just below 0, and back.
+/// Maps the bits of a float to its place among all floats, with -0 just below 0, and back.
 inline std::int32_t in_order(std::int32_t bits) {
     return bits ^ ((bits >> 31) & std::numeric_limits<std::int32_t>::max());
 }

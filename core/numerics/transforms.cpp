@@ -12,7 +12,7 @@ struct Turn {
     double sine, cosine;
 };
 
-/// What is left of whole quarters is at most an eighth of a turn, and that exactly.
+/// Sine and cosine. The rest after whole quarters is at most an eighth of a turn, and is exact.
 Turn turn_of(double degrees) {
     int quarters = 0;
     const double rest = std::remquo(degrees, 90.0, &quarters) * (std::numbers::pi / 180);

@@ -8,8 +8,8 @@ namespace etalon {
 Affine translation(const Vec3& offset);
 Affine scaling(const Vec3& factors);
 
-/// Right-handed about an axis of any length but zero: a positive angle turns x to y about z.
-/// Quarter turns about an axis of the space are exact.
+/// Rotation about an axis of any length but zero, right-handed: a positive angle turns x to y about
+/// z. Quarter turns about an axis of the space are exact.
 Affine rotation(double degrees, const Vec3& axis);
 
 /// A turn that takes z to where `axis` points, then a move to `origin`. The axis may be of any

@@ -26,7 +26,7 @@ inline double max_abs(const Vec3& v) {
     return std::max(std::abs(v.x), std::max(std::abs(v.y), std::abs(v.z)));
 }
 
-/// No less than the length, and no more than sqrt(3) times that.
+/// Sum of magnitudes: no less than the length, and no more than sqrt(3) times that.
 inline double sum_abs(const Vec3& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }

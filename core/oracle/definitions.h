@@ -1,4 +1,4 @@
-// What each shape *is*, evaluated in quad precision with error bounds: deliberately not the
+// Definition of each shape, evaluated in quad precision with error bounds: deliberately not the
 // kernels' formulas, which are to be checked against this.
 #pragma once
 
@@ -16,14 +16,14 @@ struct Crossing {
     Crossing(const Tracked& at, Certainty is_there, Certainty is_front)
         : t(at), passage(at), exists(is_there), front(is_front) {}
 
-    Tracked t;        ///< what a kernel should return
-    Tracked passage;  ///< what must also be beyond tmin; t itself, but for polygons with corners
+    Tracked t;        ///< value that a kernel should return
+    Tracked passage;  ///< value that must also be beyond tmin; t, but for polygons with corners
                       ///< off their plane: there the point where the plane is passed
     Certainty exists;
     Certainty front;  ///< whether the front is seen there
 };
 
-/// At most two per shape, in no particular order.
+/// Crossings of a line with a shape: at most two, in no particular order.
 class Crossings {
   public:
     void add(const Crossing& c) { list_[count_++] = c; }
@@ -35,8 +35,8 @@ class Crossings {
     std::size_t count_ = 0;
 };
 
-/// Where the line of `ray`, whose direction is not zero, meets a primitive. As RayQuery has it, a
-/// component that is nothing against the largest is zero.
+/// Finds where the line of `ray`, whose direction is not zero, meets a primitive. As in RayQuery, a
+/// component that is negligible against the largest is zero.
 Crossings crossings(const Geometry& geometry, std::uint32_t primitive, const Ray& ray);
 
 }  // namespace etalon

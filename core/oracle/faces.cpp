@@ -40,13 +40,13 @@ Tracked volume(const Vec3& d, const Corner& a, const Corner& b) {
     return dot(TrackedVec(d), cross(a.exact, b.exact));
 }
 
-/// Of a ray from the origin and a closed triangle (a, b, c): whether it passes through, seen along
-/// d, and whether through the outline. Collinear corners make no triangle.
+/// Passage of a ray from the origin through a closed triangle (a, b, c): whether it passes through,
+/// seen along d, and whether through the outline. Collinear corners make no triangle.
 struct Passage {
     Certainty inside, on_edge;
 };
 
-/// From the volumes d . (b x c), d . (c x a) and d . (a x b).
+/// Decides the passage by the volumes d . (b x c), d . (c x a) and d . (a x b).
 Passage pass(const std::array<Tracked, 3>& volumes) {
     Certainty none_negative = Certainty::yes, none_positive = Certainty::yes,
               some_zero = Certainty::no, all_zero = Certainty::yes;
@@ -107,7 +107,7 @@ Certainty meets_side(const Outline& outline, std::size_t i) {
     return coplanar & !is_positive(dot(cross(a, outline.d), cross(b, outline.d)));
 }
 
-/// Even-odd: a point is inside where an odd number of the triangles of a fan cover it. Unknown
+/// Even-odd rule: a point is inside where an odd number of the triangles of a fan cover it. Unknown
 /// where it is on a side of one.
 Certainty is_inside_fan(const Outline& outline, const Corner& hub) {
     bool odd = false;

@@ -1,4 +1,4 @@
-// What a ray hits, decided without a kernel: every primitive of the scene, in quad precision with
+// Hits of a ray decided without a kernel: every primitive of the scene, in quad precision with
 // error bounds, on the exact bits of the input. For tests and measurements.
 #pragma once
 
@@ -17,14 +17,14 @@ struct OracleAnswer {
         undecidable  ///< even 113 bits cannot tell
     };
 
-    /// |t - the true t| / |the true t|, for a hit.
+    /// Returns |t - the true t| / |the true t|, for a hit.
     double relative_error(double t) const;
 
     Kind kind = miss;
     double t = 0;      ///< the double nearest to the true t
     Quad exact_t = 0;  ///< good to about 100 bits, less where it is ill-conditioned
     std::uint32_t primitive = no_index;  ///< the lowest number among `tied`
-    std::vector<std::uint32_t> tied;     ///< what is (or may be) hit at t, to within `tie`; sorted
+    std::vector<std::uint32_t> tied;     ///< primitives (maybe) hit at t, to within `tie`; sorted
 };
 
 class Oracle {

@@ -19,7 +19,7 @@ inline Quad magnitude(Quad x) {
     return x < 0 ? -x : x;
 }
 
-/// To within one unit in the last place; x > 0.
+/// Square root to within one unit in the last place; x > 0.
 inline Quad square_root(Quad x) {
     Quad scale = 1;
     while (x > Quad(0x1p900)) x *= Quad(0x1p-800), scale *= Quad(0x1p400);

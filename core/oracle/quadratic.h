@@ -17,7 +17,7 @@ struct Roots {
     std::size_t count = 0;
 };
 
-/// Its roots, with what is known of them.
+/// Roots of the quadratic, with what is known of them.
 Roots solve(const Tracked& a, const Tracked& b, const Tracked& c);
 
 }  // namespace etalon::definition

@@ -9,7 +9,7 @@
 namespace etalon::definition {
 namespace {
 
-/// Further than any point that two doubles can name.
+/// Distance beyond any point that two doubles can name.
 const Tracked beyond(Quad(0x1p1023) * Quad(0x1p1023), 0);
 
 /// The stretch of a line where a t^2 + 2 b t + c <= 0, for a >= 0.

@@ -14,7 +14,7 @@ struct Stretch {
 
 std::optional<Stretch> within_box(const Vec3& min, const Vec3& max, const Ray& ray);
 
-/// Its ends, as crossings of the solid's surface.
+/// Ends of a stretch, as crossings of the solid's surface.
 Crossings ends(const std::optional<Stretch>& stretch);
 
 }  // namespace etalon::definition

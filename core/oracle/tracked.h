@@ -38,12 +38,12 @@ struct Tracked {
 
 namespace detail {
 
-/// Room for the roundings of the bound itself.
+/// Adds room for the roundings of the bound itself.
 inline Tracked bounded(Quad value, Quad error) {
     return {value, error * Quad(1 + 0x1p-40)};
 }
 
-/// Of at most 53 bits, so that the product of two such is exact.
+/// Whether a number has at most 53 bits, so that the product of two such is exact.
 inline bool is_short(Quad x) {
     return static_cast<Quad>(static_cast<double>(x)) == x;
 }
@@ -75,7 +75,7 @@ inline Tracked operator*(const Tracked& a, const Tracked& b) {
     return detail::bounded(product, inherited + rounding);
 }
 
-/// Of no use (infinite error) where the divisor may be zero.
+/// Quotient, of no use (infinite error) where the divisor may be zero.
 inline Tracked operator/(const Tracked& a, const Tracked& b) {
     const Quad least = magnitude(b.value) - b.error;
     if (!(least > 0)) return {0, Quad(infinity)};
@@ -84,7 +84,7 @@ inline Tracked operator/(const Tracked& a, const Tracked& b) {
     return detail::bounded(quotient, inherited + magnitude(quotient) * quad_roundoff);
 }
 
-/// x must be known to be positive.
+/// Square root; x must be known to be positive.
 inline Tracked square_root(const Tracked& x) {
     const Quad root = square_root(x.value);
     return detail::bounded(root, x.error / root + 2 * root * quad_roundoff);

@@ -8,7 +8,7 @@
 namespace etalon {
 namespace {
 
-/// Of every pixel, before any one is preferred.
+/// Number of samples of every pixel before any pixel is preferred.
 constexpr std::uint32_t fewest = 4;
 
 /// The expected error is no better known than that.
@@ -43,7 +43,7 @@ bool AdaptivePasses::is_enough() const {
     return estimate_.exists() && expected_ <= (1 + tolerance) * error_;
 }
 
-/// Not where twice the samples for all would be more than was asked for.
+/// Whether too little is known; not if twice the samples for all were more than was asked for.
 bool AdaptivePasses::knows_too_little() const {
     if (2 * of_all_ > samples_) return false;
     return of_all_ < 2 || (of_all_ < fewest && expected_ / 2 > error_);

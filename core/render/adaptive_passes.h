@@ -5,11 +5,11 @@
 
 namespace etalon {
 
-/// Samples where they lower the error most, until the image's expected relMSE is `error`. A
+/// Takes samples where they lower the error most, until the image's expected relMSE is `error`. A
 /// pixel's samples are doubled each time, so that they stay well distributed.
 class AdaptivePasses : public SamplingPasses {
   public:
-    /// For films like this one; at most `samples` of a pixel.
+    /// Plans passes for films like this one, with at most `samples` samples of a pixel.
     AdaptivePasses(const Film& film, double error, std::uint32_t samples);
 
     std::optional<SamplingGoal> next(const Film& film) override;
@@ -19,7 +19,7 @@ class AdaptivePasses : public SamplingPasses {
   private:
     /// A pixel whose samples might be doubled.
     struct Candidate {
-        double gain;  ///< by which the sum of the pixels' errors falls, for each sample
+        double gain;  ///< fall of the sum of the pixels' errors, for each sample
         std::uint32_t pixel;
     };
 

@@ -8,11 +8,11 @@ namespace etalon {
 /// A camera worked out for making rays.
 class CameraRays {
   public:
-    /// `resolution`: width and height of the image in pixels.
+    /// Rays of `camera`; `resolution` is width and height of the image in pixels.
     CameraRays(const Camera& camera, const Imath::V2i& resolution);
 
-    /// `pixel` in pixels from the image's top left corner (centres at .5); `lens` in [0,1)^2, of
-    /// no effect on a pinhole. The direction is of unit length.
+    /// Returns a ray: `pixel` in pixels from the image's top left corner (centres at .5); `lens` in
+    /// [0,1)^2, of no effect on a pinhole. The direction is of unit length.
     Ray ray(const Vec2& pixel, const Vec2& lens) const;
 
     /// How far in front of the eye a point is, along the axis of view; negative behind it.
@@ -20,16 +20,16 @@ class CameraRays {
 
     bool has_lens() const { return lens_radius_ > 0; }
 
-    /// World to a right-handed frame that looks down -z; row vectors, as OpenEXR stores it.
+    /// Matrix from world to a right-handed frame that looks down -z; row vectors, as in OpenEXR.
     Imath::M44d world_to_camera() const;
 
-    /// World to [-1,1]^2 over the image, x to the right, y upwards.
+    /// Matrix from world to [-1,1]^2 over the image, x to the right, y upwards.
     Imath::M44d world_to_ndc() const;
 
   private:
     Vec3 eye_, u_, v_, n_;  ///< u right, v up, n backwards: unit vectors
-    double distance_;       ///< of the view plane
-    Vec2 pixel_size_;       ///< on the view plane
+    double distance_;       ///< distance of the view plane
+    Vec2 pixel_size_;       ///< size on the view plane
     double width_, height_;
     double lens_radius_, focal_;
 };

@@ -13,16 +13,16 @@ class CameraSampler {
     /// Whether each ray counts for the four pixels about its corner.
     bool shares_corners() const { return shares_corners_; }
 
-    /// What has rays of its own: the pixels of a window, or the corners about them.
+    /// Returns the points with rays of their own: a window's pixels, or the corners about them.
     Imath::Box2i sampled(Imath::Box2i window) const;
 
-    /// That of one sample of the pixel, or corner, (x, y).
+    /// Ray of one sample of the pixel, or corner, (x, y).
     Ray ray(int x, int y, const SampleSource& sample) const;
 
   private:
     CameraRays camera_;
     bool has_samples_, shares_corners_;
-    Vec2 in_pixel_;  ///< where the one ray of an image without samples goes
+    Vec2 in_pixel_;  ///< place of the one ray of an image without samples
 };
 
 }  // namespace etalon

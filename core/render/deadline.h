@@ -14,7 +14,7 @@ class Deadline {
     explicit Deadline(double seconds, Clock clock = wall_seconds)
         : seconds_(seconds), clock_(clock), start_(clock()) {}
 
-    /// In [0, 1]; always 0 without a limit.
+    /// Fraction of the time that has passed, in [0, 1]; always 0 without a limit.
     double elapsed_fraction() const {
         if (seconds_ <= 0) return 0;
         return std::min((clock_() - start_) / seconds_, 1.0);

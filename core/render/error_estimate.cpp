@@ -8,8 +8,8 @@
 namespace etalon {
 namespace {
 
-/// Pixels on a side. Smaller ones know less of their rate, larger ones mix what falls fast, open
-/// surfaces, with what falls slowly, edges and shadows.
+/// Number of pixels on a side of a block. Smaller ones know less of their rate, larger ones mix
+/// what falls fast, open surfaces, with what falls slowly, edges and shadows.
 constexpr int block_size = 32;
 
 /// How far away a pixel's neighbours are at most. Fewer of them know too little to choose by: what
@@ -19,7 +19,7 @@ constexpr int reach = 2;
 /// Weights by the distance along a row and along a column: powers of 2 of half its square.
 constexpr double fall_off[reach + 1] = {1, 0.70710678118654752, 0.25};
 
-/// As long as nothing is known.
+/// Rate as long as nothing is known.
 constexpr double usual_rate = 1.25;
 
 double relative_square(const Vec3& difference, const Vec3& value) {
@@ -104,7 +104,7 @@ double ErrorEstimate::total() const {
     return sum / static_cast<double>(changes_.size());
 }
 
-/// Neighbours with unlike numbers of samples are compared by what they were after one.
+/// Compares neighbours, those with unlike numbers of samples by what they were after one.
 void ErrorEstimate::compare_neighbours() {
     parallel_for(static_cast<std::size_t>(height_), 1, [&](std::size_t begin, std::size_t end) {
         for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {

@@ -33,7 +33,7 @@ class ErrorEstimate {
     /// mean nor its part of the total.
     double by_neighbours(int x, int y) const;
 
-    /// p: by doubling a pixel's samples its error falls to 2^-p.
+    /// Rate p: by doubling a pixel's samples its error falls to 2^-p.
     double rate(int x, int y) const { return rates_[block(x, y)]; }
 
   private:
@@ -48,9 +48,9 @@ class ErrorEstimate {
     bool exists_ = false;
     std::vector<Vec3> sums_;
     std::vector<std::uint32_t> counts_;
-    std::vector<double> changes_, changes_before_;  ///< of V, relative: the last two of each pixel
+    std::vector<double> changes_, changes_before_;  ///< two last relative changes of V per pixel
     std::vector<double> after_one_;                 ///< the error of each pixel, had it one sample
-    std::vector<double> rates_;                     ///< of blocks
+    std::vector<double> rates_;                     ///< rates of blocks
 };
 
 }  // namespace etalon

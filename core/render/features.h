@@ -1,5 +1,5 @@
-// What is to be seen in an image but its light: for denoisers, compositors, and whoever asks what
-// an accelerator did. Made by rays of its own, which nothing else counts.
+// Features of an image beside its light: for denoisers, compositors, and reports on what an
+// accelerator did. Rendered by rays of their own, which nothing else counts.
 #pragma once
 
 #include <atomic>
@@ -17,15 +17,15 @@ namespace etalon {
 /// behind an edge has the same share. A miss counts as 0.
 struct SurfaceMeans {
     Film albedo;  ///< diffuse + reflection + transmission of the material, each in [0, 1]
-    Film normal;  ///< for shading, unit, on the side of the surface that is seen
+    Film normal;  ///< shading normal, unit, on the side of the surface that is seen
 };
 
-/// Of one ray through the centre of each pixel and of the lens, by rows from the top.
+/// Hits of one ray through the centre of each pixel and of the lens, by rows from the top.
 struct CentreHits {
     std::vector<Vec3f> positions;           ///< 0 for a miss
     std::vector<float> depths;              ///< along the camera's axis; infinity for a miss
     std::vector<std::uint32_t> primitives;  ///< number in Scene::primitives, or no_index
-    std::vector<TraversalCost> costs;       ///< as far as the backend counts
+    std::vector<TraversalCost> costs;       ///< costs as far as the backend counts
 };
 
 /// Surface coordinates where those rays end, with their derivatives in the world; 0 for a miss.
@@ -34,8 +34,8 @@ struct CentreParametrizations {
     std::vector<Vec3f> dpdu, dpdv;
 };
 
-/// For an image of these settings. Nothing if `stop` was set meanwhile. All are the same for any
-/// number of threads.
+/// Renders the features of an image of these settings; nothing if `stop` was set meanwhile. All are
+/// the same for any number of threads.
 std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector& intersector,
                                           const RenderSettings& settings,
                                           const std::atomic<bool>* stop = nullptr);

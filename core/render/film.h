@@ -11,7 +11,7 @@ namespace etalon {
 /// pixels at the same time. Pixels are numbered by rows from the top.
 class Film {
   public:
-    /// `window` inclusive on both ends. Sums of squares, for variances, only `with_squares`.
+    /// Film of `window`, inclusive on both ends; `with_squares` keeps the sums that variances need.
     explicit Film(const Imath::Box2i& window, bool with_squares = false);
 
     void add(int x, int y, const Color& sample);
@@ -27,7 +27,7 @@ class Film {
     const std::vector<std::uint32_t>& counts() const { return counts_; }
     std::uint64_t total_count() const;
 
-    /// Of the samples; black where there is none yet.
+    /// Mean of the samples; black where there is none yet.
     Vec3 mean(std::size_t pixel) const;
 
     /// The means of all pixels.
@@ -37,8 +37,8 @@ class Film {
     /// of their mean, which well distributed samples bring below a share of it. Needs squares.
     std::vector<Color> variances() const;
 
-    /// For a film of a grid's corners: that of the cells between them, each with the samples of its
-    /// four corners. It is smaller by one both ways.
+    /// Turns a film of a grid's corners into one of its cells, each with the samples of its four
+    /// corners. The result is smaller by one both ways.
     Film cells() const;
 
   private:

@@ -40,7 +40,7 @@ class Renderer {
     }
 
   private:
-    /// However short the time is, an image has one sample of each pixel.
+    /// Whether to stop. However short the time is, an image has one sample of each pixel.
     bool stopped() const {
         return (control_.stop != nullptr && control_.stop->load()) ||
                (is_image_ && control_.deadline.is_over());

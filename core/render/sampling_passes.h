@@ -1,4 +1,4 @@
-// Which samples are taken when. An image is rendered in passes; after each one it is whole.
+// Order in which samples are taken. An image is rendered in passes; after each one it is whole.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace etalon {
 
 /// How many samples pixels have at the end of a pass.
 struct SamplingGoal {
-    std::uint32_t all = 0;                  ///< of every pixel, unless
+    std::uint32_t all = 0;                  ///< samples of every pixel, unless
     std::vector<std::uint32_t> of_pixel{};  ///< each one has its own
 
     std::uint32_t of(std::size_t pixel) const { return of_pixel.empty() ? all : of_pixel[pixel]; }
@@ -20,13 +20,13 @@ class SamplingPasses {
   public:
     virtual ~SamplingPasses() = default;
 
-    /// What the next pass aims at; nothing when the image is done.
+    /// Returns the goal of the next pass; nothing when the image is done.
     virtual std::optional<SamplingGoal> next(const Film& film) = 0;
 
     /// The image's expected relMSE, as far as it is known; 0 where nobody asks for it.
     virtual double expected_error() const { return 0; }
 
-    /// Which part of the work is done once `film` has as many samples as it has; in [0, 1].
+    /// Fraction of the work that is done after so many samples, in [0, 1].
     virtual double progress(std::uint64_t samples) const = 0;
 };
 

@@ -9,7 +9,7 @@ namespace etalon {
 /// well distributed. The last pass before a deadline is as large as there is time for.
 class UniformPasses : public SamplingPasses {
   public:
-    /// `samples` of each of `pixels`, at least 1.
+    /// Plans `samples` samples of each of `pixels` pixels, at least 1.
     UniformPasses(std::uint32_t samples, std::size_t pixels, const Deadline& deadline)
         : samples_(samples), pixels_(pixels), deadline_(deadline) {}
 

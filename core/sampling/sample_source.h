@@ -18,7 +18,7 @@ class SampleSource {
 
     Vec2 point(std::uint32_t dimension) const { return stratified(dimension, 0, 1); }
 
-    /// Where a dimension wants several points of each sample: number `k` of `parts`. Over all
+    /// Point number `k` of `parts`, where a dimension wants several points of each sample. Over all
     /// samples of the pixel they make one well distributed set.
     Vec2 stratified(std::uint32_t dimension, std::uint32_t k, std::uint32_t parts) const {
         return points_(index_ * parts + k, hash(pixel_, dimension));

@@ -37,7 +37,7 @@ std::uint32_t sobol_second(std::uint32_t index) {
     return result;
 }
 
-/// In [0, 1): all 32 bits fit a double.
+/// Maps to [0, 1): all 32 bits fit a double.
 double unit_interval(std::uint32_t x) {
     return x * 0x1p-32;
 }

@@ -15,7 +15,7 @@ struct Skybox {
     bool nearest = false;              ///< nearest texel instead of bilinear
 };
 
-/// What a ray that leaves the scene sees.
+/// Surroundings of the scene, seen by rays that leave it.
 struct Environment {
     Color background{0.0F};
     std::optional<Skybox> skybox;

@@ -1,4 +1,4 @@
-// What rays can hit: plain data, filled by a loader, then read by kernels and backends alone.
+// Geometry: plain data, filled by a loader, then read by kernels and backends alone.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace etalon {
 /// A point whose coordinates have few digits.
 using DecimalVertex = std::array<Decimal, 3>;
 
-/// Set in the number of a vertex that is among the decimal ones.
+/// Bit that is set in the number of a vertex that is among the decimal ones.
 inline constexpr std::uint32_t decimal_vertex = 0x80000000U;
 
 /// The primitives are numbered in order of appearance; where two are hit at the same distance the

@@ -1,4 +1,4 @@
-// What a surface does with light, as the Whitted-style formats say it. One table serves them all:
+// Material of a surface, as the Whitted-style formats say it. One table serves them all:
 // a format's own rules are turned into these numbers by its loader.
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace etalon {
 
-/// Of what angle a highlight is a power: between N and the half of eye and light (Blinn 1977), or
-/// between the mirrored camera ray and the light (Phong 1975).
+/// Angle whose cosine a highlight is a power of: between N and the half of eye and light (Blinn
+/// 1977), or between the mirrored camera ray and the light (Phong 1975).
 enum class Highlight : std::uint8_t { blinn, phong };
 
 struct Material {

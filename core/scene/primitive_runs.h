@@ -10,7 +10,7 @@
 
 namespace etalon {
 
-/// Which side of a surface can be hit. The front of a closed shape is its outside.
+/// Sides of a surface that can be hit. The front of a closed shape is its outside.
 enum class Sides : std::uint8_t { both, front, back };
 
 /// One primitive: what there is to know of it beside its shape's own data.
@@ -19,8 +19,8 @@ struct Primitive {
     Sides sides;
     std::uint32_t index;     ///< into the array of its kind
     std::uint32_t material;  ///< number in the scene's look
-    /// Of a triangle with corner normals: that of vertex v is number v - normal_offset. Else
-    /// no_index.
+    /// Offset of the normals of a triangle that has some at its corners: that of vertex v is number
+    /// v - normal_offset. Else no_index.
     std::uint32_t normal_offset = no_index;
 };
 
@@ -58,7 +58,7 @@ class PrimitiveRuns {
 
     Primitive front() const { return (*this)[0]; }
 
-    /// All of them, one by one.
+    /// Lists all primitives, one by one.
     std::vector<Primitive> list() const {
         std::vector<Primitive> all;
         for (const Primitive p : *this) all.push_back(p);

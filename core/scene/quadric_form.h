@@ -7,14 +7,14 @@
 
 namespace etalon {
 
-/// Of the form that bounds what a form's terms can add up to.
+/// Coefficients of the form that bounds the sum of the magnitudes of another form's terms.
 inline std::array<double, 10> magnitudes_of(std::array<double, 10> coefficients) {
     std::transform(coefficients.begin(), coefficients.end(), coefficients.begin(),
                    [](double x) { return std::abs(x); });
     return coefficients;
 }
 
-/// Of the same surface, `factor` times as large about its centre.
+/// Coefficients of the same surface, `factor` times as large about its centre.
 inline std::array<double, 10> scaled(std::array<double, 10> coefficients, double factor) {
     for (const std::size_t linear : {3U, 6U, 8U}) coefficients[linear] *= factor;
     coefficients[9] *= factor * factor;

@@ -1,4 +1,4 @@
-// How a scene is rendered: filled by a loader, overridden by the command line, read by the
+// Settings of a rendering: filled by a loader, overridden by the command line, read by the
 // renderer.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace etalon {
 /// How the points of a pixel lie: evenly, or, to compare with, each wherever it falls.
 enum class Sampler : std::uint8_t { sobol, random };
 
-/// Where an image without samples (spp 0) has its rays.
+/// Place of the rays of an image without samples (spp 0).
 enum class PixelRays : std::uint8_t {
     centre,         ///< one through each pixel's centre
     upper_left,     ///< one through each pixel's upper left corner
@@ -25,11 +25,11 @@ struct WhittedRules {
     bool clamp_each_ray = false;  ///< clamp to [0,1] what each ray returns
     bool normalize_camera_rays =
         false;  ///< divide what a camera ray returns by its largest part above 1
-    /// To count rays by the rules of the Standard Procedural Databases: a mirrored ray wherever
+    /// Counts rays by the rules of the Standard Procedural Databases: a mirrored ray wherever
     /// light passes through a surface, even one of no weight.
     bool mirror_all_glass = false;
-    /// Only to reproduce old programs: how far, in units of the scene, new rays start from the
-    /// surface along its normal. 0: as far as the surface's own error bound asks.
+    /// Distance, in units of the scene, at which new rays start from the surface along its normal,
+    /// only to reproduce old programs. 0: as far as the surface's own error bound asks.
     double fixed_bias = 0;
 };
 
@@ -42,7 +42,7 @@ struct RenderSettings {
 
     // Samples
     int samples_per_pixel = 0;                 ///< 0: one deterministic ray, see pixel_rays
-    PixelRays pixel_rays = PixelRays::centre;  ///< of no effect above 0 samples per pixel
+    PixelRays pixel_rays = PixelRays::centre;  ///< no effect above 0 samples per pixel
     Sampler sampler = Sampler::sobol;
     std::uint32_t seed = 0;
     double target_error = 0;  ///< above 0: the relMSE at which the image is good enough; samples
@@ -51,7 +51,7 @@ struct RenderSettings {
     // Integrator
     std::string integrator = "whitted";  ///< a name of core/integrators/integrators.h
     int max_depth = 5;                   ///< maximum path length, including the camera ray
-    double max_distance = infinity;      ///< at which something occludes, for ambient occlusion
+    double max_distance = infinity;      ///< range of occluders, for ambient occlusion
     WhittedRules whitted;
 
     std::string backend;  ///< name of the intersection backend; empty: the program's default

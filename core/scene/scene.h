@@ -1,4 +1,4 @@
-// What a scene is: plain data, filled by a loader, read by everything else.
+// Scene description: plain data, filled by a loader, read by everything else.
 #pragma once
 
 #include <cstdint>

@@ -16,8 +16,8 @@ namespace etalon {
 
 inline constexpr std::uint32_t no_index = 0xFFFFFFFFU;
 
-/// What is known of all shapes of a kind: that a ray that leaves one to the outside, or to either
-/// side, does not meet it again.
+/// Property of all shapes of a kind: a ray that leaves one to the outside (convex), or to either
+/// side (flat), does not meet it again.
 enum class Convexity : std::uint8_t { any, convex, flat };
 
 struct Sphere {
@@ -27,8 +27,8 @@ struct Sphere {
     double radius;  ///< > 0; an inside-only sphere is a matter of Sides
 };
 
-/// Numbers of its corners among the vertices of the geometry. The front is where the corners run
-/// counter-clockwise.
+/// Triangle by the numbers of its corners among the vertices of the geometry. The front is where
+/// the corners run counter-clockwise.
 struct Triangle {
     static constexpr std::string_view name = "triangle";
     static constexpr Convexity convexity = Convexity::flat;
@@ -162,7 +162,7 @@ decltype(auto) with_shape(ShapeKind kind, F&& f) {
     }
 }
 
-/// "sphere", "triangle", ...
+/// Name of a kind: "sphere", "triangle", ...
 inline std::string_view kind_name(ShapeKind kind) {
     return with_shape(kind, []<class Shape>() { return Shape::name; });
 }

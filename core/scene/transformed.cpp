@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// What is moved or scaled has as many digits as a double.
+/// Turns decimal vertices into doubles: what is moved or scaled has all the digits of a double.
 void decode_vertices(Geometry& g) {
     const auto first = static_cast<std::uint32_t>(g.vertices.size());
     for (std::uint32_t i = 0; i < g.decimal_vertices.size(); ++i) {

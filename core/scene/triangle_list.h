@@ -57,7 +57,7 @@ class TriangleList {
     std::vector<Block> blocks_;
     std::vector<std::array<std::uint16_t, 3>> narrow_;
     std::vector<std::array<std::uint32_t, 3>> wide_;
-    std::vector<TriangleIndices> open_;  ///< of the last block, as long as it is not full
+    std::vector<TriangleIndices> open_;  ///< triangles of the last block, as long as it is not full
 };
 
 }  // namespace etalon

@@ -32,7 +32,7 @@ Color nearest_texel(const Image& image, const FacePoint& p) {
     return image.color(x, image.height - 1 - y);
 }
 
-/// Texels are samples at their centres; beyond the outermost centres the edge's colour holds.
+/// Interpolates texels, sampled at their centres; beyond the outermost the edge's colour holds.
 Color bilinear(const Image& image, const FacePoint& p) {
     const double x = std::clamp(p.s * image.width - 0.5, 0.0, image.width - 1.0);
     const double y = std::clamp((1 - p.t) * image.height - 0.5, 0.0, image.height - 1.0);

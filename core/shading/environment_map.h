@@ -9,7 +9,7 @@
 
 namespace etalon {
 
-/// What a ray that leaves the scene sees, ready to be asked: a skybox's images are read here.
+/// Environment ready for lookups by rays that leave the scene: a skybox's images are read here.
 class EnvironmentMap {
   public:
     /// A skybox with an image that cannot be read is replaced by the background; `problems` gets

@@ -6,12 +6,12 @@ namespace etalon {
 
 /// How light meets the border between two transparent media.
 struct FresnelTerms {
-    double reflectance;  ///< of unpolarised light; 1 where it is totally reflected
+    double reflectance;  ///< reflectance of unpolarised light; 1 where it is totally reflected
     double cos_refracted;
     bool total;
 };
 
-/// eta = n_here / n_beyond; cos_incident in [0, 1]. By the Fresnel equations.
+/// Fresnel equations; eta = n_here / n_beyond; cos_incident in [0, 1].
 FresnelTerms fresnel_dielectric(double eta, double cos_incident);
 
 /// Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering": the same border with

@@ -23,7 +23,7 @@ class LightSamples {
   private:
     const Light& light_;
     int count_ = 1;
-    int columns_ = 0;  ///< of the regular grid; 0: points are taken from the sample
+    int columns_ = 0;  ///< columns of the regular grid; 0: points are taken from the sample
     Color color_;
 };
 

@@ -12,7 +12,7 @@ struct SurfaceInteraction {
     const Material& material;
     bool entering;  ///< the ray came from in front of the surface
     Vec3 ng;        ///< geometric normal, on the ray's side
-    Vec3 ns;        ///< for shading, on the same side of the surface as `ng`
+    Vec3 ns;        ///< shading normal, on the same side of the surface as `ng`
 };
 
 SurfaceInteraction surface_interaction(const Scene& scene, const Ray& ray, const Hit& hit);

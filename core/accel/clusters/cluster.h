@@ -1,5 +1,5 @@
-// Primitives of one kind side by side, in floats of a frame, so that one set of vector instructions
-// rejects those that a ray cannot hit. See filter-inl.h for the tests.
+// Primitives of one kind side by side, in floats of normalized space, so that one set of vector
+// instructions rejects those that a ray cannot hit. See filter-inl.h for the tests.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace etalon {
 
-/// As many primitives as a cluster has room for: the floats of an AVX register, two of SSE or NEON.
+/// Number of primitives in a cluster: the floats of one AVX register, or of two of SSE or NEON.
 inline constexpr std::size_t cluster_lanes = 8;
 
 using Lanes = std::array<float, cluster_lanes>;
@@ -19,32 +19,32 @@ using Lanes = std::array<float, cluster_lanes>;
 /// Primitive numbers; lanes that are not taken repeat the last one's.
 using Ids = std::array<std::uint32_t, cluster_lanes>;
 
-/// Lanes that are not taken hold NaN, which no ray meets. What the filter reads comes first; of a
-/// lane that passes, all else that the kernel must know before it reads the corners is in one cache
-/// line.
+/// Triangles of one cluster. Lanes that are not taken hold NaN, which no ray meets. What the filter
+/// reads comes first; of a lane that passes, all else that the kernel must know before it reads the
+/// corners is in one cache line.
 struct alignas(64) TriangleCluster {
     /// Sets nothing, so that many are first written by the threads that fill them.
     TriangleCluster() {}
 
-    /// With at least one of them.
+    /// Fills the lanes with the primitives `all`, at least one and at most cluster_lanes.
     void fill(const Geometry& geometry, const NormalizedSpace& space,
               std::span<const std::uint32_t> all);
 
-    std::array<std::array<Lanes, 3>, 3> corners;  ///< of each corner x, y and z
+    std::array<std::array<Lanes, 3>, 3> corners;  ///< x, y and z of each corner
     float error_bound;  ///< bound on the error of an edge function, see TriangleFilter
     std::array<Sides, cluster_lanes> sides;
     alignas(32) Ids ids;
     std::array<std::array<std::uint32_t, 3>, cluster_lanes> vertices;
 };
 
-/// What a kernel needs of a sphere is in two cache lines that can be read together.
+/// Spheres of one cluster. All a kernel needs of one is in two cache lines, read together.
 struct alignas(64) SphereCluster {
     SphereCluster() {}
     void fill(const Geometry& geometry, const NormalizedSpace& space,
               std::span<const std::uint32_t> all);
 
     std::array<Lanes, 3> centre;
-    Lanes radius;  ///< with room for every rounding, see SphereFilter
+    Lanes radius;  ///< radii with room for every rounding, see SphereFilter
     Ids ids;
     std::array<Sides, cluster_lanes> sides;
     alignas(32) std::array<Sphere, cluster_lanes> exact;

@@ -9,7 +9,7 @@
 
 namespace etalon {
 
-/// Where a cluster is: 32 bits for the leaves of trees.
+/// Reference to a cluster, in 32 bits for the leaves of trees.
 struct ClusterRef {
     enum Kind : std::uint32_t { list, triangles, spheres };
 
@@ -23,7 +23,7 @@ struct ClusterRef {
     std::uint32_t bits;  ///< the highest is free
 };
 
-/// In what clusters primitives of a kind are.
+/// Returns the kind of cluster that primitives of a kind are in.
 constexpr ClusterRef::Kind cluster_kind(ShapeKind kind) {
     if (kind == kind_of<Triangle>()) return ClusterRef::triangles;
     return kind == kind_of<Sphere>() ? ClusterRef::spheres : ClusterRef::list;
@@ -39,8 +39,8 @@ class Clusters {
   public:
     Clusters() = default;
 
-    /// One for each of `ranges` of `ids`, of at most cluster_lanes primitives of one kind of
-    /// cluster, and to refs[i] where the i-th is. As many threads as allowed.
+    /// Makes a cluster of each of `ranges` of `ids`, which are at most cluster_lanes primitives of
+    /// one kind of cluster, and sets refs[i] to the i-th. Uses as many threads as allowed.
     Clusters(const Geometry& geometry, const NormalizedSpace& space,
              std::span<const std::uint32_t> ids, std::span<const Range> ranges,
              std::vector<ClusterRef>& refs);
@@ -51,7 +51,7 @@ class Clusters {
         double t;
     };
 
-    /// What is at a lane that is taken; of a list, at any, with no_index where none is.
+    /// Intersects the primitive at a lane that is taken; at any lane of a list, no_index if none.
     Candidate intersect_lane(const Geometry& geometry, ClusterRef ref, std::size_t lane,
                              const RayQuery& query) const;
 

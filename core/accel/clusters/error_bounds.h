@@ -1,4 +1,4 @@
-// What the roundings of a float filter can amount to. u = 2^-24; coordinates of normalized space:
+// Bounds on the roundings of a float filter. u = 2^-24; coordinates of normalized space:
 // what is tested has |p| <= 1 in each axis, origins |o| <= 3, so |p - o| <= 4.
 //
 // A difference p - o is off by 4.6 u: p rounded u/2, o rounded 2.1 u (half a unit in the last place
@@ -27,7 +27,7 @@ inline float edge_error_bound(double extent) {
     return float_up(e * (11 * (extent + unit_roundoff_f) + 3 * e));
 }
 
-/// By how much the depths of a triangle and of a ray's end may be off: dz u and the product u, of
+/// Bound on the error of the depths of a triangle and of a ray's end: dz u and the product u, of
 /// at most 8, 16 u; a corner's depth 4.6 u; the differences of two, of at most 13, 8 u here and
 /// there; and 2 u for the kernel, whose t is good to u in normalized space (error_bound in
 /// distance_of(): at most 2^-26 of the triangle's depth, 2, and 2^-50 of the distance, 2^24).
@@ -45,7 +45,7 @@ inline float enlarged_radius(double radius) {
     return float_up(radius * (1 + 0x1p-20) + 88 * unit_roundoff_f);
 }
 
-/// By how much t may be off in the middle of a sphere: 8 u from f, 3 times 7 u from d, 56 u as
+/// Bound on the error of t in the middle of a sphere: 8 u from f, 3 times 7 u from d, 56 u as
 /// above, 2 u for the kernel; and up to 18 u for the roundings of comparing it with a bound of at
 /// most 7.
 inline constexpr float middle_error_bound = 128 * unit_roundoff_f;

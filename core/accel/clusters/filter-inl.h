@@ -1,6 +1,6 @@
-// Which primitives of a cluster a ray could hit: tested in float, eight at once. Whatever the
-// kernel would hit passes; what passes is for the kernel to decide. Compiled for each instruction
-// set.
+// Filter that finds the primitives of a cluster that a ray could hit: in float, eight at once. All
+// that the kernel would hit passes; what passes is for the kernel to decide. Compiled for each
+// instruction set.
 #if defined(ETALON_CLUSTERS_FILTER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_CLUSTERS_FILTER_INL_H
 #undef ETALON_CLUSTERS_FILTER_INL_H
@@ -17,10 +17,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Whatever a cluster holds.
+/// Filter for a cluster of any kind.
 class ClusterFilter {
   public:
-    /// What is for spheres is only set up where there are any.
+    /// Sets up the filter for spheres only if there are any.
     HWY_INLINE ClusterFilter(const Clusters& clusters, const RayQuery& query,
                              const NormalizedRay& ray, float tmin)
         : triangles_(query, ray) {

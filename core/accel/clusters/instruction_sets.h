@@ -1,4 +1,4 @@
-// Which instruction sets code is compiled for, to be chosen from when the program starts. To be
+// Instruction sets that code is compiled for, one of which is chosen when the program starts. To be
 // included before anything of Highway's.
 #pragma once
 

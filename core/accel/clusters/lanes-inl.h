@@ -20,7 +20,7 @@ using Tag = hn::CappedTag<float, cluster_lanes>;
 using Floats = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
 
-/// Of a mask of the lanes from `first` on.
+/// Returns the bits of a mask of the lanes from `first` on, each at the number of its lane.
 HWY_INLINE std::uint32_t bits(Mask mask, std::size_t first) {
     std::uint8_t byte = 0;
     hn::StoreMaskBits(Tag(), mask, &byte);

@@ -1,4 +1,4 @@
-// Which spheres of a cluster a ray could hit. Compiled for each instruction set.
+// Filter for the spheres of a cluster that a ray could hit. Compiled for each instruction set.
 #if defined(ETALON_CLUSTERS_SPHERE_FILTER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_CLUSTERS_SPHERE_FILTER_INL_H
 #undef ETALON_CLUSTERS_SPHERE_FILTER_INL_H
@@ -12,10 +12,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// By the distance between the ray's line and the centre.
+/// Tests spheres by the distance between the ray's line and the centre.
 class SphereFilter {
   public:
-    /// Of a ray that skips the primitive `exclude` (see Ray).
+    /// Sets up the test of a ray that skips the primitive `exclude` (see Ray).
     HWY_INLINE SphereFilter(const NormalizedRay& ray, float tmin, std::uint32_t exclude)
         : tmin_(broadcast(tmin - middle_error_bound)), exclude_(exclude) {
         const float length2 = ray.direction.dot(ray.direction), reciprocal = 1 / length2;

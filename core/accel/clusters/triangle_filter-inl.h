@@ -1,4 +1,4 @@
-// Which triangles of a cluster a ray could hit. Compiled for each instruction set.
+// Filter for the triangles of a cluster that a ray could hit. Compiled for each instruction set.
 #if defined(ETALON_CLUSTERS_TRIANGLE_FILTER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_CLUSTERS_TRIANGLE_FILTER_INL_H
 #undef ETALON_CLUSTERS_TRIANGLE_FILTER_INL_H
@@ -14,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// By edge functions.
+/// Tests triangles by edge functions.
 class TriangleFilter {
   public:
     HWY_INLINE TriangleFilter(const RayQuery& query, const NormalizedRay& ray)

@@ -12,12 +12,12 @@ inline constexpr int max_bins = 32;
 /// Maps a centre to its bin along each axis; the same arithmetic for counting and partitioning.
 class Binning {
   public:
-    /// Of centres within `centres`, into so many bins an axis.
+    /// Divides the box `centres`, which holds all centres, into `bins` bins along each axis.
     Binning(const Bounds& centres, int bins);
 
     int bins() const { return bins_; }
 
-    /// False where all centres along the axis fall into one bin.
+    /// Whether the centres fall into more than one bin along the axis.
     bool divides(int axis) const { return scale_[axis] > 0; }
 
     /// The bins along all axes.
@@ -64,7 +64,7 @@ class Bins {
     int size() const { return size_; }
     const Bin& at(int axis, int bin) const { return bins_[axis][bin]; }
 
-    /// All of an axis from `begin` up to but without `end`.
+    /// Sum of the bins of an axis from `begin` up to but without `end`.
     Bin sum(int axis, int begin, int end) const;
 
   private:

@@ -24,7 +24,7 @@ class Builder {
     Builder(const BvhConfig& config, const LeafWeights& weights, std::vector<std::uint32_t>& ids)
         : config_(config), weights_(weights), ids_(ids) {}
 
-    /// Of a set whose place in the whole is `first`. `spare` is as large as the set.
+    /// Builds the tree of a set that starts at `first` of the whole. `spare` is as large as it.
     std::unique_ptr<Part> build(const PrimitiveSet& set, Primitives spare, std::size_t first,
                                 int depth) const {
         auto part = std::make_unique<Part>();

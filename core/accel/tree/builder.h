@@ -15,19 +15,19 @@ struct BvhConfig {
     std::size_t serial_below = 4096;  ///< larger subtrees are more than one thread's work
 };
 
-/// No tree is deeper, whatever it was built from: so many levels by heuristic, then at most 32 that
-/// halve what is left.
+/// Depth limits of any tree: so many levels by the heuristic, then at most 32 that halve what is
+/// left.
 inline constexpr int bvh_heuristic_depth = 40;
 inline constexpr int bvh_max_depth = bvh_heuristic_depth + 32;
 
 struct BvhTree {
-    /// Depth first, left before right, but for the children of a node, which are together. nodes[0]
+    /// Nodes depth first, left before right, but the children of a node are together. nodes[0]
     /// is the root; nodes[1] pads it to a pair; empty if no primitive.
     std::vector<BvhNode> nodes;
     std::vector<std::uint32_t> ids;  ///< primitive numbers in the order of the leaves
 };
 
-/// Top-down by binned surface area heuristic (Wald 2007, "On fast Construction of SAH-based
+/// Builds top-down by binned surface area heuristic (Wald 2007, "On fast Construction of SAH-based
 /// Bounding Volume Hierarchies"), on as many threads as allowed. A leaf's primitives are of one
 /// kind. The tree is the same, bit for bit, for any number of threads.
 BvhTree build_bvh(std::vector<BoundedPrimitive> primitives, const BvhConfig& config = {});

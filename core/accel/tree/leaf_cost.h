@@ -1,4 +1,4 @@
-// What the surface area heuristic takes the tests of primitives to cost.
+// Costs of testing primitives, for the surface area heuristic.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// Testing up to `lanes` primitives of a kind, in visits of a node.
+/// Cost of testing up to `lanes` primitives of a kind, in visits of a node.
 struct LeafCost {
     std::uint32_t lanes;
     float cost;
@@ -16,7 +16,7 @@ struct LeafCost {
 
 using LeafCosts = std::array<LeafCost, shape_kinds>;
 
-/// Triangles and spheres are filtered eight at once, others go to their kernels one by one.
+/// Costs where triangles and spheres are filtered eight at once, and others tested one by one.
 constexpr LeafCosts default_leaf_costs() {
     LeafCosts costs{};
     costs.fill({1, 2.0F});
@@ -39,7 +39,7 @@ class LeafWeights {
 
     std::uint32_t weight(std::uint32_t kind) const { return weights_[kind]; }
 
-    /// Of testing primitives of so large a sum.
+    /// Cost of testing primitives whose weights add up to `sum`.
     float cost(std::uint64_t sum) const {
         return block_cost_ *
                static_cast<float>(static_cast<std::int64_t>((sum + block - 1) / block));

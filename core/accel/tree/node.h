@@ -16,7 +16,7 @@ inline float half_area(const Box3f& box) {
 /// A node of the binary tree that building makes. The two children of an inner node stand side by
 /// side.
 struct BvhNode {
-    Box3f box;            ///< in normalized space, padded: contains all below
+    Box3f box;            ///< bounds in normalized space, padded: contains all below
     std::uint32_t first;  ///< inner: index of the first child; leaf: of the first primitive
     std::uint32_t count;  ///< primitives of a leaf; 0 for an inner node
 

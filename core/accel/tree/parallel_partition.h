@@ -1,4 +1,4 @@
-// Sets of so many primitives that all threads work at one of them.
+// Partitioning of sets of so many primitives that all threads work at one of them.
 #pragma once
 
 #include "core/accel/tree/builder.h"
@@ -6,12 +6,12 @@
 
 namespace etalon {
 
-/// What is found of all primitives before the first split.
+/// Summary of all primitives before the first split.
 struct BoundsSummary {
     void add(const BoundsSummary& other);
 
     PrimitiveSet set;
-    std::array<std::size_t, shape_kinds> of_kind{};  ///< how many there are
+    std::array<std::size_t, shape_kinds> of_kind{};  ///< number of primitives of each kind
 };
 
 BoundsSummary summarize_bounds(std::span<BoundedPrimitive> primitives);
@@ -22,7 +22,7 @@ struct SplitResult {
     std::span<BoundedPrimitive> spare;
 };
 
-/// Divides by the surface area heuristic, into `spare`. By size, in place, where that finds no
+/// Divides by the surface area heuristic, into `spare`; by size, in place, where that finds no
 /// plane, and if `in_halves`.
 SplitResult split_large(const PrimitiveSet& set, std::span<BoundedPrimitive> spare, bool in_halves,
                         const BvhConfig& config, const LeafWeights& weights);

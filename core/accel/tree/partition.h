@@ -1,4 +1,4 @@
-// How primitives are brought to their side of a split.
+// Partitioning of primitives by a split.
 #pragma once
 
 #include "core/accel/tree/primitive_set.h"
@@ -6,7 +6,7 @@
 
 namespace etalon {
 
-/// What is known from the bins of both sides.
+/// Sums of the bins on both sides of a split.
 struct SideBins {
     Bin left, right;
 };

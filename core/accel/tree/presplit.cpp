@@ -16,7 +16,7 @@ constexpr std::size_t chunk_size = 4096;
 constexpr std::size_t sample_size = 4096;
 constexpr double no_limit = 0x1p40;
 
-/// Of every so many-th primitive.
+/// Returns candidates for every n-th primitive, at most sample_size of them.
 std::vector<SplitCandidate> sample(const Geometry& geometry, const NormalizedSpace& space,
                                    Primitives primitives) {
     const std::size_t step = primitives.size() / sample_size + 1;
@@ -38,7 +38,7 @@ struct Candidates {
     std::vector<SplitCandidate> candidates;
 };
 
-/// All that a factor up to `limit` might cut.
+/// Finds all primitives that a factor up to `limit` might cut.
 Candidates find_candidates(const Geometry& geometry, const NormalizedSpace& space,
                            Primitives primitives, double limit) {
     const Chunks chunks(primitives.size(), chunk_size);
@@ -66,7 +66,7 @@ References copy(Primitives primitives, std::size_t room) {
     return result;
 }
 
-/// With what boxes have around their content, but not beyond the box of the whole.
+/// Pads the box of a piece, with room for piece_error, but not beyond the box of the whole.
 BoundedPrimitive padded(const Bounds& piece, const BoundedPrimitive& whole) {
     const auto pad = Bounds::corner(static_cast<float>(NormalizedSpace::padding) + piece_error);
     const Bounds within = Bounds::of(whole);

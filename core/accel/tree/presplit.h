@@ -15,7 +15,7 @@ struct PresplitConfig {
 /// Primitives with some triangles cut into pieces.
 struct Presplit {
     std::vector<BoundedPrimitive> references;  ///< each piece in a box of its own, as its triangle
-    std::vector<BoundedPrimitive> cut;         ///< those that are in pieces, whole
+    std::vector<BoundedPrimitive> cut;         ///< primitives that are in pieces, whole
 };
 
 /// Cuts the triangles whose boxes hold the most that is not triangle (Karras & Aila 2013, "Fast

@@ -20,8 +20,8 @@ struct PrimitiveSet {
     }
 
     std::span<BoundedPrimitive> primitives;
-    Bounds bounds;   ///< of all boxes
-    Bounds centres;  ///< of twice their centres
+    Bounds bounds;   ///< bounds of all boxes
+    Bounds centres;  ///< bounds of twice their centres
 };
 
 struct SplitSets {

@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// By the surface area heuristic, of trees about the same primitives.
+/// Cost by the surface area heuristic, to compare trees of the same primitives.
 double cost(const BvhTree& tree, const Geometry& geometry, const LeafCosts& costs) {
     double sum = 0;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
@@ -24,8 +24,8 @@ double cost(const BvhTree& tree, const Geometry& geometry, const LeafCosts& cost
 
 }  // namespace
 
-/// Whatever is gained must also pay for more leaves and nodes than stay in the caches. The tree of
-/// all costs no less than that of those which are cut, which is often enough to know.
+/// Uses pieces only for a clear gain: it must pay for more leaves and nodes than the caches hold.
+/// The tree of all costs no less than that of those which are cut, which is often enough to know.
 BvhTree build_scene_bvh(const Geometry& geometry, const NormalizedSpace& space,
                         std::vector<BoundedPrimitive> primitives, const BvhConfig& config) {
     constexpr double clear_gain = 0.8;

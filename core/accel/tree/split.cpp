@@ -10,7 +10,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Of a leaf, times its area.
+/// Cost of a leaf, times half the surface of its box.
 HWY_INLINE float leaf_cost(const Bin& bin, const LeafWeights& weights) {
     return bin.bounds.half_area() * weights.cost(bin.weight);
 }

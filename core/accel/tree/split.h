@@ -6,7 +6,7 @@ namespace etalon {
 
 /// Primitives whose bin along `axis` is below `bin` go left.
 struct Split {
-    float cost = std::numeric_limits<float>::infinity();  ///< of both sides as leaves, times area
+    float cost = std::numeric_limits<float>::infinity();  ///< cost as two leaves, times area
     int axis = -1;                                        ///< no plane divides the set
     int bin = 0;
 };

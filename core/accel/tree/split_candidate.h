@@ -1,4 +1,4 @@
-// Which triangles are worth cutting, and into how many pieces (Karras & Aila 2013, "Fast Parallel
+// Selection of triangles to cut, and into how many pieces (Karras & Aila 2013, "Fast Parallel
 // Construction of High-Quality Bounding Volume Hierarchies", section 4.3).
 #pragma once
 
@@ -14,18 +14,18 @@ struct SplitCandidate {
     SplitCandidate(const Geometry& geometry, const NormalizedSpace& space,
                    const BoundedPrimitive& p);
 
-    /// For a factor that is the same for all.
+    /// Number of cuts for a factor that is the same for all candidates.
     int cuts(double factor) const;
 
-    /// With boxes that shrink along two axes where a thin triangle is cut across the third.
+    /// Surface after cutting a thin triangle across one axis: boxes shrink along the other two.
     double surface_after(int cuts) const { return least + (surface - least) / (1 + cuts); }
 
-    double surface;       ///< of its box, in normalized space
-    double least;         ///< what the surfaces of ever smaller pieces' boxes come to
+    double surface;       ///< surface of its box, in normalized space
+    double least;         ///< limit of the surface of ever smaller pieces' boxes
     double priority = 0;  ///< 0: not to be cut
 };
 
-/// False for those that a factor up to `limit` does not cut, by their boxes alone.
+/// Whether a factor up to `limit` might cut a primitive, judged by its box alone.
 bool might_be_cut(const BoundedPrimitive& p, double limit);
 
 std::array<Vec3, 3> corners_of(const Geometry& geometry, const BoundedPrimitive& triangle);

@@ -15,7 +15,7 @@ SplitSets divide_at(std::span<BoundedPrimitive> primitives, std::size_t middle) 
     return {measured(primitives.first(middle)), measured(primitives.subspan(middle))};
 }
 
-/// Those of the first one's kind go left.
+/// Divides a set by kind: primitives of the first one's kind go left.
 SplitSets divide_by_kind(std::span<BoundedPrimitive> primitives) {
     const std::uint32_t kind = primitives.front().kind;
     const auto middle = std::partition(primitives.begin(), primitives.end(),
@@ -49,7 +49,7 @@ std::optional<SplitSets> Splitter::split(const PrimitiveSet& set, int depth) {
     return partition(set.primitives, binning, bins_, split);
 }
 
-/// Dividing what is tested at once gains next to nothing.
+/// Whether a set is tested at once: to divide it would gain next to nothing.
 bool Splitter::fills_one_test(const PrimitiveSet& set) const {
     return set.size() <= config_.leaf_costs[set.primitives.front().kind].lanes;
 }

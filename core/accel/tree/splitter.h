@@ -25,7 +25,7 @@ class Splitter {
     Bins bins_;
 };
 
-/// Fewer bins where there are few primitives to tell apart.
+/// Number of bins: fewer where there are few primitives to tell apart.
 int bins_for(std::size_t primitives, const BvhConfig& config);
 
 }  // namespace etalon

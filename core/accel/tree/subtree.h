@@ -11,7 +11,7 @@ class SubtreeBuilder {
     SubtreeBuilder(const BvhConfig& config, const LeafWeights& weights, std::uint32_t* all_ids)
         : splitter_(config, weights), all_ids_(all_ids) {}
 
-    /// Of a set whose place in the whole is `first`, `depth` levels below the root.
+    /// Builds the tree of a set that starts at `first` of the whole, `depth` levels below the root.
     std::vector<BvhNode> build(const PrimitiveSet& set, std::size_t first, int depth);
 
   private:

@@ -7,7 +7,7 @@
 namespace etalon {
 namespace {
 
-/// Where a part goes: its root, and what is below that.
+/// A part with the places of its root and of the nodes below that.
 struct Placed {
     const Part* part;
     std::size_t root, below;

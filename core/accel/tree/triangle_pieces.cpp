@@ -8,13 +8,13 @@ namespace {
 
 using Corner = Bounds::Corner;
 
-/// Planes an axis of normalized space has, as a power of two: more would be nearer to each other
-/// than boxes are padded.
+/// Number of planes along an axis of normalized space, as a power of two: more would be nearer to
+/// each other than boxes are padded.
 constexpr int levels = 20;
 
-/// Where an edge from one side of a plane to the other passes it. The weight is good to 3.1 u, its
-/// product with the edge, of at most twice the largest coordinate, to 5.2 u of that, and the sum
-/// rounds once more: 12 u of the largest coordinate in all.
+/// Point where an edge from one side of a plane to the other crosses it. The weight is good to 3.1
+/// u, its product with the edge, of at most twice the largest coordinate, to 5.2 u of that, and the
+/// sum rounds once more: 12 u of the largest coordinate in all.
 Corner crossing(Corner a, Corner b, const MedianPlane& plane) {
     const float weight = (plane.position - a[plane.axis]) / (b[plane.axis] - a[plane.axis]);
     return a + weight * (b - a);
@@ -37,7 +37,7 @@ float longest_side(const Bounds& box) {
     return std::max({size[0], size[1], size[2], 0.0F});
 }
 
-/// Which corner a plane divides from the two others.
+/// Number of the corner that a plane divides from the two others.
 std::size_t alone(const Corners& corners, const MedianPlane& plane) {
     std::array<bool, 3> below;
     for (std::size_t i = 0; i < 3; ++i) below[i] = corners[i][plane.axis] < plane.position;
@@ -101,7 +101,7 @@ std::array<Bounds, 2> cut(const Corners& corners, const Bounds& box, const Media
     return {intersection(is_below ? one : two, lower), intersection(is_below ? two : one, upper)};
 }
 
-/// What is left of the cuts goes to the halves by their longest sides, as in Karras & Aila 2013.
+/// Shares the remaining cuts between the halves by longest side, as in Karras & Aila 2013.
 void add_pieces(const Corners& corners, const Bounds& box, int cuts, std::vector<Bounds>& pieces) {
     if (is_empty(box)) return;
     const auto plane = cuts > 0 ? first_median(box) : std::nullopt;

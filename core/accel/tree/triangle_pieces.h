@@ -26,7 +26,7 @@ struct MedianPlane {
 /// that it lies between them all.
 std::optional<MedianPlane> first_median(const Bounds& box);
 
-/// By how much boxes of pieces may fall short of them on any side: 12 u where an edge passes a
+/// Bound on how far boxes of pieces fall short of them on any side: 12 u where an edge passes a
 /// plane (see `cut`), 1 u for corners that were rounded, and room.
 inline constexpr float piece_error = 16 * unit_roundoff_f;
 

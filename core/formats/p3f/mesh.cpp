@@ -7,7 +7,7 @@
 namespace etalon::p3f {
 namespace {
 
-/// Room for `extra` more elements, in steps that keep many small requests cheap.
+/// Reserves room for `extra` more elements, in steps that keep many small requests cheap.
 template <class T>
 void make_room(std::vector<T>& v, std::size_t extra) {
     const std::size_t needed = v.size() + extra;

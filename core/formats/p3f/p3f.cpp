@@ -11,7 +11,7 @@ void read_camera(SceneLoader& loader) {
     read_camera_block(loader, CameraDialect::p3f);
 }
 
-/// What single repositories of the course added for themselves.
+/// Skips a statement that a single repository of the course added for itself.
 void skip_private_extension(SceneLoader& loader) {
     loader.in.warn("extension", "'{}' is a private extension of one program; it is left out",
                    loader.in.keyword());
@@ -50,7 +50,7 @@ constexpr std::array keywords = {
 
 constexpr auto names = names_of(keywords);
 
-/// What the course's programs of 2021 did to an image.
+/// Applies the rules of the course's programs of 2021.
 void apply_legacy(Scene& scene, RenderSettings& settings) {
     settings.max_depth = 6;
     settings.whitted.fixed_bias = 1e-3;

@@ -15,8 +15,8 @@ struct P3fMaterial {
     double ior = 1;
 };
 
-/// What they mean. Glass of a `mat` absorbs by what its diffuse colour lacks, that of an `f`
-/// nothing.
+/// Turns the numbers into a material. Glass of a `mat` absorbs by what its diffuse colour lacks,
+/// that of an `f` nothing.
 Material to_material(const P3fMaterial& numbers, bool absorbs);
 
 }  // namespace etalon

@@ -9,7 +9,7 @@
 namespace etalon::prt {
 namespace {
 
-/// More text than that is not replayed: a small file could ask for any amount.
+/// Limit of the text that is replayed, in bytes: a small file could ask for any amount.
 constexpr std::size_t most_replayed = std::size_t{1} << 27;
 
 /// The end of the definition: its objects are no part of the scene. Returns them.

@@ -23,7 +23,7 @@ std::uint32_t hollow(Loader& loader) {
 
 }  // namespace
 
-/// Without an exponent there is no highlight.
+/// Reads a material. With an exponent of 0 it has no highlight.
 void read_surface(Loader& loader) {
     Reader& in = loader.in;
     Material m;
@@ -57,8 +57,8 @@ void read_hollow_sphere(Loader& loader) {
                               sides == Sides::both ? Sides::both : Sides::back);
 }
 
-/// Of the two points about the centre only the plane matters. (The document's text has the inner
-/// radius first; its synopsis and its program have the outer one.)
+/// Reads a ring. Its two points about the centre only give the plane. (The document's text has the
+/// inner radius first; its synopsis and its program have the outer one.)
 void read_ring(Loader& loader) {
     Reader& in = loader.in;
     const std::array points = {in.vector("centre"), in.vector("first point"),
@@ -77,7 +77,7 @@ void read_ring(Loader& loader) {
     loader.add(Ring{points[0], normal, inner, outer}, loader.sides());
 }
 
-/// In `center`, the box it is cut to, and the coefficients a ... j.
+/// Reads a quadric: `center`, the box it is cut to, and the coefficients a ... j.
 void read_quadric(Loader& loader) {
     Reader& in = loader.in;
     Quadric q{in.vector("center"), {}, Box3()};

@@ -30,7 +30,7 @@ struct Loader : SceneLoader {
     std::string_view text;
     CameraBlock camera{};
     bool has_camera_lines = false;
-    std::array<bool, 5> camera_lines{};  ///< which of from, at, up, angle, resolution have come
+    std::array<bool, 5> camera_lines{};  ///< those of from, at, up, angle, resolution so far
     std::map<std::string_view, Definition> definitions{};
     std::optional<OpenDefinition> open{};
     std::size_t replayed = 0;  ///< bytes of statements

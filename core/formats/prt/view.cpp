@@ -65,7 +65,7 @@ double legacy_fov(double degrees) {
     return 2 * std::atan(half) * (180 / std::numbers::pi);
 }
 
-/// What the program did to an image. It read the centre of a quadric and forgot it.
+/// Applies the rules of PRT's program, which read the centre of a quadric and then ignored it.
 void apply_legacy(Scene& scene, RenderSettings& settings) {
     Camera& camera = scene.camera;
     camera.fov_degrees = legacy_fov(camera.fov_degrees);

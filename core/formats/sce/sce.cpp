@@ -95,7 +95,7 @@ void read_command(Loader& loader, Reader& in) {
     }
 }
 
-/// What follows `end` is no part of the scene.
+/// Reads the lines up to `end`; what follows is no part of the scene.
 void read_lines(Loader& loader, std::string_view text) {
     Tokenizer lines(text);
     while (!lines.at_end()) {

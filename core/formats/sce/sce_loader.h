@@ -15,13 +15,13 @@
 
 namespace etalon::sce {
 
-/// What the material commands set, at the course's own defaults.
+/// Surface that the material commands set, at the course's own defaults.
 struct Surface {
     Color ambient{0.1F}, diffuse{1.0F}, specular{0.0F};  ///< ca, cr, cp
     double shininess = 1;
 };
 
-/// What a block restores: pop_matrix the matrix alone, '}' all of it.
+/// State that a block restores: pop_matrix the matrix alone, '}' all of it.
 struct State {
     Affine matrix;
     Surface surface;
@@ -30,7 +30,7 @@ struct State {
 
 struct Block {
     bool braces;         ///< opened by '{', not by push_matrix
-    std::size_t offset;  ///< of its opening
+    std::size_t offset;  ///< place of its opening
     State outside;
 };
 
@@ -49,14 +49,14 @@ struct MeshFile {
 struct Loader {
     const LoadOptions& options;
     DiagnosticLog& log;
-    std::filesystem::path directory;  ///< of the scene file
+    std::filesystem::path directory;  ///< directory of the scene file
     Scene scene{};
     SmoothVertices smooth_vertices{};
     RenderSettings settings{};
     State state{};
     std::vector<Block> blocks{};
     View view{};
-    std::map<std::string, MeshFile> meshes{};  ///< by path
+    std::map<std::string, MeshFile> meshes{};  ///< mesh files by path
 
     Sides sides() const { return options.one_sided ? Sides::front : Sides::both; }
 

@@ -37,7 +37,7 @@ void read_up(Loader& loader, Reader& in) {
     loader.view.offset = in.start();
 }
 
-/// Rays start at the eye, so that the distance of the view plane cancels.
+/// Reads the distance of the view plane, which cancels, since rays start at the eye.
 void read_view_distance(Loader&, Reader& in) {
     in.number("distance");
 }
@@ -64,7 +64,7 @@ void read_recursion(Loader& loader, Reader& in) {
     if (const auto n = read_integer(in, 0, 999)) loader.settings.max_depth = *n + 1;
 }
 
-/// So many samples along either side of a pixel; 0 is one ray through its centre.
+/// Reads the number of samples along either side of a pixel; 0 is one ray through its centre.
 void read_samples(Loader& loader, Reader& in) {
     if (const auto n = read_integer(in, 0, 1024)) loader.settings.samples_per_pixel = *n * *n;
 }

@@ -15,7 +15,7 @@ void open_block(Loader& loader, const Reader& in, bool braces) {
     loader.blocks.push_back({braces, in.start(), loader.state});
 }
 
-/// Both kinds of block save the same matrix, so they must not cross. What closes no block has no
+/// Closes a block. Both kinds save the same matrix, so they must not cross. What closes none has no
 /// effect.
 std::optional<State> close_block(Loader& loader, Reader& in, bool braces) {
     if (loader.blocks.empty()) {

@@ -4,7 +4,7 @@
 namespace etalon::sce {
 namespace {
 
-/// `ca` is the light from all around, of which the surface sends back the part `cr`.
+/// Ambient light that a surface sends back: the part `cr` of the light from all around, `ca`.
 Color sent_back(const Surface& s) {
     return s.ambient * s.diffuse;
 }

@@ -1,5 +1,5 @@
-// P3F says edges and planes by points. What reads such a file takes differences of them; these find
-// the points whose differences are, to the last bit, what a scene holds.
+// Points for the edges and planes of P3F. A reader of such a file takes their differences, which
+// are, to the last bit, what a scene holds.
 #pragma once
 
 #include <array>

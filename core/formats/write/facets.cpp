@@ -48,13 +48,13 @@ class Facets {
     bool mirrored_;
 };
 
-/// On the unit circle; the last step is the first point again, to the bit.
+/// Point on the unit circle; the last step is the first point again, to the bit.
 Vec3 on_circle(int step) {
     const double angle = 2 * std::numbers::pi / around * (step % around);
     return {std::cos(angle), std::sin(angle), 0};
 }
 
-/// On the unit sphere, from pole to pole.
+/// Point on the unit sphere; the rings go from pole to pole.
 LocalPoint on_sphere(int ring, int step) {
     const double angle = std::numbers::pi / rings * ring;
     const bool pole = ring == 0 || ring == rings;

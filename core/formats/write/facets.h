@@ -12,13 +12,13 @@ namespace etalon {
 /// none where the polygon is flat.
 using FacetSink = std::function<void(std::span<const Vec3> corners, std::span<const Vec3> normals)>;
 
-/// 24 rings of 48 facets between the poles.
+/// Makes 24 rings of 48 facets between the poles.
 void to_facets(const Ellipsoid& shape, const FacetSink& take);
 
-/// 48 facets around, and two caps of 48 corners.
+/// Makes 48 facets around, and two caps of 48 corners.
 void to_facets(const ClosedCylinder& shape, const FacetSink& take);
 
-/// 48 facets, facing where the normal points; none where the ring has no width.
+/// Makes 48 facets, facing where the normal points; none where the ring has no width.
 void to_facets(const Ring& ring, const FacetSink& take);
 
 }  // namespace etalon

@@ -24,7 +24,7 @@ std::vector<Triangle> run_from(const Scene& scene, std::size_t first) {
     return run;
 }
 
-/// Only the vertices that are used, in the scene's order.
+/// Makes a mesh of only the vertices that are used, in the scene's order.
 MeshRun flat_mesh(const Scene& scene, const std::vector<Triangle>& run) {
     std::vector<std::uint32_t> used;
     for (const Triangle& t : run) used.insert(used.end(), t.vertices.begin(), t.vertices.end());
@@ -41,7 +41,7 @@ MeshRun flat_mesh(const Scene& scene, const std::vector<Triangle>& run) {
     return mesh;
 }
 
-/// Corners have normals of their own, and so vertices of their own.
+/// Makes a mesh whose corners have normals of their own, and so vertices of their own.
 MeshRun smooth_mesh(const Scene& scene, const std::vector<Triangle>& run) {
     MeshRun mesh;
     for (const Triangle& t : run) {

@@ -118,7 +118,7 @@ P3fStatement glass(const Material& m) {
     return s;
 }
 
-/// What is different in the material that the statement gives.
+/// Adds a warning for each difference in the material that the statement gives.
 void compare(const Material& wanted, const Material& got, ConversionWarnings& lost) {
     const auto check = [&](bool same, const char* what) {
         if (!same) lost.add(what);

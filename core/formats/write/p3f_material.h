@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// `absorbs`: a `mat`, not an `f`.
+/// Statement of a material; `absorbs`: a `mat`, not an `f`.
 struct P3fStatement {
     P3fMaterial numbers;
     bool absorbs;

@@ -34,7 +34,7 @@ class P3fWriter {
     void plane(const Vec3& a, const Vec3& b, const Vec3& c);
     void polygon(std::span<const Vec3> corners);  ///< at least 3, planar, concave or not
     void patch(std::span<const Vec3> corners, std::span<const Vec3> normals);
-    /// Vertices are counted from 0 here, from 1 in the file.
+    /// Writes a mesh. Vertices are counted from 0 here, from 1 in the file.
     void mesh(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> faces);
 
     /// Hands everything on. This and all of the above let through what the sink throws.

@@ -15,8 +15,8 @@ std::string named(std::string_view name, std::string_view type, std::string_view
                        parameters);
 }
 
-/// Walter et al. 2007, "Microfacet Models for Refraction", say which roughness has lobes as wide as
-/// Phong's of this exponent.
+/// Roughness whose lobes are as wide as Phong's of this exponent, by Walter et al. 2007,
+/// "Microfacet Models for Refraction".
 double roughness_of(double exponent) {
     return std::clamp(std::sqrt(2 / (exponent + 2)), 0.001, 1.0);
 }
@@ -32,7 +32,7 @@ std::string glass(const Material& m, std::string_view name, ConversionWarnings& 
                              m.transmission, m.ior));
 }
 
-/// What a surface does beside mirroring, `weight` times as much of it.
+/// Returns the part of a material that is not mirroring, with its colours times `weight`.
 std::string matt_part(const Material& m, std::string_view name, float weight,
                       ConversionWarnings& lost) {
     const Color diffuse = m.diffuse * weight, specular = m.specular * weight;

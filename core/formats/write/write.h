@@ -15,25 +15,25 @@ namespace etalon {
 
 struct WrittenScene {
     std::string text;
-    std::vector<ConversionWarning> lost;  ///< what the format cannot say
+    std::vector<ConversionWarning> lost;  ///< warnings of what the format cannot say
 };
 
-/// P3F. Reading it back gives the same image to the last bit, but for what is lost. `directory`
-/// is where the file will be: skyboxes are named from there.
+/// Writes P3F. Reading it back gives the same image to the last bit, but for what is lost.
+/// `directory` is where the file will be: skyboxes are named from there.
 WrittenScene write_p3f(const Scene& scene, const RenderSettings& settings,
                        const std::filesystem::path& directory);
 
-/// PBRT v3. Its lights are other lights: they fall off, and a background lights the scene.
+/// Writes PBRT v3. Its lights are other lights: they fall off, and a background lights the scene.
 WrittenScene write_pbrt(const Scene& scene, const RenderSettings& settings,
                         const std::filesystem::path& directory);
 
 using SceneWriter = WrittenScene (*)(const Scene&, const RenderSettings&,
                                      const std::filesystem::path& directory);
 
-/// What writes files of this extension (".p3f"); null if nothing does.
+/// Returns the writer of files with this extension (".p3f"); null if there is none.
 SceneWriter find_scene_writer(std::string_view extension);
 
-/// ".p3f or ..."
+/// Returns the extensions that can be written: ".p3f or ..."
 std::string writable_extensions();
 
 }  // namespace etalon

@@ -37,7 +37,7 @@ class P3fScene {
         note_rules();
     }
 
-    /// P3F has no word for any of these.
+    /// Notes the rules of a scene for which P3F has no word.
     void note_rules() {
         const WhittedRules& rules = settings_.whitted;
         const int p3f_depth = RenderSettings().max_depth, depth = settings_.max_depth;

@@ -41,8 +41,8 @@ class PbrtScene {
         return std::sqrt(view.dot(view));
     }
 
-    /// PBRT's camera is left-handed, which the scale undoes; its field of view is that of the
-    /// shorter side.
+    /// Writes the camera. PBRT's is left-handed, which the scale undoes; its field of view is that
+    /// of the shorter side.
     void write_camera() {
         const Camera& c = scene_.camera;
         const double height = std::tan(c.fov_degrees / 2 * radian);  // halves, at distance 1
@@ -55,7 +55,7 @@ class PbrtScene {
         out_.line("Camera \"perspective\" \"float fov\" [ {} ]{}{}", fov, shape, lens(height));
     }
 
-    /// `height`: half of the image's, at distance 1.
+    /// Returns the lens as text; `height` is half of the image's, at distance 1.
     std::string lens(double height) const {
         const Camera& c = scene_.camera;
         if (c.aperture == 0 || settings_.samples_per_pixel == 0) return {};
@@ -83,8 +83,8 @@ class PbrtScene {
         out_.line("LightSource \"infinite\" \"rgb L\" [ {} ]", background);
     }
 
-    /// PBRT's lights fall off with the square of the distance, and its diffuse surfaces send back
-    /// 1 / pi of the light into every direction. This makes up for both at the point looked at.
+    /// Intensity that makes up, at the point looked at, for PBRT's fall-off with the square of the
+    /// distance and for diffuse surfaces that send back 1 / pi of the light into every direction.
     float intensity_at(const Vec3& position) const {
         const Vec3 way = scene_.camera.at - position;
         return static_cast<float>(std::numbers::pi * way.dot(way));
@@ -112,7 +112,7 @@ class PbrtScene {
             l.corner, l.corner + l.edge1, l.corner + l.edge1 + l.edge2, l.corner + l.edge2);
     }
 
-    /// Made at its first use.
+    /// Uses a material, and writes it at its first use.
     void use_material(std::uint32_t i) {
         if (i == material_) return;
         material_ = i;
@@ -232,8 +232,8 @@ class PbrtScene {
         write_mesh(corners, normals, triangulate(corners));
     }
 
-    /// PBRT has no infinite plane: a square about its point nearest to the eye, as large as a
-    /// thousand times all distances that the camera knows.
+    /// Writes a square for the infinite plane that PBRT lacks: about its point nearest to the eye,
+    /// as large as a thousand times all distances that the camera knows.
     void write_shape(const Plane& p) {
         lost_.add("infinite plane, now a large square");
         const Vec3 normal = normalized(p.normal);

@@ -9,7 +9,7 @@ int radius(const Filter& filter) {
     return static_cast<int>(filter.size() / 2);
 }
 
-/// out[x] = the sum of filter[k] * rows[k][x], for `count` of them.
+/// Computes out[x] = the sum of filter[k] * rows[k][x], for `count` of them.
 void weigh(const Filter& filter, const std::vector<const double*>& rows, double* out, int count) {
     constexpr int block = 16;  // sums that fit into registers
     int x = 0;

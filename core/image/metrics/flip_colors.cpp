@@ -14,7 +14,7 @@ const Imath::M33d xyz_of_rgb = [] {
 const Imath::M33d rgb_of_xyz = xyz_of_rgb.inverse();
 const Vec3 white = Vec3(1) * xyz_of_rgb;
 
-/// CIE 1976: a cube root with a straight piece near black.
+/// Curve of CIE 1976: a cube root with a straight piece near black.
 double lab_curve(double t) {
     constexpr double delta = 6.0 / 29;
     return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;

@@ -16,7 +16,7 @@ struct Gaussian {
 constexpr Gaussian achromatic{1, 0.0047}, red_green{1, 0.0053};
 constexpr Gaussian blue_yellow[] = {{34.1, 0.04}, {13.5, 0.025}};
 
-/// Three standard deviations of the widest, for all alike.
+/// Radius of all the filters: three standard deviations of the widest.
 int spatial_radius() {
     const double deviation = std::sqrt(blue_yellow[0].b / (2 * pi_squared));
     return static_cast<int>(std::ceil(3 * deviation * flip_pixels_per_degree));

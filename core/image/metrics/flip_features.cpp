@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// Positive weights are made to sum to 1 and negative ones to -1.
+/// Scales the positive weights to sum to 1 and the negative ones to -1.
 Filter balanced(Filter filter) {
     double positive = 0, negative = 0;
     for (const double w : filter) (w > 0 ? positive : negative) += std::abs(w);

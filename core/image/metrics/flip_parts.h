@@ -12,19 +12,19 @@ inline constexpr double flip_pixels_per_degree = 67;
 
 using YCxCz = std::array<PixelPlane, 3>;
 
-/// What an eye at that distance can tell apart of an image: each channel through its contrast
-/// sensitivity, then back among the colours there are. Hunt-adjusted L*a*b*, by rows.
+/// Colours that an eye at that distance can tell apart: each channel is filtered by its contrast
+/// sensitivity, then colours are clamped to those there are. Hunt-adjusted L*a*b*, by rows.
 std::vector<Vec3> seen_colors(const YCxCz& image);
 
 /// The difference of two such colours, in [0, 1].
 double color_difference(const Vec3& a, const Vec3& b);
 
-/// How strong an edge and how strong a point each pixel of an image is, in [0, 1].
+/// Strength of the edge and strength of the point at each pixel of an image, in [0, 1].
 struct Features {
     PixelPlane edges, points;
 };
 
-/// From the luminance Y alone.
+/// Finds the features from the luminance Y alone.
 Features find_features(const PixelPlane& luminance);
 
 /// The difference of features, in [0, 1], which raises that of colours.

@@ -6,7 +6,7 @@
 
 namespace etalon {
 
-/// T(0) combined with term(0), ..., term(count - 1), on all threads but always in the same order.
+/// Combines T(0) with term(0), ..., term(count - 1), on all threads but always in the same order.
 template <class T, class Term, class Combine>
 T fold(std::size_t count, const Term& term, const Combine& combine) {
     const Chunks chunks(count, 8192);

@@ -1,4 +1,4 @@
-// How far an image is from its reference, in numbers: each a function of its own, so that a caller
+// Metrics of how far an image is from its reference: each a function of its own, so that a caller
 // pays for what it asks. They use all threads and give the same bits for any number of them.
 //
 // Images are linear RGB and of one size, at least one pixel. Every channel of every pixel counts
@@ -13,7 +13,7 @@
 
 namespace etalon {
 
-/// By rows from the top.
+/// Pixels by rows from the top.
 using Pixels = std::span<const Color>;
 
 struct Metrics {
@@ -45,7 +45,7 @@ std::uint64_t different_pixels(Pixels a, Pixels b);
 /// How many pixels have NaN or an infinity in a channel.
 std::uint64_t unbounded_pixels(Pixels pixels);
 
-/// Of each channel, with what NaN and infinities make of it.
+/// Mean of each channel; NaN and infinities are not left out.
 Vec3 mean(Pixels pixels);
 
 }  // namespace etalon

@@ -7,7 +7,7 @@
 
 namespace etalon {
 
-/// One number a pixel, by rows from the top.
+/// Plane of one number for each pixel, by rows from the top.
 struct PixelPlane {
     int width = 0, height = 0;
     std::vector<double> values;

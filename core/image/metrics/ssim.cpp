@@ -21,7 +21,7 @@ PixelPlane encoded_channel(Pixels pixels, int width, int channel) {
                     [&](std::size_t i) { return srgb_encoded(displayed(pixels[i][channel])); });
 }
 
-/// What windows around each pixel see of two planes: weighted means of each, of the sum of their
+/// Weighted means of two planes in a window around each pixel: of each, of the sum of their
 /// squares, and of their product.
 struct Moments {
     PixelPlane a, b, squares, product;
@@ -38,7 +38,7 @@ Moments moments(const PixelPlane& a, const PixelPlane& b) {
             seen([&](std::size_t i) { return p[i] * q[i]; })};
 }
 
-/// Equation 13 of the paper.
+/// Similarity at a pixel: equation 13 of the paper.
 double similarity(const Moments& m, std::size_t i) {
     const double a = m.a.values[i], b = m.b.values[i];
     const double squares = a * a + b * b, product = a * b;

@@ -7,8 +7,8 @@
 namespace etalon {
 namespace {
 
-/// Occlusion rays of a pixel that has one camera ray only. Where pixels have samples each has one
-/// occlusion ray, so that --spp alone decides the noise and the time.
+/// Number of occlusion rays of a pixel that has one camera ray only. Where pixels have samples each
+/// has one occlusion ray, so that --spp alone decides the noise and the time.
 constexpr std::uint32_t rays_without_samples = 64;
 
 }  // namespace

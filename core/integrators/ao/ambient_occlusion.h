@@ -27,7 +27,7 @@ class AmbientOcclusion final : public Integrator {
     const Scene& scene_;
     const Intersector& intersector_;
     double max_distance_;
-    std::uint32_t rays_;  ///< for each camera ray
+    std::uint32_t rays_;  ///< number of rays for each camera ray
 };
 
 }  // namespace etalon

@@ -21,18 +21,18 @@ Color clamped(const Color& c) {
     return {std::clamp(c.x, 0.0F, 1.0F), std::clamp(c.y, 0.0F, 1.0F), std::clamp(c.z, 0.0F, 1.0F)};
 }
 
-/// With its largest part brought to 1 where it is above.
+/// Scales a colour so that its largest part becomes 1, if that is above 1.
 Color fitted(const Color& c) {
     return c / std::max({1.0F, c.x, c.y, c.z});
 }
 
-/// Beer-Lambert over a distance.
+/// Transmittance over a distance (Beer-Lambert).
 Color transmittance(const Color& absorption, double distance) {
     const auto along = [&](float a) { return static_cast<float>(std::exp(-a * distance)); };
     return {along(absorption.x), along(absorption.y), along(absorption.z)};
 }
 
-/// For unit vectors; `normal` on the light's side.
+/// Factor of the highlight for unit vectors; `normal` is on the light's side.
 double highlight_of(const Material& m, const Vec3& direction, const Vec3& normal,
                     const Vec3& towards) {
     const double cosine = m.highlight == Highlight::phong
@@ -158,7 +158,7 @@ Ray Whitted::leave(const SurfaceInteraction& at, const Vec3& direction, bool cro
     return {at.surface.position + (crosses ? -bias : bias) * at.ng, direction};
 }
 
-/// `inside`: the new ray runs behind the surface.
+/// Follows a ray from a surface; `inside`: the new ray runs behind the surface.
 Color Whitted::follow(const Path& from, const SurfaceInteraction& at, const Vec3& direction,
                       bool inside, Context& context) const {
     const bool crosses = inside == at.entering;

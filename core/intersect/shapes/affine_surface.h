@@ -1,11 +1,11 @@
-// What the images of a sphere and of a cylinder share: their extents, and unit vectors on them.
+// Extents of the images of a sphere and of a cylinder, and unit vectors on them.
 #pragma once
 
 #include "core/numerics/rounding.h"
 
 namespace etalon {
 
-/// Per axis, the length of (a, b, c), rounded up: how far the image of the unit sphere under the
+/// Length of (a, b, c) per axis, rounded up: how far the image of the unit sphere under the
 /// map with these columns reaches from its centre.
 inline Vec3 reach(const Vec3& a, const Vec3& b, const Vec3& c = Vec3(0)) {
     constexpr double above = 1 + 8 * unit_roundoff;

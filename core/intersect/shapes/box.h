@@ -17,14 +17,14 @@ inline Box3 bounds(const Geometry&, const Box& b) {
     return is_degenerate(b) ? Box3() : Box3(b.min, b.max);
 }
 
-/// Where a line is inside all three slabs of a box, and through which axis' faces it comes and
-/// goes.
+/// Stretch of a line inside all three slabs of a box, and the axes of the faces through which it
+/// comes and goes.
 struct SlabCrossing {
     double entry = -infinity, exit = infinity;
     int entry_axis = 0, exit_axis = 0;
 };
 
-/// entry > exit where the line misses the closed box by more than a few roundings.
+/// Crosses the slabs: entry > exit if the line misses the closed box by more than a few roundings.
 inline SlabCrossing cross_slabs(const Box& b, const Ray& ray) {
     SlabCrossing c;
     for (int k = 0; k < 3; ++k) {
@@ -84,7 +84,7 @@ inline SurfacePoint surface(const Geometry&, const Box& b, const RayQuery& q, do
     return {position, position_error(magnitude, 0), normal, normal};
 }
 
-/// Each face from 0 to 1: see box_chart(). dpdu x dpdv points outward.
+/// Parametrization of each face from 0 to 1: see box_chart(). dpdu x dpdv points outward.
 inline Parametrization parametrization(const Geometry&, const Box& b, const SurfacePoint& p) {
     return box_chart({b.min, b.max}, p);
 }

@@ -24,7 +24,7 @@ inline double fast_path(const ClosedCylinder& c, Sides sides, const RayQuery& q)
     return ClosedCylinderFastPath(c, q).first_hit(sides);
 }
 
-/// Hit or miss is right for every ray, and t good to t_tolerance.
+/// First visible t. Hit or miss is right for every ray, and t good to t_tolerance.
 inline double first_hit(const Geometry&, const ClosedCylinder& c, Sides sides, const RayQuery& q) {
     const double t = fast_path(c, sides, q);
     if (t != uncertain) return t;
@@ -37,14 +37,14 @@ struct CylinderPoint {
     Vec3 local, normal;
 };
 
-/// By how much a coordinate of this gradient may be off where a ray starts that leaves a point.
+/// Bound on the error of a coordinate with this gradient where a ray starts that leaves a point.
 inline double inset(const Vec3& gradient, const Vec3& normal, const Vec3& error) {
     const double offset = std::abs(gradient.dot(normal)) * abs(normal).dot(error);
     return 2 * (offset + abs(gradient).dot(error));
 }
 
-/// At a rim a point is moved along its face, so that a ray that goes inward from there starts
-/// inside.
+/// Moves a point onto a cap. At a rim it is moved along its face, so that a ray that goes inward
+/// from there starts inside.
 inline CylinderPoint on_cap(const ClosedCylinder& c, const Vec3& local, double cap,
                             const Vec3& error) {
     const Vec3 side = outward(local);
@@ -60,7 +60,7 @@ inline CylinderPoint on_side(const ClosedCylinder& c, const Vec3& local, const V
     return {side + Vec3(0, 0, std::clamp(local.z, lowest, 1 - lowest)), normal};
 }
 
-/// On the side or on a cap, whichever is nearer in the world.
+/// Point on the side or on a cap, whichever is nearer in the world.
 inline CylinderPoint nearest_on(const ClosedCylinder& c, const Vec3& seen, const Vec3& error) {
     const Vec3 local = c.frame.vector(seen);
     const Vec3 up = c.frame.row(2), sideways = c.frame.normal(outward(local));

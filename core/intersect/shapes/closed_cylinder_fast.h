@@ -5,8 +5,8 @@
 
 namespace etalon {
 
-/// Where most rays meet a closed cylinder: the line's stretch inside its side, cut off at the caps.
-/// Which of the four points are its ends is told by the height at the two roots of the side.
+/// Fast path for most rays: the stretch of the line inside the cylinder's side, cut at the caps.
+/// The height at the two roots of the side tells which of the four points are its ends.
 class ClosedCylinderFastPath {
   public:
     ClosedCylinderFastPath(const ClosedCylinder& c, const RayQuery& q)
@@ -33,7 +33,7 @@ class ClosedCylinderFastPath {
   private:
     enum Place { below, between, above, unknown };
 
-    /// Of the line at t; between the caps, or surely not.
+    /// Place of the line's point at t; unknown if it could be on either side of a cap.
     Place place(const Approximate& t) const {
         const double climb = t.value * line_.d.z, z = line_.w.z + climb;
         const double e_d = line_.error_of_d(along_);
@@ -44,7 +44,7 @@ class ClosedCylinderFastPath {
         return z > e_z && z < 1 - e_z ? between : unknown;
     }
 
-    /// Of a line so nearly along the axis that it stays inside or outside from cap to cap.
+    /// First hit of a line so nearly along the axis that it is inside or outside from cap to cap.
     double first_between_caps(const UnitLine& side, Sides sides) const {
         const Approximate base = cap(0), top = cap(1);
         const double longest = std::max(base.error + std::abs(base.value),  //
@@ -55,7 +55,7 @@ class ClosedCylinderFastPath {
         return first_ahead({rises ? base : top, rises ? top : base}, sides, tmin_);
     }
 
-    /// Where the stretch ends, if that of the side's ends there.
+    /// End of the stretch: the root of the side, or the cap if the root is beyond that.
     Approximate end(Place place, const Approximate& root) const {
         if (place == unknown) return {0, infinity};
         return place == between ? root : cap(place == below ? 0 : 1);

@@ -25,8 +25,8 @@ inline Box3 bounds(const Geometry&, const Cone& c) {
     return box;
 }
 
-/// What the fast path leaves uncertain: in plain double with all care, and in exact arithmetic
-/// where a doubt remains.
+/// Decides what the fast path leaves uncertain: in plain double with all care, and in exact
+/// arithmetic where that is uncertain, too.
 [[gnu::noinline]] inline double careful_first_hit(const Cone& c, Sides sides, const RayQuery& q) {
     const double t = ConeBoundsCheck(c, q).first_hit(sides);
     if (t != uncertain) return t < infinity && !is_degenerate(c) ? t : no_hit;
@@ -34,7 +34,7 @@ inline Box3 bounds(const Geometry&, const Cone& c) {
     return first_visible(x.entry, x.exit, sides, q.ray.tmin);
 }
 
-/// Hit or miss is right for every ray, and t good to t_tolerance.
+/// First visible t. Hit or miss is right for every ray, and t good to t_tolerance.
 inline double first_hit(const Geometry&, const Cone& c, Sides sides, const RayQuery& q) {
     const double t = ConeFastPath(c, q).first_hit(sides);
     return t == uncertain ? careful_first_hit(c, sides, q) : t;
@@ -56,8 +56,8 @@ inline SurfacePoint surface(const Geometry&, const Cone& c, const RayQuery& q, d
     return {position, position_error(abs(c.base), extent), normal, normal};
 }
 
-/// pbrt's (of a cylinder, a cone or a hyperboloid), with v from the base to the top and u from the
-/// x axis of about_axis(). dpdu x dpdv points outward.
+/// Parametrization of pbrt (of a cylinder, a cone or a hyperboloid), with v from the base to the
+/// top and u from the x axis of about_axis(). dpdu x dpdv points outward.
 inline Parametrization parametrization(const Geometry&, const Cone& c, const SurfacePoint& p) {
     const Vec3 h = c.top - c.base;
     const Affine map = about_axis(c.base, h);

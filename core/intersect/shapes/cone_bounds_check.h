@@ -1,5 +1,5 @@
-// Where a ray meets a cone, in plain double with a bound on all that rounding may have done. What
-// the bound leaves uncertain is for core/intersect/shapes/cone_exact.h to tell.
+// First hit of a ray on a cone in plain double, with a bound on all that rounding may have done.
+// What the bound leaves uncertain is decided by core/intersect/shapes/cone_exact.h.
 #pragma once
 
 #include "core/intersect/ray.h"
@@ -75,8 +75,8 @@ class ConeBoundsCheck {
 
     bool is_steep() const { return alpha_ < -e_alpha_; }
 
-    /// By the sum of like signs. alpha t + beta, half the rise of the form, is -root at the entry
-    /// and +root at the exit.
+    /// Computes a root by the sum of like signs. alpha t + beta, half the rise of the form, is
+    /// -root at the entry and +root at the exit.
     ///
     /// The computed t is a root of a form that differs from the true one, there, by at most e_form:
     /// the vectors F + t G and r(t) are of equal length and together off by at most e, and products

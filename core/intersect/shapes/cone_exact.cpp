@@ -7,7 +7,7 @@
 namespace etalon {
 namespace {
 
-/// Seen from the centre of an end circle: where the ray starts, and how high above the circle.
+/// Start of the ray, seen from the centre of an end circle, and its height above the circle.
 struct End {
     End(const Vec3& origin, const Vec3& centre, const DyadicVec& h)
         : w(difference(origin, centre)), z(dot(w, h)) {}

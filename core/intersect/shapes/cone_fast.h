@@ -1,5 +1,5 @@
-// Where most rays meet a cone, at about the price of a textbook's formula. What this leaves in
-// doubt is for core/intersect/shapes/cone_bounds_check.h to tell.
+// Fast path for most rays on a cone, at about the price of a textbook's formula. What it leaves
+// uncertain is decided by core/intersect/shapes/cone_bounds_check.h.
 #pragma once
 
 #include "core/intersect/ray.h"
@@ -49,12 +49,12 @@ class ConeFastPath {
     }
 
   private:
-    /// What the sum of B and the root, and what A or C may add to t's error: together half of
+    /// Shares of t's error from the sum of B and the root, and from A or C: together half of
     /// t_tolerance.
     static constexpr double u = unit_roundoff, of_sum = t_tolerance / 16, of_rest = t_tolerance / 4;
     static constexpr int in = -1, out = 1;
 
-    /// So that nothing underflows that counts, and nothing overflows.
+    /// Whether nothing underflows that counts, and nothing overflows.
     bool is_in_range(double size2) const {
         const double least = std::min(std::min(hh_, dd_), far2_), most = scale_ * size2;
         return least > 0x1p-250 && most > 0x1p-750 && most < 0x1p1000 &&
@@ -86,7 +86,7 @@ class ConeFastPath {
         unit_ = 52 * u * scale_;
     }
 
-    /// By the sum of like signs: A t + B is -root at the entry and +root at the exit.
+    /// Computes a root by the sum of like signs: A t + B is -root at the entry, +root at the exit.
     double crossing(int way) const {
         const bool near = way * B_ > 0;
         const double other = near ? -way * C_ : way * A_,

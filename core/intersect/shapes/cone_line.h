@@ -18,7 +18,7 @@ struct ConeAxis {
     Vec3 h;
     double height;  ///< w.h at the top
     double length, spread;
-    double slope;  ///< of the radius along the axis
+    double slope;  ///< slope of the radius along the axis
 };
 
 /// How the direction d moves a point: G = d x h is its distance from the axis, rise its height and
@@ -32,7 +32,7 @@ struct ConeSpeed {
     double G2;
 };
 
-/// Where a point w, seen from the base, is: its distance F = w x h from the axis, its height start,
+/// Place of a point w, seen from the base: its distance F = w x h from the axis, its height start,
 /// and the radius r0 there, all times |h|.
 struct ConePlace {
     ConePlace(const Cone& c, const ConeAxis& a, const Vec3& w)

@@ -29,8 +29,8 @@ inline double fast_path(const Ellipsoid& e, Sides sides, const RayQuery& q) {
     return unit.is_certain() ? first_ahead(unit.stretch(), sides, q.ray.tmin) : uncertain;
 }
 
-/// Hit or miss is right for every ray, and t good to t_tolerance. The ray's direction is not made
-/// a unit vector in local coordinates, so t is the world's.
+/// First visible t. Hit or miss is right for every ray, and t good to t_tolerance. The direction is
+/// not made a unit vector in local coordinates, so t is the world's.
 inline double first_hit(const Geometry&, const Ellipsoid& e, Sides sides, const RayQuery& q) {
     const double t = fast_path(e, sides, q);
     if (t != uncertain) return t;

@@ -5,7 +5,7 @@ namespace etalon {
 ExactQuadratic::ExactQuadratic(const Dyadic& a, const Dyadic& b, const Dyadic& c)
     : a_(a), b_(b), c_(c), discriminant_(square(b) - a * c) {}
 
-/// By the sum of like signs.
+/// Computes a root by the sum of like signs.
 double ExactQuadratic::root(int way) const {
     const WideDouble a = a_.magnitude(), b = b_.magnitude(), c = c_.magnitude();
     const auto quotient = [](int sign, const WideDouble& x, const WideDouble& y) {
@@ -16,8 +16,8 @@ double ExactQuadratic::root(int way) const {
     return quotient(way * a_.sign(), sum, a);
 }
 
-/// Where the line passes the plane, at T = -start / rise, let the form be p and half its rise s,
-/// both times the square of `rise`. What is left from there to the root is -way p / (|s| + root)
+/// Sign of start + rise t at a root. At its zero T = -start / rise let the form be p and half its
+/// rise s, both times the square of `rise`. From there to the root it is -way p / (|s| + root)
 /// where way s is positive, and way (|s| + root) / A elsewhere.
 int ExactQuadratic::sign_at_root(int way, const Dyadic& start, const Dyadic& rise) const {
     if (rise.sign() == 0) return start.sign();

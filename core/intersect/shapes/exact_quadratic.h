@@ -21,7 +21,7 @@ class ExactQuadratic {
     /// The sign of A: which way the form goes in the end.
     int opening() const { return a_.sign(); }
 
-    /// Good to a few roundings. NaN or infinite where A vanishes and with it this root.
+    /// Root, good to a few roundings. NaN or infinite where A vanishes and with it this root.
     double root(int way) const;
 
     /// The sign of start + rise t at a root.

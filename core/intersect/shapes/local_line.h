@@ -13,7 +13,7 @@ struct Approximate {
     double value, error;
 };
 
-/// t, if it is good to half of t_tolerance; no_hit where it surely is not beyond tmin; or
+/// Returns t, if it is good to half of t_tolerance; no_hit where it surely is not beyond tmin; or
 /// uncertain.
 inline double ahead(const Approximate& t, double tmin) {
     if (t.value + t.error <= tmin) return no_hit;
@@ -26,7 +26,7 @@ struct Stretch {
     Approximate entry, exit;
 };
 
-/// Of its ends, the first visible one beyond tmin; no_hit; or uncertain.
+/// Returns the first visible one of its ends beyond tmin; no_hit; or uncertain.
 inline double first_ahead(const Stretch& s, Sides sides, double tmin) {
     const double entry = sides == Sides::back ? no_hit : ahead(s.entry, tmin);
     return entry <= infinity || sides == Sides::front ? entry : ahead(s.exit, tmin);
@@ -43,7 +43,7 @@ struct LocalLine {
     double error_of_w(double rows) const { return 8 * unit_roundoff * rows * distance; }
     double error_of_d(double rows) const { return 10 * unit_roundoff * rows * speed; }
 
-    /// So that nothing underflows that counts, and nothing overflows.
+    /// Whether nothing underflows that counts, and nothing overflows.
     bool is_in_range(double rows) const {
         const double growth = rows * speed;
         return rows > 0x1p-400 && rows < 0x1p400 && growth > 0x1p-200 && growth < 0x1p200 &&

@@ -81,13 +81,13 @@ inline bool covers(std::span<const Vec3> p, const RayQuery& q) {
     return inside;
 }
 
-/// Where a ray's line passes a polygon's plane.
+/// Point where a ray's line passes a polygon's plane.
 struct PlanePassage {
     double t;
-    double cosine;  ///< of the plane's normal and the ray, but for a positive factor
+    double cosine;  ///< cosine of the plane's normal and the ray, but for a positive factor
 };
 
-/// From exact arithmetic: t is good to a few ulp, and NaN where the ray runs along the plane. Slow.
+/// Exact passage; slow. t is good to a few ulp, and NaN where the ray runs along the plane.
 PlanePassage exact_passage(std::span<const Vec3> p, const RayQuery& q);
 
 /// The side seen is the right one, and t good to t_tolerance, or certainly negative.

@@ -36,7 +36,7 @@ struct Evaluation {
     double error_bound_of_slope;
 };
 
-/// Down the slope onto the surface (Newton's method), as far as rounding lets one see.
+/// Moves a point down the slope onto the surface (Newton's method), as far as roundings allow.
 Vec3 refined(const Quadric& s, Vec3 w) {
     for (int step = 0; step < 4; ++step) {
         const Evaluation at(s, w);

@@ -11,7 +11,7 @@ inline Box3 bounds(const Geometry&, const Quadric& s) {
     return is_degenerate(s) ? Box3() : s.clip;
 }
 
-/// Hit or miss is right for every ray, and t good to t_tolerance.
+/// First visible t. Hit or miss is right for every ray, and t good to t_tolerance.
 inline double first_hit(const Geometry&, const Quadric& s, Sides sides, const RayQuery& q) {
     const double t = QuadricFastPath(s, q).first_hit(sides);
     return t == uncertain ? exact_first_hit(s, sides, q.ray) : t;

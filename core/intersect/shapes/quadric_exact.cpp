@@ -48,7 +48,7 @@ class ExactQuadric {
     Dyadic A_, B_, C_, discriminant_;
 };
 
-/// Both roots of a tangent are its one point, which shows both sides.
+/// First visible t. Both roots of a tangent are its one point, which shows both sides.
 double ExactQuadric::first_hit(Sides sides) const {
     if (discriminant_.sign() < 0 || (A_.sign() == 0 && B_.sign() == 0)) return no_hit;
     const int first = A_.sign() < 0 ? rising : falling;
@@ -60,7 +60,7 @@ double ExactQuadric::first_hit(Sides sides) const {
     return no_hit;
 }
 
-/// By the sum of like signs. NaN, 0 times infinity, where A vanishes and with it this root.
+/// Computes a root by the sum of like signs; NaN (0 times infinity) if A = 0 leaves no such root.
 double ExactQuadric::root(int way) const {
     const WideDouble a = A_.magnitude(), b = B_.magnitude(), c = C_.magnitude();
     const WideDouble sum = b + square_root(discriminant_.magnitude());

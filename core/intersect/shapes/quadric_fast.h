@@ -1,5 +1,5 @@
-// Where most rays meet a quadric, in plain double with a bound on all that rounding may have done.
-// What the bound leaves uncertain is for core/intersect/shapes/quadric_exact.h to tell.
+// Fast path for most rays on a quadric, in plain double with a bound on all that rounding may have
+// done. What that leaves uncertain is decided by core/intersect/shapes/quadric_exact.h.
 #pragma once
 
 #include "core/intersect/shapes/box.h"
@@ -64,16 +64,16 @@ class QuadricFastPath {
         reach_ = max_abs(w_) + stretch_ * speed_;
     }
 
-    /// So that nothing underflows that counts, and nothing overflows.
+    /// Whether nothing underflows that counts, and nothing overflows.
     bool is_in_range() const {
         constexpr double least = 0x1p-120, most = 0x1p120;
         return speed_ > least && speed_ < most && reach_ < most && error_bound_of_C_ > 0x1p-460 &&
                is_finite(shape_.clip.min) && is_finite(shape_.clip.max) && !shape_.clip.isEmpty();
     }
 
-    /// By the sum of like signs. Of two roots ahead the one that is a quotient by the sum is the
-    /// nearer. The true sum is more than 0.35 of the computed one, so that the other root is known
-    /// to be far even where A may be zero.
+    /// Finds a root by the sum of like signs. Of two roots ahead the one that is a quotient by the
+    /// sum is the nearer. The true sum is more than 0.35 of the computed one, so that the other
+    /// root is known to be far even where A may be zero.
     double first_root(Sides sides) const {
         const int rise = B_ < 0 ? -1 : 1;
         const double t = visible(-rise * C_ / sum_, rise, sides);

@@ -42,7 +42,7 @@ class RingPassage {
         in_range_ = std::min(std::min(nn, dd), far2) > 0x1p-250 && size2_ < 0x1p480;
     }
 
-    /// 1 for beyond the circle, -1 for within, 0 for uncertain.
+    /// Side of a circle: 1 for beyond it, -1 for within, 0 for uncertain.
     int side(double radius) const {
         constexpr double error_bound = 32 * unit_roundoff;
         const double circle2 = (radius * cosine_) * (radius * cosine_);
@@ -73,7 +73,7 @@ inline bool is_between(const Ring& r, const Ray& ray) {
     return outer < 0 && inner > 0 ? !is_degenerate(r) : is_exactly_between(r, ray);
 }
 
-/// Hit or miss is right for every ray, and t as good as the plane's.
+/// First visible t. Hit or miss is right for every ray, and t as good as the plane's.
 inline double first_hit(const Geometry& geometry, const Ring& r, Sides sides, const RayQuery& q) {
     const double t = first_hit(geometry, plane_of(r), sides, q);
     return t < infinity && is_between(r, q.ray) ? t : no_hit;
@@ -83,8 +83,8 @@ inline SurfacePoint surface(const Geometry& geometry, const Ring& r, const RayQu
     return surface(geometry, plane_of(r), q, t);
 }
 
-/// pbrt's (of a disk), with u from the x axis of about_axis(). dpdu x dpdv points where the normal
-/// does.
+/// Parametrization of pbrt (of a disk), with u from the x axis of about_axis(). dpdu x dpdv points
+/// where the normal does.
 inline Parametrization parametrization(const Geometry&, const Ring& r, const SurfacePoint& p) {
     const Affine map = about_axis(r.centre, r.normal);
     return image(map, ring_chart(pulled_back(map, p.position - r.centre), r.inner, r.outer));

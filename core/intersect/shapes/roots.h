@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// What a fast path returns in place of a t where its error bound cannot vouch for one.
+/// Value that a fast path returns in place of a t for which its error bound cannot vouch.
 inline constexpr double uncertain = -infinity;
 
 /// Whether a root counts: beyond tmin, and not carried to infinity by a vanishing denominator.
@@ -13,12 +13,12 @@ inline bool is_ahead(double t, double tmin) {
     return t > tmin && t < infinity;
 }
 
-/// Where a line goes into a solid, and where it comes out; NaN where it does not.
+/// Points where a line enters a solid and where it leaves it; NaN where it does not.
 struct Passage {
     double entry = no_hit, exit = no_hit;
 };
 
-/// Of the two points where a ray crosses a closed shape, the first visible one beyond tmin: its
+/// Returns the first visible point beyond tmin of the two where a ray crosses a closed shape: its
 /// front at `entry`, its back at `exit`.
 inline double first_visible(double entry, double exit, Sides sides, double tmin) {
     if (is_ahead(entry, tmin) && sides != Sides::back) return entry;

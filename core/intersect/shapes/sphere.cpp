@@ -25,7 +25,7 @@ double fine_gap(const Sphere& s, const Vec3& origin) {
     return sum + rest;
 }
 
-/// Scaled by powers of two, so that no product leaves the range of double: the sphere by `near`,
+/// Scales by powers of two, so that no product leaves the range of double: the sphere by `near`,
 /// the direction by `slow`.
 double exact_first_hit(const Sphere& s, Sides sides, const RayQuery& q) {
     if (!(s.radius > 0 && s.radius < infinity)) return no_hit;

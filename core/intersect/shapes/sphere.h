@@ -76,7 +76,7 @@ inline SurfacePoint surface(const Geometry&, const Sphere& s, const RayQuery& q,
     return {position, position_error(abs(s.centre), s.radius), normal, normal};
 }
 
-/// pbrt's, about the z axis of the world. dpdu x dpdv points outward.
+/// Parametrization of pbrt, about the z axis of the world. dpdu x dpdv points outward.
 inline Parametrization parametrization(const Geometry&, const Sphere& s, const SurfacePoint& p) {
     const Parametrization unit = sphere_chart(p.normal);
     return {unit.uv, s.radius * unit.dpdu, s.radius * unit.dpdv};

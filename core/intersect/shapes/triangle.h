@@ -50,7 +50,7 @@ inline Box3 bounds(const Geometry& geometry, const Triangle& t) {
     return box;
 }
 
-/// Where the ray passes a triangle: the weights of the corners times their sum, and the depths.
+/// Crossing of a ray and a triangle: the weights of the corners times their sum, and the depths.
 struct TriangleCrossing {
     std::array<double, 3> weight, depth;
     double sum;
@@ -76,7 +76,7 @@ inline bool is_thin(const TriangleCrossing& c) {
     return !(std::abs(c.sum) > 0x1p28 * c.error_bound);
 }
 
-/// Edge functions decided in double where their error bound allows it, exactly where not.
+/// Evaluates edge functions in double where their error bound allows it, exactly where not.
 [[gnu::always_inline]] inline TriangleCrossing cross_triangle(const TriangleCorners& p,
                                                               const RayQuery& q) {
     const ShearedCorner a = shear(p[0], q), b = shear(p[1], q), c = shear(p[2], q);
@@ -91,8 +91,8 @@ inline bool is_thin(const TriangleCrossing& c) {
     return r;
 }
 
-/// Where the ray passes the plane of three corners, to t_tolerance; slow. The ray must pass
-/// between them, and not along the plane.
+/// Distance at which the ray passes the plane of three corners, to t_tolerance; slow. The ray must
+/// pass between them, and not along the plane.
 double exact_distance(const TriangleCrossing& c, const TriangleCorners& p, const RayQuery& q);
 
 /// Whether n . (p - o) and n . d, for the normal n = (b - a) x (c - a), are of opposite signs
@@ -171,8 +171,8 @@ inline SurfacePoint surface(const Geometry& geometry, const Triangle& tri, const
             shading};
 }
 
-/// pbrt's for a triangle without coordinates of its own: (0, 0), (1, 0) and (1, 1) at the corners.
-/// dpdu x dpdv points where the normal does.
+/// Parametrization of pbrt for a triangle without coordinates of its own: (0, 0), (1, 0) and (1, 1)
+/// at the corners. dpdu x dpdv points where the normal does.
 inline Parametrization parametrization(const Geometry& geometry, const Triangle& t,
                                        const SurfacePoint& p) {
     const TriangleCorners corner(geometry, t);

@@ -25,7 +25,7 @@ class UnitLine {
         e_discriminant_ = e_A_ + e_B_ * (4 * sum_abs(m) + e_B_);
     }
 
-    /// Outside, and on its way out.
+    /// Whether the line starts outside and is on its way out.
     bool leaves() const { return C_ > e_C_ && B_ > e_B_; }
 
     bool misses() const { return discriminant_ < -e_discriminant_; }
@@ -42,7 +42,7 @@ class UnitLine {
     }
     bool starts_inside() const { return C_ < 0; }
 
-    /// By the sum of like signs, in which nothing cancels.
+    /// Computes the stretch by the sum of like signs, in which nothing cancels.
     Stretch stretch() const {
         const double root = std::sqrt(discriminant_), sum = std::abs(B_) + root;
         const double per_sum = 1 / sum, per_A = 1 / A_;
