@@ -35,7 +35,7 @@ int fail(int status, const std::string& message) {
     return status;
 }
 
-/// What comes of one integrator, or of all.
+/// Results of one integrator, or of all.
 struct Measured {
     std::string reference;  ///< what the curves are compared with
     std::vector<Curve> curves;

@@ -55,7 +55,7 @@ CaseSetup generators(const Cone& cone, double gap) {
     });
 }
 
-/// To points of the surface: from outside, or from within the convex hull.
+/// Rays to points of the surface, from outside or from within the convex hull.
 CaseSetup arriving(const Cone& cone, bool from_inside) {
     const Frustum f(cone);
     return only(cone, f.length(), [=](Random& random) {

@@ -13,7 +13,7 @@ Cone oblique() {
 
 const Cone along_x{{0, 0, 0}, {4, 0, 0}, 1, 1};
 
-/// To a point of the axis, moved across it by up to 1.2 radii.
+/// Rays to a point of the axis, moved across it by up to 1.2 radii.
 CaseSetup far_away(const Frustum& f, double distance) {
     return only(f.cone(), 1, [=](Random& random) {
         const Vec3 d = random.direction();
@@ -55,7 +55,7 @@ CaseSetup parallel() {
     });
 }
 
-/// At an end of the lateral surface, its place along the axis off by up to `gap` lengths.
+/// Rays at an end of the lateral surface, their targets off along the axis by up to `gap` lengths.
 CaseSetup rims(const Frustum& f, double gap) {
     return only(f.cone(), 1, [=](Random& random) {
         const double end = random.index(2) == 0 ? 0 : 1, off = random.sign() * gap;

@@ -25,7 +25,7 @@ Rectangle around(Place p, double radius) {
     return {p.x - radius, p.y - radius, p.x + radius, p.y + radius};
 }
 
-/// What of `r` the line from `a` to `b` passes over, in steps along it.
+/// Returns the length within `r` of the line from `a` to `b`, sampled in steps along it.
 double crossing(Place a, Place b, const Rectangle& r) {
     constexpr int steps = 16;
     double inside = 0;

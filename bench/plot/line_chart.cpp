@@ -23,7 +23,7 @@ bool has_band(const Sample& s) {
     return s.low > 0 && s.high > s.low && std::isfinite(s.high);
 }
 
-/// What an axis shows, by logarithms of base ten.
+/// Range of an axis, as logarithms of base ten.
 struct Range {
     void include(double value) {
         low = std::min(low, std::log10(value));

@@ -18,7 +18,7 @@ Scene soup(std::size_t count) {
     return scene;
 }
 
-/// What a broken exporter writes: nothing can hit such a triangle, and no other may suffer by it.
+/// Triangles as a broken exporter writes them: none can be hit, and no other may suffer by it.
 Scene nan_soup(std::size_t count) {
     Scene scene = soup(count);
     for (std::size_t i = 9; i < count; i += 10) {

@@ -5,7 +5,7 @@
 
 namespace etalon::bench {
 
-/// Where the camera and the only light stand.
+/// Positions of the camera and of the only light.
 struct Stage {
     Vec3 eye{2.2, 1.6, 2.8};  ///< by default all of the cube from -1 to 1 is seen
     Vec3 at{0};

@@ -30,7 +30,7 @@ struct Runs {
     std::vector<double> wall() const;
 };
 
-/// For each number of threads, with nothing in them yet.
+/// Returns empty runs for each number of threads.
 std::vector<Runs> runs_on(const std::vector<int>& threads);
 
 struct BuildFigures {
@@ -44,8 +44,8 @@ struct Errors {
     std::string reference;      ///< the exact backend that all of its answers are compared with
     Disagreement disagreement;  ///< with that one
     OracleCheck sample;         ///< by the oracle, of rays spread evenly over all
-    /// By the oracle, of the rays to which not all tracers have the same answer: whoever is
-    /// wrong alone is found out here.
+    /// Errors, by the oracle, among the rays to which not all tracers give the same answer: a
+    /// tracer that alone is wrong is found here.
     OracleCheck disputed;
 };
 

@@ -21,7 +21,7 @@ extern const Clocks system_clocks;
 
 /// Runs `work` on so many threads at the same time, each pinned to a core of its own. Wall seconds
 /// are from the first that begins to the last that ends, CPU seconds those of the threads together.
-/// What `work` throws is thrown here.
+/// Exceptions of `work` are passed on.
 Duration run_pinned(int threads, const std::function<void()>& work,
                     const Clocks& clocks = system_clocks);
 

@@ -60,7 +60,7 @@ void show(const Arguments& a, const std::string& text) {
     std::fflush(to);
 }
 
-/// What came last.
+/// Returns the table of what was measured last.
 std::string table_of(const SceneFigures& figures) {
     return figures.kinds.empty() ? table(figures.builds) : table(figures.kinds.back());
 }

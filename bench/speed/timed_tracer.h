@@ -10,7 +10,7 @@ namespace etalon::speed {
 std::vector<std::string> tracer_names();
 const Backend& find_tracer(const std::string& name);
 
-/// Those asked for and the baselines, in the order of tracer_names().
+/// Returns the tracers asked for and the baselines, in the order of tracer_names().
 std::vector<std::string> with_baselines(const std::vector<std::string>& asked);
 
 struct Tracer {
