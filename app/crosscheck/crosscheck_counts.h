@@ -21,7 +21,7 @@ struct CrosscheckCounts {
 
 CrosscheckCounts counts_of(const Trial& trial, const Answers& answers);
 
-/// Of all of them together.
+/// Returns the sum of all counts.
 CrosscheckCounts sum(const std::vector<CrosscheckCounts>& all_counts);
 
 }  // namespace etalon::crosscheck

@@ -5,7 +5,7 @@
 
 namespace etalon::crosscheck {
 
-/// What a backend says about one ray.
+/// Answer of a backend to one ray.
 struct Answer {
     std::optional<Hit> closest;
     bool occluded = false;
