@@ -55,7 +55,7 @@ class Traversal {
     HWY_INLINE Counters counters() const { return counters_; }
 
   private:
-    /// From a node to a child; false where none is entered.
+    /// Moves from a node to a child; returns false where none is entered.
     HWY_INLINE bool descend(float tmax) {
         const WideNode& node = tree_.nodes[next_.node()];
         counters_.boxes(node);

@@ -49,7 +49,7 @@ class SphereTest {
 template <class Offer, class Counters>
 class ClusterTest {
   public:
-    /// For what a ray meets from `entry` on.
+    /// Tests only what the ray meets from `entry` on.
     HWY_INLINE ClusterTest(const Clusters& clusters, const RayQuery& query,
                            const NormalizedRay& ray, float entry, const Offer& offer, Counters to)
         : counters(to),

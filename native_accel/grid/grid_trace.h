@@ -9,7 +9,7 @@
 
 namespace etalon {
 
-/// What a ray needs.
+/// View of the data that tracing a ray needs.
 struct GridView {
     const Geometry& geometry;
     const PackedGrid<SpherePack>& spheres;
@@ -26,7 +26,7 @@ struct GridTrace {
     bool (*occluded)(const GridView& grid, const RayQuery& query, const NormalizedRay& local);
 };
 
-/// For the instruction set in use now.
+/// Returns the functions for the instruction set in use now.
 GridTrace grid_trace();
 
 /// As GridTrace::closest, adding to `cost` the cells and the boxes in them, and the members of all

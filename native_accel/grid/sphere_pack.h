@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// Up to eight spheres in normalized space, rounded to float.
+/// Pack of up to eight spheres in normalized space, rounded to float.
 struct alignas(32) SpherePack {
     using Item = SphereItem;
     static constexpr GridCost cost{cluster_lanes, 1, 2, 12};

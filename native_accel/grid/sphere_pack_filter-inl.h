@@ -12,8 +12,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// By the squared distance of the centre from the ray's line, in a plane across it. Whatever the
-/// kernel would hit passes; what passes is for the kernel to decide.
+/// Filters by the squared distance of the centre from the ray's line, in a plane across it. All
+/// that the kernel would hit passes; for what passes, the kernel decides.
 class SpherePackFilter {
   public:
     HWY_INLINE explicit SpherePackFilter(const NormalizedRay& ray) {
