@@ -26,7 +26,7 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-/// What a comment of the list of rays says that a backend found, in the order of the rays.
+/// Answers of a backend as comments in the list of rays give them, in the order of the rays.
 struct Listed {
     std::string wrong, found, oracle;
 };

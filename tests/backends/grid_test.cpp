@@ -12,8 +12,8 @@ using namespace etalon::test;
 
 namespace {
 
-/// What is needed of a cube of n^3 places to make grids lay their planes through them: things whose
-/// borders are the places, and the cube's corners.
+/// Returns a cube of n^3 places through which grids lay their planes: primitives whose bounds are
+/// at the places, and at the cube's corners.
 Scene lattice(int n, bool spheres) {
     Scene scene;
     for (int i = 0; i < n * n * n; ++i) {

@@ -33,7 +33,7 @@ Ray moved(Ray ray, int k, double towards) {
     return ray;
 }
 
-/// Of any proportions: flat ones and needles, pointed ones, and all but cylinders.
+/// Returns a cone of any proportions: flat, needle-like, pointed, and all but cylindrical.
 Cone random_cone(Random& random) {
     const double length = std::pow(10.0, random.uniform(-4, 3)), radius = random.uniform(0.5, 2);
     const double other[] = {radius, 0,

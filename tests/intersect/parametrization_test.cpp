@@ -95,7 +95,7 @@ Step step(const Sample& a, const Sample& b) {
     return {(moved - expected).length(), length, 1e-3 * length + change + rounding};
 }
 
-/// Where the normal itself is lost in roundings.
+/// Returns whether the point is so near a tip that the normal itself is lost in roundings.
 bool is_at_tip(const ShapeCase& shape, const SurfacePoint& p) {
     return std::any_of(shape.tips.begin(), shape.tips.end(), [&](const Vec3& tip) {
         return (p.position - tip).length() < 1e-9 * shape.size;

@@ -33,7 +33,7 @@ Ray from_the_target(const ShapeCase& shape, const RayTarget& ray_target, Random&
     return {ray_target(shape.centre + 10 * shape.size * random.direction()), random.direction()};
 }
 
-/// With zeros of both signs.
+/// Returns a ray along an axis, with zeros of both signs.
 Ray along_an_axis(const ShapeCase& shape, const RayTarget& ray_target, Random& random) {
     const int k = random.axis();
     Vec3 direction(random.sign() * 0.0, random.sign() * 0.0, random.sign() * 0.0);

@@ -244,7 +244,7 @@ Affine scaling(double x, double y, double z) {
     return {{x, 0, 0}, {0, y, 0}, {0, 0, z}};
 }
 
-/// What follows it then lies askew.
+/// Rotation after which shapes lie askew.
 Affine rotation() {
     return {tilted(1, 0, 0), tilted(0, 1, 0), tilted(0, 0, 1), {0.3, -0.7, 0.45}};
 }
