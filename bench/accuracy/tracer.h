@@ -1,4 +1,4 @@
-// Who answers the rays of a hard case: a backend, a kernel by itself, or a textbook's kernel.
+// Tracers of the rays of a hard case: backends, a kernel by itself, or a textbook's kernel.
 #pragma once
 
 #include <memory>

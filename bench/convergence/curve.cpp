@@ -8,7 +8,7 @@
 namespace etalon::convergence {
 namespace {
 
-/// Fewer samples are not yet the law they follow.
+/// Smallest number of samples from which the error follows the law that is fitted.
 constexpr double fewest_samples = 4;
 
 /// Number of points, at the end of a curve, from which the floor is estimated.

@@ -10,7 +10,7 @@
 
 namespace etalon::convergence {
 
-/// How samples may be put into an image: "random", "sobol" or "adaptive".
+/// Returns the names of the ways to sample an image: "random", "sobol" or "adaptive".
 const std::vector<std::string>& sampler_names();
 
 struct Plan {

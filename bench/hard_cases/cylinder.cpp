@@ -34,7 +34,7 @@ CaseSetup tangent(const Frustum& f, double gap) {
     });
 }
 
-/// Through a point of the surface, its direction `tilt` away from the axis.
+/// Rays through a point of the surface, the direction `tilt` away from the axis.
 CaseSetup tilted_by(const Frustum& f, double tilt) {
     return only(f.cone(), 1, [=](Random& random) {
         const double s = random.uniform(), angle = random.uniform(0, turn);
@@ -44,7 +44,7 @@ CaseSetup tilted_by(const Frustum& f, double tilt) {
     });
 }
 
-/// Exactly along the axis: inside, outside, on the surface itself.
+/// Rays exactly along the axis: inside, outside, on the surface itself.
 CaseSetup parallel() {
     return only(along_x, 1, [](Random& random) {
         const double radii[] = {0, 0.5, 1, 1 - 0x1p-53, 1 + 0x1p-52, 1.5};

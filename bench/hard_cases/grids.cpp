@@ -36,14 +36,14 @@ Vec3 lattice_point(int end, int steps, Random& random) {
     return p;
 }
 
-/// Along an axis at the quarters and halves of cells: the shapes' own faces, and cell planes.
+/// Ray along an axis at quarters and halves of cells: the shapes' own faces, and cell planes.
 Ray along_axis(Random& random) {
     const Vec3 d = axis_direction(random);
     const Vec3 point = lattice_point(cells - 1, 4, random);
     return {point - 32.0 * d, d};
 }
 
-/// Along a diagonal of a face or of the cell.
+/// Ray along a diagonal of a face or of the cell.
 Ray along_diagonal(Random& random) {
     Vec3 d;
     for (int k = 0; k < 3; ++k) d[k] = random.sign();

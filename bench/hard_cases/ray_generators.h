@@ -18,7 +18,7 @@ Ray ray_generator(const Place& place, const Target& target, Random& random);
 /// Ray from the target itself, on or next to the surface, in any direction.
 Ray leave(const Place& place, const Target& target, Random& random);
 
-/// Along an edge, a generator, a face.
+/// Ray along an edge, a generator, a face.
 Ray through_two(const Place& place, const Target& target, Random& random);
 
 }  // namespace etalon::hard

@@ -17,7 +17,7 @@ Ray at_circle(const Ring& ring, double radius, double farthest, Random& random) 
     return towards(target + distance * random.direction(), target);
 }
 
-/// Beside either circle, from far below a rounding to a tenth of its radius.
+/// Rays beside either circle, by far less than a rounding up to a tenth of its radius.
 CaseSetup rims(const Ring& ring, double farthest) {
     return only(ring, ring.outer, [=](Random& random) {
         const double rim = random.index(2) == 0 ? ring.inner : ring.outer;
@@ -25,7 +25,7 @@ CaseSetup rims(const Ring& ring, double farthest) {
     });
 }
 
-/// Between the circles, and on either side of them.
+/// Rays between the circles, and on either side of them.
 CaseSetup seen_from(const Ring& ring, double distance) {
     return only(ring, ring.outer, [=](Random& random) {
         const Vec3 n = ring.normal.normalized();

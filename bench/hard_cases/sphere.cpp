@@ -52,8 +52,8 @@ CaseSetup grazing(const Sphere& s, double gap) {
     });
 }
 
-/// Along an axis, 1 + k 2^-52 radii from the centre, -4 <= k <= 4: every number is exact, some of
-/// the lines are tangents.
+/// Rays along an axis, 1 + k 2^-52 radii from the centre, -4 <= k <= 4: every number is exact, some
+/// of the lines are tangents.
 CaseSetup tangent() {
     return only(Sphere{{0, 0, 0}, 1}, 1, [](Random& random) {
         const int along = random.axis();

@@ -83,7 +83,7 @@ CaseSetup stadium() {
     return setup;
 }
 
-/// Everything at z = 0 exactly: triangles, and boxes without height.
+/// Scene with everything at z = 0 exactly: triangles, and boxes without height.
 Scene flat() {
     Scene scene;
     Random random(17, 0);

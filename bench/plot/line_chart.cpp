@@ -29,7 +29,7 @@ struct Range {
         low = std::min(low, std::log10(value));
         high = std::max(high, std::log10(value));
     }
-    /// Some room around, and at least a factor of two.
+    /// Adds some room around, and widens to at least a factor of two.
     void widen() {
         const double margin = std::max((high - low) / 20, (std::log10(2) - (high - low)) / 2);
         low -= margin;

@@ -1,4 +1,4 @@
-// Which values are worth a tick on an axis.
+// Values of the ticks on an axis.
 #pragma once
 
 #include <string>

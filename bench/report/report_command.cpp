@@ -66,7 +66,7 @@ class Report {
                    results_.settings.name == "quick" ? "" : ", --quick takes two minutes");
     }
 
-    /// False if the page cannot be written.
+    /// Returns false if the page cannot be written.
     bool measure() {
         Progress progress("report");
         double before = 0;
@@ -90,7 +90,7 @@ class Report {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
 
-    /// Why not all is there; a task that was interrupted counts as done.
+    /// Returns why the report is incomplete, or nothing. An interrupted task counts as done.
     std::string missing() const {
         if (signals_.signal() == 0 && done_ == tasks_.size()) return {};
         const char* why = signals_.signal() != 0 ? "It was interrupted" : "Its time was up";

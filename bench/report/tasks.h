@@ -1,4 +1,4 @@
-// What there is to measure, in pieces between which one can stop.
+// Tasks of measurement, between which one can stop.
 #pragma once
 
 #include <atomic>

@@ -28,8 +28,8 @@ Scene nan_soup(std::size_t count) {
     return scene;
 }
 
-/// As soup, in the plane y = 0: every box is without thickness, and every ray meets many triangles
-/// at the same distance.
+/// Triangles like those of soup, in the plane y = 0: every box is without thickness, and every ray
+/// meets many triangles at the same distance.
 Scene flat(std::size_t count) {
     Scene scene = empty_scene({.eye = {0.7, 2, 1}});
     Random random(3);

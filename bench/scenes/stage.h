@@ -1,4 +1,4 @@
-// What every scene to measure has besides its shapes.
+// Camera, light and material of every benchmark scene.
 #pragma once
 
 #include "core/scene/scene.h"

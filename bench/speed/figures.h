@@ -1,4 +1,4 @@
-// What is measured on a scene.
+// Results of the measurements on a scene.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace etalon::speed {
 
-/// Who every other is compared with, in the same run.
+/// Names of the tracers with which every other is compared, in the same run.
 inline constexpr const char* baseline = baseline_backend;
 inline constexpr const char* robust_baseline = "embree-builtin-robust";
 
@@ -39,7 +39,7 @@ struct BuildFigures {
     std::vector<Runs> by_threads;
 };
 
-/// How often a tracer is wrong. A speed without it says nothing.
+/// Errors of a tracer. A speed without them says nothing.
 struct Errors {
     std::string reference;      ///< the exact backend that all of its answers are compared with
     Disagreement disagreement;  ///< with that one

@@ -7,7 +7,7 @@
 
 namespace etalon::speed {
 
-/// How many cores this process may use, and so how many threads can have one each.
+/// Number of cores this process may use, and so of threads that can have one each.
 int usable_cores();
 
 /// Clocks in seconds; the moment they count from does not matter.

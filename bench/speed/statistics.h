@@ -1,4 +1,4 @@
-// What a handful of repeats says.
+// Statistics of a handful of repeats.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Who takes part, and how each is built.
+// Tracers that take part in a measurement, and their construction.
 #pragma once
 
 #include "bench/speed/figures.h"

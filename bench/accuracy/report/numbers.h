@@ -1,4 +1,4 @@
-// How the report writes numbers for people: few digits, never wider than a column.
+// Numbers in reports for people: few digits, never wider than a column.
 #pragma once
 
 #include <cstdint>

@@ -24,7 +24,7 @@ constexpr double margin = 24;
 constexpr PlotArea large{760, 500, 72, 728, 120, 426};
 constexpr PlotArea small{360, 280, 34, 348, 30, 228};
 
-/// Who is alike has a colour.
+/// Kind of a tracer; each kind has a colour.
 enum Kind { exact, textbook, other };
 constexpr std::string_view colours[] = {"c1", "c7", "c2"};
 constexpr std::string_view kinds[] = {"promises to be right", "textbook kernel", "float backend"};

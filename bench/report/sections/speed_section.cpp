@@ -1,4 +1,4 @@
-// How many rays a second, with how many of them wrong beside it.
+// Section on speed: rays per second, with the number of wrong answers beside it.
 #include <fmt/format.h>
 
 #include <map>

@@ -19,7 +19,7 @@ struct Column {
     std::string (*cell)(const Line& line);
 };
 
-/// How every line begins.
+/// Beginning of every line.
 inline std::string beginning(const std::string& what, const std::string& tracer) {
     return fmt::format("{:<8}{:<22}", what, tracer);
 }
