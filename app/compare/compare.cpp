@@ -32,7 +32,7 @@ void warn_of_unbounded(const std::string& path, Pixels pixels) {
     fmt::print(stderr, "{}: warning: {} pixels are NaN or infinite\n", path, count);
 }
 
-/// Why the map could not be written, or nothing.
+/// Returns why the map could not be written; empty if it was.
 std::string write_heatmap(const std::string& path, const PixelPlane& map) {
     const Result<std::string> file = encode_png(magma(map), map.width, map.height);
     return file ? write_file_atomically(path, file.value) : path + ": " + file.error;

@@ -1,4 +1,4 @@
-// What there is to say of two images.
+// Reports on the difference of two images.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// Two backends, and which of them is right where they differ.
+// Comparison of two backends: which of them is right where they differ.
 #pragma once
 
 #include "app/crosscheck/classification.h"

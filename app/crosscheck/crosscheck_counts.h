@@ -1,4 +1,4 @@
-// How one backend fared on many rays.
+// Counts of one backend's right and wrong answers to many rays.
 #pragma once
 
 #include "app/crosscheck/classification.h"

@@ -1,4 +1,4 @@
-// Who answers.
+// Backends that answer the rays of a cross-check.
 #pragma once
 
 #include "app/crosscheck/trial.h"
