@@ -14,7 +14,7 @@ namespace etalon {
 struct Branch {
     bool is_leaf() const { return node->is_leaf(); }
 
-    /// How many nodes are below it.
+    /// Number of nodes below it.
     std::size_t size() const { return is_leaf() ? 0 : end - node->first; }
 
     const BvhNode* node;

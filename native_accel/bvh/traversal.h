@@ -1,5 +1,5 @@
-// How a ray walks the tree: compiled for several instruction sets, of which the best that the
-// machine has is taken.
+// Traversal of the tree: compiled for several instruction sets, of which the best that the machine
+// has is taken.
 #pragma once
 
 #include "core/intersect/ray.h"

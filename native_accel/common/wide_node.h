@@ -40,7 +40,7 @@ struct alignas(64) WideNode {
     void clear();
     void set(std::size_t lane, const Box3f& box, ChildRef child);
 
-    /// How many children it has.
+    /// Number of its children.
     std::size_t count() const;
 
     /// Offset in `planes` of the lanes of an axis's min or max: min x, max x, min y, ...

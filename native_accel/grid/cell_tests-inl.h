@@ -1,4 +1,4 @@
-// What a ray does with the packs of a cell. Compiled for each instruction set.
+// Tests of a ray with the packs of a cell. Compiled for each instruction set.
 #if defined(ETALON_GRID_CELL_TESTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_GRID_CELL_TESTS_INL_H
 #undef ETALON_GRID_CELL_TESTS_INL_H

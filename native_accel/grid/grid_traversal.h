@@ -39,10 +39,10 @@ class GridTraversal {
         place(start, node, ray);
     }
 
-    /// Into GridTree::cells.
+    /// Index of the cell in GridTree::cells.
     HWY_INLINE std::uint32_t cell() const { return cell_; }
 
-    /// When the ray leaves the cell, in every lane; infinity in the last one.
+    /// Time at which the ray leaves the cell, in every lane; infinity in the last one.
     HWY_INLINE Float4 exit() const { return min_of_lanes(next_); }
 
     /// Steps to the next cell. What the step after next will need is computed before it is known
@@ -57,7 +57,7 @@ class GridTraversal {
     }
 
   private:
-    /// When the cells of so many places after the first are entered.
+    /// Times at which the cells of so many places after the first are entered.
     HWY_INLINE Float4 entry_to(Float4 index) const {
         const Float4 never = broadcast(std::numeric_limits<float>::infinity());
         return max(entry_ + index * pace_, keep(index > last_, never));

@@ -23,13 +23,13 @@ struct CellRange {
     CellIndex low, high;
 };
 
-/// Into what a box is cut.
+/// Shape of the cells into which a box is cut.
 enum class Cut {
     cubes,  ///< as near as the box's proportions allow; not at all where it is thinner than they
     alike,  ///< as often along each axis, for what is as long as the box or as thin
 };
 
-/// How a box is cut into cells.
+/// Division of a box into cells.
 struct GridLayout {
     GridLayout(const Box3& box, double cell_count, Cut cut = Cut::cubes);  ///< about so many
 

@@ -1,4 +1,4 @@
-// Whether and how a box is cut into cells, as an estimate of what a ray costs says.
+// Choice of the cells into which a box is cut, if any, by the estimated cost of a ray.
 #pragma once
 
 #include <optional>
@@ -32,13 +32,13 @@ class LayoutChoice {
     LayoutChoice(std::span<const Item> items, const GridConfig& config, const GridPart& part)
         : items_(items), config_(config), part_(part) {}
 
-    /// False where no grid could be better than a list, or none is allowed.
+    /// Returns false where no grid could be better than a list, or none is allowed.
     static bool may_gain(const GridPart& part, const GridConfig& config) {
         const auto count = static_cast<std::uint32_t>(part.items.size());
         return !config.cost.is_short(count) && part.depth < config.max_depth;
     }
 
-    /// None where a list is better than any.
+    /// Returns the best layout, or none where a list is better than any.
     std::optional<GridLayout> best() const {
         const auto count = static_cast<std::uint32_t>(part_.items.size());
         const Choice as_list{std::nullopt, config_.cost.list(count)};

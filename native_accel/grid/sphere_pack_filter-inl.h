@@ -1,4 +1,4 @@
-// Which spheres of a pack a ray could hit. Compiled for each instruction set.
+// Filter for the spheres of a pack that a ray could hit. Compiled for each instruction set.
 #if defined(ETALON_GRID_SPHERE_PACK_FILTER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_GRID_SPHERE_PACK_FILTER_INL_H
 #undef ETALON_GRID_SPHERE_PACK_FILTER_INL_H

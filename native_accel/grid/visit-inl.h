@@ -1,4 +1,4 @@
-// How a ray visits what lies in grids, from near to far. Compiled for each instruction set.
+// Visits the contents of grids along a ray, from near to far. Compiled for each instruction set.
 #if defined(ETALON_GRID_VISIT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_GRID_VISIT_INL_H
 #undef ETALON_GRID_VISIT_INL_H
