@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Made for the first cluster that a ray meets: many rays meet none of one kind, or none at all.
+/// Filter that is made for the first cluster a ray meets: many rays meet none of one kind, or none.
 template <class Filter>
 class Lazy {
   public:
