@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Nothing behind the ball: who misjudges its outline mistakes hit for miss.
+/// Returns a scene with nothing behind the ball: errors at its outline take hits for misses.
 std::string lone_ball() {
     std::string scene = small_scene;
     const std::size_t plane = scene.find("pl ");

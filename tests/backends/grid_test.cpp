@@ -31,7 +31,7 @@ Scene lattice(int n, bool spheres) {
     return scene;
 }
 
-/// Along planes, diagonals of faces and of cubes, through corners, from inside, beside and afar.
+/// Rays along planes, diagonals of faces and cubes, through corners, from inside, beside and afar.
 std::vector<Ray> rays_along_planes(int n, std::size_t count) {
     Random random(count);
     std::vector<Ray> rays;

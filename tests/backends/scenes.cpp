@@ -190,7 +190,7 @@ Scene slivers(std::size_t count) {
     return scene;
 }
 
-/// Nothing thicker than a plane.
+/// Scene with nothing thicker than a plane.
 Scene flat(std::size_t count) {
     Scene scene = mix(0);
     Random random(17);

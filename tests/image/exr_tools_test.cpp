@@ -1,4 +1,4 @@
-// Our EXR files in the eyes of other programs.
+// EXR files of Etalon as other programs read them.
 #include <cstdio>
 
 #include "core/image/io.h"

@@ -45,7 +45,7 @@ Cone random_cone(Random& random) {
     return c;
 }
 
-/// Through the surface, a rim, the axis or an end of it, from 1 to 1e7 radii, or from on the spot.
+/// Ray through the surface, a rim, the axis or an end of it, from on the spot or 1 to 1e7 radii.
 Ray random_ray(const Cone& c, Random& random) {
     const Vec3 h = c.top - c.base;
     Vec3 u, v;

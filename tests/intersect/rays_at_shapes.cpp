@@ -58,7 +58,7 @@ Ray with_a_denormal(const ShapeCase& shape, const RayTarget& ray_target, Random&
     return ray;
 }
 
-/// Through two targets at once: along an edge, a generator, a face.
+/// Ray through two targets at once: along an edge, a generator, a face.
 Ray through_two(const ShapeCase& shape, const RayTarget& ray_target, Random& random) {
     const Vec3 a = ray_target(shape.centre + 10 * shape.size * random.direction());
     const Vec3 b = ray_target(shape.centre + 10 * shape.size * random.direction());

@@ -7,7 +7,7 @@ using namespace etalon;
 
 namespace {
 
-/// Into the hemisphere of `up`, half of them grazing: cosines from 1e-6.
+/// Direction in the hemisphere of `up`; half of them are grazing, with cosines from 1e-6.
 Vec3 grazing_direction(const Vec3& up, Random& random) {
     Vec3 u, v;
     orthonormal_basis(up, u, v);

@@ -1,4 +1,4 @@
-// What files of NFF and PRT look like.
+// Images of files of NFF and PRT.
 #include <cmath>
 #include <numbers>
 
