@@ -136,7 +136,7 @@ int run(const Arguments& a) {
 Action declare_info(Options& options) {
     auto a = std::make_shared<Arguments>();
     declare_scene(options, a->scene);
-    options.add_flag("--json", a->json, "As JSON");
+    options.add_flag("--json", a->json, "Write JSON instead of text");
     return [a] { return run(*a); };
 }
 
