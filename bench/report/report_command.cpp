@@ -127,9 +127,10 @@ int run(const Arguments& a) {
 
 Action declare_report(Options& options) {
     auto a = std::make_shared<Arguments>();
-    options.add("-o,--output", a->folder, "Folder for index.html, made if it is not there")
+    options.add("-o,--output", a->folder, "Directory of index.html, created if necessary")
         .show_default();
-    options.add_flag("--quick", a->quick, "Two minutes; else it says beforehand how long");
+    options.add_flag("--quick", a->quick,
+                     "Measure for two minutes only (default: longer; the time is announced first)");
     return [a] { return run(*a); };
 }
 
