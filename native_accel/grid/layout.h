@@ -29,7 +29,7 @@ enum class Cut {
     alike,  ///< as often along each axis, for what is as long as the box or as thin
 };
 
-/// Division of a box into cells.
+/// Cells into which a box is cut.
 struct GridLayout {
     GridLayout(const Box3& box, double cell_count, Cut cut = Cut::cubes);  ///< about so many
 
