@@ -42,7 +42,9 @@ int run(const Arguments& a) {
 Action declare_convert(Options& options) {
     auto a = std::make_shared<Arguments>();
     declare_scene(options, a->scene);
-    options.add("-o,--output", a->output, "The new file; its extension names the format")
+    options
+        .add("-o,--output", a->output,
+             "Output file; its extension, .p3f or .pbrt, gives the format")
         .required();
     return [a] { return run(*a); };
 }

@@ -21,7 +21,7 @@ bool any_material(const Scene& scene, bool (*test)(const Material&)) {
     return std::any_of(scene.look.materials.begin(), scene.look.materials.end(), test);
 }
 
-/// What an image of the scene will ask of the renderer.
+/// Returns the features that rendering the scene needs.
 std::vector<std::string> needs(const Scene& s, const RenderSettings& settings) {
     std::vector<std::string> list;
     const auto need = [&](bool condition, const char* what) {
@@ -136,7 +136,7 @@ int run(const Arguments& a) {
 Action declare_info(Options& options) {
     auto a = std::make_shared<Arguments>();
     declare_scene(options, a->scene);
-    options.add_flag("--json", a->json, "As JSON");
+    options.add_flag("--json", a->json, "Write JSON instead of text");
     return [a] { return run(*a); };
 }
 

@@ -6,11 +6,12 @@ namespace {
 // To add a subcommand: one file that declares and runs it, one line here.
 constexpr etalon::Command commands[] = {
     {"render", "Render a scene to EXR and PNG", etalon::declare_render},
-    {"info", "Say what a scene holds and needs, without building anything", etalon::declare_info},
-    {"trace", "Rays in, hits out", etalon::declare_trace},
-    {"crosscheck", "The same rays through several backends and the oracle",
+    {"info", "Show the contents of a scene and what it needs; renders nothing",
+     etalon::declare_info},
+    {"trace", "Trace given rays and write their nearest hits", etalon::declare_trace},
+    {"crosscheck", "Compare the answers of several backends with those of the oracle",
      etalon::declare_crosscheck},
-    {"compare", "How far a picture is from another", etalon::declare_compare},
+    {"compare", "Compare an image with a reference", etalon::declare_compare},
     {"convert", "Write a scene in another format", etalon::declare_convert},
 };
 

@@ -18,17 +18,18 @@ void declare_scene(Options& options, SceneArguments& a) {
     const char* group = "Scene";
     options
         .add("--format", a.options.format,
-             "Format of the scene (default: told from its content, then its extension)")
+             "Format of the scene (default: detected by content, then extension)")
         .one_of(strings(format_names()))
         .group(group);
-    options.add_flag("--strict", a.options.strict, "Warnings about the scene are errors")
+    options.add_flag("--strict", a.options.strict, "Treat warnings about the scene as errors")
         .group(group);
-    options.add("--legacy", a.legacy, "Shade as the old programs of this format did")
+    options
+        .add("--legacy", a.legacy,
+             "Reproduce the shading of the original program of this format (default: off)")
         .one_of(strings(legacy_names()))
         .group(group);
     options
-        .add_flag("--one-sided", a.options.one_sided,
-                  "Opaque surfaces are seen from their front only")
+        .add_flag("--one-sided", a.options.one_sided, "Show opaque surfaces from their front only")
         .group(group);
 }
 

@@ -10,7 +10,7 @@
 
 namespace etalon {
 
-/// What every subcommand that reads a scene asks for.
+/// Options of every subcommand that reads a scene.
 struct SceneArguments {
     std::string path;
     std::string legacy;  ///< a format's name, or empty

@@ -9,7 +9,7 @@
 
 namespace etalon {
 
-/// What `render --stats` writes. The keys are a contract.
+/// Contents of `render --stats`. The keys are a contract.
 struct RenderStats {
     std::string scene, format, backend, integrator, isa;
     int threads = 0;

@@ -99,11 +99,14 @@ Action declare_trace(Options& options) {
     declare_scene(options, a->scene);
     options
         .add("--rays", a->rays,
-             "One ray a line, 'ox oy oz dx dy dz [tmin tmax]', decimal or hexadecimal floats;"
+             "File with one ray per line, 'ox oy oz dx dy dz [tmin tmax]', decimal or hexadecimal;"
              " - is standard input")
         .required();
-    options.add("-o,--output", a->output, "Hits, a line for each ray (default: standard output)");
-    options.add("-b,--backend", a->backend, "How hits are found (default: the scene's, else bvh)")
+    options.add("-o,--output", a->output,
+                "File for the hits, one line per ray (default: standard output)");
+    options
+        .add("-b,--backend", a->backend,
+             "Backend that finds the hits (default: the scene's, else bvh)")
         .one_of(backend_names());
     return [a] { return run(*a); };
 }

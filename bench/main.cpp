@@ -4,11 +4,12 @@
 namespace {
 
 constexpr etalon::Command commands[] = {
-    {"speed", "Rays a second, build time and memory of every backend", etalon::declare_speed},
-    {"accuracy", "The hard cases, by the million, against what is true", etalon::declare_accuracy},
-    {"convergence", "The error of a picture against the time it takes",
+    {"speed", "Measure rays per second, build time and memory of the backends",
+     etalon::declare_speed},
+    {"accuracy", "Measure errors on hard cases, against the oracle", etalon::declare_accuracy},
+    {"convergence", "Measure the error of an image against render time",
      etalon::declare_convergence},
-    {"report", "All of it, on one page: DIR/index.html", etalon::declare_report},
+    {"report", "Run all measurements and write one page, DIR/index.html", etalon::declare_report},
 };
 
 }  // namespace

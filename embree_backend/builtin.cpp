@@ -9,10 +9,10 @@
 namespace etalon {
 namespace {
 
-/// Where a ray starts being tested. Rounded to floats, a surface lies off by about u (1 + |o|) in
-/// the frame (0.6 of that was seen), so a ray that leaves it at an angle meets it again before t =
-/// u (1 + |o|) / cosine. The margin clears all rays but those within 1/128 of tangent, and loses
-/// contacts nearer than 1e-5 of the scene's size. Slivers are further off.
+/// Returns the t from which a ray is tested. Rounded to floats, a surface lies off by about u (1 +
+/// |o|) in the frame (0.6 of that was seen), so a ray that leaves it at an angle meets it again
+/// before t = u (1 + |o|) / cosine. The margin clears all rays but those within 1/128 of tangent,
+/// and loses contacts nearer than 1e-5 of the scene's size. Slivers are further off.
 float first_t(const NormalizedRay& ray, double tmin) {
     constexpr float margin = 128 * unit_roundoff_f;
     const Vec3f& o = ray.origin;

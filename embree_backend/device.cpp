@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #if defined(__SANITIZE_THREAD__)
-/// What Embree's threads hand each other passes out of ThreadSanitizer's sight, through oneTBB.
+/// Suppresses false data races: Embree's threads synchronise in oneTBB, which TSan cannot see.
 extern "C" const char* __tsan_default_suppressions();
 extern "C" const char* __tsan_default_suppressions() {
     return "race:libembree\n";
@@ -14,8 +14,8 @@ extern "C" const char* __tsan_default_suppressions() {
 namespace etalon {
 namespace {
 
-/// For single rays Embree's AVX-512 kernels are 4 to 12 % slower than those for AVX2 on Zen 4, and
-/// within 4 % on a recent Xeon; and the baseline should measure the same code everywhere.
+/// Limits Embree to AVX2: for single rays its AVX-512 kernels are 4 to 12 % slower on Zen 4 and
+/// within 4 % on a recent Xeon, and the baseline should measure the same code everywhere.
 constexpr const char* configuration = "max_isa=avx2";
 
 const char* describe(RTCError error) {

@@ -63,7 +63,7 @@ void report(const CallbackArguments&, bool) {}
 
 #endif
 
-/// For a scene without callbacks.
+/// Intersects a scene without callbacks.
 inline void embree_intersect(RTCScene scene, RTCRayHit& ray) {
     EmbreeContext context;
     initialise(context);

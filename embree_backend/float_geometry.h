@@ -15,7 +15,7 @@ class FloatGeometry {
     FloatGeometry(const EmbreeDevice& device, const Geometry& geometry,
                   const NormalizedSpace& space);
 
-    /// What Embree has for a primitive and hits on the same sides, if it has something.
+    /// Returns Embree's type for a primitive that Embree has and hits on the same sides, if any.
     std::optional<RTCGeometryType> type_of(std::uint32_t primitive) const;
 
     /// The primitives `ids`, all of that type, in this order. Throws as EmbreeDevice does.

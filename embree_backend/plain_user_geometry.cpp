@@ -28,7 +28,7 @@ SceneBounds plain_bounds(const Geometry& geometry) {
     return result;
 }
 
-/// What the callback for boxes needs, as long as the scene is built.
+/// Input of the callback for boxes, for as long as the scene is built.
 struct BoundsQuery {
     const Geometry& geometry;
     const NormalizedSpace& space;
@@ -50,7 +50,7 @@ void bounds_of_primitive(const RTCBoundsFunctionArguments* arguments) {
     *arguments->bounds_o = {box.min.x, box.min.y, box.min.z, 0, box.max.x, box.max.y, box.max.z, 0};
 }
 
-/// What the callbacks for hits need of a ray: Embree hands them the context it was given.
+/// Input of the callbacks for hits: Embree hands them the context it was given for the ray.
 struct Query : EmbreeContext {
     Query(const Geometry& s, const RayQuery& q, const NormalizedRay& l, const NearestHit& n)
         : geometry(s), query(q), local(l), nearest(n) {

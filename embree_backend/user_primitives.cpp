@@ -13,7 +13,7 @@ bool is_single(const BoundedPrimitive& p) {
     return cluster_kind(static_cast<ShapeKind>(p.kind)) == ClusterRef::list;
 }
 
-/// Those that no filter is for, out of `primitives`.
+/// Takes the primitives that have no filter out of `primitives` and returns them.
 std::vector<BoundedPrimitive> take_singles(std::vector<BoundedPrimitive>& primitives) {
     std::vector<BoundedPrimitive> singles;
     std::copy_if(primitives.begin(), primitives.end(), std::back_inserter(singles), is_single);

@@ -27,7 +27,7 @@ class UserPrimitives {
     bool empty() const { return empty_; }
     std::size_t memory_bytes() const { return clusters_.memory_bytes() + singles_.memory_bytes(); }
 
-    /// As UserTracing has it.
+    /// Does what UserTracing::intersect does.
     void intersect(RTCScene target, const RayQuery& query, const NormalizedRay& local,
                    NearestHit& nearest, RTCRayHit& ray) const {
         tracing_.intersect({target, geometry_, clusters_, singles_}, query, local, nearest, ray);

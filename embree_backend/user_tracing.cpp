@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Made for the first cluster that a ray meets: many rays meet none of one kind, or none at all.
+/// Filter that is made for the first cluster a ray meets: many rays meet none of one kind, or none.
 template <class Filter>
 class Lazy {
   public:
@@ -36,7 +36,7 @@ class Lazy {
     bool made_ = false;
 };
 
-/// What the callbacks need of a ray: Embree hands them the context it was given.
+/// Input of the callbacks for one ray: Embree hands them the context it was given.
 struct UserQuery : EmbreeContext {
     HWY_INLINE UserQuery(const UserView& view, const RayQuery& q, const NormalizedRay& l,
                          NearestHit* n)
@@ -99,8 +99,8 @@ HWY_INLINE void ask(const UserQuery& query, std::uint32_t cluster, std::uint32_t
     }
 }
 
-/// What is offered at t may lie behind a hit that is not in `nearest`: one on a geometry of
-/// Embree's own, which its tfar tells.
+/// Intersects candidates. A hit at t may lie behind one that is not in `nearest`: a hit on a
+/// geometry of Embree's own, which tfar tells.
 template <ClusterRef::Kind kind>
 HWY_NOINLINE void intersect_candidates(const RTCIntersectFunctionNArguments* arguments,
                                        std::uint32_t lanes) {

@@ -11,7 +11,7 @@
 
 namespace etalon {
 
-/// What a ray can meet.
+/// View of all that a ray can meet.
 struct UserView {
     RTCScene target;
     const Geometry& geometry;
@@ -19,7 +19,7 @@ struct UserView {
     const PrimitiveIds& singles;  ///< what no filter is for, in place of lists
 };
 
-/// What belongs together: callbacks find in the context of a ray what its query put there.
+/// Callbacks and queries, which belong together: callbacks read the context that a query passes.
 struct UserTracing {
     struct Callbacks {
         RTCIntersectFunctionN intersect;
@@ -38,7 +38,7 @@ struct UserTracing {
                      RTCRay& ray);
 };
 
-/// For the instruction set in use now.
+/// Returns the functions for the instruction set in use now.
 UserTracing user_tracing();
 
 }  // namespace etalon

@@ -1,4 +1,4 @@
-// What another program finds in an EXR file: by OpenEXR alone.
+// Channels of an EXR file as another program reads them: by OpenEXR alone.
 #pragma once
 
 #include <OpenEXR/ImfChannelList.h>

@@ -10,7 +10,7 @@
 
 namespace etalon {
 
-/// In the order of help texts and reports. To add a backend, publish it in its folder's list.
+/// Returns all backends in the order of help and reports. A new one goes in its folder's list.
 const std::vector<Backend>& all_backends();
 
 /// nullptr if there is none of that name.

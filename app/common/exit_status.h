@@ -2,7 +2,7 @@
 
 namespace etalon {
 
-/// What the program's exit status says.
+/// Exit status of the programs.
 enum ExitStatus : int {
     exit_done = 0,
     exit_differs = 1,      ///< a comparison or cross-check found more than it allows

@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// What the command line calls the integrator that the scene's own settings name.
+/// Name on the command line of the integrator that the scene's own settings choose.
 inline constexpr std::string_view scene_integrator = "auto";
 
 /// scene_integrator and the names of all integrators.

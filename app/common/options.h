@@ -21,7 +21,7 @@ class Option {
     Option& required();
     /// Several values, with commas between them.
     Option& by_commas();
-    /// May be repeated, and takes one value each time.
+    /// Lets the option be repeated, with one value each time.
     Option& one_value_each();
     Option& excludes(const std::string& other);
     /// Shows in the help the value that the variable has now.

@@ -1,4 +1,4 @@
-// What the two programs have in common: a table of subcommands, and how they end.
+// Common part of the two programs: a table of subcommands, and the exit status.
 #pragma once
 
 #include <functional>

@@ -12,7 +12,7 @@ struct Duration {
 
 class Stopwatch {
   public:
-    /// Since construction or the last lap.
+    /// Returns the time since construction or the last lap.
     Duration lap() {
         const Stopwatch now;
         const Duration d{std::chrono::duration<double>(now.wall_ - wall_).count(), now.cpu_ - cpu_};

@@ -32,7 +32,7 @@ void warn_of_unbounded(const std::string& path, Pixels pixels) {
     fmt::print(stderr, "{}: warning: {} pixels are NaN or infinite\n", path, count);
 }
 
-/// Why the map could not be written, or nothing.
+/// Returns why the map could not be written; empty if it was.
 std::string write_heatmap(const std::string& path, const PixelPlane& map) {
     const Result<std::string> file = encode_png(magma(map), map.width, map.height);
     return file ? write_file_atomically(path, file.value) : path + ": " + file.error;
@@ -83,17 +83,18 @@ namespace etalon {
 
 Action declare_compare(Options& options) {
     auto a = std::make_shared<compare::Arguments>();
-    options.add("A", a->a, "A picture: EXR, PFM and HDR are linear, PNG and JPEG sRGB").required();
-    options.add("B", a->b, "What it should be: the reference").required();
-    options.add("--json", a->json, "Write the figures to this file; - is standard output");
-    options.add("--heatmap", a->heatmap, "FILE.png: the map of FLIP, black where A is B")
+    options.add("A", a->a, "Image file; EXR, PFM and HDR are linear, PNG and JPEG sRGB").required();
+    options.add("B", a->b, "Image file: the reference").required();
+    options.add("--json", a->json, "Write the metrics to this JSON file; - is standard output");
+    options
+        .add("--heatmap", a->heatmap, "Write the map of FLIP to FILE.png, black where A equals B")
         .check([](const std::string& path) {
             return path.ends_with(".png") ? "" : path + ": expected a name ending in .png";
         });
     options
         .add("--fail-above", a->limits,
-             "METRIC=VALUE: exit with 1 if it is worse, that is larger, but smaller for psnr "
-             "and ssim; may be repeated")
+             "METRIC=VALUE: exit with status 1 if the metric is larger, for psnr and ssim smaller; "
+             "may be repeated")
         .check([](const std::string& text) { return compare::parse_limit(text).error; })
         .one_value_each();
     return [a] { return compare::run(*a); };

@@ -15,7 +15,7 @@ struct ImagePair {
     std::array<std::vector<Color>, 2> pixels;  ///< linear RGB, or display values, by rows
 };
 
-/// Of files in any format read_image knows. A failure's reason begins with the path it is about.
+/// Reads two files of any format of read_image. A failure's reason begins with the path at fault.
 Result<ImagePair> read_image_pair(const std::string& a, const std::string& b);
 
 }  // namespace etalon::compare

@@ -13,10 +13,10 @@ struct Limit {
     double worst = 0;
 };
 
-/// Of METRIC=VALUE; or what is wrong with it.
+/// Parses METRIC=VALUE, or returns what is wrong with it.
 Result<Limit> parse_limit(const std::string& text);
 
-/// What is said of a metric worse than its limit; nothing if it is not.
+/// Returns the message for a metric worse than its limit; empty if it is not.
 std::string violation(const Limit& limit, const Metrics& metrics);
 
 }  // namespace etalon::compare

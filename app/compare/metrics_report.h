@@ -1,4 +1,4 @@
-// What there is to say of two images.
+// Reports on the difference of two images.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ struct Metric {
     std::string_view meaning;
 };
 
-/// In the order of reports. To add a metric: a member of Metrics, a line here.
+/// Returns the metrics in the order of reports. To add one: a member of Metrics, a line here.
 std::span<const Metric> all_metrics();
 
 /// nullptr if there is none of that name.

@@ -1,4 +1,4 @@
-// Whether an answer is right.
+// Classification of answers as right or wrong.
 #pragma once
 
 #include "app/crosscheck/crosschecked_tracer.h"

@@ -1,4 +1,4 @@
-// Two backends, and which of them is right where they differ.
+// Comparison of two backends: which of them is right where they differ.
 #pragma once
 
 #include "app/crosscheck/classification.h"
@@ -15,13 +15,13 @@ struct Contingency {
     /// correlated proportions or percentages", Psychometrika 12(2)). 0 where they never differ.
     double mcnemar() const;
 
-    /// Which of the two is the worse, as a sentence.
+    /// Returns a sentence that says which of the two is the worse.
     std::string in_words() const;
 };
 
 Contingency contingency(const std::vector<Trial>& trials, const Tracer& a, const Tracer& b);
 
-/// Of every pair of up to three, else of the first one with each of the others.
+/// Compares every pair of up to three tracers, else the first one with each of the others.
 std::vector<Contingency> contingencies(const std::vector<Trial>& trials,
                                        const std::vector<Tracer>& tracers);
 

@@ -49,18 +49,18 @@ Action declare_crosscheck(Options& options) {
     declare_scene(options, a->scene);
     options
         .add("-b,--backend", a->backends,
-             "Comma-separated list of backends; an error of embree-builtin is "
-             "shown but does not count")
+             "Comma-separated list of backends; errors of embree-builtin do not "
+             "change the exit status")
         .by_commas()
         .one_of(backend_names())
         .show_default();
-    options.add("--rays", a->rays, "Of each kind: camera, bounce, shadow, aimed")
+    options.add("--rays", a->rays, "Number of rays of each kind: camera, bounce, shadow, aimed")
         .within(std::size_t{1}, std::size_t{1} << 24)
         .show_default();
-    options.add("--worst", a->worst, "How many of each backend's worst rays to list")
+    options.add("--worst", a->worst, "Number of each backend's worst rays to list")
         .within(std::size_t{0}, std::size_t{1} << 24)
         .show_default();
-    options.add("--json", a->json, "Write the figures to this file; - is standard output");
+    options.add("--json", a->json, "Write the results to this JSON file; - is standard output");
     options.add("--rays-out", a->rays_out,
                 "Write the worst rays to this file, for trace --rays; - is standard output");
     return [a] { return run(*a); };

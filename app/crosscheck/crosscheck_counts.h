@@ -1,4 +1,4 @@
-// How one backend fared on many rays.
+// Counts of one backend's right and wrong answers to many rays.
 #pragma once
 
 #include "app/crosscheck/classification.h"
@@ -21,7 +21,7 @@ struct CrosscheckCounts {
 
 CrosscheckCounts counts_of(const Trial& trial, const Answers& answers);
 
-/// Of all of them together.
+/// Returns the sum of all counts.
 CrosscheckCounts sum(const std::vector<CrosscheckCounts>& all_counts);
 
 }  // namespace etalon::crosscheck

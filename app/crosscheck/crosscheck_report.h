@@ -1,4 +1,4 @@
-// What a cross-check found out, to read and to process.
+// Report of a cross-check, as text and as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,7 +10,7 @@ namespace etalon::crosscheck {
 /// Tables of errors and of who was right.
 std::string as_text(const Results& results);
 
-/// Per backend the figures of all rays and, by kind, of each; and the pairs under "contingency".
+/// Returns for each backend the figures of all rays and of each kind; the pairs in "contingency".
 nlohmann::ordered_json as_json(const Results& results);
 
 /// Every backend's worst rays, comments above each, as `etalon trace --rays` takes them. Backends

@@ -1,11 +1,11 @@
-// Who answers.
+// Backends that answer the rays of a cross-check.
 #pragma once
 
 #include "app/crosscheck/trial.h"
 
 namespace etalon::crosscheck {
 
-/// What a backend says about one ray.
+/// Answer of a backend to one ray.
 struct Answer {
     std::optional<Hit> closest;
     bool occluded = false;

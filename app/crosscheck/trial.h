@@ -1,4 +1,4 @@
-// What is asked, and what is true.
+// Rays of a cross-check and the oracle's answers to them.
 #pragma once
 
 #include "core/oracle/oracle.h"
@@ -13,8 +13,8 @@ struct Trial {
     std::vector<OracleAnswer> truth;
 };
 
-/// About `limit` rays of each kind for an image of this resolution, fewer where the scene has no
-/// more, e.g. no light.
+/// Returns about `limit` rays of each kind for an image of this resolution, fewer where the scene
+/// has no more, e.g. no light.
 std::vector<Trial> make_trials(const Scene& scene, const Imath::V2i& resolution, std::size_t limit);
 
 }  // namespace etalon::crosscheck

@@ -22,7 +22,7 @@ struct Case {
     }
 };
 
-/// Those for which `wanted` of the classification holds, in the order of the trials.
+/// Returns the cases for whose classification `wanted` holds, in the order of the trials.
 template <class F>
 std::vector<Case> cases(const std::vector<Trial>& trials, const Tracer& tracer, const F& wanted) {
     std::vector<Case> found;

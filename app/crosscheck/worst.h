@@ -13,9 +13,9 @@ struct WorstRay {
     Ray ray;
 };
 
-/// Up to `limit` of the rays that the tracer answers wrongly: first those where hit or miss is
-/// wrong, then occlusion, then the primitive; of these the ones whose t is furthest off. If there
-/// is none, those with the largest errors of t.
+/// Returns up to `limit` of the rays that the tracer answers wrongly: first those where hit or miss
+/// is wrong, then occlusion, then the primitive; of these the ones whose t is furthest off. If
+/// there is none, returns those with the largest errors of t.
 std::vector<WorstRay> worst_rays(const Scene& scene, const std::vector<Trial>& trials,
                                  const Tracer& tracer, std::size_t limit);
 

@@ -10,7 +10,7 @@
 namespace etalon {
 namespace {
 
-/// What there is to make channels of. The film always is.
+/// Data from which channels are made. The film is always there.
 struct AovInputs {
     const Film& film;
     std::optional<SurfaceMeans> means{};
@@ -37,7 +37,7 @@ Values tests(const CentreHits& hits, std::uint64_t TraversalCost::*count) {
     return values;
 }
 
-/// To add one is to add a line.
+/// Table of all AOVs. To add one is to add a line.
 constexpr Aov aovs[] = {
     {"albedo", Source::means, [](const AovInputs& i) -> Values { return i.means->albedo.pixels(); },
      "RGB"},
@@ -80,7 +80,7 @@ std::vector<std::string_view> all_names() {
     return names;
 }
 
-/// Those of `names`, each once.
+/// Returns the AOVs of these names, each once.
 std::vector<Aov> selected(const Names& names) {
     std::vector<Aov> list;
     std::copy_if(std::begin(aovs), std::end(aovs), std::back_inserter(list), [&](const Aov& aov) {

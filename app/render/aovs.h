@@ -1,4 +1,4 @@
-// What `etalon render --aov` can write beside the colours.
+// Channels that `etalon render --aov` can write beside the colours.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace etalon {
 
-/// Why `name` is none, or nothing.
+/// Returns why `name` is not an AOV; empty if it is one.
 std::string check_aov(const std::string& name);
 
 /// "albedo, N, ..."
@@ -18,7 +18,7 @@ std::string aov_names();
 /// Whether one of them needs the variances of the film.
 bool need_variance(const std::vector<std::string>& names);
 
-/// Why the backend cannot give all of them, or nothing.
+/// Returns why the backend cannot give all of them; empty if it can.
 std::string check_aovs(const std::vector<std::string>& names, const Backend& backend);
 
 /// The channels of these, each once, with as many rays as that takes. What was stopped before it

@@ -6,7 +6,7 @@
 
 namespace etalon {
 
-/// What is written of a rendering, and how it was made. Without channels.
+/// Returns the image to write, and how it was made; its AOV channels are not added here.
 RenderedImage make_output_image(const Scene& scene, const RenderSettings& settings,
                                 const Rendering& rendering, const RenderStats& stats);
 

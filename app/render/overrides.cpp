@@ -14,7 +14,7 @@ namespace {
 
 constexpr int max_image_side = 65536;
 
-/// Of each pixel, where it is an error or a time that ends an image.
+/// Samples per pixel, at most, of an image that ends by an error or a time limit.
 constexpr int ample_samples = 1 << 16;
 
 std::string apply_resolution(const std::string& text, RenderSettings& settings) {
@@ -44,7 +44,7 @@ std::string apply_crop(const std::string& text, RenderSettings& settings) {
     return {};
 }
 
-/// What a deterministic image cannot have, and a whole one need not.
+/// Applies sampling options, which a deterministic image cannot have, and a whole one need not.
 void apply_samples(const RenderArguments& a, RenderSettings& settings) {
     if (a.target_error > 0 || a.time_limit > 0) settings.samples_per_pixel = ample_samples;
     if (a.samples >= 0) settings.samples_per_pixel = a.samples;

@@ -10,7 +10,7 @@
 
 namespace etalon {
 
-/// How an image comes closer to what it should be.
+/// Error of an image against its reference over time.
 class Reference {
   public:
     /// See read_reference(). The reason why there is none, or nothing.

@@ -1,4 +1,4 @@
-// How a tracer fared on a hard case.
+// Errors of a tracer on a hard case.
 #pragma once
 
 #include <array>

@@ -38,10 +38,10 @@ std::uint64_t seed_of(const hard::HardCase& c) {
     return h;
 }
 
-/// What one tracer has to show after some blocks.
+/// Measurements of one tracer over some blocks.
 struct Result {
     ErrorStats stats;
-    std::vector<double> nanoseconds;  ///< a ray, by block
+    std::vector<double> nanoseconds;  ///< per ray, one value for each block
 
     Result& operator+=(const Result& other) {
         stats += other.stats;
@@ -115,7 +115,7 @@ class Measurement {
         for (std::size_t k = 0; k < results.size(); ++k) results_[k] += results[k];
     }
 
-    /// In turn from the first and from the last: a drift of the machine's speed meets all alike.
+    /// Asks in turn from the first and from the last tracer, so that drift meets all alike.
     std::vector<std::vector<Answer>> ask_all(const RayBlock& block, std::uint64_t first,
                                              std::vector<Result>& results) const {
         const std::size_t count = entries_.size();

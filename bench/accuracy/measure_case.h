@@ -10,8 +10,8 @@ namespace etalon::accuracy {
 struct Budget {
     std::uint64_t rays = 100'000;  ///< for each case
     double seconds = infinity;     ///< for each case, on the wall: then no more rays are begun
-    /// Where every ray is tested against every primitive, rays are fewer: no more than make this
-    /// many tests.
+    /// Upper bound on the number of ray-primitive tests where every ray is tested against every
+    /// primitive; the number of rays is reduced to stay below it.
     std::uint64_t tests = 1'000'000'000;
     bool textbooks = true;  ///< kernels of textbooks, and the project's own by themselves, too
 };

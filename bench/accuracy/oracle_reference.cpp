@@ -22,7 +22,7 @@ double ulp_of_float(double x) {
     return std::ldexp(1.0, std::ilogb(x) - 23);
 }
 
-/// What a renderer would go on from.
+/// Returns the point from which a renderer would continue the path.
 Vec3 position(const Scene& scene, const TracerEntry& entry, const Ray& ray, const Answer& answer) {
     if (entry.refined) return surface_at(scene.geometry, ray, answer).position;
     return ray.origin + answer.t * ray.direction;

@@ -1,4 +1,4 @@
-// How answers are held against what is true.
+// Comparison of answers with those of the oracle.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace etalon::accuracy {
 
-/// Who answers, and what that one promises.
+/// Tracer and what it promises.
 struct TracerEntry {
     std::unique_ptr<Tracer> tracer;
     bool exact = false;    ///< to be right, to the same bits as every other that promises it

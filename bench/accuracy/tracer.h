@@ -1,4 +1,4 @@
-// Who answers the rays of a hard case: a backend, a kernel by itself, or a textbook's kernel.
+// Tracers of the rays of a hard case: backends, a kernel by itself, or a textbook's kernel.
 #pragma once
 
 #include <memory>
@@ -48,7 +48,7 @@ struct RayBlock {
     std::vector<PreparedRay> prepared;
 };
 
-/// What a tracer says of a ray; a miss has no primitive.
+/// Answer of a tracer to a ray; a miss has no primitive.
 using Answer = Hit;
 inline constexpr Answer missed{0, no_index};
 
@@ -78,9 +78,9 @@ std::unique_ptr<Tracer> backend_tracer(const Backend& backend, const Scene& scen
 /// nothing if the scene is not one primitive.
 std::unique_ptr<Tracer> kernel_tracer(const Scene& scene);
 
-/// What textbooks and other renderers do, for the scene's only primitive: first the plain kernel in
-/// float, which the cost of all others is relative to, then others. Named like "float textbook".
-/// Empty if the scene is not one primitive.
+/// Returns the kernels of textbooks and other renderers for the scene's only primitive: first the
+/// plain kernel in float, to which the cost of all others is relative. Names are like "float
+/// textbook". Returns nothing if the scene is not one primitive.
 std::vector<std::unique_ptr<Tracer>> textbook_tracers(const Scene& scene);
 
 }  // namespace etalon::accuracy

@@ -35,7 +35,7 @@ int fail(int status, const std::string& message) {
     return status;
 }
 
-/// What comes of one integrator, or of all.
+/// Results of one integrator, or of all.
 struct Measured {
     std::string reference;  ///< what the curves are compared with
     std::vector<Curve> curves;
@@ -120,13 +120,13 @@ int run(const Arguments& a) {
 
 Action declare_convergence(Options& options) {
     auto a = std::make_shared<Arguments>();
-    options.add("SCENE", a->scene, "A file, or a name as `etalon-bench speed --list` has them")
+    options.add("SCENE", a->scene, "Scene file, or a name of `etalon-bench speed --list`")
         .required();
     options.add("--reference", a->reference,
-                "The picture as it should be (default: rendered, with 32 times the samples)");
+                "Reference image (default: rendered, with 32 times the samples)");
     options
         .add("--samplers", a->plan.samplers,
-             "Comma-separated list of samplers; the first backend's curves")
+             "Comma-separated list of samplers, all with the first backend")
         .by_commas()
         .one_of(sampler_names())
         .show_default();
@@ -139,18 +139,22 @@ Action declare_convergence(Options& options) {
         .show_default();
     options
         .add("--backends", a->plan.backends,
-             "Comma-separated list of backends; those after the first take "
+             "Comma-separated list of backends; those after the first only with "
              "the last sampler")
         .by_commas()
         .one_of(backend_names())
         .show_default();
-    options.add("--spp", a->plan.samples, "Samples per pixel at the end of a curve")
+    options.add("--spp", a->plan.samples, "Number of samples per pixel at the end of a curve")
         .within(4, 1 << 16)
         .show_default();
-    options.add("--seeds", a->plan.seeds, "Pictures for each curve").within(1, 1000).show_default();
-    options.add("--width", a->width, "Of the picture; its height follows (default: the scene's)")
+    options.add("--seeds", a->plan.seeds, "Number of images, of different seeds, for each curve")
+        .within(1, 1000)
+        .show_default();
+    options
+        .add("--width", a->width,
+             "Width of the image in pixels; its height follows (default: the scene's)")
         .within(1, 65536);
-    options.add("--json", a->json, "Write the figures to this file; - is standard output");
+    options.add("--json", a->json, "Write the results to this JSON file; - is standard output");
     return [a] { return run(*a); };
 }
 

@@ -8,13 +8,13 @@
 namespace etalon::convergence {
 namespace {
 
-/// Fewer samples are not yet the law they follow.
+/// Smallest number of samples from which the error follows the law that is fitted.
 constexpr double fewest_samples = 4;
 
-/// What the floor is told from.
+/// Number of points, at the end of a curve, from which the floor is estimated.
 constexpr std::ptrdiff_t last_points = 4;
 
-/// Of the line through (x, y) that fits best.
+/// Line through (x, y) that fits best.
 struct Line {
     double slope, at_zero;
 };
@@ -38,7 +38,7 @@ double slope_of(std::span<const Point> points) {
         .slope;
 }
 
-/// In ratios, so that no point outweighs the others.
+/// Fits in ratios, so that no point outweighs the others.
 double floor_of(std::span<const Point> points) {
     return line_through(
                points, [](const Point& p) { return 1 / p.cpu_seconds; },

@@ -20,7 +20,7 @@ struct Fit {
     double floor = 0;  ///< MSE that no time takes away: bias, or the noise of the reference
 };
 
-/// How one way to render an image converges.
+/// Convergence of one way to render an image.
 struct Curve {
     std::string name;  ///< "whitted, sobol, bvh"
     std::string sampler, integrator, backend;

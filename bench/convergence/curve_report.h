@@ -8,7 +8,7 @@ namespace etalon::convergence {
 
 nlohmann::ordered_json json_of(const Curve& curve);
 
-/// For people: the points of a curve, its slope, floor and efficiency.
+/// Returns a table for people: the points of a curve, its slope, floor and efficiency.
 std::string table(const Curve& curve);
 
 }  // namespace etalon::convergence

@@ -111,7 +111,7 @@ std::vector<Point> mean_of(const std::vector<std::vector<Point>>& seeds) {
     return means;
 }
 
-/// Which curves there are.
+/// Returns the curves to measure, still without points.
 std::vector<Curve> wanted(const Plan& plan, const std::string& integrator) {
     std::vector<Curve> curves;
     const auto add = [&](const std::string& sampler, const std::string& backend) {

@@ -10,7 +10,7 @@
 
 namespace etalon::convergence {
 
-/// How samples may be put into an image: "random", "sobol" or "adaptive".
+/// Returns the names of the ways to sample an image: "random", "sobol" or "adaptive".
 const std::vector<std::string>& sampler_names();
 
 struct Plan {
@@ -20,7 +20,7 @@ struct Plan {
     int seeds = 3;
 };
 
-/// What a task has to do with whoever runs it.
+/// Stop flag and progress callback of a task.
 struct RunProgress {
     const std::atomic<bool>& stop;         ///< set: give up soon
     std::function<void(double)> progress;  ///< with the part done, from any thread

@@ -92,7 +92,7 @@ void add_adversarial_faces(Scene& scene) {
     add_face(scene, {{-1, -1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, 1, 0}});
 }
 
-/// What nothing can hit, first and last in a random scene: the good ones' numbers are in between.
+/// Random scene whose first and last primitives cannot be hit; ids of valid ones lie between.
 Scene adversarial_scene() {
     Scene scene;
     const auto add_adversarial = [&scene] {
@@ -115,7 +115,7 @@ Scene adversarial_scene() {
     return scene;
 }
 
-/// At the good ones among the adversarial random scene's primitives.
+/// Rays at the valid primitives of the adversarial random scene.
 CaseSetup among_adversarial() {
     CaseSetup setup = aimed_at_scene(adversarial_scene());
     setup.size = 1;

@@ -52,7 +52,7 @@ struct NamedMap {
     Affine map;
 };
 
-/// What CYL-5 stretches, shears and mirrors its cylinder by.
+/// Maps by which CYL-5 stretches, shears and mirrors its cylinder.
 std::vector<NamedMap> odd_maps() {
     const Vec3 here = usual_place();
     return {
@@ -67,7 +67,7 @@ std::vector<NamedMap> odd_maps() {
     };
 }
 
-/// What an instance may be placed by.
+/// Maps by which an instance may be placed.
 std::vector<NamedMap> instance_maps() {
     const Vec3 here = usual_place();
     std::vector<NamedMap> maps;
@@ -85,7 +85,7 @@ CaseSetup aimed_at(const Affine& map, const MakeRay& ray) {
     return only(Shape(map), map.x.length() + map.y.length() + map.z.length(), ray);
 }
 
-/// From everywhere to what there is to aim at.
+/// Rays from everywhere at the shape's targets.
 template <class Shape>
 CaseSetup aimed(const Affine& map) {
     CaseSetup setup = aimed_at<Shape>(map, nullptr);
@@ -97,7 +97,7 @@ CaseSetup aimed(const Affine& map) {
     return setup;
 }
 
-/// From inside and outside to all parts of the surface, in the shape's own coordinates.
+/// Rays from inside and outside at all parts of the surface, in the shape's own coordinates.
 template <class Shape>
 CaseSetup arriving(const Affine& map) {
     CaseSetup setup = aimed_at<Shape>(map, nullptr);

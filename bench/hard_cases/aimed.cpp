@@ -50,7 +50,7 @@ Example ring(const char* name, const Ring& r) {
     return example(name, {r.centre, r.outer}, r);
 }
 
-/// Within 1 of its centre in every axis.
+/// Quadric within 1 of its centre in every axis.
 Example quadric(const char* name, const Vec3& centre, const std::array<double, 10>& form) {
     const Quadric s{centre, form, {centre - Vec3(1), centre + Vec3(1)}};
     return example(name, {s.centre, 1}, s);

@@ -16,7 +16,7 @@ double size_of(const Box& b) {
     return std::max(max_abs(b.max - b.min), 1.0);
 }
 
-/// Along an axis through a point with `fixed` coordinates on faces, half of the rays moved to the
+/// Rays along an axis through a point with `fixed` coordinates on faces, half of them moved to the
 /// next double beside it.
 CaseSetup along_axes(const Box& b, int fixed, double from, bool beside) {
     return only(b, size_of(b), [=](Random& random) {
@@ -39,8 +39,8 @@ CaseSetup aimed(const Box& b, int fixed, double distance) {
     });
 }
 
-/// Through a point of a box without thickness; everything is in small multiples of 1/8, so that
-/// the line meets it exactly.
+/// Rays through a point of a box without thickness; everything is in small multiples of 1/8, so
+/// that the line meets it exactly.
 CaseSetup without_thickness(int flat_axes) {
     Box b{{-1, -1, -1}, {1, 1, 1}};
     for (int k = 0; k < flat_axes; ++k) b.min[k] = b.max[k] = 0.125 * (k + 1);
@@ -66,7 +66,7 @@ CaseSetup from_within(const Box& b, int fixed) {
     });
 }
 
-/// Along an axis but for components so small that their inverse overflows.
+/// Rays along an axis but for components so small that their inverse overflows.
 CaseSetup denormal(double smallest) {
     return only(cube, 1, [=](Random& random) {
         Vec3 d = axis_direction(random);

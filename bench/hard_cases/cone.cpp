@@ -11,7 +11,7 @@ Cone oblique(double length, double base_radius, double top_radius) {
     return {base, rounded(base + tilted(0, 0, length)), base_radius, top_radius};
 }
 
-/// Past the apex at a distance of `gap`, on all sides of it.
+/// Rays past the apex at a distance of `gap`, on all sides of it.
 CaseSetup apex(double gap) {
     const Frustum f(oblique(2, 1, 0));
     return only(f.cone(), 1, [=](Random& random) {
@@ -30,7 +30,7 @@ CaseSetup exact_apex() {
     });
 }
 
-/// Anywhere on the surface or at its silhouette, from up to a hundred radii away.
+/// Rays to anywhere on the surface or its silhouette, from up to a hundred radii away.
 CaseSetup seen_from_around(const Cone& cone, double size) {
     const Frustum f(cone);
     return only(cone, size, [=](Random& random) {
@@ -42,8 +42,8 @@ CaseSetup seen_from_around(const Cone& cone, double size) {
     });
 }
 
-/// Along a generator, the direction off by up to `gap`, from less than a third of that above the
-/// surface or below it.
+/// Rays along a generator, the direction off by up to `gap`, from less than a third of that above
+/// the surface or below it.
 CaseSetup generators(const Cone& cone, double gap) {
     const Frustum f(cone);
     return only(cone, 1, [=](Random& random) {
@@ -55,7 +55,7 @@ CaseSetup generators(const Cone& cone, double gap) {
     });
 }
 
-/// To points of the surface: from outside, or from within the convex hull.
+/// Rays to points of the surface, from outside or from within the convex hull.
 CaseSetup arriving(const Cone& cone, bool from_inside) {
     const Frustum f(cone);
     return only(cone, f.length(), [=](Random& random) {

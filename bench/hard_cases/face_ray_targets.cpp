@@ -9,7 +9,7 @@
 namespace etalon::hard {
 namespace {
 
-/// For rays to know: a setting's scene is not theirs.
+/// Returns a scene that ray generators can keep: they do not own the scene of a case setup.
 std::shared_ptr<const Scene> scene_of(const Corners& corners) {
     const auto scene = std::make_shared<Scene>();
     add_face(*scene, corners);

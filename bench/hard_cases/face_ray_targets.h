@@ -19,12 +19,12 @@ Corners star(int points, double inner);
 /// One triangle, or one polygon, and other rays.
 CaseSetup only_face(const Corners& corners, double size, MakeRay ray);
 
-/// To corners, edges, their middles and the fan from the first corner, a quarter each, from a tenth
-/// of the size to 1000 sizes away. Many a ray goes exactly through its target, half of them pass it
-/// within a rounding of the direction.
+/// Rays to corners, edges, their middles and the fan from the first corner, a quarter each, from a
+/// tenth of the size to 1000 sizes away. Many rays go exactly through their target; half of them
+/// pass it within a rounding of the direction.
 CaseSetup aimed_at_face(const Corners& corners, double size);
 
-/// From anywhere in the face's plane to a corner, an edge or a middle of it, as rounded.
+/// Rays from anywhere in the face's plane to a corner, an edge or a middle of it, as rounded.
 CaseSetup along_face(const Corners& corners, double size);
 
 }  // namespace etalon::hard

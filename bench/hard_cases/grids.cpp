@@ -36,14 +36,14 @@ Vec3 lattice_point(int end, int steps, Random& random) {
     return p;
 }
 
-/// Along an axis at the quarters and halves of cells: the shapes' own faces, and cell planes.
+/// Ray along an axis at quarters and halves of cells: the shapes' own faces, and cell planes.
 Ray along_axis(Random& random) {
     const Vec3 d = axis_direction(random);
     const Vec3 point = lattice_point(cells - 1, 4, random);
     return {point - 32.0 * d, d};
 }
 
-/// Along a diagonal of a face or of the cell.
+/// Ray along a diagonal of a face or of the cell.
 Ray along_diagonal(Random& random) {
     Vec3 d;
     for (int k = 0; k < 3; ++k) d[k] = random.sign();
@@ -51,7 +51,7 @@ Ray along_diagonal(Random& random) {
     return {lattice_point(cells - 1, 2, random) - 16.0 * d, d};
 }
 
-/// From one corner of a cell through another.
+/// Ray from one corner of a cell through another.
 Ray through_corners(Random& random) {
     const Vec3 a = lattice_point(cells - 1, 2, random), b = lattice_point(cells - 1, 2, random);
     const Vec3 d = a == b ? Vec3(1, 0, 0) : b - a;
@@ -84,7 +84,7 @@ CaseSetup on_planes() {
     return setup;
 }
 
-/// From 1e7 extents away through a corner, an edge or a face of the whole scene's box.
+/// Ray from up to about 1e8 extents away through a corner, an edge or a face of the scene's box.
 Ray from_outside(Random& random) {
     const double low = -0.25, high = cells - 0.75;
     const std::size_t fixed = 1 + random.index(3), first = random.index(3);

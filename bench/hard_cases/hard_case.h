@@ -11,7 +11,7 @@
 
 namespace etalon::hard {
 
-/// What the answers to a case's rays are held against.
+/// Criterion by which the answers to a case's rays are checked.
 enum class Criterion {
     oracle,    ///< the oracle's answer to each ray
     enclosed,  ///< every ray starts inside a closed surface: a miss is a leak

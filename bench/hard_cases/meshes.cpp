@@ -15,7 +15,7 @@ struct Ellipsoid {
     Faces faces = Faces::triangles;
 };
 
-/// From within half of the radii to a point of any face.
+/// Rays from within half of the radii to a point of any face.
 CaseSetup seen_from_inside(const Ellipsoid& e, Feature feature) {
     const auto mesh = std::make_shared<const Scene>(uv_sphere(e.centre, e.radius, e.faces));
     return {*mesh, max_abs(e.radius), [=](Random& random) {
@@ -26,7 +26,7 @@ CaseSetup seen_from_inside(const Ellipsoid& e, Feature feature) {
             }};
 }
 
-/// From 2 to 20 above the target and at most half of that beside it: twice as steep as 1:1, where
+/// Rays from 2 to 20 above the target and at most half of that beside it, twice as steep as 1:1;
 /// the steepest facet has sqrt(2):1. Targets are so far within the outline that origins are too.
 CaseSetup seen_from_above(const Vec3& corner, Feature feature) {
     const auto ground = std::make_shared<const Scene>(terrain(corner));

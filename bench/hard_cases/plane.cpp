@@ -11,7 +11,7 @@ Plane oblique() {
     return {usual_place(), rounded({1.7, 1.1, 0.7})};
 }
 
-/// From a million away, towards the plane or away from it at the cosine, exactly.
+/// Rays from a million away, towards the plane or away from it at exactly the cosine.
 CaseSetup nearly_along(double cosine) {
     return only(level, 1, [=](Random& random) {
         const Vec3 place = 1e6 * random.direction();
@@ -31,7 +31,7 @@ CaseSetup nearly_along_oblique(double cosine) {
     });
 }
 
-/// In the plane itself.
+/// Rays in the plane itself.
 CaseSetup within() {
     return only(level, 1, [](Random& random) {
         const double angle = random.uniform(0, turn), zero = random.sign() * 0.0;
@@ -40,7 +40,7 @@ CaseSetup within() {
     });
 }
 
-/// To a point of the plane from any distance between 1e-3 and 1e6.
+/// Ray to a point of the plane from any distance between 1e-3 and 1e6.
 Ray at_plane(const Plane& plane, Random& random) {
     const Vec3 d = random.direction(), along = plane.normal.normalized().cross(random.in_cube());
     const double distance = random.magnitude(-3, 6);

@@ -18,8 +18,8 @@ Corners bent(double gap) {
             tilted(0, 1, -gap)};
 }
 
-/// Through points of a lattice that the corners are of: corners, edges, and lines from the inside
-/// along which an edge starts or ends.
+/// Rays through points of a lattice to which the corners belong: corners, edges, and lines from the
+/// inside along which an edge starts or ends.
 CaseSetup at_lattice(const Corners& corners) {
     return only_face(corners, 4, [](Random& random) {
         const double x = static_cast<double>(random.index(13)) / 2 - 1;

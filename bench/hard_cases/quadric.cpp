@@ -13,7 +13,7 @@ Box3 around(const Vec3& centre, double reach) {
     return {centre - Vec3(reach), centre + Vec3(reach)};
 }
 
-/// About the usual place, in a box of floats that reaches as far as 1.
+/// Quadric about the usual place, in a box of floats that reaches as far as 1.
 Quadric usual(const Coefficients& c) {
     const Box3f box = round_outward(around(usual_place(), 1));
     return {usual_place(), c, {Vec3(box.min), Vec3(box.max)}};
@@ -43,7 +43,7 @@ CaseSetup aimed(const Quadric& s, double low, double high) {
     });
 }
 
-/// Past `centre` at a distance of up to `gap`.
+/// Rays past `centre` at a distance of up to `gap`.
 CaseSetup close_to_centre(const Quadric& s, double gap) {
     return only(s, 1, [=](Random& random) {
         const Vec3 target = s.centre + gap * in_ball(random);
@@ -51,7 +51,7 @@ CaseSetup close_to_centre(const Quadric& s, double gap) {
     });
 }
 
-/// Through a point in whole numbers, half of the rays one rounding beside it.
+/// Ray through a point in whole numbers, or half of the time one rounding beside it.
 Ray through(const Vec3& point, Random& random) {
     const Vec3 v = 8.0 * random.in_cube();
     Vec3 d(1 + std::round(std::abs(v.x)), std::round(v.y), std::round(v.z));

@@ -38,7 +38,7 @@ void add_ring(Scene& scene, const Vec3& place, double size, Sides sides, Random&
     scene.geometry.add(Ring{place, random.direction(), inner, outer}, 0, sides);
 }
 
-/// Of any kind, through its box's middle or near it.
+/// Adds a quadric of any kind, through its box's middle or near it.
 void add_quadric(Scene& scene, const Vec3& place, double size, Sides sides, Random& random) {
     const Vec3 half = abs(size * random.in_cube());
     Quadric s{place, {}, {place - half, place + half}};

@@ -6,7 +6,7 @@
 
 namespace etalon::hard {
 
-/// What a scene's primitives are chosen from.
+/// Parameters of a random scene: number, kinds and sizes of its primitives, and the seed.
 struct RandomSceneConfig {
     std::size_t count = 1000;
     std::uint64_t seed = 1;
@@ -18,15 +18,15 @@ struct RandomSceneConfig {
 /// Shapes whose middles are in the cube [-1, 1]^3.
 Scene random_scene(const RandomSceneConfig& plan);
 
-/// From everywhere to what there is to aim at on the scene's primitives, see targets_of(); a third
-/// of the rays starts or ends somewhere along the way. As fine as 1e-6, what is missed or hit at
-/// 1e7 sizes is beyond doubt in double.
+/// Rays from everywhere at the targets on the scene's primitives, see targets_of(); a third of the
+/// rays starts or ends somewhere along the way. With offsets down to 1e-6, double decides between
+/// hit and miss even at 1e7 sizes.
 CaseSetup aimed_at_scene(Scene scene, double finest = -6);
 
-/// From beside a point of one primitive, by 1e-6 to 1e-1 of its size, to anywhere.
+/// Rays from beside a point of one primitive, by 1e-6 to 1e-1 of its size, to anywhere.
 CaseSetup bouncing_in_scene(Scene scene);
 
-/// From an eye at `distance` times the scene's size, through all of a screen.
+/// Camera rays from `distance` times the scene's size, through all of a screen.
 CaseSetup seen_from_eye(Scene scene, double distance);
 
 }  // namespace etalon::hard

@@ -18,7 +18,7 @@ Scene cloud(const Vec3& place) {
     return scene;
 }
 
-/// From all around, half of the rays at silhouettes to within 1e-3 radii, the others anywhere.
+/// Rays from all around, half of them at silhouettes to within 1e-3 radii, the others anywhere.
 CaseSetup cloud_from(double offset, double distance) {
     const Vec3 place = offset * Vec3(0.6, -0.48, 0.64);
     CaseSetup setup{cloud(place), 1, {}};

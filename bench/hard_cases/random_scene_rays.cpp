@@ -11,7 +11,7 @@ Place middle_of(const Box3& box) {
     return {box.center(), max_abs(box.size()) / 2};
 }
 
-/// What rays know of a scene.
+/// Targets and extents of a scene, from which rays are generated.
 class Surroundings {
   public:
     Surroundings(Scene scene, double finest) : scene_(std::make_shared<Scene>(std::move(scene))) {

@@ -27,8 +27,8 @@ double beside(double t, std::size_t step) {
     return std::nextafter(number, step == 1 ? -limit : limit);
 }
 
-/// Along an axis from an integer distance, through the middle of a box: it meets faces at whole
-/// numbers, times a power of two, of t.
+/// Line along an axis from an integer distance, through the middle of a box: it meets faces at
+/// whole numbers, times a power of two, of t.
 struct Passage {
     explicit Passage(Random& random) {
         Vec3 d = axis_direction(random);

@@ -11,7 +11,7 @@ Vec3 seen_from_around(const Place& place, const Target& target, Random& random) 
     return target(from, random);
 }
 
-/// From 1 to 1e7 sizes away, half of the directions of unit length.
+/// Ray from 1 to 1e7 sizes away, with a direction of unit length half of the time.
 Ray from_afar(const Place& place, const Target& target, Random& random) {
     const double distance = place.size * random.magnitude(0, 7);
     const Vec3 origin = place.centre + distance * random.direction();
@@ -20,7 +20,7 @@ Ray from_afar(const Place& place, const Target& target, Random& random) {
     return ray;
 }
 
-/// From 1e-7 to 1 sizes away.
+/// Ray from 1e-7 to 1 sizes away.
 Ray from_close_by(const Place& place, const Target& target, Random& random) {
     const Vec3 point = seen_from_around(place, target, random);
     const double distance = place.size * random.magnitude(-7, 0);

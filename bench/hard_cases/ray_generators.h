@@ -6,19 +6,19 @@
 
 namespace etalon::hard {
 
-/// Where a shape is, roughly.
+/// Approximate position and size of a shape.
 struct Place {
     Vec3 centre;
     double size;
 };
 
-/// By one of the ray generators, at random. Hardly any of the rays start on a surface.
+/// Ray by one of the ray generators, chosen at random. Hardly any of the rays start on a surface.
 Ray ray_generator(const Place& place, const Target& target, Random& random);
 
-/// From the target itself, on or next to the surface, in any direction.
+/// Ray from the target itself, on or next to the surface, in any direction.
 Ray leave(const Place& place, const Target& target, Random& random);
 
-/// Along an edge, a generator, a face.
+/// Ray along an edge, a generator, a face.
 Ray through_two(const Place& place, const Target& target, Random& random);
 
 }  // namespace etalon::hard

@@ -1,4 +1,4 @@
-// Where rays are sent from and to, for any shape.
+// Targets and origins of rays, for any shape.
 #pragma once
 
 #include "core/intersect/ray.h"
@@ -25,10 +25,10 @@ Vec3 tilted(double x, double y, double z);
 /// Uniform in the unit disc that `axis`, of unit length, stands upright on.
 Vec3 in_disc(const Vec3& axis, Random& random);
 
-/// Along an axis, of unit length, with zeros of either sign.
+/// Unit vector along an axis, with zeros of either sign.
 Vec3 axis_direction(Random& random);
 
-/// Far below any rounding.
+/// Exponent of a relative offset far below any rounding.
 inline constexpr double to_the_last_bit = -18;
 
 inline Ray towards(const Vec3& origin, const Vec3& target) {

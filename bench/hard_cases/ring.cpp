@@ -9,7 +9,7 @@ Ring oblique(double inner, double outer) {
     return {usual_place(), rounded({1.7, 1.1, 0.7}), inner, outer};
 }
 
-/// To a point at `radius` from the centre, from up to 10^farthest times the ring's size away.
+/// Ray to a point at `radius` from the centre, from up to 10^farthest times the ring's size away.
 Ray at_circle(const Ring& ring, double radius, double farthest, Random& random) {
     const Vec3 side = across(ring.normal.normalized(), random.uniform(0, turn));
     const Vec3 target = ring.centre + radius * side;
@@ -17,7 +17,7 @@ Ray at_circle(const Ring& ring, double radius, double farthest, Random& random) 
     return towards(target + distance * random.direction(), target);
 }
 
-/// Beside either circle, from far below a rounding to a tenth of its radius.
+/// Rays beside either circle, by far less than a rounding up to a tenth of its radius.
 CaseSetup rims(const Ring& ring, double farthest) {
     return only(ring, ring.outer, [=](Random& random) {
         const double rim = random.index(2) == 0 ? ring.inner : ring.outer;
@@ -25,7 +25,7 @@ CaseSetup rims(const Ring& ring, double farthest) {
     });
 }
 
-/// Between the circles, and on either side of them.
+/// Rays between the circles, and on either side of them.
 CaseSetup seen_from(const Ring& ring, double distance) {
     return only(ring, ring.outer, [=](Random& random) {
         const Vec3 n = ring.normal.normalized();
@@ -36,7 +36,7 @@ CaseSetup seen_from(const Ring& ring, double distance) {
     });
 }
 
-/// By way of small whole numbers to points exactly on a circle, or one rounding beside it.
+/// Rays along small whole numbers to points exactly on a circle, or one rounding beside it.
 CaseSetup exact_points(const Ring& ring) {
     static constexpr std::array corners = {Vec3(3, 4, 0), Vec3(-4, 3, 0), Vec3(5, 0, 0),
                                            Vec3(0, -5, 0)};

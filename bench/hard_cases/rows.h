@@ -1,4 +1,4 @@
-// How the catalogue's rows are written down.
+// Rows of the catalogue of hard cases, as they are written down.
 #pragma once
 
 #include "bench/hard_cases/hard_case.h"

@@ -18,7 +18,7 @@ CaseSetup far_away(const Sphere& s, double distance) {
     return only(s, s.radius, [=](Random& random) { return from_afar(s, distance, random); });
 }
 
-/// From a height of `height` radii above the surface to somewhere inside.
+/// Rays from `height` radii above the surface to somewhere inside.
 CaseSetup close_to(const Sphere& s, double height) {
     return only(s, s.radius, [=](Random& random) {
         const Vec3 up = random.direction();
@@ -27,8 +27,8 @@ CaseSetup close_to(const Sphere& s, double height) {
     });
 }
 
-/// From `height` above a planet's pole towards the horizon and, relatively, 1e-12 to 1e-1 above or
-/// below it. The horizon is where the cosine of the dip is r / (r + h).
+/// Rays from `height` above a planet's pole towards the horizon and, relatively, 1e-12 to 1e-1
+/// above or below it. The horizon is where the cosine of the dip is r / (r + h).
 CaseSetup planet(double radius, double height) {
     const Sphere s{{0, 0, -radius}, radius};
     const double dip = std::asin(std::sqrt(height * (2 * radius + height)) / (radius + height));
@@ -52,8 +52,8 @@ CaseSetup grazing(const Sphere& s, double gap) {
     });
 }
 
-/// Along an axis, 1 + k 2^-52 radii from the centre, -4 <= k <= 4: every number is exact, some of
-/// the lines are tangents.
+/// Rays along an axis, 1 + k 2^-52 radii from the centre, -4 <= k <= 4: every number is exact, some
+/// of the lines are tangents.
 CaseSetup tangent() {
     return only(Sphere{{0, 0, 0}, 1}, 1, [](Random& random) {
         const int along = random.axis();
@@ -67,7 +67,7 @@ CaseSetup tangent() {
     });
 }
 
-/// To a point of the surface, half of the rays from outside and half from inside.
+/// Rays to a point of the surface, half of them from outside and half from inside.
 CaseSetup arriving(double radius, double offset) {
     const Sphere s{offset * Vec3(0.6, -0.48, 0.64), radius};
     return only(s, radius, [=](Random& random) {
@@ -106,7 +106,7 @@ CaseSetup scaled(double scale) {
     });
 }
 
-/// From the centre, or from a millionth of a radius beside it and less.
+/// Rays from the centre, or from at most a millionth of a radius beside it.
 CaseSetup from_centre(const Sphere& s, bool exactly) {
     return only(s, s.radius, [=](Random& random) {
         const double miss = exactly ? 0 : random.magnitude(-18, -6);

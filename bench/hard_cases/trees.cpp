@@ -7,7 +7,7 @@
 namespace etalon::hard {
 namespace {
 
-/// From within half a radius in all directions: nothing gets out of a sphere.
+/// Rays from within half a radius in all directions: no ray can leave a sphere.
 CaseSetup same_spheres(std::size_t count) {
     CaseSetup setup{{}, 1, [](Random& random) {
                         const Vec3 origin = usual_place() + 0.5 * in_ball(random);
@@ -83,7 +83,7 @@ CaseSetup stadium() {
     return setup;
 }
 
-/// Everything at z = 0 exactly: triangles, and boxes without height.
+/// Scene with everything at z = 0 exactly: triangles, and boxes without height.
 Scene flat() {
     Scene scene;
     Random random(17, 0);

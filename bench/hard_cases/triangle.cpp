@@ -18,8 +18,8 @@ Corners sliver(double height, bool is_tilted) {
     return {tilted(0, 0, 0), tilted(1, 0, 0), tilted(0.5, height, 0)};
 }
 
-/// In a level triangle's plane, through points on a lattice that its corners are of: exactly along
-/// edges and through corners.
+/// Rays in a level triangle's plane, through points of a lattice to which its corners belong:
+/// exactly along edges and through corners.
 CaseSetup in_level_plane() {
     return only_face(level, 4, [](Random& random) {
         const auto lattice = [&random](double z) {

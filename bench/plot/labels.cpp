@@ -25,7 +25,7 @@ Rectangle around(Place p, double radius) {
     return {p.x - radius, p.y - radius, p.x + radius, p.y + radius};
 }
 
-/// What of `r` the line from `a` to `b` passes over, in steps along it.
+/// Returns the length within `r` of the line from `a` to `b`, sampled in steps along it.
 double crossing(Place a, Place b, const Rectangle& r) {
     constexpr int steps = 16;
     double inside = 0;
@@ -36,7 +36,7 @@ double crossing(Place a, Place b, const Rectangle& r) {
     return inside;
 }
 
-/// Beside, above and below the mark, and then further and further off.
+/// Returns places beside, above and below the mark, and then further and further off.
 std::vector<Label> candidates(const Label& label) {
     std::vector<Label> list;
     const auto add = [&](double x, double y, Anchor anchor, bool is_far) {
@@ -61,7 +61,7 @@ std::vector<Label> candidates(const Label& label) {
     return list;
 }
 
-/// How bad a label's place is: what it covers, and how far off it is.
+/// Cost of a label's place: what it covers, and how far off it is.
 double badness(const Label& label, const std::vector<Label>& all, std::size_t self,
                const Rectangle& page, const std::vector<Place>& avoid) {
     const Rectangle here = extent(label);

@@ -21,11 +21,11 @@ struct Label {
     bool is_far = false;  ///< so that a line must lead from the mark to the text
 };
 
-/// What the text covers and a little around it; its width is an estimate, for a wide sans-serif
-/// font of 12 pixels.
+/// Returns the area of the text and a little around it; its width is an estimate, for a wide
+/// sans-serif font of 12 pixels.
 Rectangle extent(const Label& label);
 
-/// From the mark to the nearest point under or above the text.
+/// Returns the point under or above the text that is nearest to the mark.
 Place leader_end(const Label& label);
 
 /// Chooses `at` for each label: inside `page`, off the marks, off the places in `avoid` where it

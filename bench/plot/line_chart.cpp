@@ -23,13 +23,13 @@ bool has_band(const Sample& s) {
     return s.low > 0 && s.high > s.low && std::isfinite(s.high);
 }
 
-/// What an axis shows, by logarithms of base ten.
+/// Range of an axis, as logarithms of base ten.
 struct Range {
     void include(double value) {
         low = std::min(low, std::log10(value));
         high = std::max(high, std::log10(value));
     }
-    /// Some room around, and at least a factor of two.
+    /// Adds some room around, and widens to at least a factor of two.
     void widen() {
         const double margin = std::max((high - low) / 20, (std::log10(2) - (high - low)) / 2);
         low -= margin;

@@ -16,7 +16,7 @@ struct Series {
     std::vector<Sample> samples;  ///< by x
 };
 
-/// At most seven series: more have no colours of their own, and cannot be told apart.
+/// Chart of at most seven series: more have no colours of their own, and cannot be told apart.
 struct LineChart {
     std::string title, x_name, y_name;
     std::vector<Series> series;

@@ -9,7 +9,7 @@ struct PlotArea {
     double width, height;
     double left, right, top, bottom;
 
-    /// Of shares of the area, from its lower left.
+    /// Returns the place at shares (x, y) of the area, from its lower left.
     Place place(double x, double y) const {
         return {left + x * (right - left), bottom - y * (bottom - top)};
     }

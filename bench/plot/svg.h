@@ -15,7 +15,7 @@ struct Place {
 /// The text with what HTML and XML take for their own replaced, in attributes too.
 std::string escaped(std::string_view text);
 
-/// Which point of a text's baseline is where the text is said to be.
+/// Point of a text's baseline that is at the text's position.
 enum class Anchor { start, middle, end };
 
 /// `classes`, in what follows, are those of the style sheet.

@@ -8,7 +8,7 @@
 namespace etalon::plot {
 namespace {
 
-/// Within a decade, by how many decades are shown.
+/// Returns the ticks within a decade, by the number of decades that are shown.
 std::vector<double> steps(double decades) {
     if (decades <= 0.8) return {1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8};
     if (decades <= 2.5) return {1, 2, 5};

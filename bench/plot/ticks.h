@@ -1,4 +1,4 @@
-// Which values are worth a tick on an axis.
+// Values of the ticks on an axis.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ struct Tick {
 /// "1", "10", "10³", "10⁻²": ten to the power of a number of at most two digits.
 std::string power_of_ten(int exponent);
 
-/// For an axis by logarithms that shows values from 10^low to 10^high: some two to twelve, powers
-/// of ten where there are several of them, else also what is between.
+/// Returns the ticks of a logarithmic axis from 10^low to 10^high: some two to twelve, powers of
+/// ten where there are several of them, else also values in between.
 std::vector<Tick> log_ticks(double low, double high);
 
 }  // namespace etalon::plot

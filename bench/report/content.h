@@ -1,4 +1,4 @@
-// What the report says, before it is HTML.
+// Contents of the report, before it is HTML.
 #pragma once
 
 #include <string>

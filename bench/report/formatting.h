@@ -31,7 +31,7 @@ std::string bytes(double count);
 /// "3 of 2,174", marked.
 Cell wrong_of(std::uint64_t wrong, std::uint64_t all);
 
-/// Which colour of the style sheet a tracer has, everywhere in the report.
+/// Returns the index of a tracer's colour in the style sheet, the same everywhere in the report.
 int colour_of(std::string_view tracer);
 
 }  // namespace etalon::bench_report

@@ -28,7 +28,7 @@ struct Measured {
     std::string date;
 };
 
-/// Where and with what.
+/// Machine and software on which the results were measured.
 struct Machine {
     std::string processor, system, compiler, flags, version, embree, embree_isa;
     int cores = 0;

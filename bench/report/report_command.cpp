@@ -66,7 +66,7 @@ class Report {
                    results_.settings.name == "quick" ? "" : ", --quick takes two minutes");
     }
 
-    /// False if the page cannot be written.
+    /// Returns false if the page cannot be written.
     bool measure() {
         Progress progress("report");
         double before = 0;
@@ -90,7 +90,7 @@ class Report {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
 
-    /// Why not all is there; a task that was interrupted counts as done.
+    /// Returns why the report is incomplete, or nothing. An interrupted task counts as done.
     std::string missing() const {
         if (signals_.signal() == 0 && done_ == tasks_.size()) return {};
         const char* why = signals_.signal() != 0 ? "It was interrupted" : "Its time was up";
@@ -127,9 +127,10 @@ int run(const Arguments& a) {
 
 Action declare_report(Options& options) {
     auto a = std::make_shared<Arguments>();
-    options.add("-o,--output", a->folder, "Folder for index.html, made if it is not there")
+    options.add("-o,--output", a->folder, "Directory of index.html, created if necessary")
         .show_default();
-    options.add_flag("--quick", a->quick, "Two minutes; else it says beforehand how long");
+    options.add_flag("--quick", a->quick,
+                     "Measure for two minutes only (default: longer; the time is announced first)");
     return [a] { return run(*a); };
 }
 

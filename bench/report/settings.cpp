@@ -29,7 +29,7 @@ constexpr Cost costs[] = {{"showcase.p3f", 7.7},
                           {"features/depth_of_field.p3f", 0.8},
                           {"features/glossy.p3f", 0.9}};
 
-/// Where well placed samples are to show what they are worth: in light, lens and highlight.
+/// Scenes in which well placed samples show their worth: in light, lens and highlight.
 constexpr const char* converging[] = {"features/soft_shadows.p3f", "features/depth_of_field.p3f",
                                       "features/glossy.p3f"};
 

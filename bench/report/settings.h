@@ -1,4 +1,4 @@
-// How thoroughly a report is made.
+// Parameters of a report: scenes, rays, samples and repeats.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct ConvergenceRequest {
     int samples = 0;  ///< per pixel, at the end of the curves
 };
 
-/// That a sample of a scene takes a core of 2026, about.
+/// Returns the approximate time of a scene's sample, in microseconds of a core of 2026.
 double microseconds_of_sample(const std::string& scene);
 
 struct Settings {

@@ -1,4 +1,4 @@
-// What there is to measure, in pieces between which one can stop.
+// Tasks of measurement, between which one can stop.
 #pragma once
 
 #include <atomic>
@@ -11,14 +11,14 @@
 
 namespace etalon::bench_report {
 
-/// What a task has to do with whoever runs it.
+/// Stop flag, deadline and progress callback of a task.
 struct TaskProgress {
     const std::atomic<bool>& stop;         ///< set: give up soon and keep what there is
     Deadline deadline;                     ///< over: the same
     std::function<void(double)> progress;  ///< with the part done, from any thread
 
     bool is_over() const { return stop || deadline.is_over(); }
-    /// For a part of the task, which is done when `from` of it is, and then `to`.
+    /// Returns the progress of a part of the task, which reaches from `from` to `to` of the whole.
     TaskProgress part(double from, double to) const {
         return {stop, deadline,
                 [tell = progress, from, to](double done) { tell(from + done * (to - from)); }};

@@ -9,8 +9,8 @@
 
 namespace etalon::bench {
 
-/// What is wrong with a scene's name and what was expected; empty if it is "FAMILY" or
-/// "FAMILY:SIZE" with a family of bench/scenes/bench_families.h, or the path of a file.
+/// Returns an error message for a scene's name; empty if it is "FAMILY" or "FAMILY:SIZE" with a
+/// family of bench/scenes/bench_families.h, or the path of a file.
 std::string complaint_about(const std::string& name);
 
 struct NamedScene {

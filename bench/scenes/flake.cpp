@@ -19,7 +19,7 @@ struct Tessellation {
     std::uint32_t stacks, slices;  ///< 2 slices (stacks - 1) triangles
 
   private:
-    /// That number of stacks which goes with twice as many slices.
+    /// Number of stacks which goes with twice as many slices.
     static double half_root(double triangles) { return (1 + std::sqrt(1 + triangles)) / 2; }
 };
 

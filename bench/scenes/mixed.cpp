@@ -29,7 +29,7 @@ class Mixer {
   private:
     Vec3 edge() { return on_grid(size_ * random_.in_cube()); }
 
-    /// To multiples of 2^-40: sums of a few such numbers are exact, and so a polygon is planar.
+    /// Rounds to multiples of 2^-40: sums of a few are exact, so that polygons are planar.
     static Vec3 on_grid(Vec3 v) {
         for (int k = 0; k < 3; ++k) v[k] = std::ldexp(std::round(std::ldexp(v[k], 40)), -40);
         return v;

@@ -18,7 +18,7 @@ Scene soup(std::size_t count) {
     return scene;
 }
 
-/// What a broken exporter writes: nothing can hit such a triangle, and no other may suffer by it.
+/// Triangles as a broken exporter writes them: none can be hit, and no other may suffer by it.
 Scene nan_soup(std::size_t count) {
     Scene scene = soup(count);
     for (std::size_t i = 9; i < count; i += 10) {
@@ -28,8 +28,8 @@ Scene nan_soup(std::size_t count) {
     return scene;
 }
 
-/// As soup, in the plane y = 0: every box is without thickness, and every ray meets many triangles
-/// at the same distance.
+/// Triangles like those of soup, in the plane y = 0: every box is without thickness, and every ray
+/// meets many triangles at the same distance.
 Scene flat(std::size_t count) {
     Scene scene = empty_scene({.eye = {0.7, 2, 1}});
     Random random(3);

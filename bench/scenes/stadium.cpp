@@ -8,7 +8,7 @@ namespace {
 constexpr double share_of_needles = 18.0 / 268;
 constexpr double nearest = 4, farthest = 20;  ///< middles of needles from the torus's centre
 
-/// In no axis's direction, and none nearer to the centre than its middle is.
+/// Adds needles along no axis; none is nearer to the centre than its middle.
 void add_needles(Scene& scene, std::size_t count) {
     Random random(6);
     for (std::size_t i = 0; i < count; ++i) {

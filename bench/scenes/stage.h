@@ -1,11 +1,11 @@
-// What every scene to measure has besides its shapes.
+// Camera, light and material of every benchmark scene.
 #pragma once
 
 #include "core/scene/scene.h"
 
 namespace etalon::bench {
 
-/// Where the camera and the only light stand.
+/// Positions of the camera and of the only light.
 struct Stage {
     Vec3 eye{2.2, 1.6, 2.8};  ///< by default all of the cube from -1 to 1 is seen
     Vec3 at{0};

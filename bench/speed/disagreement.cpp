@@ -14,7 +14,7 @@ bool has_same_bits(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-/// To the same ray.
+/// Returns whether two answers to the same ray agree.
 bool is_same(const Answer& a, const Answer& b, bool occlusion) {
     return occlusion ? is_hit(a) == is_hit(b) : a.primitive == b.primitive;
 }

@@ -1,4 +1,4 @@
-// Two tracers' answers to the same rays.
+// Comparison of two tracers' answers to the same rays.
 #pragma once
 
 #include <span>

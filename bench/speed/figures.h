@@ -1,4 +1,4 @@
-// What is measured on a scene.
+// Results of the measurements on a scene.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace etalon::speed {
 
-/// Who every other is compared with, in the same run.
+/// Names of the tracers with which every other is compared, in the same run.
 inline constexpr const char* baseline = baseline_backend;
 inline constexpr const char* robust_baseline = "embree-builtin-robust";
 
@@ -30,7 +30,7 @@ struct Runs {
     std::vector<double> wall() const;
 };
 
-/// For each number of threads, with nothing in them yet.
+/// Returns empty runs for each number of threads.
 std::vector<Runs> runs_on(const std::vector<int>& threads);
 
 struct BuildFigures {
@@ -39,13 +39,13 @@ struct BuildFigures {
     std::vector<Runs> by_threads;
 };
 
-/// How often a tracer is wrong. A speed without it says nothing.
+/// Errors of a tracer. A speed without them says nothing.
 struct Errors {
     std::string reference;      ///< the exact backend that all of its answers are compared with
     Disagreement disagreement;  ///< with that one
     OracleCheck sample;         ///< by the oracle, of rays spread evenly over all
-    /// By the oracle, of the rays to which not all tracers have the same answer: whoever is
-    /// wrong alone is found out here.
+    /// Errors, by the oracle, among the rays to which not all tracers give the same answer: a
+    /// tracer that alone is wrong is found here.
     OracleCheck disputed;
 };
 

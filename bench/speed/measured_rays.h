@@ -1,4 +1,4 @@
-// How fast and how well the tracers answer rays.
+// Speed and errors of the tracers' answers to rays.
 #pragma once
 
 #include "bench/speed/plan.h"
@@ -13,7 +13,7 @@ class RayMeasurement {
     RayMeasurement(const hard::CaseSetup& setup, const std::vector<Tracer>& tracers,
                    const Plan& plan);
 
-    /// Who decides where rays start.
+    /// Backend that decides where rays start.
     const Intersector& exact() const { return *who(default_backend).intersector; }
 
     KindFigures measure(const RaySet& set) const;

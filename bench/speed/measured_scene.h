@@ -8,8 +8,8 @@
 
 namespace etalon::speed {
 
-/// Called after the builds and after each kind of ray with what there is then; false if that is to
-/// be all.
+/// Function called with the results so far, after the builds and after each kind of ray; it returns
+/// false to stop there.
 using Observer = std::function<bool(const SceneFigures& figures)>;
 
 /// Builds every tracer of the plan and gives it rays of every kind that the scene has, for a

@@ -19,7 +19,7 @@ struct OracleCheck {
 /// All numbers below `count` in an order of which every beginning is spread evenly over them.
 std::vector<std::size_t> scattered(std::size_t count);
 
-/// What is true of some of a set's rays: the same for all tracers.
+/// Answers of the oracle to some of a set's rays: the same for all tracers.
 class OracleReferences {
   public:
     /// Asks the oracle about the rays at these places of the set, in this order, for so many CPU
@@ -27,7 +27,7 @@ class OracleReferences {
     OracleReferences(const hard::CaseSetup& setup, const Oracle& oracle, const RaySet& set,
                      const std::vector<std::size_t>& places, double seconds);
 
-    /// Of a tracer's answers to the whole set; see TracerEntry for `exact`.
+    /// Checks a tracer's answers to the whole set; see TracerEntry for `exact`.
     OracleCheck check(std::span<const Answer> answers, bool exact) const;
 
   private:

@@ -44,8 +44,8 @@ double thread_cpu_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Where threads wait for each other without going to sleep: to be woken takes as long as a
-/// thousand rays.
+/// Barrier at which threads wait for each other without going to sleep: waking one takes as long as
+/// a thousand rays.
 class StartLine {
   public:
     explicit StartLine(int threads) : missing_(threads) {}

@@ -7,7 +7,7 @@
 
 namespace etalon::speed {
 
-/// How many cores this process may use, and so how many threads can have one each.
+/// Number of cores this process may use, and so of threads that can have one each.
 int usable_cores();
 
 /// Clocks in seconds; the moment they count from does not matter.
@@ -21,7 +21,7 @@ extern const Clocks system_clocks;
 
 /// Runs `work` on so many threads at the same time, each pinned to a core of its own. Wall seconds
 /// are from the first that begins to the last that ends, CPU seconds those of the threads together.
-/// What `work` throws is thrown here.
+/// Exceptions of `work` are passed on.
 Duration run_pinned(int threads, const std::function<void()>& work,
                     const Clocks& clocks = system_clocks);
 

@@ -5,7 +5,7 @@
 
 namespace etalon::speed {
 
-/// What to measure on a scene, and how thoroughly.
+/// Parameters of a measurement: the tracers, the rays and the number of repeats.
 struct Plan {
     std::vector<std::string> tracers;  ///< with the baselines among them
     std::vector<int> threads{1};       ///< 1 first; every measurement is made with each

@@ -60,7 +60,7 @@ void show(const Arguments& a, const std::string& text) {
     std::fflush(to);
 }
 
-/// What came last.
+/// Returns the table of what was measured last.
 std::string table_of(const SceneFigures& figures) {
     return figures.kinds.empty() ? table(figures.builds) : table(figures.kinds.back());
 }
@@ -116,12 +116,12 @@ int run(const Arguments& a) {
 void declare_what(Options& options, Arguments& a) {
     options
         .add("--scene", a.scenes,
-             "Names as --list has them, with or without :SIZE, or files; a comma-separated list")
+             "Comma-separated list of scenes: names of --list, with or without :SIZE, or files")
         .by_commas()
         .show_default();
     options
         .add("--backends", a.backends,
-             "Comma-separated list of backends; those that all are compared with take part always")
+             "Comma-separated list of backends; the baselines of all comparisons always take part")
         .by_commas()
         .one_of(tracer_names())
         .show_default();
@@ -129,8 +129,8 @@ void declare_what(Options& options, Arguments& a) {
         .by_commas()
         .one_of(std::vector<std::string>(ray_kinds.begin(), ray_kinds.end()))
         .show_default();
-    options.add_flag("--list", a.list, "List the scenes that have names and exit");
-    options.add_flag("--only-build", a.only_build, "Measure builds only");
+    options.add_flag("--list", a.list, "List the named scenes and exit");
+    options.add_flag("--only-build", a.only_build, "Measure builds only; trace no rays");
 }
 
 void declare_how(Options& options, Arguments& a) {
@@ -140,19 +140,19 @@ void declare_how(Options& options, Arguments& a) {
         .by_commas()
         .within(1, usable_cores())
         .show_default();
-    options.add("--repeat", a.repeats, "Alternating repeats; medians count")
+    options.add("--repeat", a.repeats, "Number of alternating repeats, of which the medians count")
         .within(1, 1000)
         .show_default();
-    options.add("--max-rays", a.max_rays, "Of each kind, about")
+    options.add("--max-rays", a.max_rays, "Approximate largest number of rays of each kind")
         .within(std::size_t{1}, std::size_t{1} << 28)
         .show_default();
     options
         .add("--oracle", a.oracle_seconds,
-             "CPU seconds in which the oracle judges a sample of each kind of ray, and as many "
-             "again for rays in dispute")
+             "Time for the oracle to check a sample of each kind of ray, in CPU seconds, and as "
+             "much again for rays in dispute")
         .not_negative()
         .show_default();
-    options.add("--json", a.json, "Write the figures to this file; - is standard output");
+    options.add("--json", a.json, "Write the results to this JSON file; - is standard output");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What a handful of repeats says.
+// Statistics of a handful of repeats.
 #pragma once
 
 #include <vector>
@@ -21,7 +21,7 @@ struct Estimate {
 
 Estimate estimate(const std::vector<double>& values);
 
-/// Of the quotients a[i] / b[i]: what disturbs a whole repeat cancels out.
+/// Estimates the quotients a[i] / b[i], in which a disturbance of a whole repeat cancels out.
 Estimate quotient(const std::vector<double>& a, const std::vector<double>& b);
 
 /// exp of the mean logarithm: the mean of ratios; 0 if there are none.

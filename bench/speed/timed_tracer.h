@@ -1,4 +1,4 @@
-// Who takes part, and how each is built.
+// Tracers that take part in a measurement, and their construction.
 #pragma once
 
 #include "bench/speed/figures.h"
@@ -10,7 +10,7 @@ namespace etalon::speed {
 std::vector<std::string> tracer_names();
 const Backend& find_tracer(const std::string& name);
 
-/// Those asked for and the baselines, in the order of tracer_names().
+/// Returns the tracers asked for and the baselines, in the order of tracer_names().
 std::vector<std::string> with_baselines(const std::vector<std::string>& asked);
 
 struct Tracer {

@@ -11,7 +11,7 @@ Collapse::Collapse(const std::vector<BvhNode>& nodes)
     plan_all(root());
 }
 
-/// What is below the left one ends where what is below the right one begins.
+/// Splits a branch: descendants of the left child end where those of the right child begin.
 std::array<Branch, 2> Collapse::halves(const Branch& branch) const {
     const BvhNode* const left = &nodes_[branch.node->first];
     const BvhNode* const right = left + 1;

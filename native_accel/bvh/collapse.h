@@ -14,14 +14,14 @@ namespace etalon {
 struct Branch {
     bool is_leaf() const { return node->is_leaf(); }
 
-    /// How many nodes are below it.
+    /// Number of nodes below it.
     std::size_t size() const { return is_leaf() ? 0 : end - node->first; }
 
     const BvhNode* node;
     std::size_t end;
 };
 
-/// Up to node_width of them.
+/// List of up to node_width branches.
 struct Branches {
     void push_back(const Branch& branch) { all[count++] = branch; }
     Branch* begin() { return all.data(); }
@@ -31,10 +31,10 @@ struct Branches {
     std::size_t count = 0;
 };
 
-/// Which nodes of a binary tree stay when each takes up to node_width of its descendants for
-/// children: those of the least total surface, which is what visiting them costs, by dynamic
-/// programming (Ylitie, Karras & Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through
-/// Compressed Wide BVHs", section 3.1). Leaves stay as they are. On as many threads as allowed.
+/// Chooses which nodes of a binary tree stay when each takes up to node_width descendants as its
+/// children: those of least total surface, the cost of visiting them, by dynamic programming
+/// (Ylitie, Karras & Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed
+/// Wide BVHs", section 3.1). Leaves stay as they are. Runs on as many threads as allowed.
 class Collapse {
   public:
     /// The tree must not be empty.
@@ -49,8 +49,8 @@ class Collapse {
     Branches children(const Branch& branch) const;
 
   private:
-    /// For a node: the least cost of standing for it with so many nodes or fewer, and how many of
-    /// them are below its first child; 0 where one fewer does as well.
+    /// Least cost of replacing a node by so many nodes or fewer, and the number of those that are
+    /// below its first child; 0 where one fewer does as well.
     struct Plan {
         std::array<float, node_width> cost;  ///< from 1 on
         std::array<std::uint8_t, node_width + 1> first;

@@ -9,12 +9,12 @@
 
 namespace etalon {
 
-/// Computed from the mask.
+/// Computes the lane from the mask.
 struct BranchlessLaneSelect {
     static int of(std::uint32_t mask) { return std::countr_zero(mask); }
 };
 
-/// By branches, for rays that go where those before them went.
+/// Selects the lane by branches, for rays that go where those before them went.
 struct BranchingLaneSelect {
     static int of(std::uint32_t mask) {
         switch (std::countr_zero(mask)) {
@@ -38,7 +38,7 @@ struct BranchingLaneSelect {
     }
 
   private:
-    /// What the compiler takes for anything at all: or it would compute the lane after all.
+    /// Hides the constant from the compiler, which would otherwise compute the lane after all.
     template <int lane>
     static int constant() {
         int result = lane;

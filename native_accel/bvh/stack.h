@@ -35,8 +35,8 @@ class StackEntry {
 /// Each level leaves at most seven siblings behind.
 using StackSpace = std::array<StackEntry, (node_width - 1) * bvh_max_depth + node_width>;
 
-/// What a ray has yet to visit, the next one last. The space is the caller's, apart, so that all
-/// else can be in registers.
+/// Stack of what a ray has yet to visit, the next one last. The caller owns the space, apart, so
+/// that all else can be in registers.
 class TraversalStack {
   public:
     explicit TraversalStack(StackSpace& space) : bottom_(space.data()), top_(bottom_) {}
@@ -84,7 +84,7 @@ class TraversalStack {
     }
 
   private:
-    /// Of two entries and those of the lanes `rest`: all but the nearest, which is given back.
+    /// Pushes all but the nearest of two entries and those of the lanes `rest`; returns that one.
     ChildRef keep_sorted(StackEntry near, StackEntry far, const WideNode& node, const Lanes& entry,
                          std::uint32_t rest) {
         StackEntry::sort(near, far);
@@ -99,7 +99,7 @@ class TraversalStack {
         return near.child();
     }
 
-    /// Above the entries from `first` on that are further.
+    /// Inserts an entry above those from `first` on that are further.
     void insert(StackEntry* first, StackEntry entry) {
         StackEntry* place = top_++;
         for (; place != first && place[-1] < entry; --place) *place = place[-1];

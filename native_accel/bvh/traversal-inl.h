@@ -1,4 +1,4 @@
-// From node to node of the tree. Compiled for each instruction set.
+// Traversal from node to node of the tree. Compiled for each instruction set.
 #if defined(ETALON_BVH_WALK_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_BVH_WALK_INL_H
 #undef ETALON_BVH_WALK_INL_H
@@ -41,7 +41,7 @@ class Traversal {
     /// Whether the ray meets the tree before tmax at all: many do not, and need no more set up.
     HWY_INLINE bool begin(float tmax) { return next_.is_leaf() || descend(tmax); }
 
-    /// After begin(), takes the leaves one by one to at_leaf(cluster), as long as that returns
+    /// Passes, after begin(), the leaves one by one to at_leaf(cluster), as long as that returns
     /// true.
     template <class AtLeaf>
     HWY_INLINE void finish(const float& tmax, const AtLeaf& at_leaf) {
@@ -55,7 +55,7 @@ class Traversal {
     HWY_INLINE Counters counters() const { return counters_; }
 
   private:
-    /// From a node to a child; false where none is entered.
+    /// Moves from a node to a child; returns false where none is entered.
     HWY_INLINE bool descend(float tmax) {
         const WideNode& node = tree_.nodes[next_.node()];
         counters_.boxes(node);

@@ -1,5 +1,5 @@
-// How a ray walks the tree: compiled for several instruction sets, of which the best that the
-// machine has is taken.
+// Traversal of the tree: compiled for several instruction sets, of which the best that the machine
+// has is taken.
 #pragma once
 
 #include "core/intersect/ray.h"
@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// What a traversal needs.
+/// View of the data that a traversal needs.
 struct BvhView {
     const Geometry& geometry;
     const WideTree& tree;
@@ -35,7 +35,7 @@ struct BvhTraversal {
     bool (*occluded)(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local);
 };
 
-/// For the instruction set in use now.
+/// Returns the traversal for the instruction set in use now.
 BvhTraversal bvh_traversal();
 
 }  // namespace etalon

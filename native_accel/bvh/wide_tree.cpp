@@ -30,7 +30,7 @@ class Widener {
     }
 
   private:
-    /// Perhaps at the same time where there is much to do.
+    /// Calls f for each child, at the same time where there is much to do.
     template <class F>
     static void for_each(const Branch& parent, std::size_t children, const F& f) {
         constexpr std::size_t serial_up_to = 1024;

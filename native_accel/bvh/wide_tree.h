@@ -13,7 +13,7 @@ struct WideTree {
 
     std::vector<WideNode, LargePages<WideNode>> nodes;
     ChildRef root;
-    /// How many nodes a random line through the root's box enters, by their surfaces.
+    /// Mean number of nodes that a random line through the root's box enters, by their surfaces.
     double expected_nodes = 1;
 };
 

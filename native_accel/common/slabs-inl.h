@@ -1,4 +1,4 @@
-// Which boxes of a node a ray enters. Compiled for each instruction set.
+// Slab tests of a ray with the boxes of a node. Compiled for each instruction set.
 #if defined(ETALON_SLABS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_SLABS_INL_H
 #undef ETALON_SLABS_INL_H

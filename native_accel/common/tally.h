@@ -1,5 +1,5 @@
-// How a traversal counts what it does, or does not: it is compiled once with each of these, so that
-// whoever does not ask does not pay.
+// Counters of a traversal: it is compiled once with each of these, so that counting costs nothing
+// where it is not asked for.
 #pragma once
 
 #include "core/accel/clusters/clusters.h"

@@ -9,7 +9,7 @@
 
 namespace etalon {
 
-/// What a child of a wide node is: another node, by its index, or a cluster of primitives.
+/// Child of a wide node: another node, by its index, or a cluster of primitives.
 class ChildRef {
   public:
     static ChildRef node(std::size_t index) { return ChildRef(static_cast<std::uint32_t>(index)); }
@@ -40,10 +40,10 @@ struct alignas(64) WideNode {
     void clear();
     void set(std::size_t lane, const Box3f& box, ChildRef child);
 
-    /// How many children it has.
+    /// Number of its children.
     std::size_t count() const;
 
-    /// Where in `planes` the lanes of an axis's min or max begin: min x, max x, min y, ...
+    /// Offset in `planes` of the lanes of an axis's min or max: min x, max x, min y, ...
     static constexpr std::size_t plane(int axis, bool max) {
         return (2 * axis + (max ? 1 : 0)) * node_width;
     }

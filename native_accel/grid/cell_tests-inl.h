@@ -1,4 +1,4 @@
-// What a ray does with the packs of a cell. Compiled for each instruction set.
+// Tests of a ray with the packs of a cell. Compiled for each instruction set.
 #if defined(ETALON_GRID_CELL_TESTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_GRID_CELL_TESTS_INL_H
 #undef ETALON_GRID_CELL_TESTS_INL_H
@@ -49,7 +49,7 @@ class SphereTest {
 template <class Offer, class Counters>
 class ClusterTest {
   public:
-    /// For what a ray meets from `entry` on.
+    /// Tests only what the ray meets from `entry` on.
     HWY_INLINE ClusterTest(const Clusters& clusters, const RayQuery& query,
                            const NormalizedRay& ray, float entry, const Offer& offer, Counters to)
         : counters(to),

@@ -6,7 +6,7 @@
 
 namespace etalon {
 
-/// What walking and testing costs, in steps from one cell to the next.
+/// Cost of traversal and of tests, in steps from one cell to the next.
 struct GridCost {
     std::uint32_t pack_size;  ///< as many items are tested at once
     double pack;              ///< of testing them
@@ -17,8 +17,8 @@ struct GridCost {
         return items == 0 ? 0 : open + pack * ((items + pack_size - 1) / pack_size);
     }
 
-    /// Of a cell that may become a grid. A ray through a good one meets about as many cells as lie
-    /// along an edge, the cube root of their number.
+    /// Cost of a cell that may become a grid. A ray through a good one meets about as many cells as
+    /// lie along an edge, the cube root of their number.
     double cell(std::uint32_t items) const {
         if (items <= pack_size) return list(items);
         return std::min(list(items), enter + 2 * std::cbrt(items));

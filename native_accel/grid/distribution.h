@@ -1,4 +1,4 @@
-// Which items lie in which cells: a counting pass, sums, and a filling pass, on as many threads as
+// Distribution of items to cells: a counting pass, sums, and a filling pass, on as many threads as
 // allowed.
 #pragma once
 
@@ -25,14 +25,14 @@ class Distribution {
     Distribution(std::span<const Item> items, const ItemNumbers& numbers, const GridLayout& layout)
         : items_(items), numbers_(numbers), layout_(layout) {}
 
-    /// How many cells the items' boxes reach into, in all.
+    /// Number of cells the items' boxes reach into, in all.
     double box_references() const {
         double sum = 0;
         for (const std::uint32_t i : numbers_) sum += layout_.cells_of(items_[i].box).size();
         return sum;
     }
 
-    /// How many items' boxes reach into each cell.
+    /// Number of items whose boxes reach into each cell.
     ItemNumbers box_counts() const {
         ItemNumbers counts(layout_.size(), 0);
         for_each_part([&](std::size_t, std::size_t begin, std::size_t end) {

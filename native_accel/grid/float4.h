@@ -11,7 +11,7 @@ namespace etalon {
 /// instruction set of whoever does it.
 using Float4 = float __attribute__((vector_size(16)));
 
-/// What comparing two Float4 gives: all bits of a lane where it holds, else none.
+/// Result of comparing two Float4: all bits of a lane are set where it holds, else none.
 using Mask4 = std::int32_t __attribute__((vector_size(16)));
 
 HWY_INLINE Float4 broadcast(float x) {

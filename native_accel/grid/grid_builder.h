@@ -40,8 +40,8 @@ class GridBuilder {
         return {first, static_cast<std::uint32_t>(items.size())};
     }
 
-    /// To what of the cell there is anything in, and beyond that as far as the list of a cell
-    /// reaches.
+    /// Shrinks a cell to the part of it that has any content, plus the margin by which the list of
+    /// a cell reaches beyond it.
     void shrink_to_content(GridPart& part) const {
         Box3f all;
         for (const std::uint32_t i : part.items) all.extendBy(items_[i].box);
@@ -108,7 +108,7 @@ class GridBuilder {
         }
     }
 
-    /// Where what is appended to a tree comes to lie.
+    /// Offsets at which entries that are appended to a tree begin.
     struct Moved {
         explicit Moved(const GridTree& tree)
             : nodes(static_cast<std::uint32_t>(tree.nodes.size())),

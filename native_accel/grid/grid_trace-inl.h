@@ -1,4 +1,4 @@
-// How a ray goes through the grids. Compiled for each instruction set.
+// Traversal of the grids by a ray. Compiled for each instruction set.
 #if defined(ETALON_GRID_TRACE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_GRID_TRACE_INL_H
 #undef ETALON_GRID_TRACE_INL_H

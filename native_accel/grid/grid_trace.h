@@ -1,4 +1,4 @@
-// How a ray goes through the grids: compiled for several instruction sets, of which the best that
+// Traversal of the grids by a ray: compiled for several instruction sets, of which the best that
 // the machine has is taken.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace etalon {
 
-/// What a ray needs.
+/// View of the data that tracing a ray needs.
 struct GridView {
     const Geometry& geometry;
     const PackedGrid<SpherePack>& spheres;
@@ -26,11 +26,11 @@ struct GridTrace {
     bool (*occluded)(const GridView& grid, const RayQuery& query, const NormalizedRay& local);
 };
 
-/// For the instruction set in use now.
+/// Returns the functions for the instruction set in use now.
 GridTrace grid_trace();
 
-/// As GridTrace::closest, adding to `cost` the cells and the boxes in them, and the members of all
-/// that is tested.
+/// Finds the hit as GridTrace::closest does and adds to `cost` the cells and the boxes in them, and
+/// the members of all that is tested.
 void trace_closest_counted(const GridView& grid, const RayQuery& query, const NormalizedRay& local,
                            NearestHit& nearest, TraversalCost& cost);
 

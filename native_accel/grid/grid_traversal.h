@@ -23,8 +23,8 @@ namespace etalon {
 
 class GridTraversal {
   public:
-    /// From where the ray is at time `t`. Cells are counted along the ray: from the high end where
-    /// it runs backward.
+    /// Starts where the ray is at time `t`. Cells are counted along the ray: from the high end
+    /// where it runs backward.
     HWY_INLINE GridTraversal(const GridNode& node, const GridRay& ray, float t) {
         const Float4 near = select(ray.forward, node.low, node.high);
         entry_ = (near - ray.origin) * ray.reciprocal;
@@ -39,14 +39,14 @@ class GridTraversal {
         place(start, node, ray);
     }
 
-    /// Into GridTree::cells.
+    /// Index of the cell in GridTree::cells.
     HWY_INLINE std::uint32_t cell() const { return cell_; }
 
-    /// When the ray leaves the cell, in every lane; infinity in the last one.
+    /// Time at which the ray leaves the cell, in every lane; infinity in the last one.
     HWY_INLINE Float4 exit() const { return min_of_lanes(next_); }
 
-    /// What the step after next will need is worked out before it is known which axis that crosses:
-    /// a step waits for nothing but the one before.
+    /// Steps to the next cell. What the step after next will need is computed before it is known
+    /// which axis that crosses, so that a step waits for nothing but the one before.
     HWY_INLINE void advance(Float4 exit) {
         const Mask4 crossed = next_ <= exit;
         cell_ += delta_[bits(crossed) & 7];
@@ -57,7 +57,7 @@ class GridTraversal {
     }
 
   private:
-    /// When the cells of so many places after the first are entered.
+    /// Times at which the cells of so many places after the first are entered.
     HWY_INLINE Float4 entry_to(Float4 index) const {
         const Float4 never = broadcast(std::numeric_limits<float>::infinity());
         return max(entry_ + index * pace_, keep(index > last_, never));

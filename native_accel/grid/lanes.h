@@ -1,4 +1,4 @@
-// What a traversal through a grid does with four floats at once.
+// Operations on four floats at once for the traversal of a grid.
 #pragma once
 
 #if defined(__SSE2__)

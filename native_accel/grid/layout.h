@@ -4,9 +4,9 @@
 
 namespace etalon {
 
-/// By how much the list of a cell reaches beyond the cell, so that GridTraversal loses nothing, not
-/// even a box that the ray enters at a time that is itself off by 20 u (see Slabs); 9 u of it for
-/// the roundings of GridLayout::cells_of. That boxes come to the grid padded is not counted on.
+/// Margin by which the list of a cell reaches beyond the cell, so that GridTraversal loses nothing,
+/// not even a box that the ray enters at a time that is itself off by 20 u (see Slabs); 9 u of it
+/// for the roundings of GridLayout::cells_of. It does not rely on the padding of the boxes.
 inline constexpr float grid_padding = 64 * 0x1p-24F;
 
 /// Half the surface of a box of that size.
@@ -23,13 +23,13 @@ struct CellRange {
     CellIndex low, high;
 };
 
-/// Into what a box is cut.
+/// Shape of the cells into which a box is cut.
 enum class Cut {
     cubes,  ///< as near as the box's proportions allow; not at all where it is thinner than they
     alike,  ///< as often along each axis, for what is as long as the box or as thin
 };
 
-/// How a box is cut into cells.
+/// Cells into which a box is cut.
 struct GridLayout {
     GridLayout(const Box3& box, double cell_count, Cut cut = Cut::cubes);  ///< about so many
 
@@ -61,8 +61,8 @@ struct GridLayout {
 
     std::size_t size() const { return static_cast<std::size_t>(count_[0]) * count_[1] * count_[2]; }
 
-    /// Of the rays that cross the box, about how many cross a certain cell; and the mean of that
-    /// for rays along each axis.
+    /// Approximate share of the rays that cross the box which also cross a certain cell; and the
+    /// mean of that for rays along each axis.
     double share_of_rays() const;
     double share_along_axes() const;
 

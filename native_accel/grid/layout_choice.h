@@ -1,4 +1,4 @@
-// Whether and how a box is cut into cells, as an estimate of what a ray costs says.
+// Choice of the cells into which a box is cut, if any, by the estimated cost of a ray.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct GridConfig {
     std::uint32_t serial_below = 4096;  ///< grids of fewer items are one thread's work
 };
 
-/// What is to become a cell.
+/// Part of the scene that is to become a cell.
 struct GridPart {
     Box3 box;
     ItemNumbers items;
@@ -32,13 +32,13 @@ class LayoutChoice {
     LayoutChoice(std::span<const Item> items, const GridConfig& config, const GridPart& part)
         : items_(items), config_(config), part_(part) {}
 
-    /// False where no grid could be better than a list, or none is allowed.
+    /// Returns false where no grid could be better than a list, or none is allowed.
     static bool may_gain(const GridPart& part, const GridConfig& config) {
         const auto count = static_cast<std::uint32_t>(part.items.size());
         return !config.cost.is_short(count) && part.depth < config.max_depth;
     }
 
-    /// None where a list is better than any.
+    /// Returns the best layout, or none where a list is better than any.
     std::optional<GridLayout> best() const {
         const auto count = static_cast<std::uint32_t>(part_.items.size());
         const Choice as_list{std::nullopt, config_.cost.list(count)};
@@ -58,7 +58,7 @@ class LayoutChoice {
         return Distribution<Item>(items_, part_.items, layout).box_references() <= limit;
     }
 
-    /// What a ray through the box costs if it is cut so, and so many of all pass through a cell;
+    /// Cost of a ray through the box if it is cut so and that share of all rays crosses a cell;
     /// infinity where nothing would be gained.
     double cost(const GridLayout& layout, double share_of_rays) const {
         double sum = static_cast<double>(layout.size()), references = 0;
@@ -90,7 +90,7 @@ class LayoutChoice {
                cost(*other.layout, other.layout->share_along_axes());
     }
 
-    /// From about as many cells as items to ever fewer, as long as that is better.
+    /// Tries from about as many cells as items to ever fewer, as long as that is better.
     Choice best_layout(Cut cut, Choice best) const {
         bool allowed = false, found = false;
         for (double cells = config_.cells_per_item * static_cast<double>(part_.items.size());

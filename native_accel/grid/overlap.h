@@ -1,4 +1,4 @@
-// What is put into grids, and which cells it really crosses: a shape can be far smaller than its
+// Items of grids, and the cells that they really cross: a shape can be far smaller than its
 // box.
 #pragma once
 

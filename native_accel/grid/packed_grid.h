@@ -31,7 +31,7 @@ class PackedGrid {
     const GridNode& node(const GridCell& c) const { return tree_.nodes[c.first]; }
     const GridCell& cell(std::uint32_t i) const { return tree_.cells[i]; }
 
-    /// What a cell that is no grid holds.
+    /// Returns the packs of a cell that is no grid.
     std::span<const Pack> packs(const GridCell& c) const { return {&packs_[c.first], c.count}; }
 
     std::size_t memory_bytes() const {

@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// Up to eight spheres in normalized space, rounded to float.
+/// Pack of up to eight spheres in normalized space, rounded to float.
 struct alignas(32) SpherePack {
     using Item = SphereItem;
     static constexpr GridCost cost{cluster_lanes, 1, 2, 12};
@@ -18,7 +18,7 @@ struct alignas(32) SpherePack {
 
     void set(std::size_t lane, const SphereItem& item);
 
-    /// How many spheres it has.
+    /// Number of its spheres.
     std::size_t count() const {
         return static_cast<std::size_t>(
             std::count_if(limit.begin(), limit.end(), [](float l) { return l >= 0; }));

@@ -1,4 +1,4 @@
-// Which spheres of a pack a ray could hit. Compiled for each instruction set.
+// Filter for the spheres of a pack that a ray could hit. Compiled for each instruction set.
 #if defined(ETALON_GRID_SPHERE_PACK_FILTER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_GRID_SPHERE_PACK_FILTER_INL_H
 #undef ETALON_GRID_SPHERE_PACK_FILTER_INL_H
@@ -12,8 +12,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// By the squared distance of the centre from the ray's line, in a plane across it. Whatever the
-/// kernel would hit passes; what passes is for the kernel to decide.
+/// Filters by the squared distance of the centre from the ray's line, in a plane across it. All
+/// that the kernel would hit passes; for what passes, the kernel decides.
 class SpherePackFilter {
   public:
     HWY_INLINE explicit SpherePackFilter(const NormalizedRay& ray) {

@@ -1,4 +1,4 @@
-// How a ray visits what lies in grids, from near to far. Compiled for each instruction set.
+// Visits the contents of grids along a ray, from near to far. Compiled for each instruction set.
 #if defined(ETALON_GRID_VISIT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_GRID_VISIT_INL_H
 #undef ETALON_GRID_VISIT_INL_H
@@ -16,8 +16,8 @@ namespace etalon::HWY_NAMESPACE {
 struct Passage {
     HWY_INLINE Passage(float from, float to) : entry(from), exit(to) {}
 
-    /// Of the part from tmin to tmax, both finite, what is in a box. What is wanted of a grid lies
-    /// further inside its box than the errors of this slab test.
+    /// Clips the part from tmin to tmax, both finite, to a box. The content of a grid lies further
+    /// inside its box than the errors of this slab test.
     HWY_INLINE Passage(Float4 low, Float4 high, const GridRay& ray, float tmin, float tmax) {
         const Float4 a = (low - ray.origin) * ray.reciprocal;
         const Float4 b = (high - ray.origin) * ray.reciprocal;

@@ -1,4 +1,4 @@
-// What the families compute with. Only operations that IEEE 754 rounds correctly are used, no libm
+// Arithmetic of the families. Only operations that IEEE 754 rounds correctly are used, no libm
 // functions and no std::random distributions: a scene's text is the same on every machine.
 #pragma once
 

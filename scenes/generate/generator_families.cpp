@@ -9,8 +9,9 @@ namespace {
 // The largest sizes keep the number of primitives under 2^32. The default sizes are those of SPD.
 constexpr std::array table{
     Family{"sphereflake", sphereflake,
-           "spheres that bear nine at a third of their radius, N times over: (9^(N+1) - 1) / 8", 4,
-           0, 10},
+           "spheres that each carry nine of a third of their radius, N levels deep: (9^(N+1) - 1) "
+           "/ 8 spheres",
+           4, 0, 10},
     Family{"tetra", tetra, "Sierpinski's tetrahedron: 4^N tetrahedra of 4 triangles", 6, 0, 14},
     Family{"mountain", mountain,
            "a fractal height field under four glass spheres: 2 * 4^N triangles", 6, 0, 15},

@@ -38,7 +38,7 @@ std::span<const Family> families();
 /// The family called `name`, or nullptr.
 const Family* find_family(std::string_view name);
 
-/// What the classic families stand on: a large square in a material of its own.
+/// Writes the ground of the classic families: a large square in a material of its own.
 void ground(Writer& out,
             const P3fMaterial& material = {.diffuse = {1.0F, 0.85F, 0.62F}, .kd = 0.8});
 

@@ -48,9 +48,11 @@ int run(int argc, char** argv) {
     std::optional<std::int64_t> size;
     CLI::App app{"Writes a P3F scene of a classic family of test scenes, at any size."};
     app.name("etalon-scenes");
-    app.add_option("FAMILY", name, "which family of scenes")->required();
-    app.add_option("-n,--size", size, "how large: see below")->type_name("N");
-    app.add_option("-o,--output", path, "where to write it (standard output)")->type_name("FILE");
+    app.add_option("FAMILY", name, "Family of scenes, see below")->required();
+    app.add_option("-n,--size", size, "Size of the scene (default and range: see below)")
+        ->type_name("N");
+    app.add_option("-o,--output", path, "Output file (default: standard output)")
+        ->type_name("FILE");
     app.footer(list_of_families());
     try {
         app.parse(argc, argv);

@@ -6,8 +6,8 @@
 namespace etalon::generate {
 namespace {
 
-/// Where the nine small spheres sit on one whose pole is z: six round the equator and three midway
-/// up, above the gaps between every other pair.
+/// Returns the directions of the nine small spheres on one whose pole is z: six round the equator
+/// and three midway up, above the gaps between every other pair.
 std::array<Vec3, 9> nine_directions() {
     std::array<Vec3, 9> directions;
     for (int k = 0; k < 6; ++k) {

@@ -38,8 +38,8 @@ Vec3 in_float(const Vec3& v) {
     return Vec3(Vec3f(v));
 }
 
-/// From a distance of about 3 to somewhere around the shape. Half of the rays see only a part of
-/// the way, so that the first hit may lie before or beyond it.
+/// Returns a ray from a distance of about 3 to somewhere around the shape. Half of the rays see
+/// only a part of the way, so that the first hit may lie before or beyond it.
 Ray random_ray(Random& random) {
     Ray ray{in_float(3.0 * random.direction()), {}};
     ray.direction = in_float(1.5 * random.in_cube() - ray.origin);

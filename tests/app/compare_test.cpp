@@ -15,7 +15,7 @@ namespace {
 
 using Pixels = std::vector<Color>;
 
-/// Into a window of a frame that ends where it does.
+/// Writes into a window of a frame that ends where it does.
 void write(const Folder& f, const std::string& name, int width, const Pixels& pixels,
            Imath::V2i origin = {0, 0}) {
     const Imath::V2i size(width, static_cast<int>(pixels.size()) / width), end = origin + size;

@@ -10,7 +10,7 @@ using nlohmann::json;
 
 namespace {
 
-/// With a reference.exr of many samples.
+/// Folder with a scene and a reference.exr of many samples.
 struct Converging : Folder {
     Converging() {
         write("ball.p3f", small_scene);

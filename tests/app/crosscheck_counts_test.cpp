@@ -1,4 +1,4 @@
-// What crosscheck counts, on answers made up for the purpose.
+// Counts of crosscheck, on answers made up for the purpose.
 #include "app/crosscheck/crosscheck_results.h"
 #include "tests/catch.h"
 

@@ -12,7 +12,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Nothing behind the ball: who misjudges its outline mistakes hit for miss.
+/// Returns a scene with nothing behind the ball: errors at its outline take hits for misses.
 std::string lone_ball() {
     std::string scene = small_scene;
     const std::size_t plane = scene.find("pl ");
@@ -26,7 +26,7 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-/// What a comment of the list of rays says that a backend found, in the order of the rays.
+/// Answers of a backend as comments in the list of rays give them, in the order of the rays.
 struct Listed {
     std::string wrong, found, oracle;
 };

@@ -102,7 +102,7 @@ bool contains(const Box3f& outer, const Box3f& inner) {
     return outer.intersects(inner.min) && outer.intersects(inner.max);
 }
 
-/// What a walk over a tree finds.
+/// Counts of a traversal of the whole tree.
 class Inspection {
   public:
     Inspection(const BvhTree& tree, const Primitives& primitives, const BvhConfig& config)

@@ -1,5 +1,5 @@
-// What the float filters of clusters let through, against what the kernels hit; and whole walks of
-// the tree, for every instruction set that they are compiled for and this machine has.
+// Filters of clusters in float, against what the kernels hit; and whole traversals of the tree, for
+// every instruction set that they are compiled for and this machine has.
 #include "core/accel/clusters/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,4 +1,4 @@
-// What a nearest-hit query took is counted apart: it finds the same, and the counts mean something.
+// Counted nearest-hit queries: they find the same, and the counts mean something.
 #include "tests/backends/scenes.h"
 #include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"

@@ -1,4 +1,4 @@
-// What is particular to the Embree backends.
+// Tests of what is particular to the Embree backends.
 #include <tbb/task_scheduler_observer.h>
 
 #include <atomic>

@@ -12,8 +12,8 @@ using namespace etalon::test;
 
 namespace {
 
-/// What is needed of a cube of n^3 places to make grids lay their planes through them: things whose
-/// borders are the places, and the cube's corners.
+/// Returns a cube of n^3 places through which grids lay their planes: primitives whose bounds are
+/// at the places, and at the cube's corners.
 Scene lattice(int n, bool spheres) {
     Scene scene;
     for (int i = 0; i < n * n * n; ++i) {
@@ -31,7 +31,7 @@ Scene lattice(int n, bool spheres) {
     return scene;
 }
 
-/// Along planes, diagonals of faces and of cubes, through corners, from inside, beside and afar.
+/// Rays along planes, diagonals of faces and cubes, through corners, from inside, beside and afar.
 std::vector<Ray> rays_along_planes(int n, std::size_t count) {
     Random random(count);
     std::vector<Ray> rays;

@@ -112,7 +112,7 @@ void drop(const BvhTree& tree, BvhNode& leaf) {
     leaf.count = other->count;
 }
 
-/// To half its size.
+/// Shrinks a leaf's box to half its size.
 void shrink(const BvhTree&, BvhNode& leaf) {
     const Vec3f margin = leaf.box.size() * 0.25F;
     leaf.box.min += margin;

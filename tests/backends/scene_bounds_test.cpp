@@ -1,4 +1,4 @@
-// How a scene's primitives are sorted for accelerators.
+// Sorting of a scene's primitives for accelerators.
 #include "core/intersect/bounded.h"
 #include "core/numerics/random.h"
 #include "core/parallel/parallel.h"

@@ -34,7 +34,7 @@ void add_polygon(Scene& scene, Random& random, const Vec3& place, double size, S
     scene.geometry.add(Polygon{first, count}, 0, sides);
 }
 
-/// Of any kind, through its box's middle or near it.
+/// Adds a quadric of any kind, through its box's middle or near it.
 void add_quadric(Scene& scene, Random& random, const Vec3& place, double size, Sides sides) {
     const Vec3 half = abs(random.in_cube(size));
     Quadric s{place, {}, {place - half, place + half}};
@@ -190,7 +190,7 @@ Scene slivers(std::size_t count) {
     return scene;
 }
 
-/// Nothing thicker than a plane.
+/// Scene with nothing thicker than a plane.
 Scene flat(std::size_t count) {
     Scene scene = mix(0);
     Random random(17);

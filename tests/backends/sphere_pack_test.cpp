@@ -1,5 +1,5 @@
-// What the filter of the grid's packs of spheres lets through, against what the kernel hits, for
-// every instruction set that it is compiled for and this machine has.
+// Filter of the grid's packs of spheres, against what the kernel hits, for every instruction set
+// that it is compiled for and this machine has.
 #include "core/accel/clusters/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE

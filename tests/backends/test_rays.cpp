@@ -60,7 +60,7 @@ class RayMaker {
         return a + (random_.one_in(4) ? 0.5 : random_.uniform(0, 1)) * (b - a);
     }
 
-    /// Where a sphere ends, seen from about the middle of the scene, to about a double's precision.
+    /// Point on a sphere's silhouette, seen from about the scene's middle, to double precision.
     Vec3 on_silhouette() {
         const auto& spheres = scene_.geometry.all<Sphere>();
         if (spheres.empty()) return in(all_);

@@ -21,7 +21,7 @@ std::optional<Hit> brute_force(const Scene& scene, const Ray& ray);
 
 bool same_bits(const std::optional<Hit>& a, const std::optional<Hit>& b);
 
-/// How `intersector` answers `ray` otherwise than `expected`; empty if it does not.
+/// Returns how `intersector` answers `ray` otherwise than `expected`; empty if it does not.
 std::string difference(const Intersector& intersector, const Ray& ray,
                        const std::optional<Hit>& expected);
 

@@ -13,7 +13,7 @@ namespace {
 
 const Vec3 far_away(0x1p20, -0x1p20, 0x1p20);
 
-/// On coordinates that are still doubles after the move, which then is exact.
+/// Rounds coordinates so that they are still doubles after the move, which then is exact.
 Scene snapped(const Scene& scene) {
     return transformed(transformed(scene, 1, far_away), 1, -far_away);
 }

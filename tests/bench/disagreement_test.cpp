@@ -31,7 +31,7 @@ RaySet four_rays(bool occlusion) {
 
 const std::vector<Answer> right{{2, 0}, {2, 0}, {2, 0}, missed};
 
-/// Of what the oracle says when it has all the time.
+/// Checks answers against the oracle, which has time for all rays.
 OracleCheck check(const std::vector<Answer>& answers, bool occlusion) {
     hard::CaseSetup setup;
     setup.scene = two_layers();

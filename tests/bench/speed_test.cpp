@@ -15,7 +15,7 @@ ProgramResult speed(const Folder& folder, const std::string& arguments) {
     return folder.shell("exec '" ETALON_BINARY_DIR "/bin/etalon-bench' speed " + arguments);
 }
 
-/// From `start`, which is a line's, to its end.
+/// Returns the line at `start`, which is a newline and the beginning of that line.
 std::string line_with(const std::string& text, const std::string& start) {
     const std::size_t at = text.find(start) + 1;
     return text.substr(at, text.find('\n', at) - at);

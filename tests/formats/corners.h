@@ -15,7 +15,7 @@ inline std::vector<Vec3> corners_of(const Scene& scene, std::size_t i) {
     return corners;
 }
 
-/// How many vertices the scene has.
+/// Number of the scene's vertices.
 inline std::size_t vertex_count(const Scene& scene) {
     return scene.geometry.vertices.size() + scene.geometry.decimal_vertices.size();
 }

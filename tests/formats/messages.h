@@ -1,4 +1,4 @@
-// What a loader said, as text.
+// Messages of a loader, as text.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What stands where it should not: the reader says so once and goes on at the next keyword.
+// Misplaced words in P3F: the reader reports each once and goes on at the next keyword.
 #include "tests/catch.h"
 #include "tests/formats/p3f_text.h"
 

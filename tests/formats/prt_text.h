@@ -9,7 +9,7 @@ namespace etalon {
 inline const std::string good_lines =
     "from 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nresolution 40 30\n";
 
-/// Of diffuse colours to tell surfaces by, here red and green.
+/// Surfaces of diffuse colours that tell shapes apart, here red and green.
 inline const std::string red = "surface 0 0 0 0 0 0 0 0 0 0 0 1 0 0 0 0 0 0 0\n";
 inline const std::string green = "surface 0 0 0 0 0 0 0 0 0 0 0 0 1 0 0 0 0 0 0\n";
 inline const std::string glass = "surface 1 1 1 .1 1 1 1 .9 0 0 0 0 0 0 0 0 0 0 1.5\n";

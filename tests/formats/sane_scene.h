@@ -6,9 +6,9 @@
 
 namespace etalon {
 
-/// What no file may bring about: an index out of bounds, a number that is not finite, a radius or
-/// an extent below zero. Empty where all is well.
-/// Given a result with a scene.
+/// Returns a defect that no file may cause: an index out of bounds, a number that is not
+/// finite, a radius or an extent below zero. Empty if there is none. The result must have a
+/// scene.
 std::string insanity(const LoadResult& result);
 
 }  // namespace etalon

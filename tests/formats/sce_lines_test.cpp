@@ -1,4 +1,4 @@
-// What a line of an SCE file may look like.
+// Forms that a line of an SCE file may have.
 #include "tests/catch.h"
 #include "tests/formats/corners.h"
 #include "tests/formats/sce_text.h"

@@ -6,7 +6,7 @@ using namespace etalon;
 
 namespace {
 
-/// What stands where a ball does, by the map of its unit sphere.
+/// Returns the map of the unit sphere for what these lines put in place of a ball.
 Affine ball(const std::string& lines) {
     const LoadResult r = load_sce_text(lines);
     CAPTURE(lines, messages(r));

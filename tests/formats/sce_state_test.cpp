@@ -9,7 +9,7 @@ using namespace etalon;
 
 namespace {
 
-/// Where (1, 0, 0), (0, 1, 0) and the origin are after these lines.
+/// Positions of (1, 0, 0), (0, 1, 0) and the origin after these lines.
 std::vector<Vec3> moved(const std::string& lines, const LoadOptions& options = {}) {
     const LoadResult r = load_sce_text(
         lines + "\npointlight 1 0 0 1 1 1\npointlight 0 1 0 1 1 1\npointlight 0 0 0 1 1 1\n",

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of every format that is read.
+/// Returns the paths of small files of every format that can be read.
 std::vector<std::string> small_files() {
     std::vector<std::string> list;
     for (const std::string_view name : format_names()) {

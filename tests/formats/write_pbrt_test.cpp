@@ -86,8 +86,8 @@ void check_parameters(const Directive& d) {
     if (d.values.contains("normal N")) CHECK(d.values.at("normal N").size() == 3 * vertices);
 }
 
-/// What PBRT's parser asks for: fixed counts, brackets for a matrix and for no other, names before
-/// they are used, blocks that close, options before the world.
+/// Parses as strictly as PBRT does: fixed counts, brackets for a matrix and for no other, names
+/// before they are used, blocks that close, options before the world.
 std::vector<Directive> parsed(const std::string& text) {
     const std::map<std::string, std::size_t> counts = {
         {"LookAt", 9}, {"Scale", 3}, {"Transform", 16}};

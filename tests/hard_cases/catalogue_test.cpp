@@ -95,7 +95,7 @@ bool is_float(const Scene& scene) {
            });
 }
 
-/// Of 2000 rays, by a backend fit for the scene's size.
+/// Returns the share of 2000 rays that hit, by a backend fit for the scene's size.
 double hit_share(const CaseSetup& setup) {
     constexpr int rays = 2000;
     const auto backends = native_backends();
@@ -109,7 +109,7 @@ double hit_share(const CaseSetup& setup) {
     return static_cast<double>(hits) / rays;
 }
 
-/// At least a fifth of a case's rays hit, all of them if there is no way out, and there are
+/// Range of the share of rays that hit: at least a fifth, all of them if there is no way out, and
 /// misses where a miss is possible, except where the construction says otherwise.
 struct Share {
     double low, high;

@@ -1,4 +1,4 @@
-// What else than colours an image holds of its pixels.
+// Channels of an image other than colours.
 #include "core/image/io.h"
 #include "tests/catch.h"
 #include "tests/exr_channels.h"

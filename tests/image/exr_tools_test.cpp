@@ -1,4 +1,4 @@
-// Our EXR files in the eyes of other programs.
+// EXR files of Etalon as other programs read them.
 #include <cstdio>
 
 #include "core/image/io.h"
@@ -11,7 +11,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// What the command prints.
+/// Returns what the command prints.
 std::string output_of(const std::string& command) {
     std::string text;
     FILE* pipe = ::popen((command + " 2>/dev/null").c_str(), "r");

@@ -11,7 +11,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// From the definition in IEC 61966-2-1.
+/// Decodes sRGB by the definition in IEC 61966-2-1.
 double linear_of(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }

@@ -1,4 +1,4 @@
-// When the OpenImageIO module is loaded, and what happens if it cannot be.
+// Loading of the OpenImageIO module, and what happens if it cannot be loaded.
 #include <sys/wait.h>
 #include <unistd.h>
 

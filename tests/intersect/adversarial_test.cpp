@@ -14,7 +14,7 @@ bool is_hit(const Scene& scene, const Ray& ray) {
     return t > ray.tmin || t == infinity;
 }
 
-/// Through the origin and its surroundings, from everywhere.
+/// Ray through the origin and its surroundings, from everywhere.
 Ray probing_ray(int i, Random& random) {
     const Vec3 target = i % 3 == 0   ? Vec3(0)
                         : i % 3 == 1 ? Vec3(random.uniform(-2, 4), 0, 0)

@@ -17,7 +17,7 @@ Affine any_map(Random& random) {
     return {random.in_cube(), random.in_cube(), random.in_cube(), random.in_cube()};
 }
 
-/// Such that origin and target are a few sizes off the shape.
+/// Ray whose origin and target are a few sizes off the shape.
 Ray any_ray(const Affine& map, Random& random) {
     const double size = map.x.length() + map.y.length() + map.z.length();
     const Vec3 origin = map.origin + random.uniform(0, 10) * size * random.direction();

@@ -33,7 +33,7 @@ Ray moved(Ray ray, int k, double towards) {
     return ray;
 }
 
-/// Of any proportions: flat ones and needles, pointed ones, and all but cylinders.
+/// Returns a cone of any proportions: flat, needle-like, pointed, and all but cylindrical.
 Cone random_cone(Random& random) {
     const double length = std::pow(10.0, random.uniform(-4, 3)), radius = random.uniform(0.5, 2);
     const double other[] = {radius, 0,
@@ -45,7 +45,7 @@ Cone random_cone(Random& random) {
     return c;
 }
 
-/// Through the surface, a rim, the axis or an end of it, from 1 to 1e7 radii, or from on the spot.
+/// Ray through the surface, a rim, the axis or an end of it, from on the spot or 1 to 1e7 radii.
 Ray random_ray(const Cone& c, Random& random) {
     const Vec3 h = c.top - c.base;
     Vec3 u, v;

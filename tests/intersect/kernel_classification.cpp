@@ -43,8 +43,8 @@ struct Branches {
         back.add(found, false);
     }
 
-    /// Where some rays of the neighbourhood pass the shape by, one of them is a tangent, on which
-    /// front and back are one.
+    /// Joins the sides at tangents: where some rays of the neighbourhood pass the shape by, one of
+    /// them is a tangent, on which front and back are one.
     void join_tangents() {
         if (front.in_some && !front.in_all && back.in_some && !back.in_all) join_sides();
     }

@@ -1,4 +1,4 @@
-// Is a kernel's answer right?
+// Classification of a kernel's answers as right or wrong.
 #pragma once
 
 #include "core/oracle/oracle.h"

@@ -62,8 +62,8 @@ std::optional<Sample> neighbour(const ShapeCase& shape, const Sample& s, Random&
     return found;
 }
 
-/// How far a step on the surface is from what the derivatives make of the step of (u, v), how long
-/// it is, and how far it may be off: by roundings, and by how much the derivatives change.
+/// Distance of a step on the surface from what the derivatives make of the step of (u, v), its
+/// length, and the tolerance: roundings, and the change of the derivatives.
 struct Step {
     double off, length, tolerance;
 
@@ -71,7 +71,7 @@ struct Step {
     bool is_decisive() const { return tolerance < 0.1 * length; }
 };
 
-/// False across an edge of a box, or next to a pole.
+/// Returns false across an edge of a box, or next to a pole.
 bool derivatives_are_close(const Parametrization& a, const Parametrization& b) {
     return (a.dpdu - b.dpdu).length() < 0.02 * a.dpdu.length() &&
            (a.dpdv - b.dpdv).length() < 0.02 * a.dpdv.length();
@@ -103,7 +103,7 @@ Step step(const Sample& a, const Sample& b) {
     return {(moved - expected).length(), length, 1e-3 * length + 2 * change + rounding};
 }
 
-/// Where the normal itself is lost in roundings.
+/// Returns whether the point is so near a tip that the normal itself is lost in roundings.
 bool is_at_tip(const ShapeCase& shape, const SurfacePoint& p) {
     return std::any_of(shape.tips.begin(), shape.tips.end(), [&](const Vec3& tip) {
         return (p.position - tip).length() < 1e-9 * shape.size;

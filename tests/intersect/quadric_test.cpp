@@ -31,7 +31,7 @@ bool is_one(double t) {
     return std::abs(t - 1) < 1e-9;
 }
 
-/// About the origin, as far as `reach` in all axes.
+/// Quadric about the origin, as far as `reach` in all axes.
 Quadric quadric(const Coefficients& c, double reach) {
     return {{0, 0, 0}, c, {Vec3(-reach), Vec3(reach)}};
 }

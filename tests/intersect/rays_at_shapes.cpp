@@ -33,7 +33,7 @@ Ray from_the_target(const ShapeCase& shape, const RayTarget& ray_target, Random&
     return {ray_target(shape.centre + 10 * shape.size * random.direction()), random.direction()};
 }
 
-/// With zeros of both signs.
+/// Returns a ray along an axis, with zeros of both signs.
 Ray along_an_axis(const ShapeCase& shape, const RayTarget& ray_target, Random& random) {
     const int k = random.axis();
     Vec3 direction(random.sign() * 0.0, random.sign() * 0.0, random.sign() * 0.0);
@@ -58,7 +58,7 @@ Ray with_a_denormal(const ShapeCase& shape, const RayTarget& ray_target, Random&
     return ray;
 }
 
-/// Through two targets at once: along an edge, a generator, a face.
+/// Ray through two targets at once: along an edge, a generator, a face.
 Ray through_two(const ShapeCase& shape, const RayTarget& ray_target, Random& random) {
     const Vec3 a = ray_target(shape.centre + 10 * shape.size * random.direction());
     const Vec3 b = ray_target(shape.centre + 10 * shape.size * random.direction());

@@ -7,7 +7,7 @@ using namespace etalon;
 
 namespace {
 
-/// Into the hemisphere of `up`, half of them grazing: cosines from 1e-6.
+/// Direction in the hemisphere of `up`; half of them are grazing, with cosines from 1e-6.
 Vec3 grazing_direction(const Vec3& up, Random& random) {
     Vec3 u, v;
     orthonormal_basis(up, u, v);
@@ -35,7 +35,7 @@ std::optional<Spawned> spawn(const ShapeCase& shape, const Ray& ray, Random& ran
     return Spawned{{spawn_origin(p, direction), direction}, side > 0};
 }
 
-/// Of a quadric only, whose other parts may be in any direction, but hardly so close.
+/// Returns whether a quadric is hit in another part of it, in any direction but not so close.
 bool is_elsewhere(const ShapeCase& shape, const Spawned& s, double t) {
     const bool is_curved = shape.scene.geometry.primitives[0].kind == kind_of<Quadric>();
     return is_curved && t * s.ray.direction.length() > 1e-9 * shape.size;

@@ -244,7 +244,7 @@ Affine scaling(double x, double y, double z) {
     return {{x, 0, 0}, {0, y, 0}, {0, 0, z}};
 }
 
-/// What follows it then lies askew.
+/// Rotation after which shapes lie askew.
 Affine rotation() {
     return {tilted(1, 0, 0), tilted(0, 1, 0), tilted(0, 0, 1), {0.3, -0.7, 0.45}};
 }
@@ -305,7 +305,7 @@ constexpr Coefficients sphere_seen_from_afar(double x, double y, double z) {
     return {1, 0, 0, -x, 1, 0, -y, 1, -z, x * x + y * y + z * z - 1};
 }
 
-/// Along the odd frame's axes.
+/// Ellipsoid along the odd frame's axes.
 ShapeCase ellipsoid(const std::string& name, const Vec3& centre, const Vec3& radii) {
     const std::array<Vec3, 3> axes = {tilted(1, 0, 0), tilted(0, 1, 0), tilted(0, 0, 1)};
     Coefficients c{};

@@ -44,7 +44,7 @@ class BruteForce {
     double extent_ = 0;
 };
 
-/// At corners, edges, and halfway along edges, by turns; as exactly as doubles can.
+/// Returns a corner, a point of an edge or its middle by turns, as exactly as doubles can be.
 Vec3 target(const ClosedMesh& mesh, int i, Random& random) {
     const std::vector<Vec3>& face =
         mesh.faces[static_cast<std::size_t>(random.index(mesh.faces.size()))];

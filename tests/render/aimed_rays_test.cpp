@@ -16,7 +16,7 @@ namespace {
 
 const Box3 cube(Vec3(-1), Vec3(1));
 
-/// How far from the sphere's centre the ray passes, in radii.
+/// Distance from the sphere's centre at which the ray passes, in radii.
 double passage(const Ray& ray, const Sphere& s) {
     const Vec3 f = s.centre - ray.origin;
     return f.cross(ray.direction).length() / ray.direction.length() / s.radius;

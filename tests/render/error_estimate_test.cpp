@@ -11,7 +11,7 @@ namespace {
 
 constexpr int side = 64;
 
-/// What samples of a pixel are, of points in the unit square, and what they come to.
+/// Function that is sampled at points of the unit square, and its exact mean, for each pixel.
 struct Integrand {
     double (*at)(const Vec2& point, double place);
     double (*mean)(double place);  ///< `place`: of the pixel, in [0, 1)

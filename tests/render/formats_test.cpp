@@ -1,4 +1,4 @@
-// What files of NFF and PRT look like.
+// Images of files of NFF and PRT.
 #include <cmath>
 #include <numbers>
 
@@ -18,7 +18,7 @@ TestScene scene_of(const std::string& format, const std::string& text) {
     return {std::move(*r.scene), r.settings};
 }
 
-/// What an eye at (x, y, 5) sees that looks down z, before a background of (0.25, 0.5, 1).
+/// Colour seen from (x, y, 5) down z, before a background of (0.25, 0.5, 1).
 Color nff_at(double x, double y, const std::string& text) {
     const std::string place = std::to_string(x) + " " + std::to_string(y);
     return centre(scene_of("nff", "b 0.25 0.5 1 v from " + place + " 5 at " + place +

@@ -19,7 +19,7 @@ TestScene scene_with(PixelRays rays) {
     return scene;
 }
 
-/// What a ray through the point `pixel` of the image sees.
+/// Returns the colour that a ray through the point `pixel` of the image sees.
 Color seen_through(const TestScene& scene, const Vec2& pixel) {
     const auto intersector = find_backend(reference_backend)->build(scene.geometry);
     std::vector<std::string> problems;

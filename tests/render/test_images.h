@@ -26,7 +26,7 @@ inline std::vector<Color> image(const TestScene& scene,
     return rendered(scene, backend).film.pixels();
 }
 
-/// What the middle of a one-pixel image sees.
+/// Returns the colour in the middle of a one-pixel image.
 inline Color centre(TestScene scene, int max_depth = 5) {
     scene.settings.resolution = {1, 1};
     scene.settings.max_depth = max_depth;

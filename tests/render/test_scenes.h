@@ -40,8 +40,8 @@ inline TestScene empty_scene(int width = 32, int height = 24) {
     return scene;
 }
 
-/// Some of everything: mirror, glass, matte; spheres, a box, a cone, a mesh, a plane; a point light
-/// and a quad light; a lens.
+/// Scene with some of everything: mirror, glass, matte; spheres, a box, a cone, a mesh, a plane; a
+/// point light and a quad light; a lens.
 inline TestScene mixed_scene(int width = 48, int height = 36) {
     TestScene s = empty_scene(width, height);
     s.look.lights = {PointLight{Vec3(3, 6, 4), Color(0.6F)},

@@ -10,7 +10,7 @@ using namespace etalon;
 
 namespace {
 
-/// How many of the 2^a x 2^b cells of equal area hold exactly one of the points.
+/// Returns whether each of the 2^a x 2^b cells of equal area holds exactly one of the points.
 bool one_point_in_every_cell(const std::vector<Vec2>& points, int columns, int rows) {
     std::set<std::pair<int, int>> cells;
     for (const Vec2& p : points) {

@@ -44,7 +44,7 @@ bool inside(const Vec2& p, const std::vector<Vec2>& polygon) {
     return odd;
 }
 
-/// How often each edge of the scene's triangles is used.
+/// Number of uses of each edge of the scene's triangles.
 std::map<std::pair<Key, Key>, int> edge_uses(const Scene& scene) {
     std::map<std::pair<Key, Key>, int> uses;
     for (const TriangleIndices t : scene.geometry.all<Triangle>()) {

@@ -7,7 +7,7 @@
 
 namespace etalon::test {
 
-/// What `etalon-scenes FAMILY --size N` writes to standard output.
+/// Returns the standard output of `etalon-scenes FAMILY --size N`.
 std::string family_text(const std::string& family, std::int64_t size);
 
 /// That, loaded; fails the test case unless it loads without a single diagnostic.

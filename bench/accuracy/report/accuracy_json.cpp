@@ -43,7 +43,7 @@ Json json_of(const Row& row) {
             {"cost", row.cost}};
 }
 
-/// What Linux calls the processor; where it says nothing, "unknown".
+/// Returns the processor's name as Linux reports it, or "unknown".
 std::string processor() {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);) {

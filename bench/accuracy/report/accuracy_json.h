@@ -8,7 +8,7 @@
 
 namespace etalon::accuracy {
 
-/// Where and with what the rows were measured.
+/// Machine, compiler, flags and version with which the rows were measured.
 struct RunEnvironment {
     std::string machine, compiler, flags, version;
 };
@@ -16,8 +16,8 @@ struct RunEnvironment {
 /// This machine's processor, and this program's compiler, flags and version.
 RunEnvironment run_environment();
 
-/// Everything, with every bit of every number; of a distribution its count, quantiles and maximum.
-/// What is infinite is null.
+/// Returns all results with every bit of every number. A distribution is given by its count,
+/// quantiles and maximum; an infinite value is null.
 nlohmann::ordered_json json(const std::vector<Row>& rows, const RunEnvironment& environment);
 
 }  // namespace etalon::accuracy

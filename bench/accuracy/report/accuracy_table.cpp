@@ -10,7 +10,7 @@ namespace {
 
 constexpr int name_width = 24;
 
-/// Which rows a column says something of.
+/// Kinds of rows for which a column has a value.
 enum class Asked { always, by_oracle, of_enclosed, of_spawned };
 
 struct Column {

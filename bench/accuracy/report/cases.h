@@ -10,11 +10,11 @@
 
 namespace etalon::accuracy {
 
-/// What the tracers made of one case. The rows must outlive it.
+/// Rows of all tracers for one case. The rows must outlive it.
 struct CaseRows {
     std::string name() const;  ///< "SPH-1, 1e3 radii"
 
-    /// Nothing if it took no part.
+    /// Returns the tracer's row, or nullptr if it took no part.
     const Row* find(std::string_view tracer) const;
 
     std::string id, variant, criterion;

@@ -47,7 +47,7 @@ std::string undecidable(const CaseRows& c) {
     return brief_count(c.rows.front()->stats.undecidable);
 }
 
-/// Of the kernel by itself; where it was not asked, of an exact backend that calls it.
+/// Returns the errors of the kernel by itself or, where it was not asked, of an exact backend.
 std::string kernel_ulps(const CaseRows& c) {
     const Row* row = c.find(bare_kernel);
     for (const Row* other : c.rows) {
@@ -105,7 +105,7 @@ std::vector<Column> all_columns(const std::vector<CaseRows>& cases) {
     };
 }
 
-/// Those that have something to say of any case.
+/// Returns the columns that have a value for at least one case.
 std::vector<Column> columns_for(const std::vector<CaseRows>& cases) {
     std::vector<Column> columns = all_columns(cases);
     std::erase_if(columns, [&](const Column& column) {

@@ -1,4 +1,4 @@
-// How the report writes numbers for people: few digits, never wider than a column.
+// Numbers in reports for people: few digits, never wider than a column.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 
 namespace etalon::accuracy {
 
-/// To two or three digits, of what is below 1e-9 to one, in at most six characters: "0", "0.25",
-/// "12.3", "9087", "4.6e4", "6e-17".
+/// Formats a value with two or three digits, or with one digit below 1e-9, in at most six
+/// characters: "0", "0.25", "12.3", "9087", "4.6e4", "6e-17".
 std::string brief(double value);
 
 /// Exact up to six digits, then like "2.5e6".

@@ -24,7 +24,7 @@ constexpr double margin = 24;
 constexpr PlotArea large{760, 500, 72, 728, 120, 426};
 constexpr PlotArea small{360, 280, 34, 348, 30, 228};
 
-/// Who is alike has a colour.
+/// Kind of a tracer; each kind has a colour.
 enum Kind { exact, textbook, other };
 constexpr std::string_view colours[] = {"c1", "c7", "c2"};
 constexpr std::string_view kinds[] = {"promises to be right", "textbook kernel", "float backend"};
@@ -120,14 +120,14 @@ void draw_points(Svg& svg, const Scatter& scatter, const Axes& axes) {
     }
 }
 
-/// What a mark covers, as places so close that no label fits between.
+/// Adds the area that a mark covers, as places so close that no label fits between them.
 void add_mark(Place at, std::vector<Place>& places) {
     for (const double x : {-5.0, 0.0, 5.0}) {
         for (const double y : {-5.0, 0.0, 5.0}) places.push_back({at.x + x, at.y + y});
     }
 }
 
-/// Of those that `is_named`.
+/// Draws the labels of the points for which `is_named` holds.
 template <class F>
 void draw_labels(Svg& svg, const Scatter& scatter, const Axes& axes, std::vector<Place> avoid,
                  const F& is_named) {

@@ -1,4 +1,4 @@
-// What the textbooks' kernels share. A kernel is a struct that takes the shape when it is made,
+// Common part of the textbooks' kernels. A kernel is a struct that takes the shape when it is made,
 // rounded to the numbers it calculates in, and has
 //
 //   using RayForm = ...;                    the form of ray it wants: see RayBlock

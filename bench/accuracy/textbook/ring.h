@@ -4,7 +4,7 @@
 
 namespace etalon::accuracy {
 
-/// Where the plane is met, and how far from the centre that is: n . x = distance, as for a plane.
+/// Meets the plane n . x = distance, as for a plane, then compares the distance to the centre.
 template <class Real>
 struct TextbookRing {
     using RayForm = PlainRay<Real>;

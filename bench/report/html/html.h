@@ -9,7 +9,7 @@ namespace etalon::bench_report {
 
 std::string html(const Page& page);
 
-/// What stands between the tags of <figure>, without its caption. A function for each content.
+/// Returns the content of a <figure> without its caption. There is one overload for each content.
 std::string html(const Table& table);
 std::string html(const Bars& bars);
 std::string html(const Charts& charts);

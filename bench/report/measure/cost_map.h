@@ -1,4 +1,4 @@
-// What each pixel of an image costs, in counts that no clock disturbs.
+// Cost of each pixel of an image, in counts that do not depend on the machine's load.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace etalon::bench_report {
 
-/// How many rays a sample takes, of whatever kind.
+/// Returns the number of rays of a sample for each pixel, of any kind.
 PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
                            const TaskProgress& task_progress);
 
-/// How many boxes and primitives a camera ray is tested against by a backend; nothing if that does
-/// not count.
+/// Returns the number of boxes and primitives a camera ray is tested against by a backend; nothing
+/// if that does not count.
 std::optional<PixelPlane> tests_of_camera_rays(const Scene& scene, const RenderSettings& settings,
                                                const std::string& backend,
                                                const TaskProgress& task_progress);

@@ -36,7 +36,7 @@ Bytes display(const RenderSettings& settings, const std::vector<Color>& pixels) 
                          0);
 }
 
-/// Without the layer if there is no PNG.
+/// Adds an image to `figures`, without the layer if it cannot be encoded as PNG.
 void add(const std::string& title, const Bytes& rgb, ImageFigures& figures) {
     Result<std::string> png = encode_png(rgb, figures.width, figures.height);
     if (png) return figures.layers.push_back({title, std::move(png.value)});

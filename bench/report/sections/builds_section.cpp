@@ -1,4 +1,4 @@
-// What it takes to be ready: time and memory.
+// Section on builds: time and memory.
 #include <fmt/format.h>
 
 #include "bench/report/command_lines.h"

@@ -1,4 +1,4 @@
-// How fast images come to what they should be.
+// Section on convergence: the error of images against time.
 #include <fmt/format.h>
 
 #include "bench/plot/line_chart.h"

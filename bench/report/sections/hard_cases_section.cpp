@@ -27,7 +27,7 @@ const Row* find(const CaseRows& c, const std::string& name) {
     return found == c.rows.end() ? nullptr : *found;
 }
 
-/// Those that have a column.
+/// Returns the names of the tracers that have a column.
 std::vector<std::string> judged(const std::vector<Row>& rows) {
     std::vector<std::string> names;
     const auto add = [&](std::string_view name) {

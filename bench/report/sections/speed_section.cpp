@@ -1,4 +1,4 @@
-// How many rays a second, with how many of them wrong beside it.
+// Section on speed: rays per second, with the number of wrong answers beside it.
 #include <fmt/format.h>
 
 #include <map>
@@ -17,7 +17,7 @@ double rate(const KindFigures& kind, const std::vector<double>& seconds) {
     return 1e-6 * static_cast<double>(kind.rays) / median(seconds);
 }
 
-/// Of the rays that the oracle was asked about, of a sample and of those in dispute.
+/// Errors among the rays that the oracle was asked about: a sample and those in dispute.
 struct Wrong {
     Wrong& operator+=(const Errors& e) {
         wrong += e.sample.errors() + e.disputed.errors();

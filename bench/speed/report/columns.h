@@ -11,7 +11,7 @@
 
 namespace etalon::speed {
 
-/// What stands in a column of a `Line`, aligned to the right.
+/// Column of a table of `Line`s, aligned to the right.
 template <class Line>
 struct Column {
     const char *above, *name;
@@ -19,7 +19,7 @@ struct Column {
     std::string (*cell)(const Line& line);
 };
 
-/// How every line begins.
+/// Beginning of every line.
 inline std::string beginning(const std::string& what, const std::string& tracer) {
     return fmt::format("{:<8}{:<22}", what, tracer);
 }
@@ -44,7 +44,7 @@ std::string text_of(std::string text, const Line& line, std::span<const Column<L
     return without_trailing_blanks(text) + "\n";
 }
 
-/// With decimal points below each other as far as that tells anything.
+/// Formats values with aligned decimal points as far as that is informative.
 inline std::string figure(double value) {
     return value >= 0.01 || value == 0 ? fmt::format("{:.3f}", value) : accuracy::brief(value);
 }

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of the last minute: what else the machine had to do; 0 where it cannot be told.
+/// Returns the load average of the last minute, that of other processes included; 0 if unknown.
 double load_average() {
     double load = 0;
     getloadavg(&load, 1);
@@ -40,7 +40,7 @@ Json json_of(const BuildFigures& build) {
     return json;
 }
 
-/// With the rates that the seconds mean.
+/// Returns the times and the rates in rays per second that follow from them.
 Json json_of(const Runs& runs, double rays) {
     Json json = {{"mrays_per_s", rays / median(runs.cpu()) * 1e-6},
                  {"mrays_per_wall_s", rays / median(runs.wall()) * 1e-6}};

@@ -8,7 +8,7 @@
 
 namespace etalon::speed {
 
-/// What was measured with: machine, compiler, versions.
+/// Returns the machine, compiler and versions of the measurement.
 nlohmann::ordered_json json_of_machine();
 
 /// The same and the plan. The scenes are for the caller to add.

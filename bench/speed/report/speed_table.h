@@ -10,8 +10,8 @@ namespace etalon::speed {
 /// A heading, and a line for each tracer and number of threads.
 std::string table(const std::vector<BuildFigures>& builds);
 
-/// What stands above the lines of all kinds of rays. Mrays are by CPU second and by wall second;
-/// "of one" compares what several threads do with what one does.
+/// Returns the heading of the tables of all kinds of rays. Mrays are per CPU second and per wall
+/// second; "of one" compares the rate of several threads with that of one.
 std::string heading_of_rays();
 
 /// A line for each tracer and number of threads; errors, which do not depend on threads, in the
