@@ -10,7 +10,7 @@
 
 namespace etalon {
 
-/// In the order of help texts and reports. To add a backend, publish it in its folder's list.
+/// In the order of help texts and reports. CONTRIBUTING.md lists what a new one takes.
 const std::vector<Backend>& all_backends();
 
 /// nullptr if there is none of that name.
