@@ -6,7 +6,7 @@
 
 namespace etalon {
 
-/// none, grid, bvh.
+/// In the order of help texts. CONTRIBUTING.md lists what a new one takes.
 std::span<const Backend> native_backends();
 
 }  // namespace etalon

@@ -10,7 +10,7 @@
 
 namespace etalon {
 
-/// Returns all backends in the order of help and reports. A new one goes in its folder's list.
+/// Returns all backends in the order of help and reports. CONTRIBUTING.md lists what a new one takes.
 const std::vector<Backend>& all_backends();
 
 /// nullptr if there is none of that name.

@@ -31,10 +31,8 @@ struct Format {
     bool has_legacy = false;
 };
 
-// To add a format:
-//   1. its loader, core/formats/<format>/, over the words of reader.h if it is a stream of words;
-//   2. its line here, with what it is detected by (detect_format.cpp);
-//   3. its tests, tests/formats/<format>_*_test.cpp.
+// CONTRIBUTING.md lists what a new format takes. Its name here is what its loader gives as
+// Scene::format.
 // The first line that recognises a text has it: those that show clear signs stand above those that
 // others could be mistaken for.
 constexpr std::array formats = {

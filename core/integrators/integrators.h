@@ -30,7 +30,7 @@ struct IntegratorType {
     bool obeys(std::string_view option) const;
 };
 
-/// All integrators, in the order of help texts. To add an integrator, add its line to the table.
+/// Returns all integrators, in the order of help texts. CONTRIBUTING.md lists what a new one takes.
 std::span<const IntegratorType> all_integrators();
 
 /// Returns the integrator of that name, or nullptr if there is none.
