@@ -4,7 +4,6 @@
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 
@@ -27,6 +26,8 @@ target_include_directories(etalon_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(etalon_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> # g++ 12 sees it in every string sum (its bug 105329)
+  # Programs too, which would be given -fPIE, so that libraries and programs share precompiled headers.
+  -fPIC
   # A result must be a function of the source, not of what a compiler may fuse.
   -ffp-contract=off
   # g++ 12 drops the double -> float rounding of a vectorised pair (tests/numerics guards it).
@@ -52,12 +53,9 @@ set(ETALON_PRECOMPILED
 # CMake precompiles headers only for a target with a source file.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "")
 
-# etalon_precompiled(<group> <position> <header>...) compiles the headers once for all targets of a
-# group, which must share their options: <position> is -fPIC for libraries and -fPIE for programs.
-function(etalon_precompiled group position)
+# etalon_precompiled(<group> <header>...) compiles the headers once for all targets of a group.
+function(etalon_precompiled group)
   add_library(etalon_precompiled_${group} OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/precompiled.cpp)
-  set_target_properties(etalon_precompiled_${group} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
-  target_compile_options(etalon_precompiled_${group} PRIVATE ${position})
   target_link_libraries(etalon_precompiled_${group} PRIVATE
     etalon_options TBB::tbb nlohmann_json::nlohmann_json)
   target_precompile_headers(etalon_precompiled_${group} PRIVATE ${ARGN})
@@ -77,7 +75,7 @@ function(etalon_library name)
   add_library(etalon_${name} STATIC ${arg_SOURCES})
   add_library(etalon::${name} ALIAS etalon_${name})
   target_link_libraries(etalon_${name} PUBLIC etalon_options ${arg_LINKS})
-  etalon_precompile(etalon_${name} libraries)
+  etalon_precompile(etalon_${name} code)
 endfunction()
 
 # etalon_program(<name> SOURCES <file>... [LINKS <target>...]) makes the executable <name>.
@@ -85,5 +83,5 @@ function(etalon_program name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINKS")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE etalon_options ${arg_LINKS})
-  etalon_precompile(${name} programs)
+  etalon_precompile(${name} code)
 endfunction()

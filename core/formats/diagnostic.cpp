@@ -49,8 +49,8 @@ std::string report(const std::vector<Diagnostic>& diagnostics, int limit) {
     }
     for (const KindCount& t : counts) {
         if (t.hidden == 0) continue;
-        fmt::format_to(std::back_inserter(text), "{}: {}: {} more of this kind ({})\n",
-                       t.first->file, name(t.first->severity), t.hidden, t.first->kind);
+        text += fmt::format("{}: {}: {} more of this kind ({})\n", t.first->file,
+                            name(t.first->severity), t.hidden, t.first->kind);
     }
     return text;
 }

@@ -34,7 +34,7 @@ std::string in_quotes(std::string_view word) {
         if (c > ' ' && c <= '~') {
             text += c;
         } else {
-            fmt::format_to(std::back_inserter(text), "\\x{:02x}", static_cast<unsigned char>(c));
+            text += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
         }
     }
     return text + (word.size() > longest ? "...'" : "'");

@@ -5,24 +5,27 @@
 #include <fmt/format.h>
 
 #include <functional>
-#include <iterator>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "core/numerics/vec.h"
 
-// Adding zero turns -0 into 0.
+// Adding zero turns -0 into 0. Text is made by fmt::format, which fmt's library has compiled;
+// fmt::format_to would compile all of fmt anew in each file that writes.
 template <>
-struct fmt::formatter<etalon::Vec3> : fmt::formatter<double> {
+struct fmt::formatter<etalon::Vec3> : fmt::formatter<std::string_view> {
     auto format(const etalon::Vec3& v, fmt::format_context& context) const {
-        return fmt::format_to(context.out(), "{} {} {}", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+        return fmt::formatter<std::string_view>::format(
+            fmt::format("{} {} {}", v.x + 0.0, v.y + 0.0, v.z + 0.0), context);
     }
 };
 
 template <>
-struct fmt::formatter<etalon::Color> : fmt::formatter<float> {
+struct fmt::formatter<etalon::Color> : fmt::formatter<std::string_view> {
     auto format(const etalon::Color& c, fmt::format_context& context) const {
-        return fmt::format_to(context.out(), "{} {} {}", c.x + 0.0F, c.y + 0.0F, c.z + 0.0F);
+        return fmt::formatter<std::string_view>::format(
+            fmt::format("{} {} {}", c.x + 0.0F, c.y + 0.0F, c.z + 0.0F), context);
     }
 };
 
@@ -37,14 +40,14 @@ class LineWriter {
 
     template <class... T>
     void line(fmt::format_string<T...> text, T&&... values) {
-        fmt::format_to(std::back_inserter(buffer_), text, std::forward<T>(values)...);
-        buffer_.push_back('\n');
+        buffer_ += fmt::format(text, std::forward<T>(values)...);
+        buffer_ += '\n';
         if (buffer_.size() >= piece) flush();
     }
 
     /// Hands on what is left. This and line() let through what the sink throws.
     void flush() {
-        sink_({buffer_.data(), buffer_.size()});
+        sink_(buffer_);
         buffer_.clear();
     }
 
@@ -52,7 +55,7 @@ class LineWriter {
     static constexpr std::size_t piece = std::size_t{1} << 16;
 
     Sink sink_;
-    fmt::memory_buffer buffer_;
+    std::string buffer_;
 };
 
 }  // namespace etalon
