@@ -10,7 +10,8 @@
 
 namespace etalon {
 
-/// Returns all backends in the order of help and reports. CONTRIBUTING.md lists what a new one takes.
+/// Returns all backends in the order of help and reports. CONTRIBUTING.md lists what a new one
+/// takes.
 const std::vector<Backend>& all_backends();
 
 /// nullptr if there is none of that name.

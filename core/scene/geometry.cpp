@@ -15,14 +15,18 @@ std::size_t memory_bytes(const TriangleList& triangles) {
 }  // namespace
 
 std::uint32_t Geometry::add_vertex(const Vec3& position) {
+    vertices.push_back(position);
+    return static_cast<std::uint32_t>(vertices.size() - 1);
+}
+
+std::uint32_t Geometry::add_compact_vertex(const Vec3& position) {
     const auto x = Decimal::from(position.x), y = Decimal::from(position.y),
                z = Decimal::from(position.z);
     if (x && y && z) {
         decimal_vertices.push_back({*x, *y, *z});
         return static_cast<std::uint32_t>(decimal_vertices.size() - 1) | decimal_vertex;
     }
-    vertices.push_back(position);
-    return static_cast<std::uint32_t>(vertices.size() - 1);
+    return add_vertex(position);
 }
 
 std::uint32_t Geometry::add_vertex(const Vec3& position, const Vec3& normal) {

@@ -36,8 +36,12 @@ struct Geometry {
         return t.vertices[corner] - t.normal_offset;
     }
 
-    /// Appends a vertex for triangles, in as few bytes as hold it. Returns its number.
+    /// Appends a vertex for triangles. Returns its number.
     std::uint32_t add_vertex(const Vec3& position);
+
+    /// Appends a vertex for the triangles of a large mesh in as few bytes as hold it, which kernels
+    /// take longer to read. Returns its number.
+    std::uint32_t add_compact_vertex(const Vec3& position);
 
     /// Appends a vertex with a normal. Returns its number; that of the normal is less by
     /// normal_offset() as it is then.

@@ -1,6 +1,7 @@
 // Primitives by statements: what neighbours have in common is stored once.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -45,8 +46,7 @@ class PrimitiveRuns {
         if (runs_.empty() || !continues(runs_.back(), primitive)) {
             runs_.push_back({static_cast<std::uint32_t>(size_), primitive});
         }
-        if (size_++ % stride == 0)
-            of_strides_.push_back(static_cast<std::uint32_t>(runs_.size()) - 1);
+        index(size_++, static_cast<std::uint32_t>(runs_.size()) - 1);
     }
 
     Primitive operator[](std::size_t primitive) const {
@@ -71,14 +71,17 @@ class PrimitiveRuns {
     void shrink_to_fit() {
         runs_.shrink_to_fit();
         of_strides_.shrink_to_fit();
+        mixed_strides_.shrink_to_fit();
     }
 
     std::size_t memory_bytes() const {
-        return runs_.capacity() * sizeof(Run) + of_strides_.capacity() * sizeof(std::uint32_t);
+        return runs_.capacity() * sizeof(Run) + of_strides_.capacity() * sizeof(std::uint32_t) +
+               mixed_strides_.capacity() * sizeof(mixed_strides_[0]);
     }
 
   private:
     static constexpr std::size_t stride = 64;
+    static constexpr std::uint32_t is_mixed = 0x80000000U;
 
     bool continues(const Run& run, const Primitive& p) const {
         const Primitive& start = run.start;
@@ -86,26 +89,29 @@ class PrimitiveRuns {
                p.normal_offset == start.normal_offset && p.index - start.index == size_ - run.first;
     }
 
-    /// Number of the run that a primitive belongs to: between those of the first primitives of its
-    /// stride and of the next one.
-    std::size_t run_of(std::size_t primitive) const {
-        const std::size_t place = primitive / stride;
-        std::size_t low = of_strides_[place];
-        std::size_t high =
-            place + 1 < of_strides_.size() ? of_strides_[place + 1] : runs_.size() - 1;
-        while (low < high) {
-            const std::size_t middle = (low + high + 1) / 2;
-            if (runs_[middle].first <= primitive) {
-                low = middle;
-            } else {
-                high = middle - 1;
-            }
+    /// Notes that the primitive, the last one, is in the run, the last one.
+    void index(std::size_t primitive, std::uint32_t run) {
+        const std::size_t place = primitive % stride;
+        if (place == 0) of_strides_.push_back(run);
+        std::uint32_t& entry = of_strides_.back();
+        if ((entry & is_mixed) == 0 && entry != run) {
+            mixed_strides_.emplace_back().fill(entry);
+            entry = is_mixed | static_cast<std::uint32_t>(mixed_strides_.size() - 1);
         }
-        return low;
+        if ((entry & is_mixed) != 0) mixed_strides_.back()[place] = run;
+    }
+
+    /// Returns the number of the primitive's run, without a search: it is looked up for every hit.
+    std::uint32_t run_of(std::size_t primitive) const {
+        const std::uint32_t entry = of_strides_[primitive / stride];
+        if ((entry & is_mixed) == 0) return entry;
+        return mixed_strides_[entry & ~is_mixed][primitive % stride];
     }
 
     std::vector<Run> runs_;
-    std::vector<std::uint32_t> of_strides_;  ///< run of every 64th primitive
+    /// For each 64 primitives their run, or is_mixed and a place in mixed_strides_.
+    std::vector<std::uint32_t> of_strides_;
+    std::vector<std::array<std::uint32_t, stride>> mixed_strides_;  ///< run of each primitive
     std::size_t size_ = 0;
 };
 

@@ -18,7 +18,7 @@ TEST_CASE("a polygon of more corners, concave too, is one shape") {
     const LoadResult r = load_objects("p 3 9 9 9 8 9 9 9 8 9\np 4 0 0 0 2 2 0 0 1 0 -2 2 0");
     CHECK(messages(r).empty());
     REQUIRE(r.scene->geometry.all<Polygon>().size() == 1);
-    CHECK(r.scene->geometry.all<Polygon>()[0].first == 0);
+    CHECK(r.scene->geometry.all<Polygon>()[0].first == 3);
     CHECK(r.scene->geometry.all<Polygon>()[0].count == 4);
     CHECK(r.scene->geometry.all<Polygon>()[0].normals == no_index);
     CHECK(vertex_count(*r.scene) == 7);

@@ -18,8 +18,9 @@ Vec3 normal(const Geometry& g, std::size_t primitive, std::size_t corner) {
 }
 
 void add_flat(Geometry& g, const std::array<Vec3, 3>& corners) {
-    g.add(Triangle{{g.add_vertex(corners[0]), g.add_vertex(corners[1]), g.add_vertex(corners[2])}},
-          0);
+    Triangle t{};
+    for (std::size_t k = 0; k < 3; ++k) t.vertices[k] = g.add_compact_vertex(corners[k]);
+    g.add(t, 0);
 }
 
 void add_smooth(Geometry& g, const std::array<Vec3, 3>& corners, const Vec3& normal) {

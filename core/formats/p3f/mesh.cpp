@@ -28,7 +28,7 @@ Vertices read_vertices(Loader& loader, std::size_t count) {
     make_room(geometry.decimal_vertices, count);
     Vertices numbers;
     numbers.reserve(count);
-    for (const Vec3& p : positions) numbers.push_back(geometry.add_vertex(p));
+    for (const Vec3& p : positions) numbers.push_back(geometry.add_compact_vertex(p));
     return numbers;
 }
 
