@@ -1,6 +1,6 @@
 #include "core/formats/write/mesh_run.h"
 
-#include <algorithm>
+#include <unordered_map>
 
 namespace etalon {
 namespace {
@@ -24,18 +24,18 @@ std::vector<Triangle> run_from(const Scene& scene, std::size_t first) {
     return run;
 }
 
-/// Makes a mesh of only the vertices that are used, in the scene's order.
+/// Returns a mesh of only the vertices that are used, in the order in which the triangles name
+/// them: so that what is written is the same once it has been read.
 MeshRun flat_mesh(const Scene& scene, const std::vector<Triangle>& run) {
-    std::vector<std::uint32_t> used;
-    for (const Triangle& t : run) used.insert(used.end(), t.vertices.begin(), t.vertices.end());
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
+    std::unordered_map<std::uint32_t, std::uint32_t> numbers;  // in the mesh
     MeshRun mesh;
-    for (const std::uint32_t v : used) mesh.vertices.push_back(scene.geometry.vertex(v));
     for (const Triangle& t : run) {
         auto& face = mesh.faces.emplace_back(t.vertices);
         for (std::uint32_t& v : face) {
-            v = static_cast<std::uint32_t>(std::ranges::lower_bound(used, v) - used.begin());
+            const auto next = static_cast<std::uint32_t>(mesh.vertices.size());
+            const auto [known, is_new] = numbers.try_emplace(v, next);
+            if (is_new) mesh.vertices.push_back(scene.geometry.vertex(v));
+            v = known->second;
         }
     }
     return mesh;
