@@ -46,14 +46,15 @@ class PrimitiveRuns {
         if (runs_.empty() || !continues(runs_.back(), primitive)) {
             runs_.push_back({static_cast<std::uint32_t>(size_), primitive});
         }
-        index(size_++, static_cast<std::uint32_t>(runs_.size()) - 1);
+        index(primitive, static_cast<std::uint32_t>(runs_.size()) - 1);
+        ++size_;
     }
 
+    /// Finds the primitive without a search: this is done for every hit.
     Primitive operator[](std::size_t primitive) const {
-        const Run& run = runs_[run_of(primitive)];
-        Primitive p = run.start;
-        p.index += static_cast<std::uint32_t>(primitive) - run.first;
-        return p;
+        const std::uint32_t entry = of_strides_[primitive / stride];
+        if ((entry & is_mixed) != 0) return mixed_strides_[entry & ~is_mixed][primitive % stride];
+        return in_run(entry, primitive);
     }
 
     Primitive front() const { return (*this)[0]; }
@@ -89,29 +90,34 @@ class PrimitiveRuns {
                p.normal_offset == start.normal_offset && p.index - start.index == size_ - run.first;
     }
 
-    /// Notes that the primitive, the last one, is in the run, the last one.
-    void index(std::size_t primitive, std::uint32_t run) {
-        const std::size_t place = primitive % stride;
-        if (place == 0) of_strides_.push_back(run);
-        std::uint32_t& entry = of_strides_.back();
-        if ((entry & is_mixed) == 0 && entry != run) {
-            mixed_strides_.emplace_back().fill(entry);
-            entry = is_mixed | static_cast<std::uint32_t>(mixed_strides_.size() - 1);
-        }
-        if ((entry & is_mixed) != 0) mixed_strides_.back()[place] = run;
+    Primitive in_run(std::uint32_t run, std::size_t primitive) const {
+        const auto& [first, start] = runs_[run];
+        Primitive p = start;
+        p.index += static_cast<std::uint32_t>(primitive) - first;
+        return p;
     }
 
-    /// Returns the number of the primitive's run, without a search: it is looked up for every hit.
-    std::uint32_t run_of(std::size_t primitive) const {
-        const std::uint32_t entry = of_strides_[primitive / stride];
-        if ((entry & is_mixed) == 0) return entry;
-        return mixed_strides_[entry & ~is_mixed][primitive % stride];
+    /// Notes where the next primitive is found, which belongs to the last run.
+    void index(const Primitive& primitive, std::uint32_t run) {
+        const std::size_t place = size_ % stride;
+        if (place == 0) of_strides_.push_back(run);
+        std::uint32_t& entry = of_strides_.back();
+        if ((entry & is_mixed) == 0 && entry != run) entry = is_mixed | mix_stride(entry, place);
+        if ((entry & is_mixed) != 0) mixed_strides_.back()[place] = primitive;
+    }
+
+    /// Lists one by one the primitives of the last stride, of which there are `count`, all in `run`.
+    /// Returns the number of the list.
+    std::uint32_t mix_stride(std::uint32_t run, std::size_t count) {
+        auto& mixed = mixed_strides_.emplace_back();
+        for (std::size_t i = 0; i < count; ++i) mixed[i] = in_run(run, size_ - count + i);
+        return static_cast<std::uint32_t>(mixed_strides_.size() - 1);
     }
 
     std::vector<Run> runs_;
-    /// For each 64 primitives their run, or is_mixed and a place in mixed_strides_.
+    /// For each 64 primitives the run of all, or is_mixed and a place in mixed_strides_.
     std::vector<std::uint32_t> of_strides_;
-    std::vector<std::array<std::uint32_t, stride>> mixed_strides_;  ///< run of each primitive
+    std::vector<std::array<Primitive, stride>> mixed_strides_;
     std::size_t size_ = 0;
 };
 
