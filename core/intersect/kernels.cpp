@@ -10,13 +10,24 @@ Box3 primitive_bounds(const Geometry& geometry, std::uint32_t primitive) {
                       [&]<class Shape>() { return bounds(geometry, geometry.get<Shape>(p)); });
 }
 
+namespace {
+
+/// Calls a shape's kernel. Kept out of line, so that a kernel of few registers, a sphere's, does not
+/// pay for the frame of the largest.
+template <class Shape>
+[[gnu::noinline]] double first_hit_of(const Geometry& geometry, Primitive p,
+                                      const RayQuery& query) {
+    return first_hit(geometry, geometry.get<Shape>(p), p.sides, query);
+}
+
+}  // namespace
+
 double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive,
                            const RayQuery& query) {
     if (primitive == query.ray.exclude) return no_hit;
     const Primitive p = geometry.primitives[primitive];
-    return with_shape(p.kind, [&]<class Shape>() {
-        return first_hit(geometry, geometry.get<Shape>(p), p.sides, query);
-    });
+    return with_shape(p.kind,
+                      [&]<class Shape>() { return first_hit_of<Shape>(geometry, p, query); });
 }
 
 template <class Shape>
@@ -33,6 +44,7 @@ SurfacePoint surface_at(const Geometry& geometry, const Ray& ray, const Hit& hit
     return with_shape(p.kind, [&]<class Shape>() {
         SurfacePoint point = surface(geometry, geometry.get<Shape>(p), query, hit.t);
         point.primitive = hit.primitive;
+        point.material = p.material;
         point.convexity = Shape::convexity;
         return point;
     });

@@ -53,12 +53,13 @@ class NormalizedSpace {
     /// False for rays from so far (2^24 times the scene's size) that a rounding of their double
     /// coordinates is no longer small against the padding, and for those that pass the scene in so
     /// little or so much of t (2^+-900) that t would leave the range of double on its way into the
-    /// normalized space. They must be tested against everything.
+    /// normalized space, and for all rays where there is no space. They must be tested against
+    /// everything.
     bool resolves(const Ray& ray) const;
 
   private:
     Vec3 centre_{0};
-    double scale_ = 1;
+    double scale_ = 0;  ///< 0 where nothing is bounded
 };
 
 }  // namespace etalon

@@ -1,7 +1,6 @@
 // Primitives by statements: what neighbours have in common is stored once.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -53,8 +52,8 @@ class PrimitiveRuns {
     /// Finds the primitive without a search: this is done for every hit.
     Primitive operator[](std::size_t primitive) const {
         const std::uint32_t entry = of_strides_[primitive / stride];
-        if ((entry & is_mixed) != 0) return mixed_strides_[entry & ~is_mixed][primitive % stride];
-        return in_run(entry, primitive);
+        if ((entry & is_run) == 0) return listed_[entry + primitive % stride];
+        return in_run(entry & ~is_run, primitive);
     }
 
     Primitive front() const { return (*this)[0]; }
@@ -72,17 +71,17 @@ class PrimitiveRuns {
     void shrink_to_fit() {
         runs_.shrink_to_fit();
         of_strides_.shrink_to_fit();
-        mixed_strides_.shrink_to_fit();
+        listed_.shrink_to_fit();
     }
 
     std::size_t memory_bytes() const {
         return runs_.capacity() * sizeof(Run) + of_strides_.capacity() * sizeof(std::uint32_t) +
-               mixed_strides_.capacity() * sizeof(mixed_strides_[0]);
+               listed_.capacity() * sizeof(Primitive);
     }
 
   private:
     static constexpr std::size_t stride = 64;
-    static constexpr std::uint32_t is_mixed = 0x80000000U;
+    static constexpr std::uint32_t is_run = 0x80000000U;
 
     bool continues(const Run& run, const Primitive& p) const {
         const Primitive& start = run.start;
@@ -100,24 +99,27 @@ class PrimitiveRuns {
     /// Notes where the next primitive is found, which belongs to the last run.
     void index(const Primitive& primitive, std::uint32_t run) {
         const std::size_t place = size_ % stride;
-        if (place == 0) of_strides_.push_back(run);
+        if (place == 0) of_strides_.push_back(is_run | run);
         std::uint32_t& entry = of_strides_.back();
-        if ((entry & is_mixed) == 0 && entry != run) entry = is_mixed | mix_stride(entry, place);
-        if ((entry & is_mixed) != 0) mixed_strides_.back()[place] = primitive;
+        if ((entry & is_run) != 0 && entry != (is_run | run)) {
+            entry = list_stride(entry & ~is_run, place);
+        }
+        if ((entry & is_run) == 0) listed_[entry + place] = primitive;
     }
 
     /// Lists one by one the primitives of the last stride, of which there are `count`, all in `run`.
-    /// Returns the number of the list.
-    std::uint32_t mix_stride(std::uint32_t run, std::size_t count) {
-        auto& mixed = mixed_strides_.emplace_back();
-        for (std::size_t i = 0; i < count; ++i) mixed[i] = in_run(run, size_ - count + i);
-        return static_cast<std::uint32_t>(mixed_strides_.size() - 1);
+    /// Returns the place of the first.
+    std::uint32_t list_stride(std::uint32_t run, std::size_t count) {
+        const std::size_t first = listed_.size();
+        listed_.resize(first + stride);
+        for (std::size_t i = 0; i < count; ++i) listed_[first + i] = in_run(run, size_ - count + i);
+        return static_cast<std::uint32_t>(first);
     }
 
     std::vector<Run> runs_;
-    /// For each 64 primitives the run of all, or is_mixed and a place in mixed_strides_.
+    /// For each 64 primitives is_run and the run of all, or the place of the first in listed_.
     std::vector<std::uint32_t> of_strides_;
-    std::vector<std::array<Primitive, stride>> mixed_strides_;
+    std::vector<Primitive> listed_;  ///< those of the strides of several runs
     std::size_t size_ = 0;
 };
 

@@ -45,6 +45,7 @@ void TriangleList::close_block() {
     } else {
         append_differences(open_, lowest, narrow_);
     }
+    closed_ += open_.size();
     open_.clear();
 }
 

@@ -17,16 +17,16 @@ class TriangleList {
   public:
     using value_type = TriangleIndices;
 
-    std::size_t size() const { return blocks_.size() * block_size + open_.size(); }
+    std::size_t size() const { return closed_ + open_.size(); }
     bool empty() const { return size() == 0; }
     /// Makes room for so many more, if they need 16 bits a number.
     void reserve(std::size_t more);
     void push_back(const TriangleIndices& triangle);
 
     TriangleIndices operator[](std::size_t i) const {
-        const std::size_t number = i / block_size, place = i % block_size;
-        if (number == blocks_.size()) return open_[place];
-        const Block& block = blocks_[number];
+        if (i >= closed_) return open_[i - closed_];
+        const std::size_t place = i % block_size;
+        const Block& block = blocks_[i / block_size];
         return block.is_wide ? decoded(wide_, block, place) : decoded(narrow_, block, place);
     }
 
@@ -57,6 +57,7 @@ class TriangleList {
     std::vector<Block> blocks_;
     std::vector<std::array<std::uint16_t, 3>> narrow_;
     std::vector<std::array<std::uint32_t, 3>> wide_;
+    std::size_t closed_ = 0;             ///< how many triangles are in blocks
     std::vector<TriangleIndices> open_;  ///< triangles of the last block, as long as it is not full
 };
 
