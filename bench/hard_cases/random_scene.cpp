@@ -54,29 +54,30 @@ Affine any_map(const Vec3& place, double size, Random& random) {
     return {x, y, size * random.in_cube(), place};
 }
 
-void add_shape(Scene& scene, ShapeKind kind, double size, Sides sides, Random& random) {
+/// Adds a shape of a kind: a new one has to be named here.
+template <class Shape>
+void add_shape(Scene& scene, double size, Sides sides, Random& random) {
     const Vec3 place = random.in_cube();
-    if (kind == kind_of<Sphere>()) {
+    if constexpr (std::is_same_v<Shape, Sphere>) {
         scene.geometry.add(Sphere{place, size * random.uniform(0.1, 1)}, 0, sides);
-    } else if (kind == kind_of<Triangle>()) {
+    } else if constexpr (std::is_same_v<Shape, Triangle>) {
         add_triangle(scene, place, size, sides, random);
-    } else if (kind == kind_of<Polygon>()) {
+    } else if constexpr (std::is_same_v<Shape, Polygon>) {
         add_polygon(scene, place, size, sides, random);
-    } else if (kind == kind_of<Box>()) {
+    } else if constexpr (std::is_same_v<Shape, Box>) {
         const Vec3 half = abs(size * random.in_cube());
         scene.geometry.add(Box{place - half, place + half}, 0, sides);
-    } else if (kind == kind_of<Plane>()) {
+    } else if constexpr (std::is_same_v<Shape, Plane>) {
         scene.geometry.add(Plane{3.0 * place, random.direction()}, 0, sides);
-    } else if (kind == kind_of<Cone>()) {
+    } else if constexpr (std::is_same_v<Shape, Cone>) {
         add_cone(scene, place, size, sides, random);
-    } else if (kind == kind_of<Ring>()) {
+    } else if constexpr (std::is_same_v<Shape, Ring>) {
         add_ring(scene, place, size, sides, random);
-    } else if (kind == kind_of<Quadric>()) {
+    } else if constexpr (std::is_same_v<Shape, Quadric>) {
         add_quadric(scene, place, size, sides, random);
-    } else if (kind == kind_of<Ellipsoid>()) {
-        scene.geometry.add(Ellipsoid(any_map(place, size, random)), 0, sides);
     } else {
-        scene.geometry.add(ClosedCylinder(any_map(place, size, random)), 0, sides);
+        static_assert(std::is_same_v<Shape, Ellipsoid> || std::is_same_v<Shape, ClosedCylinder>);
+        scene.geometry.add(Shape(any_map(place, size, random)), 0, sides);
     }
 }
 
@@ -97,7 +98,7 @@ Scene random_scene(const RandomSceneConfig& plan) {
         const double low = std::log10(plan.smallest), high = std::log10(plan.largest);
         const double size = random.magnitude(low, high);
         const Sides sides = plan.one_sided ? static_cast<Sides>(random.index(3)) : Sides::both;
-        add_shape(scene, kind, size, sides, random);
+        with_shape(kind, [&]<class Shape>() { add_shape<Shape>(scene, size, sides, random); });
     }
     return scene;
 }

@@ -31,8 +31,7 @@ struct Format {
     bool has_legacy = false;
 };
 
-// CONTRIBUTING.md lists what a new format takes. Its name here is what its loader gives as
-// Scene::format.
+// CONTRIBUTING.md lists what a new format takes.
 // The first line that recognises a text has it: those that show clear signs stand above those that
 // others could be mistaken for.
 constexpr std::array formats = {
@@ -83,11 +82,13 @@ LoadResult refuse(const std::string& file, std::string_view kind, fmt::format_st
     return {std::nullopt, {}, log.take()};
 }
 
-/// Loads with a format's loader. What is whole needs no room to grow.
+/// Loads with a format's loader. A geometry that is whole needs no room to grow.
 LoadResult load_with(const Format& format, std::string_view text, const std::string& path,
                      const LoadOptions& options) {
     LoadResult result = format.load(text, path, options);
-    if (result.scene) shrink_to_fit(result.scene->geometry);
+    if (!result.scene) return result;
+    result.scene->format = format.name;
+    shrink_to_fit(result.scene->geometry);
     return result;
 }
 

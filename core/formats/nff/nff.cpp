@@ -53,7 +53,6 @@ LoadResult load_nff(std::string_view text, const std::string& path, const LoadOp
     DiagnosticLog log(path, text, options.strict);
     SceneLoader loader{Reader(text, log, names), options,
                        std::filesystem::path(path).parent_path()};
-    loader.scene.format = "nff";
     loader.settings.display_colors = true;
     read_statements(loader, keywords);
     return loader.finish(log);

@@ -68,7 +68,6 @@ LoadResult load_p3f(std::string_view text, const std::string& path, const LoadOp
     DiagnosticLog log(path, text, options.strict);
     SceneLoader loader{Reader(text, log, names), options, std::filesystem::path(path).parent_path(),
                        p3f::default_material()};
-    loader.scene.format = "p3f";
     loader.settings.display_colors = true;
     read_statements(loader, keywords);
     if (options.legacy) apply_legacy(loader.scene, loader.settings);

@@ -58,7 +58,6 @@ LoadResult load_prt(std::string_view text, const std::string& path, const LoadOp
     DiagnosticLog log(path, text, options.strict);
     Loader loader{{Reader(text, log, names), options, std::filesystem::path(path).parent_path()},
                   text};
-    loader.scene.format = "prt";
     loader.settings.display_colors = true;
     read_statements(loader, keywords);
     if (loader.open) prt::drop_open_definition(loader);
