@@ -11,12 +11,12 @@
 namespace etalon {
 namespace {
 
-struct Arguments {
+struct ConvertArguments {
     SceneArguments scene;
     std::string output;
 };
 
-int run(const Arguments& a) {
+int convert(const ConvertArguments& a) {
     const std::filesystem::path path = a.output;
     const SceneWriter write = find_scene_writer(path.extension().string());
     if (!write) {
@@ -40,13 +40,13 @@ int run(const Arguments& a) {
 }  // namespace
 
 Action declare_convert(Options& options) {
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<ConvertArguments>();
     declare_scene(options, a->scene);
     options
         .add("-o,--output", a->output,
              "Output file; its extension, .p3f or .pbrt, gives the format")
         .required();
-    return [a] { return run(*a); };
+    return [a] { return convert(*a); };
 }
 
 }  // namespace etalon

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Arguments {
+struct InfoArguments {
     SceneArguments scene;
     bool json = false;
 };
@@ -62,7 +62,7 @@ Json diagnostics(const std::vector<Diagnostic>& list) {
     return result;
 }
 
-Json describe(const Arguments& a, const LoadedScene& loaded) {
+Json describe(const InfoArguments& a, const LoadedScene& loaded) {
     const Scene& s = *loaded.scene;
     const RenderSettings& settings = loaded.settings;
     const Camera& c = s.camera;
@@ -119,7 +119,7 @@ std::string as_text(const Json& j) {
         j["memory_bytes"].get<std::size_t>(), j["diagnostics"].size());
 }
 
-int run(const Arguments& a) {
+int inform(const InfoArguments& a) {
     const LoadedScene loaded = load(a.scene);
     if (!loaded.scene) {
         const Json j{{"scene", a.scene.path}, {"diagnostics", diagnostics(loaded.diagnostics)}};
@@ -134,10 +134,10 @@ int run(const Arguments& a) {
 }  // namespace
 
 Action declare_info(Options& options) {
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<InfoArguments>();
     declare_scene(options, a->scene);
     options.add_flag("--json", a->json, "Write JSON instead of text");
-    return [a] { return run(*a); };
+    return [a] { return inform(*a); };
 }
 
 }  // namespace etalon

@@ -16,7 +16,7 @@
 namespace etalon {
 namespace {
 
-struct Arguments {
+struct TraceArguments {
     SceneArguments scene;
     std::string rays, output = "-", backend;
 };
@@ -36,13 +36,13 @@ bool parse_numbers(const std::string& line, std::vector<double>& numbers) {
     }
 }
 
-bool complain(const Arguments& a, int line, const char* what) {
+bool complain(const TraceArguments& a, int line, const char* what) {
     fmt::print(stderr, "{}:{}:1: error: {}; expected 'ox oy oz dx dy dz [tmin tmax]'\n", a.rays,
                line, what);
     return false;
 }
 
-bool read_rays(const Arguments& a, std::istream& in, std::vector<Ray>& rays) {
+bool read_rays(const TraceArguments& a, std::istream& in, std::vector<Ray>& rays) {
     std::vector<double> n;
     int number = 0;
     for (std::string line; std::getline(in, line);) {
@@ -57,7 +57,7 @@ bool read_rays(const Arguments& a, std::istream& in, std::vector<Ray>& rays) {
     return true;
 }
 
-bool read_rays(const Arguments& a, std::vector<Ray>& rays) {
+bool read_rays(const TraceArguments& a, std::vector<Ray>& rays) {
     if (a.rays == "-") return read_rays(a, std::cin, rays);
     std::ifstream in(a.rays);
     if (in && in.peek() != std::ifstream::traits_type::eof()) return read_rays(a, in, rays);
@@ -74,7 +74,7 @@ std::string describe(const Scene& scene, const Ray& ray, const std::optional<Hit
                        n.x, n.y, n.z);
 }
 
-int run(const Arguments& a) {
+int trace(const TraceArguments& a) {
     if (a.rays == "-" && a.scene.path == "-") {
         fmt::print(stderr, "etalon: error: the scene and the rays cannot both be standard input\n");
         return exit_usage;
@@ -95,7 +95,7 @@ int run(const Arguments& a) {
 }  // namespace
 
 Action declare_trace(Options& options) {
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<TraceArguments>();
     declare_scene(options, a->scene);
     options
         .add("--rays", a->rays,
@@ -108,7 +108,7 @@ Action declare_trace(Options& options) {
         .add("-b,--backend", a->backend,
              "Backend that finds the hits (default: the scene's, else bvh)")
         .one_of(backend_names());
-    return [a] { return run(*a); };
+    return [a] { return trace(*a); };
 }
 
 }  // namespace etalon

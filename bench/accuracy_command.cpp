@@ -21,7 +21,7 @@ namespace {
 using accuracy::Row;
 using hard::HardCase;
 
-struct Arguments {
+struct AccuracyArguments {
     std::vector<std::string> cases;
     std::vector<std::string> backends = backend_names();
     double rays = 100'000;
@@ -40,7 +40,7 @@ bool is_named(const HardCase& c, const std::vector<std::string>& names) {
            });
 }
 
-std::vector<HardCase> chosen_cases(const Arguments& a) {
+std::vector<HardCase> chosen_cases(const AccuracyArguments& a) {
     std::vector<HardCase> cases = hard::hard_cases();
     std::erase_if(cases, [&](const HardCase& c) { return !is_named(c, a.cases); });
     return cases;
@@ -51,7 +51,7 @@ int list_cases(const std::vector<HardCase>& cases) {
     return exit_done;
 }
 
-std::vector<Row> measure_all(const Arguments& a, const std::vector<HardCase>& cases) {
+std::vector<Row> measure_all(const AccuracyArguments& a, const std::vector<HardCase>& cases) {
     std::vector<const Backend*> backends;
     for (const std::string& name : a.backends) backends.push_back(find_backend(name));
     accuracy::Budget budget;
@@ -74,7 +74,7 @@ bool is_broken_promise(const Row& row) {
     return row.exact && row.stats.errors() > 0;
 }
 
-bool write_reports(const Arguments& a, const std::vector<Row>& rows) {
+bool write_reports(const AccuracyArguments& a, const std::vector<Row>& rows) {
     bool written = true;
     if (!a.json.empty())
         written &= write_json(a.json, accuracy::json(rows, accuracy::run_environment()));
@@ -87,7 +87,7 @@ bool write_reports(const Arguments& a, const std::vector<Row>& rows) {
     return written;
 }
 
-int run(const Arguments& a) {
+int measure_accuracy(const AccuracyArguments& a) {
     const std::vector<HardCase> cases = chosen_cases(a);
     if (a.list) return list_cases(cases);
     if (cases.empty()) {
@@ -104,7 +104,7 @@ int run(const Arguments& a) {
 }  // namespace
 
 Action declare_accuracy(Options& options) {
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<AccuracyArguments>();
     options
         .add("--case", a->cases,
              "Comma-separated list of cases: SPH, SPH-1, or \"SPH-1/1e3 radii\" (default: all of "
@@ -129,7 +129,7 @@ Action declare_accuracy(Options& options) {
                 "Write the table of docs/accuracy/table.md to this file");
     options.add("--plots", a->plots,
                 "Write plots of error against cost, SHAPE.svg, to this directory");
-    return [a] { return run(*a); };
+    return [a] { return measure_accuracy(*a); };
 }
 
 }  // namespace etalon

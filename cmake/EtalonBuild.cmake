@@ -68,6 +68,17 @@ function(etalon_precompile target group)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endfunction()
 
+# etalon_group(<target> <file>...) compiles source files of a target as one, which reads their headers
+# once. For files that take longer to read their headers than to compile, and whose anonymous
+# namespaces do not clash.
+option(ETALON_GROUPS "Compile the files of a group as one" ON)
+function(etalon_group target)
+  list(JOIN ARGN "_" group)
+  string(MD5 group "${group}")
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${ETALON_GROUPS} UNITY_BUILD_MODE GROUP)
+  set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${group})
+endfunction()
+
 # etalon_library(<name> SOURCES <file>... [LINKS <target>...]) makes etalon_<name>, known as
 # etalon::<name>. LINKS are public: they are the arrows of the architecture.
 function(etalon_library name)

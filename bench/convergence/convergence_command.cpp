@@ -23,7 +23,7 @@ namespace {
 
 using namespace convergence;
 
-struct Arguments {
+struct ConvergenceArguments {
     std::string scene, reference, json;
     int width = 0;
     std::vector<std::string> integrators{std::string(scene_integrator)};
@@ -55,11 +55,11 @@ Result<ReferenceImage> read_reference_image(const std::string& path,
 }
 
 /// Tables make room for JSON that another program is to read from standard output.
-void show(const Arguments& a, const std::string& text) {
+void show(const ConvergenceArguments& a, const std::string& text) {
     fmt::print(a.json == "-" ? stderr : stdout, "{}", text);
 }
 
-nlohmann::ordered_json report_on(const Arguments& a, const Imath::V2i& size,
+nlohmann::ordered_json report_on(const ConvergenceArguments& a, const Imath::V2i& size,
                                  const Measured& measured) {
     nlohmann::ordered_json json = speed::json_of_machine();
     json["scene"] = a.scene;
@@ -77,7 +77,7 @@ nlohmann::ordered_json report_on(const Arguments& a, const Imath::V2i& size,
 }
 
 /// The reference and the curves of one integrator.
-Result<Measured> measure_integrator(const Arguments& a, const bench::NamedScene& named,
+Result<Measured> measure_integrator(const ConvergenceArguments& a, const bench::NamedScene& named,
                                     const RenderSettings& settings, const RunProgress& run) {
     Result<ReferenceImage> reference =
         a.reference.empty()
@@ -89,7 +89,7 @@ Result<Measured> measure_integrator(const Arguments& a, const bench::NamedScene&
     return {std::move(measured), {}};
 }
 
-int run(const Arguments& a) {
+int measure_convergence(const ConvergenceArguments& a) {
     const std::string error = a.json.empty() || a.json == "-" ? "" : check_writable(a.json);
     if (!error.empty()) return fail(exit_not_written, error);
     bench::NamedScene named = bench::bench_scene(a.scene);
@@ -119,7 +119,7 @@ int run(const Arguments& a) {
 }  // namespace
 
 Action declare_convergence(Options& options) {
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<ConvergenceArguments>();
     options.add("SCENE", a->scene, "Scene file, or a name of `etalon-bench speed --list`")
         .required();
     options.add("--reference", a->reference,
@@ -155,7 +155,7 @@ Action declare_convergence(Options& options) {
              "Width of the image in pixels; its height follows (default: the scene's)")
         .within(1, 65536);
     options.add("--json", a->json, "Write the results to this JSON file; - is standard output");
-    return [a] { return run(*a); };
+    return [a] { return measure_convergence(*a); };
 }
 
 }  // namespace etalon

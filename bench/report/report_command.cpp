@@ -18,7 +18,7 @@ namespace {
 
 using namespace bench_report;
 
-struct Arguments {
+struct ReportArguments {
     std::string folder = "report";
     bool quick = false;
 };
@@ -41,7 +41,7 @@ Results nothing_yet(const Settings& settings) {
 /// is, whatever ends the run.
 class Report {
   public:
-    explicit Report(const Arguments& a)
+    explicit Report(const ReportArguments& a)
         : path_((std::filesystem::path(a.folder) / "index.html").string()),
           results_(nothing_yet(a.quick ? quick_settings() : full_settings())),
           deadline_(results_.settings.seconds_limit),
@@ -113,7 +113,7 @@ class Report {
     std::size_t done_ = 0;
 };
 
-int run(const Arguments& a) {
+int write_report(const ReportArguments& a) {
     std::error_code error;
     std::filesystem::create_directories(a.folder, error);
     if (error) {
@@ -126,12 +126,12 @@ int run(const Arguments& a) {
 }  // namespace
 
 Action declare_report(Options& options) {
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<ReportArguments>();
     options.add("-o,--output", a->folder, "Directory of index.html, created if necessary")
         .show_default();
     options.add_flag("--quick", a->quick,
                      "Measure for two minutes only (default: longer; the time is announced first)");
-    return [a] { return run(*a); };
+    return [a] { return write_report(*a); };
 }
 
 }  // namespace etalon

@@ -29,7 +29,7 @@ std::vector<std::string> usual_tracers() {
     return names;
 }
 
-struct Arguments {
+struct SpeedArguments {
     std::vector<std::string> scenes{"terrain", "flake",        "soup",   "stadium",
                                     "slivers", "spheres:1000", "spheres"};
     std::vector<std::string> backends = usual_tracers();
@@ -54,7 +54,7 @@ struct Arguments {
 };
 
 /// Tables make room for JSON that another program is to read from standard output.
-void show(const Arguments& a, const std::string& text) {
+void show(const SpeedArguments& a, const std::string& text) {
     std::FILE* to = a.json == "-" ? stderr : stdout;
     fmt::print(to, "{}", text);
     std::fflush(to);
@@ -65,7 +65,7 @@ std::string table_of(const SceneFigures& figures) {
     return figures.kinds.empty() ? table(figures.builds) : table(figures.kinds.back());
 }
 
-SceneFigures measure(const Arguments& a, const std::string& name, bench::NamedScene named) {
+SceneFigures measure(const SpeedArguments& a, const std::string& name, bench::NamedScene named) {
     show(a, fmt::format("{}: {} primitives\n", name, named.scene->geometry.primitives.size()));
     const auto observer = [&](const SceneFigures& figures) {
         if (figures.kinds.size() == 1) show(a, heading_of_rays());
@@ -79,7 +79,7 @@ SceneFigures measure(const Arguments& a, const std::string& name, bench::NamedSc
 }
 
 /// Before anything is measured: a slip of the pen in the last name is to cost no hour.
-int check_arguments(const Arguments& a) {
+int check_arguments(const SpeedArguments& a) {
     std::string complaints;
     for (const std::string& name : a.scenes) {
         const std::string complaint = bench::complaint_about(name);
@@ -94,12 +94,12 @@ int check_arguments(const Arguments& a) {
 }
 
 /// A file after every scene, so that who interrupts a long run keeps what was measured.
-bool save(const Arguments& a, const nlohmann::ordered_json& json, bool is_complete) {
+bool save(const SpeedArguments& a, const nlohmann::ordered_json& json, bool is_complete) {
     if (a.json.empty() || (a.json == "-" && !is_complete)) return true;
     return write_json(a.json, json);
 }
 
-int run(const Arguments& a) {
+int measure_speed(const SpeedArguments& a) {
     if (a.list) return fmt::print("{}", bench::list_of_scenes()), exit_done;
     if (const int status = check_arguments(a); status != exit_done) return status;
     nlohmann::ordered_json json = json_of_environment(a.plan());
@@ -113,7 +113,7 @@ int run(const Arguments& a) {
     return exit_done;
 }
 
-void declare_what(Options& options, Arguments& a) {
+void declare_what(Options& options, SpeedArguments& a) {
     options
         .add("--scene", a.scenes,
              "Comma-separated list of scenes: names of --list, with or without :SIZE, or files")
@@ -133,7 +133,7 @@ void declare_what(Options& options, Arguments& a) {
     options.add_flag("--only-build", a.only_build, "Measure builds only; trace no rays");
 }
 
-void declare_how(Options& options, Arguments& a) {
+void declare_how(Options& options, SpeedArguments& a) {
     options
         .add("--threads", a.threads,
              "Comma-separated list of numbers of threads; 1 is measured always")
@@ -158,10 +158,10 @@ void declare_how(Options& options, Arguments& a) {
 }  // namespace
 
 Action declare_speed(Options& options) {
-    auto a = std::make_shared<Arguments>();
+    auto a = std::make_shared<SpeedArguments>();
     declare_what(options, *a);
     declare_how(options, *a);
-    return [a] { return run(*a); };
+    return [a] { return measure_speed(*a); };
 }
 
 }  // namespace etalon
