@@ -1,5 +1,7 @@
-// Interface between the renderer, which asks for the colour of samples, and what computes it.
+// Interface between the renderer, which asks for the colours of samples, and what computes them.
 #pragma once
+
+#include <span>
 
 #include "core/integrators/ray_counts.h"
 #include "core/intersect/ray.h"
@@ -7,7 +9,13 @@
 
 namespace etalon {
 
-/// Computes what a camera ray sees. Thread-safe.
+/// One sample of a pixel: its ray, and where the choices on the ray's way come from.
+struct CameraSample {
+    Ray ray;
+    SampleSource source;
+};
+
+/// Computes what camera rays see. Thread-safe.
 class Integrator {
   public:
     Integrator() = default;
@@ -15,11 +23,15 @@ class Integrator {
     Integrator(const Integrator&) = delete;
     Integrator& operator=(const Integrator&) = delete;
 
-    /// The colour of one sample of a pixel, to be averaged with the pixel's others. Adds the rays
-    /// that it takes, the camera ray included, to `counts`. Called once for each camera ray: what
-    /// it leads to is traced without virtual calls.
-    virtual Color radiance(const Ray& camera_ray, const SampleSource& sample,
-                           RayCounts& counts) const = 0;
+    /// Number of samples that an integrator does best to get at a time: enough to share the cost of
+    /// a call, few enough to stay in a core's cache.
+    static constexpr std::size_t batch_size = 512;
+
+    /// Sets `colors`, one for each sample, to be averaged with the others of the pixel. Adds the
+    /// rays that it takes, the camera rays included, to `counts`. A colour does not depend on the
+    /// other samples.
+    virtual void radiance(std::span<const CameraSample> samples, std::span<Color> colors,
+                          RayCounts& counts) const = 0;
 };
 
 }  // namespace etalon

@@ -21,44 +21,24 @@ Intersector::Intersector(const Geometry& geometry, SceneBounds bounds)
     : geometry_(geometry), bounds_(std::move(bounds)) {}
 
 template <class OfferBounded>
-std::optional<Hit> Intersector::closest_of_all(const Ray& ray,
-                                               const OfferBounded& offer_bounded) const {
-    const DenormalsCount denormals_count;
-    if (!is_valid(ray)) return std::nullopt;
-    const RayQuery query(ray);
+NearestHit Intersector::closest_of_all(const Ray& ray, const OfferBounded& offer_bounded) const {
     NearestHit nearest(ray.tmax);
+    if (!is_valid(ray)) return nearest;
+    const RayQuery query(ray);
     if (!bounds_.space.resolves(ray)) {
         for (std::uint32_t id = 0; id < geometry_.primitives.size(); ++id) {
             nearest.offer(primitive_first_hit(geometry_, id, query), id);
         }
-        return nearest.result();
+        return nearest;
     }
     for (const std::uint32_t id : bounds_.unbounded) {
         nearest.offer(primitive_first_hit(geometry_, id, query), id);
     }
     if (const auto local = bounds_.space.ray(ray)) offer_bounded(query, *local, nearest);
-    return nearest.result();
+    return nearest;
 }
 
-std::optional<Hit> Intersector::closest(const Ray& ray) const {
-    return closest_of_all(
-        ray, [&](const RayQuery& query, const NormalizedRay& local, NearestHit& nearest) {
-            closest_bounded(query, local, nearest);
-        });
-}
-
-std::optional<Hit> Intersector::closest(const Ray& ray, TraversalCost& cost) const {
-    if (!is_valid(ray)) return std::nullopt;
-    const bool resolved = bounds_.space.resolves(ray);
-    cost.primitive_tests += resolved ? bounds_.unbounded.size() : geometry_.primitives.size();
-    return closest_of_all(
-        ray, [&](const RayQuery& query, const NormalizedRay& local, NearestHit& nearest) {
-            closest_counted(query, local, nearest, cost);
-        });
-}
-
-bool Intersector::occluded(const Ray& ray) const {
-    const DenormalsCount denormals_count;
+bool Intersector::is_occluded(const Ray& ray) const {
     if (!is_valid(ray)) return false;
     const RayQuery query(ray);
     if (!bounds_.space.resolves(ray)) {
@@ -72,6 +52,44 @@ bool Intersector::occluded(const Ray& ray) const {
     }
     const auto local = bounds_.space.ray(ray);
     return local && occluded_bounded(query, *local);
+}
+
+void Intersector::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
+    const DenormalsCount denormals_count;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const NearestHit nearest =
+            closest_of_all(rays[i], [&](const RayQuery& query, const NormalizedRay& local,
+                                        NearestHit& hit) { closest_bounded(query, local, hit); });
+        hits[i] = {nearest.t, nearest.primitive};
+    }
+}
+
+void Intersector::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
+    const DenormalsCount denormals_count;
+    for (std::size_t i = 0; i < rays.size(); ++i) blocked[i] = is_occluded(rays[i]) ? 1 : 0;
+}
+
+std::optional<Hit> Intersector::closest(const Ray& ray) const {
+    Hit hit;
+    closest(std::span(&ray, 1), std::span(&hit, 1));
+    return hit.primitive == no_index ? std::nullopt : std::optional(hit);
+}
+
+std::optional<Hit> Intersector::closest(const Ray& ray, TraversalCost& cost) const {
+    if (!is_valid(ray)) return std::nullopt;
+    const DenormalsCount denormals_count;
+    const bool resolved = bounds_.space.resolves(ray);
+    cost.primitive_tests += resolved ? bounds_.unbounded.size() : geometry_.primitives.size();
+    return closest_of_all(
+               ray, [&](const RayQuery& query, const NormalizedRay& local,
+                        NearestHit& nearest) { closest_counted(query, local, nearest, cost); })
+        .result();
+}
+
+bool Intersector::occluded(const Ray& ray) const {
+    std::uint8_t blocked = 0;
+    occluded(std::span(&ray, 1), std::span(&blocked, 1));
+    return blocked != 0;
 }
 
 }  // namespace etalon

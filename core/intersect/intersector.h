@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -35,6 +36,12 @@ class Intersector {
     /// Whether closest(ray) finds something.
     bool occluded(const Ray& ray) const;
 
+    /// Sets `hits`, one for each ray, to what closest() finds; a miss has no_index for a primitive.
+    virtual void closest(std::span<const Ray> rays, std::span<Hit> hits) const;
+
+    /// Sets `blocked`, one for each ray, to what occluded() finds: 1 or 0.
+    virtual void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const;
+
     /// Bytes of the backend's own structure.
     virtual std::size_t memory_bytes() const = 0;
 
@@ -64,7 +71,8 @@ class Intersector {
 
   private:
     template <class OfferBounded>
-    std::optional<Hit> closest_of_all(const Ray& ray, const OfferBounded& offer_bounded) const;
+    NearestHit closest_of_all(const Ray& ray, const OfferBounded& offer_bounded) const;
+    bool is_occluded(const Ray& ray) const;
 
     const Geometry& geometry_;
     SceneBounds bounds_;

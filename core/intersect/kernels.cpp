@@ -12,8 +12,8 @@ Box3 primitive_bounds(const Geometry& geometry, std::uint32_t primitive) {
 
 namespace {
 
-/// Calls a shape's kernel. Kept out of line, so that a kernel of few registers, a sphere's, does not
-/// pay for the frame of the largest.
+/// Calls a shape's kernel. Kept out of line, so that a kernel of few registers, a sphere's, does
+/// not pay for the frame of the largest.
 template <class Shape>
 [[gnu::noinline]] double first_hit_of(const Geometry& geometry, Primitive p,
                                       const RayQuery& query) {

@@ -14,7 +14,7 @@ struct SurfacePoint {
     Vec3 normal;          ///< geometric, unit, as the shape defines it (outward, or by winding)
     Vec3 shading_normal;  ///< unit; interpolated where the shape has corner normals
     std::uint32_t primitive = no_index;
-    std::uint32_t material = no_index;      ///< number in the scene's look
+    std::uint32_t material = no_index;     ///< number in the scene's look
     Convexity convexity = Convexity::any;  ///< convexity of the primitive
 };
 

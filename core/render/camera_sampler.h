@@ -1,7 +1,9 @@
 #pragma once
 
+#include <vector>
+
+#include "core/integrators/integrator.h"
 #include "core/render/camera_rays.h"
-#include "core/sampling/sample_source.h"
 
 namespace etalon {
 
@@ -16,11 +18,14 @@ class CameraSampler {
     /// Returns the points with rays of their own: a window's pixels, or the corners about them.
     Imath::Box2i sampled(Imath::Box2i window) const;
 
-    /// Ray of one sample of the pixel, or corner, (x, y).
-    Ray ray(int x, int y, const SampleSource& sample) const;
+    /// Appends the samples [first, last) of the pixel, or corner, (x, y).
+    void append(int x, int y, std::uint32_t first, std::uint32_t last,
+                std::vector<CameraSample>& samples) const;
 
   private:
     CameraRays camera_;
+    std::uint32_t seed_;
+    Sampler sampler_;
     bool has_samples_, shares_corners_;
     Vec2 in_pixel_;  ///< place of the one ray of an image without samples
 };

@@ -59,10 +59,9 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
         means.normal.add(x, y, Color(at.ns));
     };
     const bool complete = visit_pixels(window, stop, [&](int x, int y, std::size_t) {
-        for (int s = 0; s < samples; ++s) {
-            const SampleSource source(x, y, settings.seed, s, settings.sampler);
-            add(x, y, rays.ray(x, y, source));
-        }
+        std::vector<CameraSample> of_pixel;
+        rays.append(x, y, 0, samples, of_pixel);
+        for (const CameraSample& sample : of_pixel) add(x, y, sample.ray);
     });
     if (!complete) return std::nullopt;
     if (rays.shares_corners()) means = {means.albedo.cells(), means.normal.cells()};

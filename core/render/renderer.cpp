@@ -6,6 +6,7 @@
 
 #include "core/render/adaptive_passes.h"
 #include "core/render/camera_sampler.h"
+#include "core/render/sample_batch.h"
 #include "core/render/tiles.h"
 #include "core/render/uniform_passes.h"
 
@@ -75,25 +76,23 @@ class Renderer {
     void render_pass(const SamplingGoal& goal, const SamplingPasses& passes) {
         const auto stop = [&] { return stopped(); };
         for_each_tile(tiles_, stop, [&](std::size_t i, const Imath::Box2i& tile) {
-            std::uint64_t done = 0;
-            for_each_pixel(tile, stop,
-                           [&](int x, int y) { done += render_pixel(x, y, goal, counts_[i]); });
-            const std::uint64_t total = samples_done_.fetch_add(done) + done;
+            SampleBatch batch(film_, integrator_, counts_[i]);
+            for_each_pixel(tile, stop, [&](int x, int y) { add_pixel(x, y, goal, batch); });
+            batch.finish();
+            const std::uint64_t total = samples_done_.fetch_add(batch.done()) + batch.done();
             if (control_.progress) control_.progress(passes.progress(total));
         });
     }
 
-    /// Returns the number of samples.
-    std::uint32_t render_pixel(int x, int y, const SamplingGoal& goal, RayCounts& counts) {
+    /// Gives the batch the samples that the pixel lacks.
+    void add_pixel(int x, int y, const SamplingGoal& goal, SampleBatch& batch) const {
         const std::size_t pixel = film_.index(x, y);
-        const std::uint32_t first = film_.counts()[pixel], last = goal.of(pixel);
-        for (std::uint32_t s = first; s < last; ++s) film_.add(x, y, sample(x, y, s, counts));
-        return last - first;
-    }
-
-    Color sample(int x, int y, std::uint32_t index, RayCounts& counts) const {
-        const SampleSource source(x, y, settings_.seed, index, settings_.sampler);
-        return integrator_.radiance(rays_.ray(x, y, source), source, counts);
+        std::uint32_t next = film_.counts()[pixel];
+        for (const std::uint32_t last = goal.of(pixel); next < last;) {
+            const std::uint32_t end = std::min(last, next + batch.room());
+            batch.add(rays_, x, y, next, end);
+            next = end;
+        }
     }
 
     const RenderSettings& settings_;

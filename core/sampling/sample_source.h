@@ -6,27 +6,53 @@
 
 namespace etalon {
 
+/// The points of one dimension of a pixel, for all samples of it.
+class PointSet {
+  public:
+    PointSet(Sampler sampler, std::uint32_t seed)
+        : sobol_(seed), seed_(seed), is_sobol_(sampler == Sampler::sobol) {}
+
+    Vec2 operator()(std::uint32_t index) const {
+        return is_sobol_ ? sobol_(index) : uniform_random(index, seed_);
+    }
+
+  private:
+    ScrambledSobol sobol_;
+    std::uint32_t seed_;
+    bool is_sobol_;
+};
+
+/// All samples of the pixel (x, y).
+class PixelSamples {
+  public:
+    PixelSamples(int x, int y, std::uint32_t seed, Sampler sampler = Sampler::sobol)
+        : pixel_(hash(hash(seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y))),
+          sampler_(sampler) {}
+
+    PointSet points(std::uint32_t dimension) const { return {sampler_, hash(pixel_, dimension)}; }
+
+  private:
+    std::uint32_t pixel_;
+    Sampler sampler_;
+};
+
 /// One sample of one pixel: a source of points, one for each dimension asked.
 class SampleSource {
   public:
-    /// Sample number `index` of the pixel (x, y).
-    SampleSource(int x, int y, std::uint32_t seed, std::uint32_t index,
-                 Sampler sampler = Sampler::sobol)
-        : pixel_(hash(hash(seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y))),
-          index_(index),
-          points_(sampler == Sampler::sobol ? scrambled_sobol : uniform_random) {}
+    /// Sample number `index` of the pixel.
+    SampleSource(const PixelSamples& pixel, std::uint32_t index) : pixel_(pixel), index_(index) {}
 
     Vec2 point(std::uint32_t dimension) const { return stratified(dimension, 0, 1); }
 
     /// Point number `k` of `parts`, where a dimension wants several points of each sample. Over all
     /// samples of the pixel they make one well distributed set.
     Vec2 stratified(std::uint32_t dimension, std::uint32_t k, std::uint32_t parts) const {
-        return points_(index_ * parts + k, hash(pixel_, dimension));
+        return pixel_.points(dimension)(index_ * parts + k);
     }
 
   private:
-    std::uint32_t pixel_, index_;
-    Vec2 (*points_)(std::uint32_t index, std::uint32_t seed);
+    PixelSamples pixel_;
+    std::uint32_t index_;
 };
 
 }  // namespace etalon

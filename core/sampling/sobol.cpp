@@ -23,18 +23,15 @@ std::uint32_t low_to_high_permutation(std::uint32_t x, std::uint32_t seed) {
     return x;
 }
 
-/// Nested uniform scrambling: which half an interval's points go to depends only on the interval.
-std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
-    return reverse_bits(low_to_high_permutation(reverse_bits(x), seed));
-}
-
-/// The second Sobol' dimension: Pascal's triangle modulo 2 as generator matrix.
-std::uint32_t sobol_second(std::uint32_t index) {
-    std::uint32_t result = 0;
-    for (std::uint32_t column = 1U << 31; index != 0; index >>= 1, column ^= column >> 1) {
-        if (index & 1U) result ^= column;
-    }
-    return result;
+/// Applies the second generator matrix of Sobol' with its rows reversed. The matrix is Pascal's
+/// triangle modulo 2, in which C(k, j) is odd where all bits of j are bits of k (Lucas): bit j of
+/// the result is the sum of the bits k above it, which five steps give, one for each bit of k.
+std::uint32_t reversed_sobol_second(std::uint32_t index) {
+    index ^= (index >> 16) & 0x0000ffffU;
+    index ^= (index >> 8) & 0x00ff00ffU;
+    index ^= (index >> 4) & 0x0f0f0f0fU;
+    index ^= (index >> 2) & 0x33333333U;
+    return index ^ ((index >> 1) & 0x55555555U);
 }
 
 /// Maps to [0, 1): all 32 bits fit a double.
@@ -44,19 +41,15 @@ double unit_interval(std::uint32_t x) {
 
 }  // namespace
 
-std::uint32_t hash(std::uint32_t a, std::uint32_t b) {
-    // Finalizer of MurmurHash3 (Appleby) over both words; the multipliers are odd, so it is a
-    // bijection of the 64 bits before they are folded.
-    std::uint64_t h = (static_cast<std::uint64_t>(a) << 32 | b) + 0x9e3779b97f4a7c15ULL;
-    h = (h ^ (h >> 33)) * 0xff51afd7ed558ccdULL;
-    h = (h ^ (h >> 33)) * 0xc4ceb9fe1a85ec53ULL;
-    return static_cast<std::uint32_t>(h ^ (h >> 33));
-}
-
-Vec2 scrambled_sobol(std::uint32_t index, std::uint32_t seed) {
-    const std::uint32_t shuffled = owen_scramble(index, hash(seed, 0));
-    const std::uint32_t x = owen_scramble(reverse_bits(shuffled), hash(seed, 1));
-    const std::uint32_t y = owen_scramble(sobol_second(shuffled), hash(seed, 2));
+/// A nested uniform scramble, by which half an interval's points go to depends on the interval
+/// only, is low_to_high_permutation between two reversals of bits. The first of each coordinate
+/// undoes the one that the van der Corput sequence begins with, so neither is done.
+Vec2 ScrambledSobol::operator()(std::uint32_t index) const {
+    const std::uint32_t shuffled =
+        reverse_bits(low_to_high_permutation(reverse_bits(index), order_));
+    const std::uint32_t x = reverse_bits(low_to_high_permutation(shuffled, x_));
+    const std::uint32_t y =
+        reverse_bits(low_to_high_permutation(reversed_sobol_second(shuffled), y_));
     return {unit_interval(x), unit_interval(y)};
 }
 

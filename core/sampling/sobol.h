@@ -9,12 +9,29 @@
 namespace etalon {
 
 /// A 32-bit mix of two words; the basis of all names of dimensions.
-std::uint32_t hash(std::uint32_t a, std::uint32_t b);
+inline std::uint32_t hash(std::uint32_t a, std::uint32_t b) {
+    // Finalizer of MurmurHash3 (Appleby) over both words; the multipliers are odd, so it is a
+    // bijection of the 64 bits before they are folded.
+    std::uint64_t h = (static_cast<std::uint64_t>(a) << 32 | b) + 0x9e3779b97f4a7c15ULL;
+    h = (h ^ (h >> 33)) * 0xff51afd7ed558ccdULL;
+    h = (h ^ (h >> 33)) * 0xc4ceb9fe1a85ec53ULL;
+    return static_cast<std::uint32_t>(h ^ (h >> 33));
+}
 
-/// Point `index` of the two-dimensional Sobol' sequence, Owen-scrambled, its order shuffled by a
-/// scramble of the index (Burley 2020, "Practical Hash-based Owen Scrambling", JCGT 9(4)). Every
-/// seed gives an independent randomisation; in [0, 1)^2.
-Vec2 scrambled_sobol(std::uint32_t index, std::uint32_t seed);
+/// The two-dimensional Sobol' sequence, Owen-scrambled, its order shuffled by a scramble of the
+/// index (Burley 2020, "Practical Hash-based Owen Scrambling", JCGT 9(4)). Every seed gives an
+/// independent randomisation.
+class ScrambledSobol {
+  public:
+    explicit ScrambledSobol(std::uint32_t seed)
+        : order_(hash(seed, 0)), x_(hash(seed, 1)), y_(hash(seed, 2)) {}
+
+    /// Point number `index`, in [0, 1)^2.
+    Vec2 operator()(std::uint32_t index) const;
+
+  private:
+    std::uint32_t order_, x_, y_;  ///< seeds of the three scrambles
+};
 
 /// Point `index` of a sequence of independent, evenly distributed points in [0, 1)^2.
 Vec2 uniform_random(std::uint32_t index, std::uint32_t seed);

@@ -107,8 +107,8 @@ class PrimitiveRuns {
         if ((entry & is_run) == 0) listed_[entry + place] = primitive;
     }
 
-    /// Lists one by one the primitives of the last stride, of which there are `count`, all in `run`.
-    /// Returns the place of the first.
+    /// Lists one by one the primitives of the last stride, of which there are `count`, all in
+    /// `run`. Returns the place of the first.
     std::uint32_t list_stride(std::uint32_t run, std::size_t count) {
         const std::size_t first = listed_.size();
         listed_.resize(first + stride);

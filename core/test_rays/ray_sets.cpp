@@ -94,10 +94,11 @@ class RaySetMaker {
         const Box3 box = finite_bounds(scene_.geometry);
         const Vec3 centre = box.center();
         const double radius = std::sqrt(box.size().dot(box.size())) / 2;
+        const ScrambledSobol from(chord_seed), to(chord_seed + 1);
         RaySet set{"random", false, {}};
         for (std::uint32_t i = 0; i < pixels_.size(); ++i) {
-            const Vec3 a = centre + radius * on_unit_sphere(scrambled_sobol(i, chord_seed));
-            const Vec3 b = centre + radius * on_unit_sphere(scrambled_sobol(i, chord_seed + 1));
+            const Vec3 a = centre + radius * on_unit_sphere(from(i));
+            const Vec3 b = centre + radius * on_unit_sphere(to(i));
             if (a != b) set.rays.push_back({a, normalized(b - a)});
         }
         return set;
@@ -120,7 +121,7 @@ class RaySetMaker {
             if (!hit) continue;
             const SurfacePoint p = surface_at(scene_.geometry, ray, *hit);
             const Vec3 normal = p.normal.dot(ray.direction) < 0 ? p.normal : -p.normal;
-            f(p, normal, SampleSource(0, 0, bounce_seed, index++));
+            f(p, normal, SampleSource({0, 0, bounce_seed}, index++));
         }
     }
 

@@ -51,8 +51,7 @@ TEST_CASE("Given a ray that says what it left, it hits what one that does not sa
 TEST_CASE(
     "Given a flat primitive, or a convex one that is left outward, a ray says that it left it",
     "[leaving]") {
-    SurfacePoint p{Vec3(0), Vec3(1e-15), Vec3(0, 0, 1), Vec3(0, 0, 1), 7, 0,
-                   Convexity::any};
+    SurfacePoint p{Vec3(0), Vec3(1e-15), Vec3(0, 0, 1), Vec3(0, 0, 1), 7, 0, Convexity::any};
     const Vec3 outward(1, 0, 1), inward(1, 0, -1);
     p.convexity = Convexity::flat;
     CHECK(spawn_ray(p, outward).exclude == 7);

@@ -33,7 +33,7 @@ Errors errors_after(std::uint32_t samples, const Integrand& f, Sampler sampler) 
         for (int i = 0; i < side * side; ++i) {
             const int x = i % side, y = i / side;
             for (std::uint32_t s = first; s < last; ++s) {
-                const Vec2 point = SampleSource(x, y, 1, s, sampler).point(0);
+                const Vec2 point = SampleSource({x, y, 1, sampler}, s).point(0);
                 film.add(x, y, Color(static_cast<float>(f.at(point, place_of(i)))));
             }
         }

@@ -24,9 +24,12 @@ Color seen_through(const TestScene& scene, const Vec2& pixel) {
     const auto intersector = find_backend(reference_backend)->build(scene.geometry);
     std::vector<std::string> problems;
     RayCounts counts;
-    return Whitted(scene, *intersector, scene.settings, problems)
-        .radiance(CameraRays(scene.camera, scene.settings.resolution).ray(pixel, Vec2(0.5)),
-                  SampleSource(0, 0, 0, 0), counts);
+    const CameraRays camera(scene.camera, scene.settings.resolution);
+    const CameraSample sample{camera.ray(pixel, Vec2(0.5)), {{0, 0, 0}, 0}};
+    Color color;
+    Whitted(scene, *intersector, scene.settings, problems)
+        .radiance(std::span(&sample, 1), std::span(&color, 1), counts);
+    return color;
 }
 
 RayCounts counts_of(const TestScene& scene) {

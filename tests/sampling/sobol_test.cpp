@@ -21,7 +21,7 @@ bool one_point_in_every_cell(const std::vector<Vec2>& points, int columns, int r
 
 std::vector<Vec2> first_points(std::uint32_t count, std::uint32_t seed) {
     std::vector<Vec2> points;
-    for (std::uint32_t i = 0; i < count; ++i) points.push_back(scrambled_sobol(i, seed));
+    for (std::uint32_t i = 0; i < count; ++i) points.push_back(ScrambledSobol(seed)(i));
     return points;
 }
 
@@ -39,15 +39,15 @@ TEST_CASE("Scrambled Sobol' points are a (0,2)-sequence", "[sampling]") {
 
 TEST_CASE("A point is the same on every machine, to the last of its 32 bits", "[sampling]") {
     // Worked out apart from this code, bit by bit and with Pascal's triangle, by the same papers.
-    CHECK(0x1p32 * scrambled_sobol(7, 1) == Vec2(1389075229, 540007389));
-    CHECK(0x1p32 * scrambled_sobol(0, 0) == Vec2(995850218, 1851027888));
-    CHECK(0x1p32 * scrambled_sobol(4294967295U, 12345) == Vec2(815730508, 488644200));
+    CHECK(0x1p32 * ScrambledSobol(1)(7) == Vec2(1389075229, 540007389));
+    CHECK(0x1p32 * ScrambledSobol(0)(0) == Vec2(995850218, 1851027888));
+    CHECK(0x1p32 * ScrambledSobol(12345)(4294967295U) == Vec2(815730508, 488644200));
 }
 
 TEST_CASE("Different seeds give different points, equal names the same", "[sampling]") {
-    CHECK(scrambled_sobol(7, 1) != scrambled_sobol(7, 2));
-    const SampleSource a(3, 4, 0, 5), b(3, 4, 0, 5), other_pixel(4, 3, 0, 5),
-        other_seed(3, 4, 1, 5);
+    CHECK(ScrambledSobol(1)(7) != ScrambledSobol(2)(7));
+    const SampleSource a({3, 4, 0}, 5), b({3, 4, 0}, 5), other_pixel({4, 3, 0}, 5),
+        other_seed({3, 4, 1}, 5);
     CHECK(a.point(9) == b.point(9));
     CHECK(a.point(9) != a.point(10));
     CHECK(a.point(9) != other_pixel.point(9));
@@ -58,7 +58,7 @@ TEST_CASE("Parts of a dimension over all samples make one well distributed set",
     std::vector<Vec2> points;
     for (std::uint32_t sample = 0; sample < 16; ++sample) {
         for (std::uint32_t k = 0; k < 4; ++k) {
-            points.push_back(SampleSource(1, 2, 3, sample).stratified(7, k, 4));
+            points.push_back(SampleSource({1, 2, 3}, sample).stratified(7, k, 4));
         }
     }
     CHECK(one_point_in_every_cell(points, 8, 8));
@@ -70,7 +70,7 @@ TEST_CASE("Random points are even, and each one is apart from all others", "[sam
     double products = 0;
     Vec2 last(0);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Vec2 p = SampleSource(1, 2, 3, i, Sampler::random).point(7);
+        const Vec2 p = SampleSource({1, 2, 3, Sampler::random}, i).point(7);
         ++cells[static_cast<std::size_t>(p.x * 8) * 8 + static_cast<std::size_t>(p.y * 8)];
         products += (p.x - 0.5) * (last.x - 0.5) + (p.x - 0.5) * (p.y - 0.5);
         last = p;
@@ -85,7 +85,7 @@ TEST_CASE("Random points are even, and each one is apart from all others", "[sam
 TEST_CASE("The mean over many seeds is unbiased", "[sampling]") {
     Vec2 sum(0);
     constexpr int seeds = 4096;
-    for (std::uint32_t seed = 0; seed < seeds; ++seed) sum += scrambled_sobol(0, seed);
+    for (std::uint32_t seed = 0; seed < seeds; ++seed) sum += ScrambledSobol(seed)(0);
     // Standard deviation of the mean: 1 / sqrt(12 * 4096) = 0.0045; five of them.
     CHECK(sum.x / seeds == Approx(0.5).margin(0.0225));
     CHECK(sum.y / seeds == Approx(0.5).margin(0.0225));

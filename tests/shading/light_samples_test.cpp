@@ -7,7 +7,7 @@ using namespace etalon;
 namespace {
 
 const Light quad = QuadLight{Vec3(1, 2, 3), Vec3(4, 0, 0), Vec3(0, 0, 2), Color(1.0F), 12};
-const SampleSource any_sample(0, 0, 0, 0);
+const SampleSource any_sample({0, 0, 0}, 0);
 
 }  // namespace
 

@@ -1,5 +1,7 @@
 #include "core/integrators/ao/ambient_occlusion.h"
 
+#include <numeric>
+
 #include "core/sampling/dimensions.h"
 #include "core/sampling/hemisphere.h"
 #include "core/shading/surface_interaction.h"
@@ -20,24 +22,46 @@ AmbientOcclusion::AmbientOcclusion(const Scene& scene, const Intersector& inters
       max_distance_(settings.max_distance),
       rays_(settings.samples_per_pixel > 0 ? 1 : rays_without_samples) {}
 
-Color AmbientOcclusion::radiance(const Ray& camera_ray, const SampleSource& sample,
-                                 RayCounts& counts) const {
-    ++counts.camera;
-    const std::optional<Hit> hit = intersector_.closest(camera_ray);
-    if (!hit) return Color(0.0F);
-    ++counts.camera_hits;
-    const SurfaceInteraction at = surface_interaction(scene_, camera_ray, *hit);
-    const std::uint32_t dimension = occlusion_dimension(camera_ray_name);
-    std::uint32_t blocked = 0;
-    for (std::uint32_t k = 0; k < rays_; ++k) {
-        const Vec2 uv = sample.stratified(dimension, k, rays_);
-        Ray ray = spawn_ray(at.surface, cosine_direction(at.ng, uv));
-        ray.tmax = max_distance_;
-        if (intersector_.occluded(ray)) ++blocked;
+void AmbientOcclusion::radiance(std::span<const CameraSample> samples, std::span<Color> colors,
+                                RayCounts& counts) const {
+    std::vector<Ray> rays;
+    for (const CameraSample& sample : samples) rays.push_back(sample.ray);
+    std::vector<Hit> hits(samples.size());
+    intersector_.closest(rays, hits);
+    counts.camera += samples.size();
+
+    rays.clear();
+    std::vector<std::size_t> open;  // the camera rays that hit
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        colors[i] = Color(0.0F);
+        if (hits[i].primitive == no_index) continue;
+        open.push_back(i);
+        append_occlusion_rays(samples[i], hits[i], rays);
     }
-    counts.shadow += rays_;
-    counts.shadow_blocked += blocked;
-    return Color(static_cast<float>(rays_ - blocked) / static_cast<float>(rays_));
+    std::vector<std::uint8_t> blocked(rays.size());
+    intersector_.occluded(rays, blocked);
+    counts.camera_hits += open.size();
+    counts.shadow += rays.size();
+
+    const auto all = static_cast<float>(rays_);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        const auto first = blocked.begin() + static_cast<std::ptrdiff_t>(i * rays_);
+        const std::uint32_t count = std::accumulate(first, first + rays_, 0U);
+        counts.shadow_blocked += count;
+        colors[open[i]] = Color(static_cast<float>(rays_ - count) / all);
+    }
+}
+
+/// Appends rays from the point that a camera ray has hit to its hemisphere.
+void AmbientOcclusion::append_occlusion_rays(const CameraSample& sample, const Hit& hit,
+                                             std::vector<Ray>& rays) const {
+    const SurfaceInteraction at = surface_interaction(scene_, sample.ray, hit);
+    const std::uint32_t dimension = occlusion_dimension(camera_ray_name);
+    for (std::uint32_t k = 0; k < rays_; ++k) {
+        const Vec2 uv = sample.source.stratified(dimension, k, rays_);
+        rays.push_back(spawn_ray(at.surface, cosine_direction(at.ng, uv)));
+        rays.back().tmax = max_distance_;
+    }
 }
 
 }  // namespace etalon

@@ -20,10 +20,13 @@ class AmbientOcclusion final : public Integrator {
     AmbientOcclusion(const Scene& scene, const Intersector& intersector,
                      const RenderSettings& settings, std::vector<std::string>& problems);
 
-    Color radiance(const Ray& camera_ray, const SampleSource& sample,
-                   RayCounts& counts) const override;
+    void radiance(std::span<const CameraSample> samples, std::span<Color> colors,
+                  RayCounts& counts) const override;
 
   private:
+    void append_occlusion_rays(const CameraSample& sample, const Hit& hit,
+                               std::vector<Ray>& rays) const;
+
     const Scene& scene_;
     const Intersector& intersector_;
     double max_distance_;

@@ -32,13 +32,30 @@ Color transmittance(const Color& absorption, double distance) {
     return {along(absorption.x), along(absorption.y), along(absorption.z)};
 }
 
+/// A surface that faces a light: its number, the direction to the light, and the cosine there.
+struct Unshadowed {
+    std::size_t surface;
+    Vec3 towards;
+    double cosine;
+};
+
 /// Factor of the highlight for unit vectors; `normal` is on the light's side.
 double highlight_of(const Material& m, const Vec3& direction, const Vec3& normal,
                     const Vec3& towards) {
     const double cosine = m.highlight == Highlight::phong
                               ? reflect(direction, normal).dot(towards)
                               : normal.dot(normalized(towards - direction));
+    if (!(cosine > 0) && m.shininess > 0) return 0;
     return std::pow(std::max(0.0, cosine), m.shininess);
+}
+
+/// Part of a white light from `towards` that the surface sends back along the ray.
+Color scattered(const SurfaceInteraction& at, const Vec3& direction, const Vec3& towards,
+                double cosine) {
+    const Material& m = at.material;
+    Color sum = m.diffuse * static_cast<float>(cosine);
+    if (is_black(m.specular)) return sum;
+    return sum += m.specular * static_cast<float>(highlight_of(m, direction, at.ns, towards));
 }
 
 }  // namespace
@@ -54,79 +71,153 @@ Whitted::Whitted(const Scene& scene, const Intersector& intersector, const Rende
         lights_.emplace_back(light, settings.samples_per_pixel);
 }
 
-Color Whitted::radiance(const Ray& camera_ray, const SampleSource& sample,
-                        RayCounts& counts) const {
-    Context context{sample, counts};
-    ++counts.camera;
-    const std::optional<Hit> hit = intersector_.closest(camera_ray);
-    if (hit) ++counts.camera_hits;
-    const Color color = trace({camera_ray, 1, camera_ray_name, Color(0.0F)}, hit, context);
-    return rules_.normalize_camera_rays ? fitted(color) : color;
-}
-
-Color Whitted::trace(const Path& path, std::optional<Hit> hit, Context& context) const {
-    Color color;
-    if (hit) {
-        const SurfaceInteraction at = surface_interaction(scene_, path.ray, *hit);
-        color = at.material.ambient + direct(path, at, context);
-        if (path.depth < max_depth_) color += secondary(path, at, context);
-        if (!is_black(path.absorption)) color *= transmittance(path.absorption, hit->t);
-    } else {
-        color = environment_.radiance(path.ray.direction);
+void Whitted::radiance(std::span<const CameraSample> samples, std::span<Color> colors,
+                       RayCounts& counts) const {
+    Rays batch;
+    batch.rays.reserve(samples.size());
+    batch.paths.reserve(samples.size());
+    for (const CameraSample& sample : samples) {
+        batch.rays.push_back(sample.ray);
+        batch.paths.push_back({&sample.source, camera_ray_name, Color(0.0F)});
     }
-    return rules_.clamp_each_ray ? clamped(color) : color;
+    counts.camera += samples.size();
+    trace({batch.rays, batch.paths}, 1, colors, counts);
+    if (!rules_.normalize_camera_rays) return;
+    for (Color& color : colors) color = fitted(color);
 }
 
-Color Whitted::direct(const Path& path, const SurfaceInteraction& at, Context& context) const {
-    Color sum(0.0F);
-    if (is_black(at.material.diffuse) && is_black(at.material.specular)) return sum;
-    for (std::size_t i = 0; i < lights_.size(); ++i) {
-        const LightSamples& light = lights_[i];
-        const std::uint32_t dimension = light_dimension(path.name, i);
-        Color reflected(0.0F);
-        for (int k = 0; k < light.count(); ++k) {
-            const Vec3 position = light.position(k, context.sample, dimension);
-            reflected += lit_by(position, path, at, context);
+/// Sets the colour that each ray of the batch brings back: what the recursion over a tree of rays
+/// gives for one of them, for all of a depth together.
+void Whitted::trace(const RaysView& batch, int depth, std::span<Color> colors,
+                    RayCounts& counts) const {
+    std::vector<Hit> hits(batch.rays.size());
+    const std::vector<Vertex> vertices = find_vertices(batch, hits, colors);
+    (depth == 1 ? counts.camera_hits : counts.secondary_hits) += vertices.size();
+    add_direct(batch, vertices, colors, counts);
+    if (depth < max_depth_) add_secondary(batch, depth, vertices, colors, counts);
+    for (const Vertex& v : vertices) {
+        const Color& absorption = batch.paths[v.ray].absorption;
+        if (!is_black(absorption)) colors[v.ray] *= transmittance(absorption, hits[v.ray].t);
+    }
+    if (!rules_.clamp_each_ray) return;
+    for (Color& color : colors) color = clamped(color);
+}
+
+/// Finds where the rays hit, and sets their colours to what does not depend on other rays.
+std::vector<Whitted::Vertex> Whitted::find_vertices(const RaysView& batch, std::span<Hit> hits,
+                                                    std::span<Color> colors) const {
+    intersector_.closest(batch.rays, hits);
+    std::vector<Vertex> vertices;
+    vertices.reserve(hits.size());
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        const Ray& ray = batch.rays[i];
+        if (hits[i].primitive == no_index) {
+            colors[i] = environment_.radiance(ray.direction);
+        } else {
+            vertices.push_back({i, surface_interaction(scene_, ray, hits[i])});
+            colors[i] = vertices.back().at.material.ambient;
         }
-        sum += reflected * light.color();
     }
-    return sum;
+    return vertices;
 }
 
-/// The part of a white point light's colour that the surface sends back along the ray.
-Color Whitted::lit_by(const Vec3& light, const Path& path, const SurfaceInteraction& at,
-                      Context& context) const {
-    const Vec3 towards = normalized(light - at.surface.position);
-    const double cosine = at.ns.dot(towards);
-    if (!(cosine > 0) || !(at.ng.dot(towards) > 0)) return Color(0.0F);
+/// Adds what the lights send along each ray, by surfaces that scatter or shine.
+void Whitted::add_direct(const RaysView& batch, std::span<const Vertex> vertices,
+                         std::span<Color> colors, RayCounts& counts) const {
+    std::vector<const Vertex*> lit;
+    for (const Vertex& v : vertices) {
+        const Material& m = v.at.material;
+        if (!is_black(m.diffuse) || !is_black(m.specular)) lit.push_back(&v);
+    }
+    std::vector<Color> sums(lit.size(), Color(0.0F)), reflected(lit.size());
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        std::ranges::fill(reflected, Color(0.0F));
+        for (int k = 0; k < lights_[i].count(); ++k) {
+            add_light(i, k, batch, lit, reflected, counts);
+        }
+        for (std::size_t j = 0; j < lit.size(); ++j) sums[j] += reflected[j] * lights_[i].color();
+    }
+    for (std::size_t j = 0; j < lit.size(); ++j) colors[lit[j]->ray] += sums[j];
+}
 
-    Ray shadow = spawn_ray_to(at.surface, light);
-    if (rules_.fixed_bias != 0) {
-        shadow = leave(at, towards, false);
+/// Adds the part of the light's point k, taken as white, that each surface sends back.
+void Whitted::add_light(std::size_t light, int k, const RaysView& batch,
+                        std::span<const Vertex* const> lit, std::span<Color> reflected,
+                        RayCounts& counts) const {
+    std::vector<Ray> rays;
+    std::vector<Unshadowed> facing;
+    for (std::size_t j = 0; j < lit.size(); ++j) {
+        const auto& [ray, at] = *lit[j];
+        const Path& path = batch.paths[ray];
+        const Vec3 position =
+            lights_[light].position(k, *path.sample, light_dimension(path.name, light));
+        const Vec3 towards = normalized(position - at.surface.position);
+        const double cosine = at.ns.dot(towards);
+        if (!(cosine > 0) || !(at.ng.dot(towards) > 0)) continue;
+        rays.push_back(shadow_ray(position, towards, at));
+        rays.back().coherent = batch.rays[ray].coherent;
+        facing.push_back({j, towards, cosine});
+    }
+    std::vector<std::uint8_t> blocked(rays.size());
+    intersector_.occluded(rays, blocked);
+    counts.shadow += rays.size();
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        counts.shadow_blocked += blocked[i];
+        if (blocked[i] != 0) continue;
+        const auto& [j, towards, cosine] = facing[i];
+        reflected[j] += scattered(lit[j]->at, batch.rays[lit[j]->ray].direction, towards, cosine);
+    }
+}
+
+Ray Whitted::shadow_ray(const Vec3& light, const Vec3& towards,
+                        const SurfaceInteraction& at) const {
+    Ray shadow;
+    if (rules_.fixed_bias == 0) {
+        shadow = spawn_ray_to(at.surface, light);
+    } else {
+        shadow = leaving_ray(at, towards, false);
         shadow.direction = light - shadow.origin;
     }
     shadow.tmax = shadow_end;
-    shadow.coherent = path.ray.coherent;
-    ++context.counts.shadow;
-    if (intersector_.occluded(shadow)) {
-        ++context.counts.shadow_blocked;
-        return Color(0.0F);
-    }
-    Color reflected = at.material.diffuse * static_cast<float>(cosine);
-    if (!is_black(at.material.specular)) {
-        const double highlight = highlight_of(at.material, path.ray.direction, at.ns, towards);
-        reflected += at.material.specular * static_cast<float>(highlight);
-    }
-    return reflected;
+    return shadow;
 }
 
-Color Whitted::secondary(const Path& path, const SurfaceInteraction& at, Context& context) const {
+/// Adds what mirrors and glass let come back.
+void Whitted::add_secondary(const RaysView& batch, int depth, std::span<const Vertex> vertices,
+                            std::span<Color> colors, RayCounts& counts) const {
+    SecondaryRays secondary;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        leave(batch, i, vertices[i], secondary, counts);
+    std::vector<Color> sums(vertices.size(), Color(0.0F)), incoming(secondary.rays.size());
+    const RaysView all{secondary.rays, secondary.paths};
+    for (std::size_t first = 0; first < incoming.size(); first += batch_size) {
+        const std::size_t count = std::min(batch_size, incoming.size() - first);
+        trace({all.rays.subspan(first, count), all.paths.subspan(first, count)}, depth + 1,
+              std::span(incoming).subspan(first, count), counts);
+    }
+    for (std::size_t i = 0; i < incoming.size(); ++i) {
+        sums[secondary.vertices[i]] += secondary.weights[i] * incoming[i];
+    }
+    for (std::size_t i = 0; i < vertices.size(); ++i) colors[vertices[i].ray] += sums[i];
+}
+
+/// Appends the rays that leave a vertex: the mirrored one first.
+void Whitted::leave(const RaysView& batch, std::size_t vertex, const Vertex& v, SecondaryRays& to,
+                    RayCounts& counts) const {
+    const SurfaceInteraction& at = v.at;
     const Material& m = at.material;
-    const Vec3& direction = path.ray.direction;
-    Color reflection = m.reflection, transmission = m.transmission;
+    const Vec3& direction = batch.rays[v.ray].direction;
+    const bool counted = rules_.mirror_all_glass && !is_black(m.transmission);
+    if (is_black(m.reflection) && is_black(m.transmission)) return;
     const Vec3& normal = direction.dot(at.ns) < 0 ? at.ns : at.ng;
     const double cosine = std::clamp(-direction.dot(normal), 0.0, 1.0);
     const double eta = at.entering ? 1 / m.ior : m.ior;
+    const auto add = [&](const Color& weight, const Vec3& leaving, bool inside) {
+        to.vertices.push_back(vertex);
+        to.weights.push_back(weight);
+        follow(batch, v, leaving, inside, to);
+    };
+    Color reflection = m.reflection, transmission = m.transmission;
     Vec3 refracted;
     if (!is_black(m.transmission)) {
         const FresnelTerms fresnel =
@@ -138,38 +229,32 @@ Color Whitted::secondary(const Path& path, const SurfaceInteraction& at, Context
         if (fresnel.total) transmission = Color(0.0F);
         refracted = normalized(refract(direction, normal, eta, cosine, fresnel.cos_refracted));
     }
-    Color sum(0.0F);
-    const bool counted = rules_.mirror_all_glass && !is_black(m.transmission);
     if (!is_black(reflection) || counted) {
-        ++context.counts.reflected;
-        const Vec3 mirrored = normalized(reflect(direction, normal));
-        sum += reflection * follow(path, at, mirrored, !at.entering, context);
+        ++counts.reflected;
+        add(reflection, normalized(reflect(direction, normal)), !at.entering);
     }
     if (!is_black(transmission)) {
-        ++context.counts.refracted;
-        sum += transmission * follow(path, at, refracted, at.entering, context);
+        ++counts.refracted;
+        add(transmission, refracted, at.entering);
     }
-    return sum;
 }
 
-Ray Whitted::leave(const SurfaceInteraction& at, const Vec3& direction, bool crosses) const {
+/// Appends a ray from a vertex; `inside`: the new ray runs behind the surface.
+void Whitted::follow(const RaysView& batch, const Vertex& v, const Vec3& direction, bool inside,
+                     Rays& to) const {
+    const Path& from = batch.paths[v.ray];
+    const bool crosses = inside == v.at.entering;
+    Color absorption = from.absorption;
+    if (crosses) absorption = inside ? v.at.material.absorption : Color(0.0F);
+    to.rays.push_back(leaving_ray(v.at, direction, crosses));
+    to.rays.back().coherent = batch.rays[v.ray].coherent;
+    to.paths.push_back({from.sample, ray_name(from.name, crosses), absorption});
+}
+
+Ray Whitted::leaving_ray(const SurfaceInteraction& at, const Vec3& direction, bool crosses) const {
     const double bias = rules_.fixed_bias;
     if (bias == 0) return spawn_ray(at.surface, direction);
     return {at.surface.position + (crosses ? -bias : bias) * at.ng, direction};
-}
-
-/// Follows a ray from a surface; `inside`: the new ray runs behind the surface.
-Color Whitted::follow(const Path& from, const SurfaceInteraction& at, const Vec3& direction,
-                      bool inside, Context& context) const {
-    const bool crosses = inside == at.entering;
-    Color absorption = from.absorption;
-    if (crosses) absorption = inside ? at.material.absorption : Color(0.0F);
-    Path path{leave(at, direction, crosses), from.depth + 1, ray_name(from.name, crosses),
-              absorption};
-    path.ray.coherent = from.ray.coherent;
-    const std::optional<Hit> hit = intersector_.closest(path.ray);
-    if (hit) ++context.counts.secondary_hits;
-    return trace(path, hit, context);
 }
 
 }  // namespace etalon

@@ -19,32 +19,59 @@ class Whitted final : public Integrator {
     Whitted(const Scene& scene, const Intersector& intersector, const RenderSettings& settings,
             std::vector<std::string>& problems);
 
-    Color radiance(const Ray& camera_ray, const SampleSource& sample,
-                   RayCounts& counts) const override;
+    void radiance(std::span<const CameraSample> samples, std::span<Color> colors,
+                  RayCounts& counts) const override;
 
   private:
-    /// A ray on its way: its depth (1 for the camera ray), its place in the tree of rays, which
-    /// names the sample dimensions used at its end, and what the matter around it absorbs.
+    /// What belongs to a ray on its way: its sample, its place in the tree of rays, which names the
+    /// sample dimensions used at its end, and what the matter around it absorbs.
     struct Path {
-        Ray ray;
-        int depth;
+        const SampleSource* sample;
         std::uint32_t name;
         Color absorption;
     };
 
-    struct Context {
-        const SampleSource& sample;
-        RayCounts& counts;
+    /// Rays of the same depth (1 for camera rays), followed together, and the path of each.
+    struct Rays {
+        std::vector<Ray> rays;
+        std::vector<Path> paths;
     };
 
-    Color trace(const Path& path, std::optional<Hit> hit, Context& context) const;
-    Color direct(const Path& path, const SurfaceInteraction& at, Context& context) const;
-    Color lit_by(const Vec3& light, const Path& path, const SurfaceInteraction& at,
-                 Context& context) const;
-    Color secondary(const Path& path, const SurfaceInteraction& at, Context& context) const;
-    Ray leave(const SurfaceInteraction& at, const Vec3& direction, bool crosses) const;
-    Color follow(const Path& from, const SurfaceInteraction& at, const Vec3& direction, bool inside,
-                 Context& context) const;
+    /// A view of some of them.
+    struct RaysView {
+        std::span<const Ray> rays;
+        std::span<const Path> paths;
+    };
+
+    /// Where a ray of a batch has hit.
+    struct Vertex {
+        std::size_t ray;
+        SurfaceInteraction at;
+    };
+
+    /// The rays that leave the vertices of a batch for mirrors and glass: each one's vertex, and
+    /// the weight of its colour there.
+    struct SecondaryRays : Rays {
+        std::vector<std::size_t> vertices;
+        std::vector<Color> weights;
+    };
+
+    void trace(const RaysView& batch, int depth, std::span<Color> colors, RayCounts& counts) const;
+    std::vector<Vertex> find_vertices(const RaysView& batch, std::span<Hit> hits,
+                                      std::span<Color> colors) const;
+    void add_direct(const RaysView& batch, std::span<const Vertex> vertices,
+                    std::span<Color> colors, RayCounts& counts) const;
+    void add_light(std::size_t light, int k, const RaysView& batch,
+                   std::span<const Vertex* const> lit, std::span<Color> reflected,
+                   RayCounts& counts) const;
+    Ray shadow_ray(const Vec3& light, const Vec3& towards, const SurfaceInteraction& at) const;
+    void add_secondary(const RaysView& batch, int depth, std::span<const Vertex> vertices,
+                       std::span<Color> colors, RayCounts& counts) const;
+    void leave(const RaysView& batch, std::size_t vertex, const Vertex& v, SecondaryRays& to,
+               RayCounts& counts) const;
+    void follow(const RaysView& batch, const Vertex& v, const Vec3& direction, bool inside,
+                Rays& to) const;
+    Ray leaving_ray(const SurfaceInteraction& at, const Vec3& direction, bool crosses) const;
 
     const Scene& scene_;
     const Intersector& intersector_;
