@@ -36,7 +36,8 @@ target_compile_options(etalon_options INTERFACE
 set(ETALON_SANITIZE "" CACHE STRING "Value for -fsanitize=, e.g. address,undefined or thread")
 if(ETALON_SANITIZE)
   target_compile_options(etalon_options INTERFACE
-    -fsanitize=${ETALON_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    -fsanitize=${ETALON_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
+    -g1) # enough for a stack with lines
   target_link_options(etalon_options INTERFACE -fsanitize=${ETALON_SANITIZE})
 endif()
 
