@@ -6,11 +6,6 @@
 namespace etalon {
 namespace {
 
-bool is_valid(const Ray& ray) {
-    return is_finite(ray.origin) && is_finite(ray.direction) && max_abs(ray.direction) > 0 &&
-           ray.tmin < ray.tmax;
-}
-
 bool reaches(const Geometry& geometry, std::uint32_t id, const RayQuery& query) {
     return primitive_first_hit(geometry, id, query) <= query.ray.tmax;
 }
@@ -54,12 +49,17 @@ bool Intersector::is_occluded(const Ray& ray) const {
     return local && occluded_bounded(query, *local);
 }
 
+NearestHit Intersector::nearest_hit(const Ray& ray) const {
+    return closest_of_all(
+        ray, [&](const RayQuery& query, const NormalizedRay& local, NearestHit& nearest) {
+            closest_bounded(query, local, nearest);
+        });
+}
+
 void Intersector::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
     const DenormalsCount denormals_count;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const NearestHit nearest =
-            closest_of_all(rays[i], [&](const RayQuery& query, const NormalizedRay& local,
-                                        NearestHit& hit) { closest_bounded(query, local, hit); });
+        const NearestHit nearest = nearest_hit(rays[i]);
         hits[i] = {nearest.t, nearest.primitive};
     }
 }
@@ -70,9 +70,8 @@ void Intersector::occluded(std::span<const Ray> rays, std::span<std::uint8_t> bl
 }
 
 std::optional<Hit> Intersector::closest(const Ray& ray) const {
-    Hit hit;
-    closest(std::span(&ray, 1), std::span(&hit, 1));
-    return hit.primitive == no_index ? std::nullopt : std::optional(hit);
+    const DenormalsCount denormals_count;
+    return nearest_hit(ray).result();
 }
 
 std::optional<Hit> Intersector::closest(const Ray& ray, TraversalCost& cost) const {
@@ -87,9 +86,8 @@ std::optional<Hit> Intersector::closest(const Ray& ray, TraversalCost& cost) con
 }
 
 bool Intersector::occluded(const Ray& ray) const {
-    std::uint8_t blocked = 0;
-    occluded(std::span(&ray, 1), std::span(&blocked, 1));
-    return blocked != 0;
+    const DenormalsCount denormals_count;
+    return is_occluded(ray);
 }
 
 }  // namespace etalon

@@ -72,6 +72,7 @@ class Intersector {
   private:
     template <class OfferBounded>
     NearestHit closest_of_all(const Ray& ray, const OfferBounded& offer_bounded) const;
+    NearestHit nearest_hit(const Ray& ray) const;
     bool is_occluded(const Ray& ray) const;
 
     const Geometry& geometry_;

@@ -30,6 +30,18 @@ double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive,
                       [&]<class Shape>() { return first_hit_of<Shape>(geometry, p, query); });
 }
 
+void offer_to_all(const Geometry& geometry, std::uint32_t primitive,
+                  std::span<const RayQuery> queries, std::span<NearestHit> nearest) {
+    const Primitive p = geometry.primitives[primitive];
+    with_shape(p.kind, [&]<class Shape>() {
+        const Shape& shape = geometry.get<Shape>(p);
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            if (queries[i].ray.exclude == primitive) continue;
+            nearest[i].offer(first_hit(geometry, shape, p.sides, queries[i]), primitive);
+        }
+    });
+}
+
 template <class Shape>
 double shape_first_hit(const Geometry& geometry, const Shape& shape, Sides sides,
                        const RayQuery& query) {

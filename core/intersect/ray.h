@@ -21,6 +21,12 @@ struct Ray {
     bool coherent = false;
 };
 
+/// Whether a ray can hit anything at all.
+inline bool is_valid(const Ray& ray) {
+    return is_finite(ray.origin) && is_finite(ray.direction) && max_abs(ray.direction) > 0 &&
+           ray.tmin < ray.tmax;
+}
+
 struct Hit {
     double t;
     std::uint32_t primitive;  ///< its number in Scene::primitives
