@@ -8,6 +8,7 @@ namespace etalon {
 Action declare_speed(Options& options);
 Action declare_accuracy(Options& options);
 Action declare_convergence(Options& options);
+Action declare_frames(Options& options);
 Action declare_report(Options& options);
 
 }  // namespace etalon

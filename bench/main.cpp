@@ -9,6 +9,7 @@ constexpr etalon::Command commands[] = {
     {"accuracy", "Measure errors on hard cases, against the oracle", etalon::declare_accuracy},
     {"convergence", "Measure the error of an image against render time",
      etalon::declare_convergence},
+    {"frames", "Measure where the time of whole frames goes", etalon::declare_frames},
     {"report", "Run all measurements and write one page, DIR/index.html", etalon::declare_report},
 };
 

@@ -41,13 +41,6 @@ struct Measured {
     std::vector<Curve> curves;
 };
 
-/// The height follows.
-void set_width(Imath::V2i& size, int width) {
-    if (width == 0) return;
-    size.y = std::max(1, (size.y * width + size.x / 2) / size.x);
-    size.x = width;
-}
-
 Result<ReferenceImage> read_reference_image(const std::string& path,
                                             const RenderSettings& settings) {
     auto image = read_reference(path, settings);
@@ -95,7 +88,7 @@ int measure_convergence(const ConvergenceArguments& a) {
     bench::NamedScene named = bench::bench_scene(a.scene);
     fmt::print(stderr, "{}", named.messages);
     if (!named.scene) return exit_unusable;
-    set_width(named.settings.resolution, a.width);
+    bench::set_width(named.settings.resolution, a.width);
     const SignalGuard signals;
     Progress progress(a.scene);
     Measured all;

@@ -72,6 +72,12 @@ NamedScene bench_scene(const std::string& name) {
     return {request.family->make(request.size), settings, ""};
 }
 
+void set_width(Imath::V2i& resolution, int width) {
+    if (width == 0) return;
+    resolution.y = std::max(1, (resolution.y * width + resolution.x / 2) / resolution.x);
+    resolution.x = width;
+}
+
 std::string list_of_scenes() {
     std::string text;
     for (const Family& f : families()) {

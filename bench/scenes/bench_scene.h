@@ -21,6 +21,9 @@ struct NamedScene {
 
 NamedScene bench_scene(const std::string& name);
 
+/// Makes an image `width` pixels wide and as much higher or lower; not at all for 0.
+void set_width(Imath::V2i& resolution, int width);
+
 /// A line for each family: its name with its usual size, and what it is.
 std::string list_of_scenes();
 

@@ -9,7 +9,7 @@ namespace etalon {
 namespace {
 
 template <class Type>
-std::unique_ptr<Integrator> make(const Scene& scene, const Intersector& intersector,
+std::unique_ptr<Integrator> make(const Scene& scene, const BatchIntersector& intersector,
                                  const RenderSettings& settings,
                                  std::vector<std::string>& problems) {
     return std::make_unique<Type>(scene, intersector, settings, problems);

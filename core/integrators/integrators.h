@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/integrators/integrator.h"
-#include "core/intersect/intersector.h"
+#include "core/intersect/batch_intersector.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/scene.h"
 
@@ -23,7 +23,7 @@ struct IntegratorType {
     std::span<const std::string_view> options;
     /// Scene and intersector must outlive the integrator. `problems` gets the reasons why parts of
     /// the scene are replaced: a skybox that cannot be read by the background's colour.
-    std::unique_ptr<Integrator> (*make)(const Scene& scene, const Intersector& intersector,
+    std::unique_ptr<Integrator> (*make)(const Scene& scene, const BatchIntersector& intersector,
                                         const RenderSettings& settings,
                                         std::vector<std::string>& problems);
 

@@ -3,10 +3,10 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
+#include "core/intersect/batch_intersector.h"
 #include "core/intersect/bounded.h"
 #include "core/intersect/ray.h"
 #include "core/intersect/traversal_cost.h"
@@ -17,15 +17,11 @@ namespace etalon {
 /// Finds hits in a scene. A backend derives from it and says only *which* kernels are called; what
 /// counts as a hit, ties and unbounded primitives are settled here, alike for all. Thread-safe.
 /// The scene must outlive the intersector.
-class Intersector {
+class Intersector : public BatchIntersector {
   public:
     explicit Intersector(const Geometry& geometry)
         : Intersector(geometry, SceneBounds::of(geometry)) {}
     Intersector(const Geometry& geometry, SceneBounds bounds);
-    virtual ~Intersector() = default;
-    Intersector(const Intersector&) = delete;
-    Intersector& operator=(const Intersector&) = delete;
-
     /// The nearest hit with tmin < t <= tmax; at equal t the lower primitive number. A ray with a
     /// zero or non-finite direction, or a non-finite origin, hits nothing.
     std::optional<Hit> closest(const Ray& ray) const;
@@ -36,11 +32,8 @@ class Intersector {
     /// Whether closest(ray) finds something.
     bool occluded(const Ray& ray) const;
 
-    /// Sets `hits`, one for each ray, to what closest() finds; a miss has no_index for a primitive.
-    virtual void closest(std::span<const Ray> rays, std::span<Hit> hits) const;
-
-    /// Sets `blocked`, one for each ray, to what occluded() finds: 1 or 0.
-    virtual void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const;
+    void closest(std::span<const Ray> rays, std::span<Hit> hits) const override;
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const override;
 
     /// Bytes of the backend's own structure.
     virtual std::size_t memory_bytes() const = 0;

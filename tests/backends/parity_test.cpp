@@ -10,13 +10,13 @@ using namespace etalon::test;
 
 namespace {
 
-bool is_valid(const Ray& ray) {
+bool can_hit(const Ray& ray) {
     return is_finite(ray.origin) && is_finite(ray.direction) && max_abs(ray.direction) > 0 &&
            ray.tmin < ray.tmax;
 }
 
 std::optional<Hit> expected_hit(const Scene& scene, const Ray& ray) {
-    return is_valid(ray) ? brute_force(scene, ray) : std::nullopt;
+    return can_hit(ray) ? brute_force(scene, ray) : std::nullopt;
 }
 
 /// The rays, and those around every fourth's hit, with what they must find.
@@ -38,6 +38,26 @@ std::vector<Question> questions_for(const Scene& scene, std::size_t count, std::
     return questions;
 }
 
+/// Counts the rays to which a backend that is asked them all at once gives another answer.
+std::size_t count_wrong_in_batch(const Intersector& intersector,
+                                 const std::vector<Question>& questions) {
+    std::vector<Ray> rays;
+    for (const Question& q : questions) rays.push_back(q.ray);
+    std::vector<Hit> hits(rays.size());
+    std::vector<std::uint8_t> blocked(rays.size());
+    intersector.closest(rays, hits);
+    intersector.occluded(rays, blocked);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const std::optional<Hit>& expected = questions[i].expected;
+        const bool hit_is_right =
+            expected ? hits[i].t == expected->t && hits[i].primitive == expected->primitive
+                     : hits[i].primitive == no_index;
+        if (!hit_is_right || (blocked[i] != 0) != expected.has_value()) ++wrong;
+    }
+    return wrong;
+}
+
 void require_parity(const Scene& scene, const std::vector<Question>& questions) {
     for (const Backend& backend : exact_backends()) {
         INFO("backend " << backend.name);
@@ -51,6 +71,7 @@ void require_parity(const Scene& scene, const std::vector<Question>& questions) 
         }
         INFO(first);
         CHECK(different == 0);
+        CHECK(count_wrong_in_batch(*intersector, questions) == 0);
     }
 }
 

@@ -15,7 +15,7 @@ constexpr std::uint32_t rays_without_samples = 64;
 
 }  // namespace
 
-AmbientOcclusion::AmbientOcclusion(const Scene& scene, const Intersector& intersector,
+AmbientOcclusion::AmbientOcclusion(const Scene& scene, const BatchIntersector& intersector,
                                    const RenderSettings& settings, std::vector<std::string>&)
     : scene_(scene),
       intersector_(intersector),

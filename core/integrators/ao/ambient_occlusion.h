@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/integrators/integrator.h"
-#include "core/intersect/intersector.h"
+#include "core/intersect/batch_intersector.h"
 #include "core/scene/render_settings.h"
 #include "core/scene/scene.h"
 
@@ -17,7 +17,7 @@ namespace etalon {
 class AmbientOcclusion final : public Integrator {
   public:
     /// Scene and intersector must outlive the integrator.
-    AmbientOcclusion(const Scene& scene, const Intersector& intersector,
+    AmbientOcclusion(const Scene& scene, const BatchIntersector& intersector,
                      const RenderSettings& settings, std::vector<std::string>& problems);
 
     void radiance(std::span<const CameraSample> samples, std::span<Color> colors,
@@ -28,7 +28,7 @@ class AmbientOcclusion final : public Integrator {
                                std::vector<Ray>& rays) const;
 
     const Scene& scene_;
-    const Intersector& intersector_;
+    const BatchIntersector& intersector_;
     double max_distance_;
     std::uint32_t rays_;  ///< number of rays for each camera ray
 };

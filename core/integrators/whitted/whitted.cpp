@@ -60,8 +60,8 @@ Color scattered(const SurfaceInteraction& at, const Vec3& direction, const Vec3&
 
 }  // namespace
 
-Whitted::Whitted(const Scene& scene, const Intersector& intersector, const RenderSettings& settings,
-                 std::vector<std::string>& problems)
+Whitted::Whitted(const Scene& scene, const BatchIntersector& intersector,
+                 const RenderSettings& settings, std::vector<std::string>& problems)
     : scene_(scene),
       intersector_(intersector),
       environment_(scene.look.environment, problems),

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/integrators/integrator.h"
-#include "core/intersect/intersector.h"
+#include "core/intersect/batch_intersector.h"
 #include "core/scene/render_settings.h"
 #include "core/shading/environment_map.h"
 #include "core/shading/light_samples.h"
@@ -16,7 +16,7 @@ namespace etalon {
 class Whitted final : public Integrator {
   public:
     /// Scene and intersector must outlive the integrator. `problems`: see EnvironmentMap.
-    Whitted(const Scene& scene, const Intersector& intersector, const RenderSettings& settings,
+    Whitted(const Scene& scene, const BatchIntersector& intersector, const RenderSettings& settings,
             std::vector<std::string>& problems);
 
     void radiance(std::span<const CameraSample> samples, std::span<Color> colors,
@@ -74,7 +74,7 @@ class Whitted final : public Integrator {
     Ray leaving_ray(const SurfaceInteraction& at, const Vec3& direction, bool crosses) const;
 
     const Scene& scene_;
-    const Intersector& intersector_;
+    const BatchIntersector& intersector_;
     EnvironmentMap environment_;
     std::vector<LightSamples> lights_;
     int max_depth_;

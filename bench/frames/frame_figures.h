@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace etalon::frames {
+
+/// Where the time of one frame goes on one thread, in seconds of processor time: medians.
+struct FrameFigures {
+    std::string scene, backend;
+    int width = 0, height = 0, samples = 0;
+    std::uint64_t rays = 0;
+    double load = 0;          ///< reading the scene file, without its images
+    double build = 0;         ///< the backend's structure
+    double images = 0;        ///< preparing the integrator, for which images of the scene are read
+    double camera = 0;        ///< making the camera rays
+    double intersection = 0;  ///< finding the hits of the frame's rays, and nothing else
+    double film = 0;          ///< adding the samples up
+    double write = 0;         ///< encoding and writing an EXR
+    double render = 0;        ///< the whole rendering, from camera rays to film
+
+    /// What the rendering does beside the parts that are measured alone: surfaces, lights, and the
+    /// rays that they send.
+    double shading() const { return render - camera - intersection - film; }
+
+    /// How many times as long as its intersections the rendering takes.
+    double overhead() const { return render / intersection; }
+};
+
+}  // namespace etalon::frames

@@ -1,0 +1,71 @@
+// etalon-bench frames: where the time of a frame goes, and how much of it is not intersections.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/common/backends.h"
+#include "app/common/exit_status.h"
+#include "app/common/output.h"
+#include "app/common/signals.h"
+#include "bench/bench_subcommands.h"
+#include "bench/frames/frame_report.h"
+#include "bench/frames/measure_frame.h"
+#include "bench/speed/report/speed_json.h"
+
+namespace etalon {
+namespace {
+
+struct FramesArguments {
+    std::vector<std::string> scenes;
+    std::string json;
+    frames::Plan plan;
+};
+
+int measure_frames(const FramesArguments& a) {
+    const std::string error = a.json.empty() || a.json == "-" ? "" : check_writable(a.json);
+    if (!error.empty()) {
+        fmt::print(stderr, "etalon-bench: error: {}\n", error);
+        return exit_not_written;
+    }
+    const SignalGuard signals;
+    std::vector<frames::FrameFigures> figures;
+    nlohmann::ordered_json json = speed::json_of_machine();
+    json["repeats"] = a.plan.repeats;
+    json["frames"] = nlohmann::ordered_json::array();
+    for (const std::string& scene : a.scenes) {
+        if (signals.signal() != 0) break;
+        Result<frames::FrameFigures> frame = frames::measure_frame(scene, a.plan);
+        if (!frame) {
+            fmt::print(stderr, "etalon-bench: error: {}\n", frame.error);
+            return exit_unusable;
+        }
+        frame.value.scene = std::filesystem::path(scene).stem().string();
+        json["frames"].push_back(json_of(frame.value));
+        figures.push_back(std::move(frame.value));
+    }
+    fmt::print(a.json == "-" ? stderr : stdout, "{}", table(figures));
+    if (!a.json.empty() && !write_json(a.json, json)) return exit_not_written;
+    return signals.signal() != 0 ? exit_signal + signals.signal() : exit_done;
+}
+
+}  // namespace
+
+Action declare_frames(Options& options) {
+    auto a = std::make_shared<FramesArguments>();
+    options.add("SCENE", a->scenes, "Scene files, or names of `etalon-bench speed --list`")
+        .required();
+    options.add("-b,--backend", a->plan.backend, "Backend (default: the scene's)")
+        .one_of(backend_names());
+    options
+        .add("--width", a->plan.width,
+             "Width of the image in pixels; its height follows (default: the scene's)")
+        .within(1, 65536);
+    options.add("--repeat", a->plan.repeats, "Number of times each stage is measured")
+        .within(1, 1000)
+        .show_default();
+    options.add("--json", a->json, "Write the results to this JSON file; - is standard output");
+    return [a] { return measure_frames(*a); };
+}
+
+}  // namespace etalon

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "core/intersect/batch_intersector.h"
+
+namespace etalon::frames {
+
+/// Passes what an integrator asks on to a backend, and keeps every n-th batch of rays, so that the
+/// backend can be asked the same again by itself. For one thread.
+class RecordedRays : public BatchIntersector {
+  public:
+    /// Keeps one batch in `every`, of each of the two kinds. The backend must outlive this.
+    RecordedRays(const BatchIntersector& backend, std::size_t every)
+        : backend_(backend), every_(every) {}
+
+    void closest(std::span<const Ray> rays, std::span<Hit> hits) const override;
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const override;
+
+    /// Asks the backend the kept rays again. Returns the seconds of processor time that all rays
+    /// would have taken.
+    double replay() const;
+
+  private:
+    /// The batches of one kind of question.
+    struct Batches {
+        std::vector<std::vector<Ray>> kept;
+        std::size_t batches = 0, rays = 0, kept_rays = 0;
+
+        void add(std::span<const Ray> more, std::size_t every);
+        /// Seconds of all rays, if the kept ones took so many.
+        double of_all(double seconds) const;
+    };
+
+    const BatchIntersector& backend_;
+    std::size_t every_;
+    mutable Batches closest_, occluded_;
+};
+
+}  // namespace etalon::frames

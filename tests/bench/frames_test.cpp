@@ -1,0 +1,78 @@
+// etalon-bench frames: the parts of a frame, and the rays that are asked again.
+#include <nlohmann/json.hpp>
+
+#include "app/common/backends.h"
+#include "bench/frames/recorded_rays.h"
+#include "bench/scenes/bench_scene.h"
+#include "tests/app/run_program.h"
+#include "tests/catch.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+using nlohmann::json;
+
+namespace {
+
+ProgramResult run_frames(const Folder& folder, const std::string& arguments) {
+    return folder.shell("exec '" ETALON_BINARY_DIR "/bin/etalon-bench' frames " + arguments);
+}
+
+/// Counts the rays that it is asked for.
+class CountingBackend : public BatchIntersector {
+  public:
+    void closest(std::span<const Ray> rays, std::span<Hit> hits) const override {
+        nearest += rays.size();
+        std::ranges::fill(hits, Hit{2, 7});
+    }
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const override {
+        shadow += rays.size();
+        std::ranges::fill(blocked, std::uint8_t{1});
+    }
+
+    mutable std::size_t nearest = 0, shadow = 0;
+};
+
+}  // namespace
+
+TEST_CASE("frames: given scenes, then each has its parts, and the rendering holds most of them") {
+    const Folder f;
+    const auto r = run_frames(f, "spheres:200 flake:100 --width 60 --repeat 1 --json f.json");
+    REQUIRE(r.status == 0);
+    const json j = json::parse(f.read("f.json"));
+    REQUIRE(j["frames"].size() == 2);
+    for (const json& frame : j["frames"]) {
+        CAPTURE(frame.dump());
+        CHECK(frame["rays"] > 60 * 30);
+        CHECK(frame["width"] == 60);
+        const json& cpu = frame["cpu_seconds"];
+        for (const char* part : {"load", "build", "camera", "intersection", "render", "write"}) {
+            CHECK(cpu[part] > 0);
+        }
+        CHECK(frame["overhead"] == double(cpu["render"]) / double(cpu["intersection"]));
+    }
+    CHECK(j["frames"][0]["scene"] == "spheres:200");
+}
+
+TEST_CASE("frames: given what is no scene, then the status says so") {
+    const Folder f;
+    CHECK(run_frames(f, "nowhere.p3f").status == 3);
+    CHECK(run_frames(f, "spheres:10 -b bvhh").status == 2);
+    CHECK(run_frames(f, "").status == 2);
+}
+
+TEST_CASE("RecordedRays: given batches, then all are answered and every n-th is asked again") {
+    const CountingBackend backend;
+    const frames::RecordedRays recorded(backend, 3);
+    const std::vector<Ray> rays(10);
+    std::vector<Hit> hits(10);
+    std::vector<std::uint8_t> blocked(10);
+    for (int i = 0; i < 7; ++i) recorded.closest(rays, hits);
+    for (int i = 0; i < 3; ++i) recorded.occluded(std::span(rays).first(4), blocked);
+    CHECK((hits[9].primitive == 7 && blocked[3] == 1));
+    CHECK(backend.nearest == 70);
+    CHECK(backend.shadow == 12);
+    CHECK(recorded.replay() >= 0);
+    CHECK(backend.nearest == 70 + 30);  // the first, fourth and seventh batch
+    CHECK(backend.shadow == 12 + 4);
+}
