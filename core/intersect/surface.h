@@ -37,8 +37,7 @@ inline Vec3 spawn_origin(const SurfacePoint& p, const Vec3& direction) {
     const Vec3 offset = side_of(p, direction) * distance * p.normal;
     Vec3 origin = p.position + offset;
     for (int k = 0; k < 3; ++k) {
-        if (offset[k] != 0)
-            origin[k] = std::nextafter(origin[k], std::copysign(infinity, offset[k]));
+        if (offset[k] != 0) origin[k] = next_towards(origin[k], offset[k]);
     }
     return origin;
 }

@@ -29,6 +29,15 @@ inline float next_below(float x) {
     return -next_above(-x);
 }
 
+/// The neighbour of a double on the side where `direction`, which is not zero, points; an infinity,
+/// or NaN, is itself. As std::nextafter() finds it, which is a call of a library.
+inline double next_towards(double x, double direction) {
+    if (x == 0) return std::copysign(std::numeric_limits<double>::denorm_min(), direction);
+    if (!std::isfinite(x)) return x;
+    const auto bits = std::bit_cast<std::int64_t>(x);
+    return std::bit_cast<double>(bits + ((x > 0) == (direction > 0) ? 1 : -1));
+}
+
 /// Maps the bits of a float to its place among all floats, with -0 just below 0, and back.
 inline std::int32_t in_order(std::int32_t bits) {
     return bits ^ ((bits >> 31) & std::numeric_limits<std::int32_t>::max());

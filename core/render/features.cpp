@@ -55,7 +55,7 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
         const std::optional<Hit> hit = intersector.closest(ray);
         if (!hit) return means.albedo.add(x, y, Color(0)), means.normal.add(x, y, Color(0));
         const SurfaceInteraction at = surface_interaction(scene, ray, *hit);
-        means.albedo.add(x, y, albedo_of(at.material));
+        means.albedo.add(x, y, albedo_of(*at.material));
         means.normal.add(x, y, Color(at.ns));
     };
     const bool complete = visit_pixels(window, stop, [&](int x, int y, std::size_t) {

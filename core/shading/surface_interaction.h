@@ -9,10 +9,10 @@ namespace etalon {
 /// A hit seen from where the ray came.
 struct SurfaceInteraction {
     SurfacePoint surface;
-    const Material& material;
-    bool entering;  ///< the ray came from in front of the surface
-    Vec3 ng;        ///< geometric normal, on the ray's side
-    Vec3 ns;        ///< shading normal, on the same side of the surface as `ng`
+    const Material* material;  ///< in the scene's look
+    bool entering;             ///< the ray came from in front of the surface
+    Vec3 ng;                   ///< geometric normal, on the ray's side
+    Vec3 ns;                   ///< shading normal, on the same side of the surface as `ng`
 };
 
 SurfaceInteraction surface_interaction(const Scene& scene, const Ray& ray, const Hit& hit);

@@ -91,3 +91,19 @@ TEST_CASE("The compiler: given doubles rounded to float in threes, then every on
         }
     }
 }
+
+TEST_CASE("next_towards: given any finite double, then it finds what std::nextafter finds") {
+    Random random(8);
+    const double largest = std::numeric_limits<double>::max();
+    for (const double x : {0.0, -0.0, 1.0, -1.0, 0x1p-1074, -0x1p-1074, largest, -largest}) {
+        for (const double to : {3.0, -3.0}) {
+            CHECK(next_towards(x, to) == std::nextafter(x, std::copysign(infinity, to)));
+        }
+    }
+    for (int i = 0; i < 1000; ++i) {
+        const double x = random.magnitude(-300, 300) * (random.one_in(2) ? 1 : -1);
+        const double to = random.uniform(-1, 1);
+        REQUIRE(next_towards(x, to) == std::nextafter(x, std::copysign(infinity, to)));
+    }
+    CHECK(next_towards(infinity, -1) == infinity);
+}

@@ -52,7 +52,7 @@ double highlight_of(const Material& m, const Vec3& direction, const Vec3& normal
 /// Part of a white light from `towards` that the surface sends back along the ray.
 Color scattered(const SurfaceInteraction& at, const Vec3& direction, const Vec3& towards,
                 double cosine) {
-    const Material& m = at.material;
+    const Material& m = *at.material;
     Color sum = m.diffuse * static_cast<float>(cosine);
     if (is_black(m.specular)) return sum;
     return sum += m.specular * static_cast<float>(highlight_of(m, direction, at.ns, towards));
@@ -115,7 +115,7 @@ std::vector<Whitted::Vertex> Whitted::find_vertices(const RaysView& batch, std::
             colors[i] = environment_.radiance(ray.direction);
         } else {
             vertices.push_back({i, surface_interaction(scene_, ray, hits[i])});
-            colors[i] = vertices.back().at.material.ambient;
+            colors[i] = vertices.back().at.material->ambient;
         }
     }
     return vertices;
@@ -126,7 +126,7 @@ void Whitted::add_direct(const RaysView& batch, std::span<const Vertex> vertices
                          std::span<Color> colors, RayCounts& counts) const {
     std::vector<const Vertex*> lit;
     for (const Vertex& v : vertices) {
-        const Material& m = v.at.material;
+        const Material& m = *v.at.material;
         if (!is_black(m.diffuse) || !is_black(m.specular)) lit.push_back(&v);
     }
     std::vector<Color> sums(lit.size(), Color(0.0F)), reflected(lit.size());
@@ -205,7 +205,7 @@ void Whitted::add_secondary(const RaysView& batch, int depth, std::span<const Ve
 void Whitted::leave(const RaysView& batch, std::size_t vertex, const Vertex& v, SecondaryRays& to,
                     RayCounts& counts) const {
     const SurfaceInteraction& at = v.at;
-    const Material& m = at.material;
+    const Material& m = *at.material;
     const Vec3& direction = batch.rays[v.ray].direction;
     const bool counted = rules_.mirror_all_glass && !is_black(m.transmission);
     if (is_black(m.reflection) && is_black(m.transmission)) return;
@@ -245,7 +245,7 @@ void Whitted::follow(const RaysView& batch, const Vertex& v, const Vec3& directi
     const Path& from = batch.paths[v.ray];
     const bool crosses = inside == v.at.entering;
     Color absorption = from.absorption;
-    if (crosses) absorption = inside ? v.at.material.absorption : Color(0.0F);
+    if (crosses) absorption = inside ? v.at.material->absorption : Color(0.0F);
     to.rays.push_back(leaving_ray(v.at, direction, crosses));
     to.rays.back().coherent = batch.rays[v.ray].coherent;
     to.paths.push_back({from.sample, ray_name(from.name, crosses), absorption});
