@@ -82,7 +82,7 @@ void None::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) 
     std::ranges::fill(blocked, std::uint8_t{0});
     for_each_group(rays, [&](QueryGroup& group) {
         for (const std::uint32_t id : scene_bounds().unbounded) {
-            offer_to_all(geometry(), id, group.queries, group.nearest);
+            if (!offer_to_all(geometry(), id, group.queries, group.nearest)) continue;
             group.take_hit([&](std::size_t ray) { blocked[ray] = 1; });
         }
     });

@@ -30,15 +30,20 @@ double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive,
                       [&]<class Shape>() { return first_hit_of<Shape>(geometry, p, query); });
 }
 
-void offer_to_all(const Geometry& geometry, std::uint32_t primitive,
+bool offer_to_all(const Geometry& geometry, std::uint32_t primitive,
                   std::span<const RayQuery> queries, std::span<NearestHit> nearest) {
     const Primitive p = geometry.primitives[primitive];
-    with_shape(p.kind, [&]<class Shape>() {
+    return with_shape(p.kind, [&]<class Shape>() {
         const Shape& shape = geometry.get<Shape>(p);
+        bool any = false;
         for (std::size_t i = 0; i < queries.size(); ++i) {
-            if (queries[i].ray.exclude == primitive) continue;
-            nearest[i].offer(first_hit(geometry, shape, p.sides, queries[i]), primitive);
+            const RayQuery& query = queries[i];
+            if (query.ray.exclude == primitive) continue;
+            const double t = first_hit(geometry, shape, p.sides, query);
+            any |= t <= query.ray.tmax;
+            nearest[i].offer(t, primitive);
         }
+        return any;
     });
 }
 

@@ -24,8 +24,8 @@ extern template double shape_first_hit(const Geometry&, const Triangle&, Sides, 
 extern template double shape_first_hit(const Geometry&, const Sphere&, Sides, const RayQuery&);
 
 /// Offers the primitive to the nearest hit of each ray: the same for many rays, with one look at
-/// what the primitive is.
-void offer_to_all(const Geometry& geometry, std::uint32_t primitive,
+/// what the primitive is. Returns whether any ray hits it within its tmax.
+bool offer_to_all(const Geometry& geometry, std::uint32_t primitive,
                   std::span<const RayQuery> queries, std::span<NearestHit> nearest);
 
 SurfacePoint surface_at(const Geometry& geometry, const Ray& ray, const Hit& hit);
