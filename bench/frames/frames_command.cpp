@@ -61,6 +61,8 @@ Action declare_frames(Options& options) {
         .add("--width", a->plan.width,
              "Width of the image in pixels; its height follows (default: the scene's)")
         .within(1, 65536);
+    options.add("--spp", a->plan.samples, "Number of samples per pixel (default: the scene's)")
+        .within(1, 1 << 16);
     options.add("--repeat", a->plan.repeats, "Number of times each stage is measured")
         .within(1, 1000)
         .show_default();

@@ -34,23 +34,13 @@ class Black : public Integrator {
     }
 };
 
-/// One scene, measured again and again.
+/// One frame, measured again and again.
 class Frame {
   public:
-    Frame(const std::string& name, const Plan& plan) : name_(name), plan_(plan) {}
+    Frame(const Scene& scene, const RenderSettings& settings)
+        : scene_(scene), settings_(settings) {}
 
-    std::string load() {
-        Stopwatch watch;
-        named_ = bench::bench_scene(name_);
-        figures_.load = watch.lap().cpu;
-        fmt::print(stderr, "{}", named_.messages);
-        if (!named_.scene) return fmt::format("{}: no scene to measure", name_);
-        bench::set_width(settings_.resolution, plan_.width);
-        if (!plan_.backend.empty()) settings_.backend = plan_.backend;
-        return {};
-    }
-
-    FrameFigures measure() {
+    FrameFigures measure(int repeats) {
         const ThreadLimit one_thread(1);
         std::vector<double> builds, renders, cameras, intersections, films, writes;
         const std::unique_ptr<Intersector> intersector = built();
@@ -60,7 +50,7 @@ class Frame {
         const Rendering first = rendered(*integrator);
         RecordedRays recorded(*intersector, 1 + first.counts.total() / recorded_rays);
         rendered(*made(recorded));
-        for (int i = 0; i < plan_.repeats; ++i) {
+        for (int i = 0; i < repeats; ++i) {
             Stopwatch watch;
             built();
             builds.push_back(watch.lap().cpu);
@@ -69,7 +59,7 @@ class Frame {
             intersections.push_back(recorded.replay());
             films.push_back(add_samples(first.film));
             watch.lap();
-            render(named_.scene->camera, Black(), settings_);
+            render(scene_.camera, Black(), settings_);
             cameras.push_back(watch.lap().cpu - films.back());
             writes.push_back(written(first.film));
         }
@@ -85,17 +75,17 @@ class Frame {
 
   private:
     std::unique_ptr<Intersector> built() const {
-        return chosen_backend(settings_).build(named_.scene->geometry);
+        return chosen_backend(settings_).build(scene_.geometry);
     }
 
     std::unique_ptr<Integrator> made(const BatchIntersector& intersector) const {
         std::vector<std::string> problems;
         return find_integrator(settings_.integrator)
-            ->make(*named_.scene, intersector, settings_, problems);
+            ->make(scene_, intersector, settings_, problems);
     }
 
     Rendering rendered(const Integrator& integrator) const {
-        return render(named_.scene->camera, integrator, settings_);
+        return render(scene_.camera, integrator, settings_);
     }
 
     /// Seconds that adding so many samples to a film takes.
@@ -129,7 +119,6 @@ class Frame {
     }
 
     void describe(const Rendering& rendering) {
-        figures_.scene = name_;
         figures_.backend = chosen_backend(settings_).name;
         figures_.width = settings_.resolution.x;
         figures_.height = settings_.resolution.y;
@@ -137,20 +126,30 @@ class Frame {
         figures_.rays = rendering.counts.total();
     }
 
-    std::string name_;
-    Plan plan_;
-    bench::NamedScene named_;
-    RenderSettings& settings_ = named_.settings;
+    const Scene& scene_;
+    const RenderSettings& settings_;
     FrameFigures figures_;
 };
 
 }  // namespace
 
-Result<FrameFigures> measure_frame(const std::string& scene, const Plan& plan) {
-    Frame frame(scene, plan);
-    const std::string error = frame.load();
-    if (!error.empty()) return {{}, error};
-    return {frame.measure(), {}};
+FrameFigures measure_frame(const Scene& scene, const RenderSettings& settings, int repeats) {
+    return Frame(scene, settings).measure(repeats);
+}
+
+Result<FrameFigures> measure_frame(const std::string& name, const Plan& plan) {
+    Stopwatch watch;
+    bench::NamedScene named = bench::bench_scene(name);
+    const double load = watch.lap().cpu;
+    fmt::print(stderr, "{}", named.messages);
+    if (!named.scene) return {{}, fmt::format("{}: no scene to measure", name)};
+    bench::set_width(named.settings.resolution, plan.width);
+    if (plan.samples > 0) named.settings.samples_per_pixel = plan.samples;
+    if (!plan.backend.empty()) named.settings.backend = plan.backend;
+    FrameFigures figures = measure_frame(*named.scene, named.settings, plan.repeats);
+    figures.scene = name;
+    figures.load = load;
+    return {figures, {}};
 }
 
 }  // namespace etalon::frames

@@ -74,6 +74,13 @@ std::string spd_command(const Settings& settings) {
         scenes.substr(0, scenes.size() - 1));
 }
 
+std::string frames_command(const Settings& settings) {
+    std::string scenes;
+    for (const std::string& scene : settings.frame_scenes) scenes += " scenes/" + scene;
+    return fmt::format("build/bin/etalon-bench frames{} --width {} --spp {} --repeat {}", scenes,
+                       settings.frame_width, settings.frame_samples, settings.frame_repeats);
+}
+
 std::string image_command(const ImageRequest& request) {
     const std::string name = std::filesystem::path(request.scene).stem().string();
     const std::string render = fmt::format("build/bin/etalon render scenes/{} --resolution {}x{}",

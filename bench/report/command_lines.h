@@ -25,6 +25,8 @@ std::string accuracy_command(const Settings& settings, const std::vector<accurac
 /// All classic scenes.
 std::string spd_command(const Settings& settings);
 
+std::string frames_command(const Settings& settings);
+
 std::string image_command(const ImageRequest& request);
 
 std::string convergence_command(const Settings& settings, const ConvergenceRequest& request);

@@ -26,7 +26,8 @@ std::string three_digits(double value) {
     if (value == 0 || !std::isfinite(value)) return fmt::format("{}", value);
     const double magnitude = std::abs(value);
     if (magnitude >= 999.5 && magnitude < 1e15)
-        return (value < 0 ? "-" : "") + grouped(static_cast<std::uint64_t>(magnitude + 0.5));
+        return fmt::format("{}{}", value < 0 ? "-" : "",
+                           grouped(static_cast<std::uint64_t>(magnitude + 0.5)));
     if (magnitude >= 99.95) return fmt::format("{:.0f}", value);
     if (magnitude >= 9.995) return fmt::format("{:.1f}", value);
     if (magnitude >= 0.9995) return fmt::format("{:.2f}", value);

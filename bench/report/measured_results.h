@@ -8,6 +8,7 @@
 #include "app/common/stopwatch.h"
 #include "bench/accuracy/error_stats.h"
 #include "bench/convergence/curve.h"
+#include "bench/frames/frame_figures.h"
 #include "bench/report/settings.h"
 #include "bench/speed/figures.h"
 #include "core/integrators/ray_counts.h"
@@ -78,6 +79,7 @@ struct Results {
     Measured<ImageFigures> images;
     Measured<speed::SceneFigures> scenes;
     Measured<accuracy::Row> rows;
+    Measured<frames::FrameFigures> frames;
     Measured<SpdFigures> spd;
     Measured<ConvergenceFigures> convergence;
 };

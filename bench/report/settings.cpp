@@ -52,6 +52,11 @@ Settings quick_settings() {
     s.accuracy_backends = all_but_reference();
     s.case_rays = 1024;
     s.case_seconds = 0.1;
+    s.frame_scenes = {"showcase.p3f", "features/glass.p3f", "features/meshes.p3f",
+                      "features/mirrors.p3f", "features/soft_shadows.p3f"};
+    s.frame_width = 160;
+    s.frame_samples = 4;
+    s.frame_repeats = 1;
     s.spd_scenes = {{"sphereflake", 4}, {"gears", 4}, {"mountain", 6},
                     {"rings", 7},       {"tetra", 6}, {"tree", 11}};
     s.spd_backends = all_but_reference();
@@ -74,6 +79,8 @@ Settings full_settings() {
     s.plan.repeats = 5;
     s.plan.oracle_seconds = 1;
     s.plan.max_rays = 1 << 18;
+    s.frame_width = 480;
+    s.frame_repeats = 5;
     s.case_rays = 100'000;
     s.case_seconds = 5;
     for (ImageRequest& image : s.images) {

@@ -41,6 +41,11 @@ struct Settings {
     std::uint64_t case_rays;
     double case_seconds;  ///< on the wall; a case then gets fewer rays
 
+    std::vector<std::string> frame_scenes;  ///< below the folder of scenes
+    int frame_width = 0;                    ///< in pixels
+    int frame_samples = 0;                  ///< per pixel
+    int frame_repeats = 0;
+
     std::vector<SpdScene> spd_scenes;
     std::vector<std::string> spd_backends;
 

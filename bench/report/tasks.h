@@ -35,6 +35,7 @@ struct Task {
 std::vector<Task> image_tasks(const Settings& settings);
 std::vector<Task> speed_tasks(const Settings& settings);
 std::vector<Task> accuracy_tasks(const Settings& settings);
+std::vector<Task> frame_tasks(const Settings& settings);
 std::vector<Task> spd_tasks(const Settings& settings);
 std::vector<Task> convergence_tasks(const Settings& settings);
 

@@ -65,15 +65,16 @@ std::string table_of(const SceneFigures& figures) {
     return figures.kinds.empty() ? table(figures.builds) : table(figures.kinds.back());
 }
 
-SceneFigures measure(const SpeedArguments& a, const std::string& name, bench::NamedScene named) {
-    show(a, fmt::format("{}: {} primitives\n", name, named.scene->geometry.primitives.size()));
+SceneFigures measure(const SpeedArguments& a, const std::string& name, Scene scene,
+                     const Imath::V2i& resolution) {
+    show(a, fmt::format("{}: {} primitives\n", name, scene.geometry.primitives.size()));
     const auto observer = [&](const SceneFigures& figures) {
         if (figures.kinds.size() == 1) show(a, heading_of_rays());
         show(a, table_of(figures));
         return true;
     };
     const SceneFigures figures =
-        measure_scene(name, std::move(*named.scene), named.settings.resolution, a.plan(), observer);
+        measure_scene(name, std::move(scene), resolution, a.plan(), observer);
     show(a, (a.only_build ? "" : summary(figures)) + "\n");
     return figures;
 }
@@ -107,7 +108,8 @@ int measure_speed(const SpeedArguments& a) {
         bench::NamedScene named = bench::bench_scene(name);
         fmt::print(stderr, "{}", named.messages);
         if (!named.scene) return exit_unusable;
-        json["scenes"].push_back(json_of(measure(a, name, std::move(named))));
+        json["scenes"].push_back(
+            json_of(measure(a, name, std::move(*named.scene), named.settings.resolution)));
         if (!save(a, json, &name == &a.scenes.back())) return exit_not_written;
     }
     return exit_done;

@@ -54,8 +54,8 @@ TEST_CASE("A report has every section, and every figure its caption, command and
     const std::string page = html(content);
     CHECK(count(page, "<section ") == content.sections.size());
     CHECK(count(page, "<figcaption>") == count(page, "<figure"));
-    for (const char* id :
-         {"machine", "speed", "builds", "pareto", "convergence", "pictures", "hard-cases", "spd"}) {
+    for (const char* id : {"machine", "speed", "builds", "pareto", "convergence", "pictures",
+                           "frames", "hard-cases", "spd"}) {
         CHECK_THAT(page, ContainsSubstring(std::string("<section id=\"") + id + "\""));
         CHECK_THAT(page, ContainsSubstring(std::string("<a href=\"#") + id + "\""));
     }
@@ -68,7 +68,7 @@ TEST_CASE("A report of less than everything says so, and which of its sections a
     const std::string page = html(page_of(results));
     CHECK(is_well_formed(page));
     CHECK_THAT(page, ContainsSubstring("Not complete.</b> It was interrupted."));
-    CHECK(count(page, "Not measured.") == 7);  // all but the machine's
+    CHECK(count(page, "Not measured.") == 8);  // all but the machine's
     CHECK_THAT(html(page_of(sample_results())), !ContainsSubstring("Not complete"));
 }
 
@@ -114,7 +114,7 @@ TEST_CASE(
     "The quick report has every kind of task and keeps its own limit; the full one has more") {
     const Settings quick = quick_settings(), full = full_settings();
     for (const auto tasks :
-         {image_tasks, speed_tasks, accuracy_tasks, spd_tasks, convergence_tasks}) {
+         {image_tasks, speed_tasks, accuracy_tasks, frame_tasks, spd_tasks, convergence_tasks}) {
         CHECK_FALSE(tasks(quick).empty());
         CHECK(planned_seconds(tasks(full)) >= planned_seconds(tasks(quick)));
     }

@@ -34,6 +34,18 @@ speed::SceneFigures scene() {
     return figures;
 }
 
+frames::FrameFigures frame() {
+    frames::FrameFigures f;
+    f.scene = adversarial;
+    f.backend = "bvh";
+    f.width = f.height = 100;
+    f.samples = 4;
+    f.rays = 123456;
+    f.intersection = 0.5;
+    f.render = 0.8;
+    return f;
+}
+
 SpdFigures spd() {
     RayCounts counts;
     counts.camera = 263169;
@@ -72,6 +84,7 @@ Results sample_results() {
     results.machine.flags = "-O3 " + std::string(200, 'x');
     results.scenes.add(scene());
     for (accuracy::Row& row : accuracy::sample_rows()) results.rows.add(std::move(row));
+    results.frames.add(frame());
     results.spd.add(spd());
     ConvergenceFigures convergence;
     convergence.request.scene = convergence.reference = adversarial;

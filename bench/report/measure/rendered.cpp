@@ -24,12 +24,17 @@ fs::path scenes_folder() {
 
 }  // namespace
 
-std::optional<ShippedScene> shipped_scene(const std::string& name, int width, int height) {
+std::optional<ShippedScene> shipped_scene(const std::string& name) {
     LoadResult loaded = load_scene((scenes_folder() / name).string());
     fmt::print(stderr, "{}", report(loaded.diagnostics));
     if (!loaded.scene) return std::nullopt;
-    loaded.settings.resolution = {width, height};
     return ShippedScene{std::move(*loaded.scene), std::move(loaded.settings)};
+}
+
+std::optional<ShippedScene> shipped_scene(const std::string& name, int width, int height) {
+    std::optional<ShippedScene> shipped = shipped_scene(name);
+    if (shipped) shipped->settings.resolution = {width, height};
+    return shipped;
 }
 
 RunControl control_of(const TaskProgress& task_progress) {

@@ -16,6 +16,9 @@ struct ShippedScene {
 
 /// A scene below the project's folder of scenes, which is looked for here and where the program was
 /// built. Nothing, and the reason on standard error, if it cannot be read.
+std::optional<ShippedScene> shipped_scene(const std::string& name);
+
+/// The same, to be rendered at that size.
 std::optional<ShippedScene> shipped_scene(const std::string& name, int width, int height);
 
 RunControl control_of(const TaskProgress& task_progress);

@@ -8,8 +8,8 @@ namespace etalon::bench_report {
 namespace {
 
 constexpr Section (*makers[])(const Results&) = {
-    machine_section,     speed_section,  builds_section,     pareto_section,
-    convergence_section, images_section, hard_cases_section, spd_section,
+    machine_section, speed_section,  builds_section,     pareto_section, convergence_section,
+    images_section,  frames_section, hard_cases_section, spd_section,
 };
 
 }  // namespace

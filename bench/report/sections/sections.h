@@ -13,6 +13,7 @@ Section pareto_section(const Results& results);
 Section hard_cases_section(const Results& results);
 Section convergence_section(const Results& results);
 Section images_section(const Results& results);
+Section frames_section(const Results& results);
 Section spd_section(const Results& results);
 Section machine_section(const Results& results);
 
