@@ -110,6 +110,11 @@ bool is_at_tip(const ShapeCase& shape, const SurfacePoint& p) {
     });
 }
 
+/// Whether a shape is so flat that its (u, v) is well conditioned nowhere.
+bool is_flattened(const ShapeCase& shape) {
+    return shape.name == "triangle, sliver" || shape.name.ends_with("condition 1e8");
+}
+
 bool has_unit_square(const ShapeCase& shape) {
     const ShapeKind kind = shape.scene.geometry.primitives[0].kind;
     return kind != kind_of<Plane>() && kind != kind_of<Polygon>();
@@ -159,7 +164,11 @@ TEST_CASE("parametrization_at: given two hits close together, then the derivativ
             decisive += s.is_decisive() ? 1 : 0;
         }
         CAPTURE(shape.name);
-        CHECK((decisive > 10 || considered < 100));
+        if (is_flattened(shape)) {
+            CHECK(considered == 0);
+        } else {
+            CHECK(decisive > 10);
+        }
     }
 }
 
