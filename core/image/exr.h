@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "core/image/extent.h"
 #include "core/image/image.h"
 #include "core/image/rendered_image.h"
 
@@ -21,7 +22,7 @@ Result<std::string> encode_exr(const RenderedImage& image);
 
 /// The data window of the first part of a file, as floats: R, G, B (0 where one of them is missing)
 /// or Y alone. Scan lines or tiles, half, float or integer. Other layouts are refused, and so are
-/// sides above 65536 and files with missing pixels.
-Result<Image> read_exr(const std::string& path);
+/// sides above 65536 and files with missing pixels. A failure's reason does not name the file.
+Result<Image> read_exr(const std::string& path, Extent extent);
 
 }  // namespace etalon

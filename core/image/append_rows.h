@@ -1,0 +1,26 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace etalon {
+
+/// Appends rows of `row` bytes by read(first, count), which returns false on failure, a few at a
+/// time: memory grows with what a file really holds, whatever its header claims. Returns whether
+/// all were read.
+template <class Read>
+bool append_rows(std::size_t row, int height, const Read& read, std::vector<std::uint8_t>& bytes) {
+    constexpr int rows_at_once = 64;
+    bytes.reserve(bytes.size() + row * static_cast<std::size_t>(height));
+    for (int y = 0; y < height; y += rows_at_once) {
+        const int count = std::min(rows_at_once, height - y);
+        const std::size_t done = bytes.size();
+        bytes.resize(done + row * static_cast<std::size_t>(count));
+        if (!read(&bytes[done], count)) return false;
+    }
+    return true;
+}
+
+}  // namespace etalon
