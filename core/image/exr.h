@@ -16,7 +16,7 @@ inline constexpr const char* display_colors_attribute = "displayColors";
 /// chromaticities, the image's window as data window inside its frame as display window, and its
 /// metadata as attributes of the same names and types. Where OpenEXR has a standard attribute of a
 /// name (worldToCamera, ...), the type must be the standard one. Its channels follow as FLOAT and
-/// UINT.
+/// UINT. All threads make it, with the same bytes for any number of them.
 /// `image` has the pixels, and as many values in each channel, that its window asks for.
 Result<std::string> encode_exr(const RenderedImage& image);
 

@@ -4,7 +4,7 @@
 #include <jerror.h>
 #include <jpeglib.h>
 
-#include "core/image/append_rows.h"
+#include "core/image/read_by_rows.h"
 #include "core/image/library_jump.h"
 
 namespace etalon {
@@ -84,7 +84,7 @@ std::string read_pixels(JpegReader& reader, Image& image) {
     };
     std::vector<std::uint8_t> bytes;
     const std::size_t row = static_cast<std::size_t>(image.width) * image.channels;
-    if (!append_rows(row, image.height, read, bytes)) return reader.reason();
+    if (!read_by_rows(row, image.height, read, bytes)) return reader.reason();
     image.pixels = std::move(bytes);
     return {};
 }

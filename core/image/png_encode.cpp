@@ -1,3 +1,5 @@
+#include <zlib.h>
+
 #include "core/image/png.h"
 #include "core/image/png_jump.h"
 
@@ -32,10 +34,12 @@ class PngWriter {
     std::string reason() const { return info_ ? jump_.reason : "not enough memory"; }
 
   private:
-    /// Filters make such a file no smaller, and higher levels take longer than they are worth.
+    /// Differences from the left, of which zlib looks for runs only: of rendered images as small as
+    /// higher levels make them without a filter, in a third of the time.
     void write_header(int width, int height) {
         png_set_compression_level(png_, 1);
-        png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
+        png_set_compression_strategy(png_, Z_RLE);
+        png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
         png_set_IHDR(png_, info_, static_cast<png_uint_32>(width),
                      static_cast<png_uint_32>(height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);

@@ -1,4 +1,4 @@
-#include "core/image/append_rows.h"
+#include "core/image/read_by_rows.h"
 #include "core/image/png.h"
 #include "core/image/png_jump.h"
 
@@ -76,7 +76,7 @@ bool read_bytes(PngReader& reader, std::vector<std::uint8_t>& bytes) {
     const auto read = [&](std::uint8_t* first, int count) {
         return reader.read_rows(first, count);
     };
-    return append_rows(reader.row_bytes(), reader.height(), read, bytes);
+    return read_by_rows(reader.row_bytes(), reader.height(), read, bytes);
 }
 
 /// Values of 16 bits, the higher byte first, as parts of the largest.

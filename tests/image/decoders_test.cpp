@@ -50,7 +50,7 @@ std::string damaged(const std::string& content, Random& random) {
 void check_damaged(const TemporaryFolder& folder, const std::string& name,
                    const std::string& content) {
     Random random(5);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 60; ++i) {
         INFO(i);
         put(folder / name, damaged(content, random));
         const Result<Image> ours = read_image(folder / name);
