@@ -22,9 +22,19 @@ void fail(j_common_ptr info) {
     jump.leave();
 }
 
+/// Whether the marker of the end comes while whole rows of blocks are missing.
+bool ends_early(const jpeg_decompress_struct& info) {
+    return info.unread_marker == JPEG_EOI && info.input_iMCU_row + 1 < info.total_iMCU_rows;
+}
+
 /// Fails where a file ends early, which libjpeg would show as grey; other damage is only warned of.
 void note(j_common_ptr info, int level) {
-    if (level < 0 && info->err->msg_code == JWRN_JPEG_EOF) fail(info);
+    int& message = info->err->msg_code;
+    if (level >= 0) return;
+    if (message == JWRN_HIT_MARKER && ends_early(*reinterpret_cast<j_decompress_ptr>(info))) {
+        message = JWRN_JPEG_EOF;
+    }
+    if (message == JWRN_JPEG_EOF) fail(info);
 }
 
 /// Decoder of one file. Its functions return false on failure, for which reason() gives the cause.

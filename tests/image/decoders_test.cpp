@@ -46,7 +46,8 @@ std::string damaged(const std::string& content, Random& random) {
 }
 
 /// Where ours succeeds so does theirs, with the same pixels. Theirs may also succeed where ours
-/// says that the file ends early: it looks at the first of a JPEG's warnings only.
+/// says that the file ends early: it takes the end's marker for granted wherever it comes, and looks
+/// at the first of a JPEG's warnings only.
 void check_damaged(const TemporaryFolder& folder, const std::string& name,
                    const std::string& content) {
     Random random(5);
