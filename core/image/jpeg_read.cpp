@@ -22,19 +22,20 @@ void fail(j_common_ptr info) {
     jump.leave();
 }
 
-/// Whether the marker of the end comes while whole rows of blocks are missing.
-bool ends_early(const jpeg_decompress_struct& info) {
-    return info.unread_marker == JPEG_EOI && info.input_iMCU_row + 1 < info.total_iMCU_rows;
+/// Whether a scan ends while whole rows of its blocks are missing. After a restart marker it goes on.
+bool lacks_rows(const jpeg_decompress_struct& info) {
+    const int marker = info.unread_marker;
+    const bool restarts = marker >= JPEG_RST0 && marker < JPEG_RST0 + 8;
+    return !restarts && info.input_iMCU_row + 1 < info.total_iMCU_rows;
 }
 
-/// Fails where a file ends early, which libjpeg would show as grey; other damage is only warned of.
+/// Fails where a file or a scan ends early, which libjpeg would show as grey; other damage is only
+/// warned of.
 void note(j_common_ptr info, int level) {
-    int& message = info->err->msg_code;
     if (level >= 0) return;
-    if (message == JWRN_HIT_MARKER && ends_early(*reinterpret_cast<j_decompress_ptr>(info))) {
-        message = JWRN_JPEG_EOF;
-    }
-    if (message == JWRN_JPEG_EOF) fail(info);
+    const int warning = info->err->msg_code;
+    const auto& decoder = *reinterpret_cast<j_decompress_ptr>(info);
+    if (warning == JWRN_JPEG_EOF || (warning == JWRN_HIT_MARKER && lacks_rows(decoder))) fail(info);
 }
 
 /// Decoder of one file. Its functions return false on failure, for which reason() gives the cause.
