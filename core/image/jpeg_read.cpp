@@ -1,11 +1,12 @@
 #include "core/image/jpeg_read.h"
 
 #include <cstdio>  // jpeglib.h needs it
+
 #include <jerror.h>
 #include <jpeglib.h>
 
-#include "core/image/read_by_rows.h"
 #include "core/image/library_jump.h"
+#include "core/image/read_by_rows.h"
 
 namespace etalon {
 namespace {
@@ -22,7 +23,8 @@ void fail(j_common_ptr info) {
     jump.leave();
 }
 
-/// Whether a scan ends while whole rows of its blocks are missing. After a restart marker it goes on.
+/// Whether a scan ends while whole rows of its blocks are missing. After a restart marker it goes
+/// on.
 bool lacks_rows(const jpeg_decompress_struct& info) {
     const int marker = info.unread_marker;
     const bool restarts = marker >= JPEG_RST0 && marker < JPEG_RST0 + 8;

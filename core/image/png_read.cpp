@@ -1,6 +1,6 @@
-#include "core/image/read_by_rows.h"
 #include "core/image/png.h"
 #include "core/image/png_jump.h"
+#include "core/image/read_by_rows.h"
 
 namespace etalon {
 namespace {

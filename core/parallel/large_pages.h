@@ -39,13 +39,9 @@ struct LargePages {
         prefer_large_pages(memory, bytes);
         return static_cast<T*>(memory);
     }
-    void deallocate(T* memory, std::size_t count) {
-        ::operator delete(memory, alignment(count));
-    }
+    void deallocate(T* memory, std::size_t count) { ::operator delete(memory, alignment(count)); }
 
-    friend bool operator==(const LargePages&, const LargePages&) {
-        return true;
-    }
+    friend bool operator==(const LargePages&, const LargePages&) { return true; }
 
   private:
     static std::align_val_t alignment(std::size_t count) {

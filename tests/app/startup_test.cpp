@@ -11,8 +11,7 @@ namespace {
 
 /// The dynamic linker's list of what a command loads, dlopen included.
 std::string libraries(const Folder& f, const std::string& arguments) {
-    const ProgramResult r =
-        f.shell("LD_DEBUG=files " ETALON_BINARY_DIR "/bin/etalon " + arguments);
+    const ProgramResult r = f.shell("LD_DEBUG=files " ETALON_BINARY_DIR "/bin/etalon " + arguments);
     CHECK(r.status == 0);
     return r.err;
 }
@@ -29,7 +28,7 @@ void write_skybox_scene(const Folder& f, const std::vector<std::string>& extensi
             std::filesystem::copy(ETALON_SOURCE_DIR "/docs/showcase.jpg", f.path(path));
         } else {
             const etalon::RenderedImage grey{
-                32, 32, {{0, 0}, {31, 31}}, std::vector<etalon::Color>(1024, etalon::Color(0.5F)),
+                32,   32, {{0, 0}, {31, 31}}, std::vector<etalon::Color>(1024, etalon::Color(0.5F)),
                 true, {}};
             REQUIRE(etalon::write_image(f.path(path), grey) == "");
         }

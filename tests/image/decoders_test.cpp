@@ -60,15 +60,16 @@ void check_as_openimageio(const TemporaryFolder& folder, const std::string& name
 std::string damaged(const std::string& content, Random& random) {
     std::string file = content;
     if (random.index(4) == 0) return file.substr(0, random.index(file.size()));
-    const std::size_t range = random.index(2) == 0 ? file.size() : std::min<std::size_t>(file.size(), 200);
+    const std::size_t range =
+        random.index(2) == 0 ? file.size() : std::min<std::size_t>(file.size(), 200);
     for (std::size_t i = random.index(3); i < 3; ++i) {
         file[2 + random.index(range - 2)] = static_cast<char>(random.bits());
     }
     return file;
 }
 
-/// What both read is the same. One may refuse what the other takes: OpenImageIO accepts a JPEG with a
-/// scan that ends early, and of several warnings looks at the first only.
+/// What both read is the same. One may refuse what the other takes: OpenImageIO accepts a JPEG with
+/// a scan that ends early, and of several warnings looks at the first only.
 void check_damaged(const TemporaryFolder& folder, const std::string& name,
                    const std::string& content) {
     constexpr int count = 24;

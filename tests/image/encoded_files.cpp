@@ -1,4 +1,3 @@
-#include <cstdio>  // jpeglib.h needs it
 #include "tests/image/encoded_files.h"
 
 #include <cstdlib>
@@ -61,8 +60,8 @@ void append(png_structp png, png_bytep bytes, std::size_t size) {
 
 std::vector<JpegKind> jpeg_kinds() {
     // An EXIF directory in Motorola's order with one entry: orientation 6, a quarter turn.
-    const std::string turned("Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0",
-                             32);
+    const std::string turned(
+        "Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0", 32);
     return {
         {"grey", JCS_GRAYSCALE, JCS_GRAYSCALE, 1, 1},
         {"halved colours", JCS_RGB, JCS_YCbCr, 3, 2},
@@ -93,8 +92,7 @@ std::string encoded_jpeg(const JpegKind& kind, int width, int height) {
     apply(kind, info);
     jpeg_start_compress(&info, TRUE);
     if (!kind.marker.empty()) {
-        jpeg_write_marker(&info, JPEG_APP0 + 1,
-                          reinterpret_cast<const JOCTET*>(kind.marker.data()),
+        jpeg_write_marker(&info, JPEG_APP0 + 1, reinterpret_cast<const JOCTET*>(kind.marker.data()),
                           static_cast<unsigned>(kind.marker.size()));
     }
     Random random(3);
@@ -121,7 +119,8 @@ std::vector<PngKind> png_kinds() {
     for (const int type : {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_PALETTE,
                            PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB_ALPHA}) {
         for (const int depth : {1, 2, 4, 8, 16}) {
-            if (depth < 8 && type != PNG_COLOR_TYPE_GRAY && type != PNG_COLOR_TYPE_PALETTE) continue;
+            if (depth < 8 && type != PNG_COLOR_TYPE_GRAY && type != PNG_COLOR_TYPE_PALETTE)
+                continue;
             if (depth > 8 && type == PNG_COLOR_TYPE_PALETTE) continue;
             for (const bool transparent : {false, true}) {
                 if (transparent && (type & PNG_COLOR_MASK_ALPHA) != 0) continue;

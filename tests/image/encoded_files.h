@@ -1,6 +1,8 @@
 // JPEG and PNG files of every kind, made by the libraries themselves.
 #pragma once
 
+#include <cstdio>  // jpeglib.h needs it
+
 #include <jpeglib.h>
 #include <png.h>
 
@@ -16,7 +18,7 @@ struct JpegKind {
     int channels = 3;
     int sampling = 2;  ///< of the first channel; 2 halves the others
     bool progressive = false, arithmetic = false;
-    int restart = 0;     ///< rows of blocks between restart markers
+    int restart = 0;       ///< rows of blocks between restart markers
     std::string marker{};  ///< content of an APP1 segment
 };
 

@@ -26,8 +26,8 @@ Environment skybox_in(const TemporaryFolder& folder, const std::string& extensio
     Environment environment{background, Skybox{}};
     for (std::size_t k = 0; k < towards.size(); ++k) {
         const std::string path = folder / (std::to_string(k) + extension);
-        const RenderedImage image{64, 64, {{0, 0}, {63, 63}},
-                                  std::vector<Color>(64 * 64, color_of(k)), true, {}};
+        const RenderedImage image{
+            64, 64, {{0, 0}, {63, 63}}, std::vector<Color>(64 * 64, color_of(k)), true, {}};
         REQUIRE(write_image(path, image) == "");
         environment.skybox->faces[k] = path;
     }
