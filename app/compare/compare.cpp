@@ -10,7 +10,7 @@
 #include "core/image/metrics/flip.h"
 #include "core/image/metrics/magma.h"
 #include "core/image/metrics/measure_metrics.h"
-#include "core/image/oiio.h"
+#include "core/image/png.h"
 
 namespace etalon::compare {
 namespace {

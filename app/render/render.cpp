@@ -50,9 +50,11 @@ class Render {
         if (!outputs_are_writable()) return exit_not_written;
         if (!open_reference() || !build()) return exit_unusable;
         const Rendering rendering = render_image();
+        const bool usable = tolerates(integrator_->late_problems());
         const bool written = rendering.counts.camera == 0 || write(rendering);
         if (signals_.signal() != 0) return exit_signal + signals_.signal();
-        return written ? exit_done : exit_not_written;
+        if (!written) return exit_not_written;
+        return usable ? exit_done : exit_unusable;
     }
 
   private:
@@ -71,16 +73,21 @@ class Render {
         return true;
     }
 
+    /// Warns of what the background's colour stands in for; false if that is an error.
+    bool tolerates(const std::vector<std::string>& problems) const {
+        for (const std::string& problem : problems) {
+            fmt::print(stderr, "{}: warning: {}; the background colour stands in\n", a_.scene.path,
+                       problem);
+        }
+        return problems.empty() || !a_.scene.options.strict;
+    }
+
     bool build() {
         intersector_ = chosen_backend(settings_).build(scene_.geometry);
         std::vector<std::string> problems;
         integrator_ =
             find_integrator(settings_.integrator)->make(scene_, *intersector_, settings_, problems);
-        for (const std::string& problem : problems) {
-            fmt::print(stderr, "{}: warning: {}; the background colour stands in\n", a_.scene.path,
-                       problem);
-        }
-        if (a_.scene.options.strict && !problems.empty()) return false;
+        if (!tolerates(problems)) return false;
         stats_.build = watch_.lap();
         return true;
     }

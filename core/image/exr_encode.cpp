@@ -1,6 +1,5 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFloatAttribute.h>
-#include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfIntAttribute.h>
@@ -9,10 +8,18 @@
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
+#include <bit>
+#include <cstring>
+#include <map>
+
 #include "core/image/exr.h"
+#include "core/image/exr_zip.h"
+#include "core/parallel/chunks.h"
 
 namespace etalon {
 namespace {
+
+using Bytes = std::vector<std::uint8_t>;
 
 constexpr const char* color_names[] = {"R", "G", "B"};
 
@@ -20,8 +27,9 @@ Imf::PixelType pixel_type(const Channel& channel) {
     return std::holds_alternative<std::vector<float>>(channel.values) ? Imf::FLOAT : Imf::UINT;
 }
 
-const void* data(const Channel& channel) {
-    return std::visit([](const auto& v) -> const void* { return v.data(); }, channel.values);
+const std::uint8_t* data(const Channel& channel) {
+    return std::visit([](const auto& v) { return reinterpret_cast<const std::uint8_t*>(v.data()); },
+                      channel.values);
 }
 
 /// Stream in memory. OpenEXR goes back to fill in its table of blocks: writing may replace bytes.
@@ -61,32 +69,92 @@ Imf::Header make_header(const RenderedImage& image) {
     return header;
 }
 
-void write_pixels(const RenderedImage& image, Imf::OutputFile& file) {
-    Imf::FrameBuffer buffer;
+/// A channel's 32-bit values, one for each pixel, and the bytes from one to the next.
+struct Plane {
+    const std::uint8_t* first;
+    std::size_t stride;
+};
+
+/// The planes in the order in which a file has them: by name.
+std::map<std::string, Plane> planes_of(const RenderedImage& image) {
+    std::map<std::string, Plane> planes;
     for (int k = 0; k < 3; ++k) {
-        const float* first = &image.pixels[0][k];
-        buffer.insert(color_names[k],
-                      Imf::Slice::Make(Imf::FLOAT, first, image.window, sizeof(Color)));
+        const auto* first = reinterpret_cast<const std::uint8_t*>(&image.pixels[0][k]);
+        planes[color_names[k]] = {first, sizeof(Color)};
     }
-    for (const Channel& c : image.channels) {
-        buffer.insert(c.name, Imf::Slice::Make(pixel_type(c), data(c), image.window));
+    for (const Channel& c : image.channels) planes[c.name] = {data(c), sizeof(float)};
+    return planes;
+}
+
+/// Rows [begin, end) of the window as a file holds them: row by row, and in each the planes.
+Bytes gather(const std::map<std::string, Plane>& planes, std::size_t width, std::size_t begin,
+             std::size_t end) {
+    static_assert(std::endian::native == std::endian::little, "as in the file");
+    Bytes block((end - begin) * planes.size() * width * sizeof(float));
+    std::uint8_t* target = block.data();
+    for (std::size_t y = begin; y < end; ++y) {
+        for (const auto& [name, plane] : planes) {
+            const std::uint8_t* value = plane.first + y * width * plane.stride;
+            for (std::size_t x = 0; x < width; ++x) {
+                std::memcpy(target, value, sizeof(float));
+                target += sizeof(float);
+                value += plane.stride;
+            }
+        }
     }
-    file.setFrameBuffer(buffer);
-    file.writePixels(image.window.max.y - image.window.min.y + 1);
+    return block;
+}
+
+/// The compressed blocks, made by all threads. OpenEXR has threads of its own, which would come on
+/// top of ours, and a slower compressor.
+std::vector<Bytes> zipped_blocks(const RenderedImage& image) {
+    const std::map<std::string, Plane> planes = planes_of(image);
+    const Imath::V2i last = image.window.size();
+    const std::size_t width = static_cast<std::size_t>(last.x) + 1;
+    const Chunks chunks(static_cast<std::size_t>(last.y) + 1, exr_zip_rows);
+    std::vector<Bytes> blocks(chunks.number());
+    chunks.parallel_for_each([&](std::size_t i, std::size_t begin, std::size_t end) {
+        blocks[i] = zip_exr_block(gather(planes, width, begin, end));
+    });
+    return blocks;
+}
+
+/// The file up to its table of blocks, whose entries are 0.
+std::string start_of_file(const RenderedImage& image) {
+    std::string bytes;
+    MemoryStream stream(bytes);
+    { const Imf::OutputFile file(stream, make_header(image)); }
+    return bytes;
+}
+
+template <class T>
+void put(T value, std::string& file, std::size_t position) {
+    file.replace(position, sizeof value, reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+/// Appends the blocks, each after its first row's number and its size, and completes the table.
+void append_blocks(const std::vector<Bytes>& blocks, int first_row, std::string& file) {
+    std::size_t entry = file.size() - blocks.size() * sizeof(std::uint64_t);
+    std::size_t total = file.size();
+    for (const Bytes& block : blocks) total += 2 * sizeof(std::int32_t) + block.size();
+    file.reserve(total);
+    for (const Bytes& block : blocks) {
+        put(std::uint64_t(file.size()), file, entry);
+        entry += sizeof(std::uint64_t);
+        put(std::int32_t(first_row), file, file.size());
+        put(static_cast<std::int32_t>(block.size()), file, file.size());
+        file.append(reinterpret_cast<const char*>(block.data()), block.size());
+        first_row += exr_zip_rows;
+    }
 }
 
 }  // namespace
 
 Result<std::string> encode_exr(const RenderedImage& image) {
     try {
-        std::string bytes;
-        bytes.reserve(image.pixels.size() * sizeof(Color));
-        MemoryStream stream(bytes);
-        {
-            Imf::OutputFile file(stream, make_header(image));
-            write_pixels(image, file);
-        }  // completes the file
-        return {std::move(bytes), {}};
+        std::string file = start_of_file(image);
+        append_blocks(zipped_blocks(image), image.window.min.y, file);
+        return {std::move(file), {}};
     } catch (const std::exception& e) {
         return {{}, e.what()};
     }

@@ -61,7 +61,7 @@ bool has_display_colors(const Imf::Header& header) {
     return stored && stored->value() == 1;
 }
 
-Image read_image_part(const std::string& path) {
+Image read_image_part(const std::string& path, Extent extent) {
     static const bool limited = (Imf::Header::setMaxImageSize(max_side, max_side),
                                  Imf::Header::setMaxTileSize(max_side, max_side), true);
     static_cast<void>(limited);
@@ -72,16 +72,18 @@ Image read_image_part(const std::string& path) {
     const int channels = static_cast<int>(names.size());
     const Encoding encoding =
         has_display_colors(file.header()) ? Encoding::display : Encoding::linear;
-    return {size.x, size.y, channels, read_rows(file, names), encoding, window.min};
+    Image image{size.x, size.y, channels, {}, encoding, window.min};
+    if (extent == Extent::whole) image.pixels = read_rows(file, names);
+    return image;
 }
 
 }  // namespace
 
-Result<Image> read_exr(const std::string& path) {
+Result<Image> read_exr(const std::string& path, Extent extent) {
     try {
-        return {read_image_part(path), {}};
+        return {read_image_part(path, extent), {}};
     } catch (const std::exception& e) {
-        return {{}, path + ": cannot be read: " + reason(e, path)};
+        return {{}, reason(e, path)};
     }
 }
 

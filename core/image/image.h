@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <variant>
@@ -26,7 +27,45 @@ struct Image {
     /// The first three channels as stored: bytes divided by 255, floats as they are. One channel,
     /// or one with alpha, is grey. 0 <= x < width, 0 <= y < height.
     Color color(int x, int y) const;
+
+    /// The first three channels by `convert`, which takes what is stored, a byte or a float, to a
+    /// number.
+    template <class Convert>
+    Color converted(int x, int y, const Convert& convert) const;
 };
+
+namespace detail {
+
+inline constexpr auto byte_values = [] {
+    std::array<float, 256> values{};
+    for (int i = 0; i < 256; ++i) values[i] = static_cast<float>(i) / 255.0F;
+    return values;
+}();
+
+inline float as_stored(std::uint8_t value) {
+    return byte_values[value];
+}
+inline float as_stored(float value) {
+    return value;
+}
+
+}  // namespace detail
+
+template <class Convert>
+Color Image::converted(int x, int y, const Convert& convert) const {
+    const std::size_t first = (static_cast<std::size_t>(y) * width + x) * channels;
+    return std::visit(
+        [&](const auto& values) {
+            const auto* p = &values[first];
+            return channels < 3 ? Color(convert(p[0]))
+                                : Color(convert(p[0]), convert(p[1]), convert(p[2]));
+        },
+        pixels);
+}
+
+inline Color Image::color(int x, int y) const {
+    return converted(x, y, [](auto value) { return detail::as_stored(value); });
+}
 
 /// The colours of all pixels, by rows from the top: linear RGB, or the display values.
 std::vector<Color> linear_pixels(const Image& image);

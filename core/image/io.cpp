@@ -3,15 +3,22 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <new>
+#include <optional>
 #include <system_error>
 
 #include "core/image/atomic_file.h"
 #include "core/image/encode.h"
 #include "core/image/exr.h"
+#include "core/image/jpeg_read.h"
 #include "core/image/oiio.h"
+#include "core/image/png.h"
 
 namespace etalon {
 namespace {
@@ -54,6 +61,39 @@ std::string check_readable(const std::string& path) {
     return {};
 }
 
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+/// Reads a file that is told by its first bytes, or nothing.
+std::optional<Result<Image>> read_known(const std::string& path, Extent extent) {
+    const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+    if (!file) return std::nullopt;
+    std::array<char, 8> bytes{};
+    const std::size_t size = std::fread(bytes.data(), 1, bytes.size(), file.get());
+    const std::string_view start(bytes.data(), size);
+    std::rewind(file.get());
+    if (start.starts_with("\x89PNG\r\n\x1a\n")) return read_png(file.get(), extent);
+    if (start.starts_with("\xff\xd8")) return read_jpeg(file.get(), extent);
+    return std::nullopt;
+}
+
+Result<Image> read_by_kind(const std::string& path, Extent extent) {
+    if (extension(path) == ".exr") return read_exr(path, extent);
+    if (std::optional<Result<Image>> image = read_known(path, extent)) return std::move(*image);
+    return read_oiio(path, extent);
+}
+
+Result<Image> read_readable(const std::string& path, Extent extent) {
+    const std::string error = check_readable(path);
+    if (!error.empty()) return {{}, error};
+    try {
+        return read_by_kind(path, extent);
+    } catch (const std::bad_alloc&) {
+        return {{}, "not enough memory"};
+    }
+}
+
 }  // namespace
 
 bool can_write(const std::string& path) {
@@ -71,10 +111,10 @@ std::string write_image(const std::string& path, const RenderedImage& image, dou
     return write_file_atomically(path, file.value);
 }
 
-Result<Image> read_image(const std::string& path) {
-    const std::string error = check_readable(path);
-    if (!error.empty()) return {{}, path + ": cannot be read: " + error};
-    return extension(path) == ".exr" ? read_exr(path) : read_oiio(path);
+Result<Image> read_image(const std::string& path, Extent extent) {
+    Result<Image> image = read_readable(path, extent);
+    if (!image) image.error = path + ": cannot be read: " + image.error;
+    return image;
 }
 
 }  // namespace etalon

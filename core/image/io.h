@@ -1,11 +1,12 @@
 // Images to files and files to images. Output appears whole or not at all: it is written beside
-// its place and then renamed. OpenEXR is linked; everything else goes through OpenImageIO, whose
-// module is loaded at the first call that needs it.
+// its place and then renamed. EXR, PNG and JPEG have libraries of their own; everything else goes
+// through OpenImageIO, whose module is loaded at the first call that needs it.
 #pragma once
 
 #include <string>
 
 #include "core/base/result.h"
+#include "core/image/extent.h"
 #include "core/image/image.h"
 #include "core/image/rendered_image.h"
 
@@ -16,14 +17,14 @@ namespace etalon {
 /// reason of a failure, beginning with the path, or an empty string.
 std::string write_image(const std::string& path, const RenderedImage& image, double exposure = 0);
 
-/// Whether write_picture knows the extension.
+/// Whether write_image() knows the extension.
 bool can_write(const std::string& path);
 
 /// Whether a file of this extension has a place for an image's channels.
 bool can_hold_channels(const std::string& path);
 
-/// Reads an image file: .exr by OpenEXR, anything else by OpenImageIO. A failure's reason begins
-/// with the path.
-Result<Image> read_image(const std::string& path);
+/// Reads an image file: .exr by OpenEXR; PNG and JPEG, told by their first bytes, by libpng and
+/// libjpeg; anything else by OpenImageIO. A failure's reason begins with the path.
+Result<Image> read_image(const std::string& path, Extent extent = Extent::whole);
 
 }  // namespace etalon

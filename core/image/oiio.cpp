@@ -6,9 +6,8 @@ namespace etalon {
 namespace {
 
 /// Collects what the module appends. It must let nothing be thrown into the module.
-template <class Value>
 struct Collector {
-    Result<Value> result;
+    Result<Image> result;
 
     static Collector& of(void* context) { return *static_cast<Collector*>(context); }
 
@@ -26,14 +25,6 @@ struct Collector {
     }
 };
 
-using FileCollector = Collector<std::string>;
-using ImageCollector = Collector<Image>;
-
-int append_to_file(void* context, const void* data, std::size_t size) {
-    return FileCollector::of(context).attempt(
-        [&](std::string& file) { file.append(static_cast<const char*>(data), size); });
-}
-
 template <class T>
 std::vector<T> room(const EtalonImageFormat& format) {
     std::vector<T> pixels;
@@ -42,7 +33,7 @@ std::vector<T> room(const EtalonImageFormat& format) {
 }
 
 int begin_image(void* context, const EtalonImageFormat* format) {
-    return ImageCollector::of(context).attempt([&](Image& image) {
+    return Collector::of(context).attempt([&](Image& image) {
         image = {format->width, format->height, format->channels, {}, {}, {}};
         if (format->is_srgb != 0) image.encoding = Encoding::srgb;
         if (format->is_float)
@@ -53,7 +44,7 @@ int begin_image(void* context, const EtalonImageFormat* format) {
 }
 
 int append_to_image(void* context, const void* data, std::size_t size) {
-    return ImageCollector::of(context).attempt([&](Image& image) {
+    return Collector::of(context).attempt([&](Image& image) {
         std::visit(
             [&](auto& pixels) {
                 using T = typename std::decay_t<decltype(pixels)>::value_type;
@@ -66,22 +57,14 @@ int append_to_image(void* context, const void* data, std::size_t size) {
 
 }  // namespace
 
-Result<Image> read_oiio(const std::string& path) {
-    const auto& module = load_oiio();
-    if (!module) return {{}, path + ": cannot be read: " + module.error};
-    ImageCollector image;
-    const EtalonSink sink{&image, begin_image, append_to_image, ImageCollector::fail};
-    if (module.value->read(path.c_str(), &sink) != 0) return std::move(image.result);
-    return {{}, path + ": cannot be read: " + image.result.error};
-}
-
-Result<std::string> encode_png(std::span<const std::uint8_t> rgb, int width, int height) {
+Result<Image> read_oiio(const std::string& path, Extent extent) {
     const auto& module = load_oiio();
     if (!module) return {{}, module.error};
-    FileCollector file;
-    const EtalonSink sink{&file, nullptr, append_to_file, FileCollector::fail};
-    module.value->encode_png(rgb.data(), width, height, &sink);
-    return std::move(file.result);
+    Collector image;
+    const EtalonSink sink{&image, begin_image, append_to_image, Collector::fail};
+    const int header_only = extent == Extent::header ? 1 : 0;
+    if (module.value->read(path.c_str(), header_only, &sink) != 0) return std::move(image.result);
+    return {{}, image.result.error};
 }
 
 }  // namespace etalon

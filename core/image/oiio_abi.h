@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 extern "C" {
 
@@ -13,10 +12,10 @@ struct EtalonImageFormat {
     int is_srgb;   ///< encoded by its curve, else linear
 };
 
-/// Receiver of results. Both functions return 0 on failure, and their caller then gives up.
+/// Receiver of an image. The first two functions return 0 on failure; their caller then gives up.
 struct EtalonSink {
     void* context;
-    int (*begin)(void* context, const EtalonImageFormat* format);  ///< null if there is no format
+    int (*begin)(void* context, const EtalonImageFormat* format);
     int (*append)(void* context, const void* data, std::size_t size);
     void (*fail)(void* context, const char* reason);
 };
@@ -24,12 +23,9 @@ struct EtalonSink {
 struct EtalonOiio {
     int version;  ///< etalon_oiio_version
 
-    /// Reads the first image of a file: begin, then rows from the top in any number of appends.
-    /// The image has at most four channels. Returns 0 after fail.
-    int (*read)(const char* path, const EtalonSink* sink);
-
-    /// Appends a PNG file of width * height RGB bytes in sRGB. Returns 0 after fail.
-    int (*encode_png)(const std::uint8_t* rgb, int width, int height, const EtalonSink* sink);
+    /// Reads the first image of a file: begin, then rows from the top in any number of appends, or
+    /// none with `header_only`. The image has at most four channels. Returns 0 after fail.
+    int (*read)(const char* path, int header_only, const EtalonSink* sink);
 };
 
 /// The module's one symbol has this type and the name etalon_oiio.
@@ -37,4 +33,4 @@ using EtalonOiioEntry = const EtalonOiio* (*)();
 
 }  // extern "C"
 
-inline constexpr int etalon_oiio_version = 2;
+inline constexpr int etalon_oiio_version = 3;

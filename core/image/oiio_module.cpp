@@ -1,6 +1,5 @@
 // The only file that includes OpenImageIO. It is a module of its own because an empty program
 // linked to OpenImageIO loads some 260 libraries before main.
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -76,7 +75,7 @@ void read_rows(OIIO::ImageInput& input, const EtalonImageFormat& format, const E
     if (remark.find("Premature end") != std::string::npos) fail(remark);
 }
 
-int read(const char* path, const EtalonSink* sink) {
+int read(const char* path, int header_only, const EtalonSink* sink) {
     return guarded(*sink, [&] {
         const auto input = open(path);
         const OIIO::ImageSpec& spec = input->spec();
@@ -84,28 +83,13 @@ int read(const char* path, const EtalonSink* sink) {
             spec.width, spec.height, std::min(spec.nchannels, max_channels),
             spec.format != OIIO::TypeDesc::UINT8, !spec.format.is_floating_point()};
         if (sink->begin(sink->context, &format) == 0) throw Refused();
-        read_rows(*input, format, *sink);
-    });
-}
-
-int encode_png(const std::uint8_t* rgb, int width, int height, const EtalonSink* sink) {
-    return guarded(*sink, [&] {
-        OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
-        spec["oiio:ColorSpace"] = "sRGB";
-        OIIO::Filesystem::IOVecOutput file;
-        const auto output = OIIO::ImageOutput::create("picture.png");
-        if (!output) fail(OIIO::geterror());
-        if (!output->set_ioproxy(&file) || !output->open("picture.png", spec) ||
-            !output->write_image(OIIO::TypeDesc::UINT8, rgb) || !output->close()) {
-            fail(output->geterror());
-        }
-        append(*sink, file.buffer().data(), file.buffer().size());
+        if (header_only == 0) read_rows(*input, format, *sink);
     });
 }
 
 }  // namespace
 
 extern "C" __attribute__((visibility("default"))) const EtalonOiio* etalon_oiio() {
-    static constexpr EtalonOiio table = {etalon_oiio_version, read, encode_png};
+    static constexpr EtalonOiio table = {etalon_oiio_version, read};
     return &table;
 }

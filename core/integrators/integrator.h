@@ -2,6 +2,8 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "core/integrators/ray_counts.h"
 #include "core/intersect/ray.h"
@@ -32,6 +34,10 @@ class Integrator {
     /// other samples.
     virtual void radiance(std::span<const CameraSample> samples, std::span<Color> colors,
                           RayCounts& counts) const = 0;
+
+    /// Why parts of the scene were replaced after rendering began: a face of a skybox whose file
+    /// turned out damaged when it was first seen by the background's colour.
+    virtual std::vector<std::string> late_problems() const { return {}; }
 };
 
 }  // namespace etalon

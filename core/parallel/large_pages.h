@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <new>
 
 #if defined(__linux__)
@@ -10,8 +11,20 @@
 
 namespace etalon {
 
-/// An allocator that asks for large pages where they could be filled. They are a hint: without
+inline constexpr std::size_t large_page = 1 << 21;
+
+/// Asks for large pages where those of `bytes` from `memory` on are whole. That is a hint: without
 /// them all is the same but slower.
+inline void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#if defined(__linux__)
+    const std::size_t before = -reinterpret_cast<std::uintptr_t>(memory) % large_page;
+    if (bytes < before + large_page) return;
+    madvise(static_cast<char*>(memory) + before, (bytes - before) / large_page * large_page,
+            MADV_HUGEPAGE);
+#endif
+}
+
+/// An allocator that asks for large pages where they could be filled.
 template <class T>
 struct LargePages {
     using value_type = T;
@@ -23,24 +36,16 @@ struct LargePages {
     T* allocate(std::size_t count) {
         const std::size_t bytes = count * sizeof(T);
         void* const memory = ::operator new(bytes, alignment(count));
-#if defined(__linux__)
-        if (const std::size_t whole = bytes / page * page) madvise(memory, whole, MADV_HUGEPAGE);
-#endif
+        prefer_large_pages(memory, bytes);
         return static_cast<T*>(memory);
     }
-    void deallocate(T* memory, std::size_t count) {
-        ::operator delete(memory, alignment(count));
-    }
+    void deallocate(T* memory, std::size_t count) { ::operator delete(memory, alignment(count)); }
 
-    friend bool operator==(const LargePages&, const LargePages&) {
-        return true;
-    }
+    friend bool operator==(const LargePages&, const LargePages&) { return true; }
 
   private:
-    static constexpr std::size_t page = 1 << 21;
-
     static std::align_val_t alignment(std::size_t count) {
-        return std::align_val_t(count * sizeof(T) < page ? alignof(T) : page);
+        return std::align_val_t(count * sizeof(T) < large_page ? alignof(T) : large_page);
     }
 };
 

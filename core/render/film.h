@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/numerics/vec.h"
+#include "core/parallel/large_pages.h"
 
 namespace etalon {
 
@@ -46,7 +47,7 @@ class Film {
 
     Imath::Box2i window_;
     int width_;
-    std::vector<Vec3> sums_, squares_;  ///< squares: empty where nobody asked
+    std::vector<Vec3, LargePages<Vec3>> sums_, squares_;  ///< squares: empty where nobody asked
     std::vector<std::uint32_t> counts_;
 };
 

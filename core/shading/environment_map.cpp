@@ -44,6 +44,11 @@ Color bilinear(const Image& image, const FacePoint& p) {
     return top * (1 - fy) + bottom * fy;
 }
 
+/// The image of a face whose file cannot be read.
+Image image_of_color(const Color& c) {
+    return {1, 1, 3, std::vector<float>{c.x, c.y, c.z}, Encoding::linear, {}};
+}
+
 }  // namespace
 
 EnvironmentMap::EnvironmentMap(const Environment& environment, std::vector<std::string>& problems)
@@ -51,18 +56,28 @@ EnvironmentMap::EnvironmentMap(const Environment& environment, std::vector<std::
     if (!environment.skybox) return;
     has_skybox_ = true;
     for (std::size_t k = 0; k < faces_.size(); ++k) {
-        Result<Image> face = read_image(environment.skybox->faces[k]);
-        if (!face) problems.push_back(face.error);
-        has_skybox_ = has_skybox_ && face;
-        faces_[k] = std::move(face.value);
+        const std::string& path = environment.skybox->faces[k];
+        const Result<Image> header = read_image(path, Extent::header);
+        if (!header) problems.push_back(header.error);
+        has_skybox_ = has_skybox_ && header;
+        faces_[k].choose(path, image_of_color(environment.background));
     }
 }
 
 Color EnvironmentMap::radiance(const Vec3& direction) const {
     if (!has_skybox_) return environment_.background;
     const FacePoint p = face_point(direction);
-    return environment_.skybox->nearest ? nearest_texel(faces_[p.face], p)
-                                        : bilinear(faces_[p.face], p);
+    const Image& face = faces_[p.face].get();
+    return environment_.skybox->nearest ? nearest_texel(face, p) : bilinear(face, p);
+}
+
+std::vector<std::string> EnvironmentMap::late_problems() const {
+    std::vector<std::string> problems;
+    for (const LazyImage& face : faces_) {
+        const std::string problem = face.problem();
+        if (!problem.empty()) problems.push_back(problem);
+    }
+    return problems;
 }
 
 }  // namespace etalon

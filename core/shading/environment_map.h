@@ -4,23 +4,27 @@
 #include <string>
 #include <vector>
 
-#include "core/image/image.h"
+#include "core/image/lazy_image.h"
 #include "core/scene/environment.h"
 
 namespace etalon {
 
-/// Environment ready for lookups by rays that leave the scene: a skybox's images are read here.
+/// Environment ready for lookups by rays that leave the scene. An image of a skybox is read when a
+/// ray first meets its face.
 class EnvironmentMap {
   public:
-    /// A skybox with an image that cannot be read is replaced by the background; `problems` gets
-    /// the reasons.
+    /// A skybox with an image that is missing, or is not one by its header, is replaced by the
+    /// background; `problems` gets the reasons.
     EnvironmentMap(const Environment& environment, std::vector<std::string>& problems);
 
     Color radiance(const Vec3& direction) const;
 
+    /// Why faces met so far have the background's colour: their files are damaged after the header.
+    std::vector<std::string> late_problems() const;
+
   private:
     const Environment& environment_;
-    std::array<Image, 6> faces_;
+    std::array<LazyImage, 6> faces_;
     bool has_skybox_ = false;
 };
 

@@ -1,6 +1,7 @@
 // A scene pays for what it contains: what is mapped into the process tells.
 #include <cstdlib>
 
+#include "core/image/io.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 
@@ -10,15 +11,74 @@ namespace {
 
 /// The dynamic linker's list of what a command loads, dlopen included.
 std::string libraries(const Folder& f, const std::string& arguments) {
-    return f.shell("LD_DEBUG=files " ETALON_BINARY_DIR "/bin/etalon " + arguments).err;
+    const ProgramResult r = f.shell("LD_DEBUG=files " ETALON_BINARY_DIR "/bin/etalon " + arguments);
+    CHECK(r.status == 0);
+    return r.err;
+}
+
+/// A P3F scene below a skybox of grey faces, each a file of its extension.
+void write_skybox_scene(const Folder& f, const std::vector<std::string>& extensions) {
+    std::filesystem::create_directory(f.path("sky"));
+    const char* names[] = {"right", "left", "top", "bottom", "front", "back"};
+    for (std::size_t k = 0; k < 6; ++k) {
+        const std::string path = "sky/" + std::string(names[k]) + extensions[k];
+        if (extensions[k] == ".hdr") {
+            f.write(path, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n@@@\x81");
+        } else if (extensions[k] == ".jpg") {
+            std::filesystem::copy(ETALON_SOURCE_DIR "/docs/showcase.jpg", f.path(path));
+        } else {
+            const etalon::RenderedImage grey{
+                32,   32, {{0, 0}, {31, 31}}, std::vector<etalon::Color>(1024, etalon::Color(0.5F)),
+                true, {}};
+            REQUIRE(etalon::write_image(f.path(path), grey) == "");
+        }
+    }
+    f.write("sky.p3f", "env sky\n" + small_scene);
 }
 
 }  // namespace
 
-TEST_CASE("info and an EXR render of an untextured scene load no OpenImageIO", "[app]") {
+TEST_CASE("EXR, PNG and JPEG need no OpenImageIO", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     CHECK_THAT(libraries(f, "info ball.p3f"), !ContainsSubstring("libOpenImageIO"));
-    CHECK_THAT(libraries(f, "render ball.p3f -o a.exr"), !ContainsSubstring("libOpenImageIO"));
-    CHECK_THAT(libraries(f, "render ball.p3f -o a.png"), ContainsSubstring("libOpenImageIO"));
+    CHECK_THAT(libraries(f, "render ball.p3f -o a.exr -o a.png"),
+               !ContainsSubstring("libOpenImageIO"));
+    write_skybox_scene(f, {".jpg", ".jpg", ".jpg", ".png", ".png", ".exr"});
+    const std::string loaded = libraries(f, "render sky.p3f --strict -o b.png");
+    CHECK_THAT(loaded, !ContainsSubstring("libOpenImageIO"));
+    CHECK_THAT(loaded, ContainsSubstring("libjpeg"));
+    CHECK_THAT(libraries(f, "compare a.exr a.png"), !ContainsSubstring("libOpenImageIO"));
+}
+
+TEST_CASE("a module that is missing is noticed before rendering", "[app]") {
+    const Folder f;
+    write_skybox_scene(f, {".jpg", ".hdr", ".png", ".png", ".png", ".exr"});
+    CHECK_THAT(libraries(f, "render sky.p3f --strict -o a.png"),
+               ContainsSubstring("libOpenImageIO"));
+    const std::string without = "ETALON_MODULE_PATH=. " ETALON_BINARY_DIR "/bin/etalon ";
+    const ProgramResult strict = f.shell(without + "render sky.p3f --strict -o b.png");
+    CHECK(strict.status == 3);
+    CHECK_THAT(strict.err, ContainsSubstring("left.hdr: cannot be read: the OpenImageIO module"));
+    CHECK_FALSE(f.has("b.png"));
+    const ProgramResult reference =
+        f.shell(without + "render sky.p3f --reference sky/left.hdr -o b.png");
+    CHECK(reference.status == 3);
+    CHECK_FALSE(f.has("b.png"));
+}
+
+TEST_CASE("a face that turns out damaged loses no picture", "[app]") {
+    const Folder f;
+    write_skybox_scene(f, {".png", ".png", ".png", ".png", ".png", ".png"});
+    for (const char* name : {"sky/back.png", "sky/bottom.png"}) {
+        f.write(name, f.read(name).substr(0, 120));
+    }
+    const ProgramResult usual = f.etalon("render sky.p3f -q -o a.png");
+    CHECK(usual.status == 0);
+    CHECK(f.has("a.png"));
+    CHECK_THAT(usual.err, ContainsSubstring("back.png: cannot be read: ") &&
+                              ContainsSubstring("the background colour stands in"));
+    const ProgramResult strict = f.etalon("render sky.p3f -q --strict -o b.png");
+    CHECK(strict.status == 3);
+    CHECK(f.read("a.png") == f.read("b.png"));
 }

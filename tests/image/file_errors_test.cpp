@@ -1,9 +1,12 @@
+#include <zlib.h>
+
 #include <cstdlib>
 
 #include "core/image/io.h"
 #include "core/numerics/random.h"
 #include "tests/catch.h"
 #include "tests/formats/shared_scenes.h"
+#include "tests/image/encoded_files.h"
 #include "tests/image/random_images.h"
 #include "tests/temporary_folder.h"
 
@@ -31,6 +34,15 @@ void check_sane(const std::string& path) {
         std::visit([](const auto& values) { return values.size(); }, read.value.pixels);
     const Image& image = read.value;
     CHECK(size == std::size_t(image.width) * image.height * image.channels);
+}
+
+/// The check of a PNG chunk's name and content, the higher bytes first.
+std::string checksum(const std::string& chunk) {
+    const auto* bytes = reinterpret_cast<const Bytef*>(chunk.data());
+    const uLong sum = crc32(0, bytes, static_cast<uInt>(chunk.size()));
+    std::string text;
+    for (int k = 24; k >= 0; k -= 8) text += static_cast<char>(sum >> k);
+    return text;
 }
 
 }  // namespace
@@ -68,12 +80,48 @@ TEST_CASE("a file that ends early is refused") {
     put(folder / "whole.ppm", "P6 40 40 255\n" + std::string(3 * 40 * 40, 'x'));
     REQUIRE(read_image(folder / "whole.ppm").error == "");
     REQUIRE(write_image(folder / "whole.exr", random_image(40, 40)) == "");
-    for (const std::string kind : {".exr", ".ppm"}) {
+    REQUIRE(write_image(folder / "whole.png", random_image(40, 40)) == "");
+    put(folder / "whole.jpg", encoded_jpeg({}, 40, 40));
+    for (const std::string kind : {".exr", ".jpg", ".png", ".ppm"}) {
         const std::string whole = content_of(folder / ("whole" + kind));
         for (const int percent : {1, 20, 50, 90, 99}) {
             put(folder / ("cut" + kind), whole.substr(0, whole.size() * percent / 100));
             check_unreadable(folder / ("cut" + kind));
         }
+    }
+}
+
+TEST_CASE("a file that claims more than it holds, or more than is read, is refused") {
+    const TemporaryFolder folder;
+    std::string png = encoded_png({}, 1, 1);
+    const auto claim = [&](std::uint32_t width, std::uint32_t height) {
+        std::string header = "IHDR";
+        for (const std::uint32_t side : {width, height}) {
+            for (int k = 24; k >= 0; k -= 8) header += static_cast<char>(side >> k);
+        }
+        header += png.substr(24, 5);
+        const std::string check = checksum(header);
+        put(folder / "p.png", png.substr(0, 12) + header + check + png.substr(33));
+        check_unreadable(folder / "p.png");
+    };
+    claim(0, 1);
+    claim(65537, 1);
+    claim(1, 65537);
+    claim(65536, 65536);
+    claim(0x7fffffff, 0x7fffffff);
+    claim(0xffffffff, 1);
+
+    for (const bool progressive : {false, true}) {
+        JpegKind kind;
+        kind.progressive = progressive;
+        std::string jpeg = encoded_jpeg(kind, 8, 8);
+        const std::size_t frame = jpeg.find(progressive ? "\xff\xc2" : "\xff\xc0");
+        jpeg.replace(frame + 5, 4, "\xff\xdc\xff\xdc");  // 65500 x 65500, the most there is
+        put(folder / "p.jpg", jpeg);
+        check_unreadable(folder / "p.jpg");
+        jpeg.replace(frame + 5, 4, "\xff\xff\xff\xff");
+        put(folder / "p.jpg", jpeg);
+        check_unreadable(folder / "p.jpg");
     }
 }
 

@@ -10,7 +10,7 @@
 #include "core/image/encode.h"
 #include "core/image/metrics/flip.h"
 #include "core/image/metrics/magma.h"
-#include "core/image/oiio.h"
+#include "core/image/png.h"
 
 namespace etalon::bench_report {
 namespace {

@@ -22,6 +22,8 @@ class Whitted final : public Integrator {
     void radiance(std::span<const CameraSample> samples, std::span<Color> colors,
                   RayCounts& counts) const override;
 
+    std::vector<std::string> late_problems() const override { return environment_.late_problems(); }
+
   private:
     /// What belongs to a ray on its way: its sample, its place in the tree of rays, which names the
     /// sample dimensions used at its end, and what the matter around it absorbs.

@@ -1,0 +1,118 @@
+#include "core/image/jpeg_read.h"
+
+#include <cstdio>  // jpeglib.h needs it
+
+#include <jerror.h>
+#include <jpeglib.h>
+
+#include "core/image/library_jump.h"
+#include "core/image/read_by_rows.h"
+
+namespace etalon {
+namespace {
+
+static_assert(JMSG_LENGTH_MAX <= LibraryJump::capacity);
+
+LibraryJump& jump_of(j_common_ptr info) {
+    return *static_cast<LibraryJump*>(info->client_data);
+}
+
+void fail(j_common_ptr info) {
+    LibraryJump& jump = jump_of(info);
+    info->err->format_message(info, jump.reason);
+    jump.leave();
+}
+
+/// Whether a scan ends while whole rows of its blocks are missing. After a restart marker it goes
+/// on.
+bool lacks_rows(const jpeg_decompress_struct& info) {
+    const int marker = info.unread_marker;
+    const bool restarts = marker >= JPEG_RST0 && marker < JPEG_RST0 + 8;
+    return !restarts && info.input_iMCU_row + 1 < info.total_iMCU_rows;
+}
+
+/// Fails where a file or a scan ends early, which libjpeg would show as grey; other damage is only
+/// warned of.
+void note(j_common_ptr info, int level) {
+    if (level >= 0) return;
+    const int warning = info->err->msg_code;
+    const auto& decoder = *reinterpret_cast<j_decompress_ptr>(info);
+    if (warning == JWRN_JPEG_EOF || (warning == JWRN_HIT_MARKER && lacks_rows(decoder))) fail(info);
+}
+
+/// Decoder of one file. Its functions return false on failure, for which reason() gives the cause.
+class JpegReader {
+  public:
+    explicit JpegReader(std::FILE* file) {
+        info_.err = jpeg_std_error(&errors_);
+        info_.client_data = &jump_;
+        errors_.error_exit = fail;
+        errors_.emit_message = note;
+        opened_ = jump_.completes([&] {
+            jpeg_create_decompress(&info_);
+            jpeg_stdio_src(&info_, file);
+        });
+    }
+    ~JpegReader() { jpeg_destroy_decompress(&info_); }
+    JpegReader(const JpegReader&) = delete;
+    JpegReader& operator=(const JpegReader&) = delete;
+
+    bool read_header() {
+        return opened_ && jump_.completes([&] { jpeg_read_header(&info_, TRUE); });
+    }
+    bool start() {
+        return jump_.completes([&] { jpeg_start_decompress(&info_); });
+    }
+    bool read_rows(std::uint8_t* first, int count) {
+        return jump_.completes([&] {
+            const std::size_t row = static_cast<std::size_t>(width()) * channels();
+            for (int i = 0; i < count; ++i) {
+                JSAMPROW target = first + static_cast<std::size_t>(i) * row;
+                jpeg_read_scanlines(&info_, &target, 1);
+            }
+        });
+    }
+
+    int width() const { return static_cast<int>(info_.image_width); }
+    int height() const { return static_cast<int>(info_.image_height); }
+    int channels() const { return info_.num_components; }
+    bool is_grey_or_rgb() const {
+        const J_COLOR_SPACE stored = info_.jpeg_color_space;
+        return stored == JCS_GRAYSCALE || stored == JCS_YCbCr || stored == JCS_RGB;
+    }
+    std::string reason() const { return std::string("JPEG error: ") + jump_.reason; }
+
+  private:
+    LibraryJump jump_;
+    jpeg_error_mgr errors_ = {};
+    jpeg_decompress_struct info_ = {};
+    bool opened_ = false;
+};
+
+/// Reads the pixels after the header: the reason of a failure, or an empty string.
+std::string read_pixels(JpegReader& reader, Image& image) {
+    if (!reader.start()) return reader.reason();
+    const auto read = [&](std::uint8_t* first, int count) {
+        return reader.read_rows(first, count);
+    };
+    std::vector<std::uint8_t> bytes;
+    const std::size_t row = static_cast<std::size_t>(image.width) * image.channels;
+    if (!read_by_rows(row, image.height, read, bytes)) return reader.reason();
+    image.pixels = std::move(bytes);
+    return {};
+}
+
+}  // namespace
+
+std::optional<Result<Image>> read_jpeg(std::FILE* file, Extent extent) {
+    JpegReader reader(file);
+    if (!reader.read_header()) return Result<Image>{{}, reader.reason()};
+    if (!reader.is_grey_or_rgb()) return std::nullopt;
+    Result<Image> image;
+    image.value = {reader.width(), reader.height(), reader.channels(), {}, Encoding::srgb, {}};
+    if (extent == Extent::whole) image.error = read_pixels(reader, image.value);
+    if (!image) image.value = {};
+    return image;
+}
+
+}  // namespace etalon

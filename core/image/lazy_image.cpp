@@ -1,0 +1,30 @@
+#include "core/image/lazy_image.h"
+
+#include "core/image/io.h"
+
+namespace etalon {
+
+void LazyImage::choose(std::string path, Image substitute) {
+    path_ = std::move(path);
+    image_ = std::move(substitute);
+}
+
+std::string LazyImage::problem() const {
+    const std::lock_guard lock(mutex_);
+    return problem_;
+}
+
+/// What reads a file must not wait for tasks of the renderer's threads: such a wait may take up a
+/// task that asks for this image.
+const Image& LazyImage::read() const {
+    const std::lock_guard lock(mutex_);
+    if (!ready_.load(std::memory_order_relaxed)) {
+        Result<Image> file = read_image(path_);
+        if (file) image_ = std::move(file.value);
+        problem_ = std::move(file.error);
+        ready_.store(&image_, std::memory_order_release);
+    }
+    return image_;
+}
+
+}  // namespace etalon

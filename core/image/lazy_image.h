@@ -1,0 +1,36 @@
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <string>
+
+#include "core/image/image.h"
+
+namespace etalon {
+
+/// Image of a file that is read when it is first asked for, and once. Threads may call all
+/// functions but choose() at the same time.
+class LazyImage {
+  public:
+    /// Chooses the file, and the image that stands in for it if it cannot be read.
+    void choose(std::string path, Image substitute);
+
+    const Image& get() const {
+        const Image* ready = ready_.load(std::memory_order_acquire);
+        return ready ? *ready : read();
+    }
+
+    /// Why get() returns the substitute, beginning with the path; empty as long as it does not.
+    std::string problem() const;
+
+  private:
+    const Image& read() const;
+
+    std::string path_;
+    mutable std::mutex mutex_;
+    mutable Image image_;  ///< the substitute until the file has been read
+    mutable std::string problem_;
+    mutable std::atomic<const Image*> ready_ = nullptr;
+};
+
+}  // namespace etalon
