@@ -77,7 +77,7 @@ TEST_CASE("garbage after a true beginning is refused") {
 
 TEST_CASE("a file that ends early is refused") {
     const TemporaryFolder folder;
-    put(folder / "whole.ppm", "P6 40 40 255\n" + std::string(3 * 40 * 40, 'x'));
+    put(folder / "whole.ppm", std::string("P6 40 40 255\n").append(3 * 40 * 40, 'x'));
     REQUIRE(read_image(folder / "whole.ppm").error == "");
     REQUIRE(write_image(folder / "whole.exr", random_image(40, 40)) == "");
     REQUIRE(write_image(folder / "whole.png", random_image(40, 40)) == "");
