@@ -108,7 +108,7 @@ TEST_CASE("covers_by_columns: given rays at corners and edges, then it is covers
 
 TEST_CASE("covers_by_columns: given very many rays at corners and edges, then it is covers",
           "[long]") {
-    test::for_each_target([] { require_same_answers(500, 250); });
+    test::for_each_target([] { require_same_answers(700, 250); });
 }
 
 TEST_CASE("covers_by_columns: given numbers beyond all products, then it is covers") {
