@@ -36,7 +36,8 @@ std::vector<std::string> needs(const Scene& s, const RenderSettings& settings) {
          "absorption");
     need(std::any_of(s.look.lights.begin(), s.look.lights.end(), is_area), "area light samples");
     need(s.camera.aperture > 0 && settings.samples_per_pixel > 0, "lens samples");
-    need(!s.geometry.normals.empty(), "interpolated normals");
+    need(!s.geometry.normals.empty() || s.geometry.all<Polygon>().have_normals(),
+         "interpolated normals");
     need(s.look.environment.skybox.has_value(), "pictures");
     return list;
 }

@@ -12,14 +12,23 @@ struct FloatSphere {
     float radius;
 };
 
-/// Number of a vertex in the buffer of all: the decimal ones follow the others.
+/// Number of a vertex in the buffer of all: the decimal ones follow the others, and the corners of
+/// polygons those.
 std::uint32_t buffer_index(const Geometry& geometry, std::uint32_t vertex) {
     if ((vertex & decimal_vertex) == 0) return vertex;
     return static_cast<std::uint32_t>(geometry.vertices.size()) + (vertex & ~decimal_vertex);
 }
 
 std::size_t vertex_count(const Geometry& geometry) {
-    return geometry.vertices.size() + geometry.decimal_vertices.size();
+    return geometry.vertices.size() + geometry.decimal_vertices.size() +
+           geometry.all<Polygon>().corners().size();
+}
+
+/// Number of a polygon's first corner in that buffer.
+std::uint32_t buffer_index(const Geometry& geometry, const Polygon& polygon) {
+    const std::span<const Vec3> all = geometry.all<Polygon>().corners();
+    const std::size_t before = vertex_count(geometry) - all.size();
+    return static_cast<std::uint32_t>(before + (polygon.corners.data() - all.data()));
 }
 
 EmbreeOwned<RTCBuffer> float_vertices(const EmbreeDevice& device, const Geometry& geometry,
@@ -33,6 +42,7 @@ EmbreeOwned<RTCBuffer> float_vertices(const EmbreeDevice& device, const Geometry
     for (std::uint32_t i = 0; i < geometry.decimal_vertices.size(); ++i) {
         *to++ = Vec3f(space.point(geometry.vertex(i | decimal_vertex)));
     }
+    for (const Vec3& v : geometry.all<Polygon>().corners()) *to++ = Vec3f(space.point(v));
     return buffer;
 }
 
@@ -66,8 +76,8 @@ std::optional<RTCGeometryType> FloatGeometry::type_of(std::uint32_t primitive) c
 /// Embree takes a quad for two triangles that meet in the diagonal from corner 1 to corner 3. That
 /// is the polygon if it is convex and, to the precision of its float corners, flat.
 bool FloatGeometry::is_quad(const Polygon& polygon) const {
-    if (polygon.count != 4) return false;
-    const Vec3* p = &geometry_.vertices[polygon.first];
+    const std::span<const Vec3> p = polygon.corners;
+    if (p.size() != 4) return false;
     const Vec3 normal = (p[2] - p[0]).cross(p[3] - p[1]);
     const double height = unit_roundoff_f / space_.scale() * std::sqrt(normal.dot(normal));
     for (int i = 0; i < 4; ++i) {
@@ -117,7 +127,7 @@ void FloatGeometry::fill_quads(RTCGeometry geometry, const std::vector<std::uint
     auto* to = new_buffer<Corners>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT4, ids.size());
     device_.check();
     for (const std::uint32_t id : ids) {
-        const std::uint32_t first = get<Polygon>(id).first;
+        const std::uint32_t first = buffer_index(geometry_, get<Polygon>(id));
         *to++ = {first, first + 1, first + 2, first + 3};
     }
 }

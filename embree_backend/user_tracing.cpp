@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/accel/clusters/instruction_sets.h"
 #include "core/intersect/kernels.h"
+#include "core/numerics/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "embree_backend/user_tracing.cpp"

@@ -71,7 +71,8 @@ std::unique_ptr<Tracer> kernel_tracer(const Scene& scene) {
     if (scene.geometry.primitives.size() != 1) return nullptr;
     const Primitive& p = scene.geometry.primitives.front();
     return with_shape(p.kind, [&]<class Shape>() {
-        return tracer("kernel", ProjectKernel<Shape>{scene, scene.geometry.get<Shape>(p), p.sides});
+        const auto shape = scene.geometry.get<Shape>(p);
+        return tracer("kernel", ProjectKernel<decltype(shape)>{scene, shape, p.sides});
     });
 }
 

@@ -27,14 +27,10 @@ void add_corners(Scene& scene, const Vec3& centre, const Vec3& radius) {
     scene.geometry.vertices.push_back(rounded(centre - radius * Vec3(0, 0, 1)));
 }
 
-/// A polygon's corners are consecutive, so it has copies of its own.
-void add_quad(Scene& scene, const std::array<std::uint32_t, 4>& corners) {
-    const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
-    for (const std::uint32_t corner : corners) {
-        const Vec3 copy = scene.geometry.vertices[corner];
-        scene.geometry.vertices.push_back(copy);
-    }
-    scene.geometry.add(Polygon{first, 4}, 0);
+void add_quad(Scene& scene, const std::array<std::uint32_t, 4>& numbers) {
+    std::array<Vec3, 4> corners;
+    for (std::size_t k = 0; k < 4; ++k) corners[k] = scene.geometry.vertices[numbers[k]];
+    scene.geometry.add(Polygon{corners}, 0);
 }
 
 }  // namespace

@@ -53,11 +53,9 @@ class Mixer {
 
     void add_hexagon(const Vec3& middle) {
         const Vec3 u = edge(), v = edge();
-        const auto first = static_cast<std::uint32_t>(scene_.geometry.vertices.size());
-        for (const Vec3& corner : {u, u + v, v, -u, -u - v, -v}) {
-            scene_.geometry.vertices.push_back(middle + corner);
-        }
-        scene_.geometry.add(Polygon{first, 6}, 0);
+        std::array corners = {u, u + v, v, -u, -u - v, -v};
+        for (Vec3& corner : corners) corner += middle;
+        scene_.geometry.add(Polygon{corners}, 0);
     }
 
     Scene& scene_;

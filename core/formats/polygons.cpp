@@ -56,20 +56,9 @@ void add_triangle(SceneLoader& loader) {
     loader.add(triangle, loader.sides());
 }
 
-template <class T>
-std::uint32_t append(std::vector<T>& to, const std::vector<T>& items) {
-    const auto first = static_cast<std::uint32_t>(to.size());
-    to.insert(to.end(), items.begin(), items.end());
-    return first;
-}
-
 void add_polygon(SceneLoader& loader) {
     const auto& [positions, normals] = loader.corners;
-    Geometry& geometry = loader.scene.geometry;
-    Polygon polygon{append(geometry.vertices, positions),
-                    static_cast<std::uint32_t>(positions.size())};
-    if (!normals.empty()) polygon.normals = append(geometry.normals, normals);
-    loader.add(polygon, loader.sides());
+    loader.add(Polygon{positions, normals}, loader.sides());
 }
 
 void read(SceneLoader& loader, bool with_normals) {

@@ -34,7 +34,7 @@ bool offer_to_all(const Geometry& geometry, std::uint32_t primitive,
                   std::span<const RayQuery> queries, std::span<NearestHit> nearest) {
     const Primitive p = geometry.primitives[primitive];
     return with_shape(p.kind, [&]<class Shape>() {
-        const Shape& shape = geometry.get<Shape>(p);
+        const auto& shape = geometry.get<Shape>(p);
         bool any = false;
         for (std::size_t i = 0; i < queries.size(); ++i) {
             const RayQuery& query = queries[i];

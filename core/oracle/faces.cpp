@@ -141,12 +141,11 @@ Certainty is_inside(const Outline& outline) {
 
 /// The outline as the ray sees it, and the plane through the mean corner across Newell's normal,
 /// but never out of the corners' box.
-Crossings define(const Geometry& geometry, const Polygon& polygon, const Ray& ray) {
+Crossings define(const Geometry&, const Polygon& polygon, const Ray& ray) {
     Crossings found;
     std::vector<Corner> corners;
     Box3 box;
-    for (std::size_t i = 0; i < polygon.count; ++i) {
-        const Vec3& corner = geometry.vertices[polygon.first + i];
+    for (const Vec3& corner : polygon.corners) {
         if (!is_finite(corner)) return found;
         box.extendBy(corner);
         corners.emplace_back(TrackedVec(corner) - ray.origin);
@@ -157,14 +156,14 @@ Crossings define(const Geometry& geometry, const Polygon& polygon, const Ray& ra
     if (inside == Certainty::no || !stretch) return found;
     TrackedVec sum, n;
     const TrackedVec& p0 = outline.corners[0].exact;
-    for (std::size_t i = 0; i < polygon.count; ++i) {
+    for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
         const TrackedVec& p = outline.corners[i].exact;
         sum = sum + p;
         if (i > 0) n = n + cross(outline.corners[i - 1].exact - p0, p - p0);
     }
     const Certainty degenerate = is_zero(n.x) & is_zero(n.y) & is_zero(n.z);
     const Tracked cosine = dot(n, ray.direction);
-    const Tracked passage = dot(n, sum) / (cosine * static_cast<double>(polygon.count));
+    const Tracked passage = dot(n, sum) / (cosine * static_cast<double>(polygon.corners.size()));
     Crossing crossing(passage, inside & !degenerate, is_negative(cosine));
     if ((passage < stretch->entry) == Certainty::yes) crossing.t = stretch->entry;
     if ((stretch->exit < passage) == Certainty::yes) crossing.t = stretch->exit;

@@ -12,6 +12,10 @@ std::size_t memory_bytes(const TriangleList& triangles) {
     return triangles.memory_bytes();
 }
 
+std::size_t memory_bytes(const PolygonList& polygons) {
+    return polygons.memory_bytes();
+}
+
 }  // namespace
 
 std::uint32_t Geometry::add_vertex(const Vec3& position) {
@@ -58,10 +62,6 @@ class Appender {
             v += (v & decimal_vertex) != 0 ? decimal_vertices_ : vertices_;
         }
         if (t.normal_offset != no_index) t.normal_offset += vertices_ - normals_;
-    }
-    void renumber(Polygon& p) const {
-        p.first += vertices_;
-        if (p.normals != no_index) p.normals += normals_;
     }
     template <class Shape>
     void renumber(Shape&) const {}

@@ -10,15 +10,13 @@
 
 #include "core/numerics/local_frame.h"
 #include "core/numerics/vec.h"
+#include "core/scene/convexity.h"
+#include "core/scene/polygon_list.h"
 #include "core/scene/triangle_list.h"
 
 namespace etalon {
 
 inline constexpr std::uint32_t no_index = 0xFFFFFFFFU;
-
-/// Property of all shapes of a kind: a ray that leaves one to the outside (convex), or to either
-/// side (flat), does not meet it again.
-enum class Convexity : std::uint8_t { any, convex, flat };
 
 struct Sphere {
     static constexpr std::string_view name = "sphere";
@@ -34,16 +32,6 @@ struct Triangle {
     static constexpr Convexity convexity = Convexity::flat;
     TriangleIndices vertices;
     std::uint32_t normal_offset = no_index;  ///< see Primitive
-};
-
-/// A planar polygon with count >= 4 corners, concave or not: geometry.vertices[first ...
-/// first+count).
-struct Polygon {
-    static constexpr std::string_view name = "polygon";
-    static constexpr Convexity convexity = Convexity::any;  // corners may lie off their plane
-    std::uint32_t first;
-    std::uint32_t count;
-    std::uint32_t normals = no_index;  ///< first of `count` consecutive normals
 };
 
 /// An axis-aligned box, both sides visible; min <= max in each axis.
@@ -119,11 +107,11 @@ struct ClosedCylinder {
 };
 
 /// One array per kind of shape. A kind's number is its place in this list; triangles are in an
-/// array of fewer bytes.
+/// array of fewer bytes, and polygons in one that keeps what their corners give.
 using ShapeArrays =
-    std::tuple<std::vector<Sphere>, TriangleList, std::vector<Polygon>, std::vector<Box>,
-               std::vector<Plane>, std::vector<Cone>, std::vector<Ring>, std::vector<Quadric>,
-               std::vector<Ellipsoid>, std::vector<ClosedCylinder>>;
+    std::tuple<std::vector<Sphere>, TriangleList, PolygonList, std::vector<Box>, std::vector<Plane>,
+               std::vector<Cone>, std::vector<Ring>, std::vector<Quadric>, std::vector<Ellipsoid>,
+               std::vector<ClosedCylinder>>;
 
 inline constexpr std::size_t shape_kinds = std::tuple_size_v<ShapeArrays>;
 

@@ -28,7 +28,9 @@ class Similarity {
 
     void operator()(Sphere& s) const { move(s.centre), scale(s.radius); }
     void operator()(TriangleList&) const {}  // corners are moved by themselves
-    void operator()(Polygon&) const {}
+    void operator()(PolygonList& polygons) const {
+        polygons.change_corners([this](Vec3& corner) { move(corner); });
+    }
     void operator()(Box& b) const { move(b.min), move(b.max); }
     void operator()(Plane& p) const { move(p.point); }
     void operator()(Cone& c) const {

@@ -18,8 +18,7 @@ Outline::Outline(const Geometry& geometry, std::uint32_t primitive) {
             corners_.push_back(geometry.vertex(v));
         }
     } else {
-        const auto& polygon = geometry.get<Polygon>(p);
-        const auto corners = std::span(geometry.vertices).subspan(polygon.first, polygon.count);
+        const std::span<const Vec3> corners = geometry.get<Polygon>(p).corners;
         corners_.assign(corners.begin(), corners.end());
     }
 }

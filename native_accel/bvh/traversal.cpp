@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/accel/clusters/instruction_sets.h"
+#include "core/numerics/instruction_sets.h"
 #include "native_accel/bvh/lane_select.h"
 #include "native_accel/common/tally.h"
 

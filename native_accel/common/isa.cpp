@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/accel/clusters/instruction_sets.h"
+#include "core/numerics/instruction_sets.h"
 
 #include <hwy/highway.h>
 

@@ -1,7 +1,7 @@
 // A file of its own, so that it changes nothing about how the code that does not count is compiled.
 #include <algorithm>
 
-#include "core/accel/clusters/instruction_sets.h"
+#include "core/numerics/instruction_sets.h"
 #include "native_accel/grid/grid_trace.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -19,11 +19,12 @@ Scene scene_of(const Shape& shape, std::vector<Vec3> vertices = {}) {
 /// One a shape and two of cones, about a unit in size. Every number is a float's, so that a kernel
 /// in float is asked about the same shape.
 std::vector<Scene> scenes() {
+    const std::array<Vec3, 5> notched = {
+        {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 0, 0}, {-1, 1, 0}}};
     const Affine map{{1, 0.25, 0}, {0, -0.5, 0.25}, {0.25, 0, 1}, {0.25, 0, 0.5}};
     return {scene_of(Sphere{{0.25, 0, 0.5}, 1}),
             scene_of(Triangle{{0, 1, 2}}, {{-1, -1, 0}, {1, -0.5, 0.25}, {0, 1.5, -0.5}}),
-            scene_of(Polygon{0, 5}, {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 0, 0}, {-1, 1, 0}}),
-            scene_of(Box{{-1, -0.5, -0.75}, {0.5, 1, 0.5}}),
+            scene_of(Polygon{notched}), scene_of(Box{{-1, -0.5, -0.75}, {0.5, 1, 0.5}}),
             scene_of(Plane{{0, 0.5, 0}, {1, 2, -1}}),
             scene_of(Cone{{0, -1, 0.5}, {0.25, 1, 0}, 0.5, 1}),
             scene_of(Cone{{0, -1, 0.5}, {0.25, 1, 0}, 0.75, 0.75}),

@@ -1,6 +1,6 @@
 // Filters of clusters in float, against what the kernels hit; and whole traversals of the tree, for
 // every instruction set that they are compiled for and this machine has.
-#include "core/accel/clusters/instruction_sets.h"
+#include "core/numerics/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/backends/cluster_filter_test.cpp"
@@ -26,10 +26,10 @@ HWY_AFTER_NAMESPACE();
 
 #include "core/test_rays/aimed_rays.h"
 #include "native_accel/bvh/bvh.h"
-#include "tests/backends/each_instruction_set.h"
 #include "tests/backends/scenes.h"
 #include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
+#include "tests/each_instruction_set.h"
 
 namespace etalon {
 HWY_EXPORT(candidates);

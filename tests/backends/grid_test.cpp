@@ -2,10 +2,10 @@
 // scenes, and what it promises of its size.
 #include "native_accel/grid/grid.h"
 
-#include "tests/backends/each_instruction_set.h"
 #include "tests/backends/scenes.h"
 #include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
+#include "tests/each_instruction_set.h"
 
 using namespace etalon;
 using namespace etalon::test;

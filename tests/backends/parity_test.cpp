@@ -114,7 +114,7 @@ TEST_CASE("Given only degenerate primitives, nothing is hit", "[backends]") {
     scene.geometry.add(Triangle{{0, 1, 2}}, 0);
     scene.geometry.add(Triangle{{0, 1, 3}}, 0);
     scene.geometry.add(Triangle{{0, 1, 4}}, 0);
-    scene.geometry.add(Polygon{0, 5}, 0);
+    scene.geometry.add(Polygon{scene.geometry.vertices}, 0);
     scene.geometry.add(Sphere{Vec3(0), 0}, 0);
     scene.geometry.add(Sphere{Vec3(0), nan_value}, 0);
     scene.geometry.add(Box{Vec3(1), Vec3(-1)}, 0);

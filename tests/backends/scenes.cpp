@@ -25,13 +25,13 @@ void add_polygon(Scene& scene, Random& random, const Vec3& place, double size, S
     Vec3 u, v;
     orthonormal_basis(random.direction(), u, v);
     const std::uint32_t count = 4 + random.index(4);
-    const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
+    std::vector<Vec3> corners;
     for (std::uint32_t i = 0; i < count; ++i) {
         const double angle = 2 * std::numbers::pi * i / count;
         const double r = size * random.uniform(0.3, 1);
-        scene.geometry.vertices.push_back(place + r * (std::cos(angle) * u + std::sin(angle) * v));
+        corners.push_back(place + r * (std::cos(angle) * u + std::sin(angle) * v));
     }
-    scene.geometry.add(Polygon{first, count}, 0, sides);
+    scene.geometry.add(Polygon{corners}, 0, sides);
 }
 
 /// Adds a quadric of any kind, through its box's middle or near it.

@@ -1,6 +1,6 @@
 // Filter of the grid's packs of spheres, against what the kernel hits, for every instruction set
 // that it is compiled for and this machine has.
-#include "core/accel/clusters/instruction_sets.h"
+#include "core/numerics/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/backends/sphere_pack_test.cpp"
@@ -24,9 +24,9 @@ HWY_AFTER_NAMESPACE();
 
 #include "core/intersect/bounded.h"
 #include "core/intersect/kernels.h"
-#include "tests/backends/each_instruction_set.h"
 #include "tests/backends/scenes.h"
 #include "tests/backends/test_rays.h"
+#include "tests/each_instruction_set.h"
 
 namespace etalon {
 HWY_EXPORT(passing_spheres);

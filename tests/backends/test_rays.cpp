@@ -8,7 +8,10 @@ namespace {
 /// Chooses origins and targets with a scene's own features and size.
 class RayMaker {
   public:
-    RayMaker(const Scene& scene, Random& random) : scene_(scene), random_(random) {
+    RayMaker(const Scene& scene, Random& random)
+        : scene_(scene), random_(random), vertices_(scene.geometry.vertices) {
+        const std::span<const Vec3> corners = scene.geometry.all<Polygon>().corners();
+        vertices_.insert(vertices_.end(), corners.begin(), corners.end());
         for (std::uint32_t id = 0; id < scene.geometry.primitives.size(); ++id) {
             const Box3 box = primitive_bounds(scene.geometry, id);
             if (box.isEmpty() || !is_finite(box.min) || !is_finite(box.max)) continue;
@@ -47,9 +50,7 @@ class RayMaker {
                 random_.one_in(2) ? box.min.z : box.max.z};
     }
 
-    const Vec3& vertex() {
-        return scene_.geometry.vertices[random_.index(scene_.geometry.vertices.size())];
-    }
+    const Vec3& vertex() { return vertices_[random_.index(vertices_.size())]; }
 
     Vec3 on_edge() {
         const auto& triangles = scene_.geometry.all<Triangle>();
@@ -73,7 +74,7 @@ class RayMaker {
     }
 
     Vec3 target() {
-        const bool has_vertices = !scene_.geometry.vertices.empty();
+        const bool has_vertices = !vertices_.empty();
         switch (random_.index(6)) {
             case 0:
                 return has_vertices ? vertex() : on_silhouette();
@@ -132,6 +133,7 @@ class RayMaker {
 
     const Scene& scene_;
     Random& random_;
+    std::vector<Vec3> vertices_;
     std::vector<Box3> bounded_;
     Box3 all_;
     double radius_;

@@ -36,15 +36,20 @@ Scene make(const Small& s) {
 class Hash {
   public:
     template <class T>
-    void add(const std::vector<T>& values) {
+    void add(std::span<const T> values) {
         const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
-        for (std::size_t i = 0; i < values.size() * sizeof(T); ++i) {
+        for (std::size_t i = 0; i < values.size_bytes(); ++i) {
             value_ = (value_ ^ bytes[i]) * 0x100000001b3U;
         }
     }
-    void add(const TriangleList& triangles) {
-        for (const TriangleIndices t : triangles) add(std::vector(t.begin(), t.end()));
+    template <class T>
+    void add(const std::vector<T>& values) {
+        add(std::span(values));
     }
+    void add(const TriangleList& triangles) {
+        for (const TriangleIndices t : triangles) add(std::span<const std::uint32_t>(t));
+    }
+    void add(const PolygonList& polygons) { add(polygons.corners()); }
     std::uint64_t value() const { return value_; }
 
   private:

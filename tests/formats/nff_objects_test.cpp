@@ -106,9 +106,8 @@ TEST_CASE("an NFF polygon may have hundreds of corners and be concave") {
     const LoadResult r = load_nff_text(matt + star(72) + star(1000));
     CHECK(messages(r).empty());
     REQUIRE(r.scene->geometry.all<Polygon>().size() == 2);
-    CHECK(r.scene->geometry.all<Polygon>()[0].count == 144);
-    CHECK(r.scene->geometry.all<Polygon>()[1].first == 144);
-    CHECK(r.scene->geometry.all<Polygon>()[1].count == 2000);
+    CHECK(r.scene->geometry.all<Polygon>()[0].corners.size() == 144);
+    CHECK(r.scene->geometry.all<Polygon>()[1].corners.size() == 2000);
 }
 
 TEST_CASE("an NFF patch has a normal at each corner") {

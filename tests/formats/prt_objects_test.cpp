@@ -73,7 +73,7 @@ TEST_CASE("PRT spheres, cones and polygons are read") {
     CHECK(r.scene->geometry.all<Cone>()[0].base_radius == 0.5);
     CHECK(r.scene->geometry.all<Cone>()[0].top == Vec3(4, 5, 6));
     CHECK(r.scene->geometry.all<Cone>()[0].top_radius == 0.25);
-    CHECK(r.scene->geometry.all<Polygon>()[0].count == 4);
+    CHECK(r.scene->geometry.all<Polygon>()[0].corners.size() == 4);
     CHECK(r.scene->geometry.all<Triangle>().size() == 1);
     CHECK(complaint("polygon 2 0 0 0 1 0 0") ==
           "'polygon' left out: 2 corners, expected at least 3");

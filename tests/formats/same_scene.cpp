@@ -56,14 +56,6 @@ auto fields(const Scene&, const Ellipsoid& e) {
 auto fields(const Scene&, const ClosedCylinder& c) {
     return fields(c.to_world);
 }
-auto fields(const Scene& scene, std::span<const std::uint32_t> vertices, std::uint32_t normals) {
-    std::vector<Vec3> values;
-    for (const std::uint32_t v : vertices) values.push_back(scene.geometry.vertex(v));
-    for (std::size_t k = 0; normals != no_index && k < vertices.size(); ++k) {
-        values.push_back(scene.geometry.normals[normals + k]);
-    }
-    return values;
-}
 auto fields(const Scene& scene, const Triangle& t) {
     const Geometry& g = scene.geometry;
     std::vector<Vec3> values;
@@ -73,10 +65,10 @@ auto fields(const Scene& scene, const Triangle& t) {
     }
     return values;
 }
-auto fields(const Scene& scene, const Polygon& p) {
-    std::vector<std::uint32_t> vertices;
-    for (std::uint32_t k = 0; k < p.count; ++k) vertices.push_back(p.first + k);
-    return fields(scene, vertices, p.normals);
+auto fields(const Scene&, const Polygon& p) {
+    std::vector<Vec3> values(p.corners.begin(), p.corners.end());
+    values.insert(values.end(), p.normals.begin(), p.normals.end());
+    return values;
 }
 
 bool same(const Light& a, const Light& b) {

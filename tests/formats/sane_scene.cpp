@@ -40,9 +40,12 @@ bool fine(const Scene& scene, const Triangle& t) {
     }
     return true;
 }
-bool fine(const Scene& scene, const Polygon& p) {
-    return p.count > 3 && p.first + p.count <= scene.geometry.vertices.size() &&
-           (p.normals == no_index || p.normals + p.count <= scene.geometry.normals.size());
+bool fine(const Scene&, const Polygon& p) {
+    const auto all_finite = [](std::span<const Vec3> list) {
+        return std::ranges::all_of(list, [](const Vec3& v) { return is_finite(v); });
+    };
+    return p.corners.size() > 3 && all_finite(p.corners) && all_finite(p.normals) &&
+           (p.normals.empty() || p.normals.size() == p.corners.size());
 }
 bool fine(const Scene&, const Box& b) {
     return is_finite(b.min) && is_finite(b.max) && b.min.x <= b.max.x && b.min.y <= b.max.y &&

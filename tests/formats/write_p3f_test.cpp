@@ -203,10 +203,9 @@ TEST_CASE("ellipsoids and closed cylinders become polygons on their surface, fac
     const LocalFrame& frame = scene.geometry.all<Ellipsoid>()[0].frame;
     const auto local = [&](const Vec3& p) { return frame.vector(p - map.origin); };
     constexpr std::size_t on_sphere = 22 * 48;  // and 2 * 48 triangles at the poles
-    const std::vector<Polygon>& polygons = read.scene->geometry.all<Polygon>();
+    const auto& polygons = read.scene->geometry.all<Polygon>();
     for (std::size_t i = 0; i < polygons.size(); ++i) {
-        const std::span corners(&read.scene->geometry.vertices[polygons[i].first],
-                                polygons[i].count);
+        const std::span<const Vec3> corners = polygons[i].corners;
         const Vec3 a = local(corners[0]), b = local(corners[1]), c = local(corners[2]);
         const double level = i < on_sphere ? a.z : 0;
         CHECK(a.x * a.x + a.y * a.y + level * level == Approx(1).epsilon(1e-12));
@@ -227,8 +226,7 @@ TEST_CASE("a ring becomes flat polygons that face where its normal points") {
     REQUIRE(read.scene->geometry.primitives.size() == 48);
     double area = 0;
     for (const Polygon& p : read.scene->geometry.all<Polygon>()) {
-        const Vec3* corner = &read.scene->geometry.vertices[p.first];
-        const Vec3 cross = (corner[2] - corner[0]).cross(corner[3] - corner[1]);
+        const Vec3 cross = (p.corners[2] - p.corners[0]).cross(p.corners[3] - p.corners[1]);
         CHECK(cross.dot(ring.normal) > 0);
         area += cross.length() / 2;
     }

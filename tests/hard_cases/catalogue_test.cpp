@@ -69,6 +69,7 @@ bool is_float(const Scene& scene) {
     };
     const auto is_float_point = [](const Vec3& v) { return is_float(v); };
     return all(scene.geometry.vertices, is_float_point) &&
+           all(scene.geometry.all<Polygon>().corners(), is_float_point) &&
            all(scene.geometry.all<Sphere>(),
                [](const Sphere& s) { return is_float(s.centre) && is_float(s.radius); }) &&
            all(scene.geometry.all<Box>(),

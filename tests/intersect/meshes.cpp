@@ -20,15 +20,12 @@ struct Corners {
 };
 
 void add_face(ClosedMesh& mesh, const std::vector<Vec3>& corners) {
-    Scene& scene = mesh.scene;
-    const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
-    scene.geometry.vertices.insert(scene.geometry.vertices.end(), corners.begin(), corners.end());
-    if (corners.size() == 3) {
-        scene.geometry.add(Triangle{{first, first + 1, first + 2}}, 0);
-    } else {
-        scene.geometry.add(Polygon{first, static_cast<std::uint32_t>(corners.size())}, 0);
-    }
     mesh.faces.push_back(corners);
+    Geometry& geometry = mesh.scene.geometry;
+    if (corners.size() > 3) return geometry.add(Polygon{corners}, 0);
+    const auto first = static_cast<std::uint32_t>(geometry.vertices.size());
+    geometry.vertices.insert(geometry.vertices.end(), corners.begin(), corners.end());
+    geometry.add(Triangle{{first, first + 1, first + 2}}, 0);
 }
 
 }  // namespace

@@ -25,12 +25,12 @@ Scene mixed_scene(int copies) {
         scene.geometry.add(Ring{p, random.in_cube(), 0.25, 0.5}, 0);
         const std::array<double, 10> saddle = {1, 0.5, 0, 0.1, -2, 0, 0, 0, 0.5, 0};
         scene.geometry.add(Quadric{p, saddle, {p - Vec3(0.5), p + Vec3(0.5)}}, 0);
-        const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
-        for (const Vec3& v : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}) {
-            scene.geometry.vertices.push_back(p + v);
-        }
+        const std::array square = {p, p + Vec3(1, 0, 0), p + Vec3(1, 1, 0), p + Vec3(0, 1, 0)};
+        std::vector<Vec3>& vertices = scene.geometry.vertices;
+        const auto first = static_cast<std::uint32_t>(vertices.size());
+        vertices.insert(vertices.end(), square.begin(), square.end());
         scene.geometry.add(Triangle{{first, first + 1, first + 3}}, 0);
-        scene.geometry.add(Polygon{first, 4}, 0);
+        scene.geometry.add(Polygon{square}, 0);
     }
     scene.geometry.add(Plane{{0, 0, -15}, {0, 0.1, 1}}, 0);
     return scene;

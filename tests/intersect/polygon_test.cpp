@@ -16,8 +16,7 @@ const std::vector<Vec3> plus_sign = {{1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {3, 1, 0},
 
 Scene polygon_scene(const std::vector<Vec3>& corners) {
     Scene scene;
-    scene.geometry.vertices = corners;
-    scene.geometry.add(Polygon{0, static_cast<std::uint32_t>(corners.size())}, 0);
+    scene.geometry.add(Polygon{corners}, 0);
     return scene;
 }
 
@@ -74,7 +73,7 @@ TEST_CASE("Polygon: given a quad or its two triangles, then the same rays hit") 
     Random random(14);
     scene.geometry.vertices = {
         {0, 0, 0}, {2, 0.5, 0}, {2.5, 2, 0}, {0.5, 1.5, 0}};  // a parallelogram
-    scene.geometry.add(Polygon{0, 4}, 0);
+    scene.geometry.add(Polygon{scene.geometry.vertices}, 0);
     scene.geometry.add(Triangle{{0, 1, 2}}, 0);
     scene.geometry.add(Triangle{{0, 2, 3}}, 0);
     for (int i = 0; i < 20000; ++i) {
@@ -113,7 +112,7 @@ TEST_CASE("interpolated_normal: given normals that vary linearly, then they are 
     for (const Vec3& p : plus_sign) normals.push_back(field(p));
     const Vec3 up(0, 0, 1);
     const auto require_field = [&](const Vec3& p) {
-        const Vec3 n = interpolated_normal(plus_sign, normals.data(), up, p);
+        const Vec3 n = interpolated_normal(plus_sign, normals, up, p);
         CAPTURE(p, n);
         REQUIRE((n / n.z - field(p)).length() < 1e-12);
     };
@@ -131,9 +130,10 @@ TEST_CASE("interpolated_normal: given normals that vary linearly, then they are 
 
 TEST_CASE(
     "Polygon: given corner normals that cancel, then the shading normal is the geometric one") {
-    Scene scene = polygon_scene({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
-    scene.geometry.normals = {{1, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {-1, 0, 0}};
-    scene.geometry.all<Polygon>()[0].normals = 0;
+    const std::vector<Vec3> corners = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    const std::vector<Vec3> normals = {{1, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {-1, 0, 0}};
+    Scene scene;
+    scene.geometry.add(Polygon{corners, normals}, 0);
     const Ray ray{{0, 0, 5}, {0, 0, -1}};
     const SurfacePoint p = surface_at(scene.geometry, ray, {hit(scene, ray), 0});
     REQUIRE(p.shading_normal == p.normal);

@@ -66,9 +66,12 @@ std::vector<double*> numbers_of(Scene& scene) {
 
 void settle(Scene& scene) {
     with_shape(scene.geometry.primitives[0].kind, [&]<class Shape>() {
+        auto& all = scene.geometry.all<Shape>();
         if constexpr (is_affine<Shape>) {
-            Shape& shape = scene.geometry.all<Shape>()[0];
-            shape = Shape(shape.to_world);
+            all[0] = Shape(all[0].to_world);
+        } else if constexpr (std::is_same_v<Shape, Polygon>) {
+            all = {};
+            all.push_back({scene.geometry.vertices});
         }
     });
 }

@@ -126,7 +126,7 @@ ShapeCase flat(const std::string& name, const std::vector<Vec3>& p) {
     if (p.size() == 3) {
         c.scene.geometry.add(Triangle{{0, 1, 2}}, 0);
     } else {
-        c.scene.geometry.add(Polygon{0, static_cast<std::uint32_t>(p.size())}, 0);
+        c.scene.geometry.add(Polygon{p}, 0);
     }
     add_outline_targets(c, p);
     return c;

@@ -41,8 +41,37 @@ Geometry mixture() {
     add_flat(g, many_digits);
     add_smooth(g, many_digits, {0, 1, 0});
     g.add(Sphere{{1, 2, 3}, 4}, 1);
-    g.add(Polygon{0, 3}, 1);
+    g.add(Polygon{few_digits}, 1);
     return g;
+}
+
+const std::array star = {Vec3(third, 0, 1), Vec3(2, 1, 1),  Vec3(4, 2, 1),
+                         Vec3(2, 3, 1),     Vec3(0, 4, 1),  Vec3(-2, 3, 1),
+                         Vec3(-4, 2, 1),    Vec3(-2, 1, 1), Vec3(0, -1, 1)};
+
+/// Polygons of few and of many corners, the last of them smooth.
+Geometry polygons() {
+    Geometry g;
+    g.add(Polygon{many_digits}, 0);
+    g.add(Polygon{star}, 0);
+    g.add(Polygon{few_digits, many_digits}, 0);
+    return g;
+}
+
+/// Checks that what is kept of every polygon is what its corners as they are now give.
+void check_kept(const Geometry& g) {
+    for (const StoredPolygon& p : g.all<Polygon>()) {
+        const PolygonFacts expected(p.corners);
+        CHECK(p.facts.plane.mean == expected.plane.mean);
+        CHECK(p.facts.plane.normal == expected.plane.normal);
+        CHECK(p.facts.plane.terms == expected.plane.terms);
+        CHECK(p.facts.box == expected.box);
+        const std::size_t count = p.corners.size();
+        for (std::size_t i = 0; i < p.columns.length; ++i) {
+            const Vec3& corner = p.corners[i == 0 || i > count ? count - 1 : i - 1];
+            for (int k = 0; k < 3; ++k) CHECK(p.columns.along(k)[i] == corner[k]);
+        }
+    }
 }
 
 }  // namespace
@@ -84,8 +113,7 @@ TEST_CASE("Geometry: given another one appended, then its shapes are what they w
         CHECK(corners(g, first + 3) == many_digits);
         CHECK(normal(g, first + 3, 2) == Vec3(0, 1, 0));
         CHECK(g.get<Sphere>(g.primitives[first + 4]).radius == 4);
-        const auto& polygon = g.get<Polygon>(g.primitives[first + 5]);
-        CHECK(g.vertices[polygon.first] == few_digits[0]);
+        CHECK(std::ranges::equal(g.get<Polygon>(g.primitives[first + 5]).corners, few_digits));
         CHECK(g.primitives[first + 5].material == 1);
     }
 }
@@ -102,4 +130,47 @@ TEST_CASE("Geometry: given that it is moved, then every corner is, and normals s
     CHECK(normal(*g, 3, 0) == Vec3(0, 1, 0));
     CHECK(g->get<Sphere>(g->primitives[4]).centre == Vec3(1, 2, 3) + offset);
     CHECK_FALSE(moved(*moved(mixture(), Vec3(1.5e308)), Vec3(1.5e308)));
+}
+
+TEST_CASE("Polygon: given corners, then their mean, normal and box are kept") {
+    const std::array square = {Vec3(1, 1, 5), Vec3(3, 1, 5), Vec3(3, 3, 5), Vec3(1, 3, 5)};
+    Geometry g;
+    g.add(Polygon{square}, 0);
+    const PolygonFacts& facts = g.all<Polygon>()[0].facts;
+    CHECK(facts.plane.mean == Vec3(1, 1, 0));
+    CHECK(facts.plane.normal == Vec3(0, 0, 8));
+    CHECK(facts.box == Box3(Vec3(1, 1, 5), Vec3(3, 3, 5)));
+    g.add(Polygon{std::array{Vec3(0), Vec3(1), Vec3(2), Vec3(1)}}, 0);
+    CHECK(g.all<Polygon>()[1].facts.box.isEmpty());
+}
+
+TEST_CASE("Polygon: given others appended, then each has its own corners, normals and plane") {
+    Geometry g = polygons();
+    append(g, polygons());
+    append(g, *moved(polygons(), Vec3(7)));
+    REQUIRE(g.all<Polygon>().size() == 9);
+    check_kept(g);
+    for (const std::size_t first : {0U, 3U}) {
+        CHECK(std::ranges::equal(g.all<Polygon>()[first + 1].corners, star));
+        CHECK(g.all<Polygon>()[first + 1].columns.length >= star.size());
+        CHECK(g.all<Polygon>()[first + 1].normals.empty());
+        CHECK(std::ranges::equal(g.all<Polygon>()[first + 2].corners, few_digits));
+        CHECK(std::ranges::equal(g.all<Polygon>()[first + 2].normals, many_digits));
+    }
+    CHECK(g.all<Polygon>()[7].corners[0] == star[0] + Vec3(7));
+}
+
+TEST_CASE("Polygon: given that it is moved or made larger, then what is kept of it follows") {
+    const Vec3 offset(0.1, third, -5);
+    Scene scene;
+    scene.geometry = polygons();
+    const Geometry far = *moved(scene.geometry, offset);
+    const Geometry large = transformed(scene, 3, offset).geometry;
+    check_kept(far);
+    check_kept(large);
+    for (std::size_t k = 0; k < star.size(); ++k) {
+        CHECK(far.all<Polygon>()[1].corners[k] == star[k] + offset);
+        CHECK(large.all<Polygon>()[1].corners[k] == 3.0 * star[k] + offset);
+    }
+    CHECK(std::ranges::equal(far.all<Polygon>()[2].normals, many_digits));
 }

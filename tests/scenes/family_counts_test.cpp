@@ -60,7 +60,7 @@ TEST_CASE("A family's size gives the number of primitives it promises", "[scenes
 
 TEST_CASE("The faces of a gear are polygons of 144 corners", "[scenes]") {
     const Scene scene = family_scene("gears", 2);
-    const auto& polygons = scene.geometry.all<Polygon>();
-    const auto large = std::ranges::count(polygons, 144U, &Polygon::count);
+    int large = 0;
+    for (const Polygon& p : scene.geometry.all<Polygon>()) large += p.corners.size() == 144;
     CHECK(large == 2 * 8);
 }

@@ -122,13 +122,10 @@ TEST_CASE("The teeth of neighbouring gears are in each other's gaps", "[scenes]"
     std::vector<std::vector<Vec2>> outlines;
     std::vector<double> heights;
     for (const Polygon& p : scene.geometry.all<Polygon>()) {
-        if (p.count != 144) continue;
-        heights.push_back(scene.geometry.vertices[p.first].y);
+        if (p.corners.size() != 144) continue;
+        heights.push_back(p.corners[0].y);
         std::vector<Vec2> outline;
-        for (std::uint32_t k = 0; k < p.count; ++k) {
-            const Vec3& v = scene.geometry.vertices[p.first + k];
-            outline.emplace_back(v.x, v.z);
-        }
+        for (const Vec3& v : p.corners) outline.emplace_back(v.x, v.z);
         outlines.push_back(outline);
     }
     int close = 0;

@@ -13,8 +13,7 @@ template <class Real>
 struct TextbookPolygon {
     using RayForm = PlainRay<Real>;
 
-    TextbookPolygon(const Scene& scene, const Polygon& polygon) {
-        const std::span<const Vec3> p = corners(scene.geometry, polygon);
+    explicit TextbookPolygon(std::span<const Vec3> p) {
         const Vec3 n = plane_of(p).normal;
         normal = Vec<Real>(normalized(n));
         distance = normal.dot(Vec<Real>(p[0]));
@@ -58,9 +57,9 @@ struct TextbookPolygon {
     std::vector<Corner> outline;
 };
 
-inline auto textbook_kernels(const Scene& scene, const Polygon& p) {
-    return std::tuple{Named{"float textbook", TextbookPolygon<float>(scene, p)},
-                      Named{"double textbook", TextbookPolygon<double>(scene, p)}};
+inline auto textbook_kernels(const Scene&, const Polygon& p) {
+    return std::tuple{Named{"float textbook", TextbookPolygon<float>(p.corners)},
+                      Named{"double textbook", TextbookPolygon<double>(p.corners)}};
 }
 
 }  // namespace etalon::accuracy

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/accel/clusters/instruction_sets.h"
+#include "core/numerics/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/accel/tree/partition.cpp"

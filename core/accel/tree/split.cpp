@@ -1,6 +1,6 @@
 #include "core/accel/tree/split.h"
 
-#include "core/accel/clusters/instruction_sets.h"
+#include "core/numerics/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/accel/tree/split.cpp"

@@ -139,11 +139,7 @@ class P3fScene {
         write_polygon(corners, normals);
     }
 
-    void write_shape(const Polygon& p, Sides) {
-        const auto corners = std::span(scene_.geometry.vertices).subspan(p.first, p.count);
-        if (p.normals == no_index) return out_.polygon(corners);
-        write_polygon(corners, std::span(scene_.geometry.normals).subspan(p.normals, p.count));
-    }
+    void write_shape(const Polygon& p, Sides) { write_polygon(p.corners, p.normals); }
 
     void write_shape(const Ellipsoid& e, Sides) {
         lost_.add("ellipsoid, now polygons");

@@ -223,14 +223,7 @@ class PbrtScene {
         write_mesh(corners, {}, faces);
     }
 
-    void write_shape(const Polygon& p) {
-        const auto corners = std::span(scene_.geometry.vertices).subspan(p.first, p.count);
-        std::span<const Vec3> normals;
-        if (p.normals != no_index) {
-            normals = std::span(scene_.geometry.normals).subspan(p.normals, p.count);
-        }
-        write_mesh(corners, normals, triangulate(corners));
-    }
+    void write_shape(const Polygon& p) { write_mesh(p.corners, p.normals, triangulate(p.corners)); }
 
     /// Writes a square for the infinite plane that PBRT lacks: about its point nearest to the eye,
     /// as large as a thousand times all distances that the camera knows.

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+
+#include "core/intersect/shapes/edges.h"
+#include "core/scene/polygon.h"
+
+namespace etalon {
+
+/// Whether all corners lie in one plane with the ray.
+bool is_edge_on(std::span<const Vec3> p, const RayQuery& q);
+
+/// Even-odd rule in the sheared frame of the triangles: counts the edges that cross the positive x
+/// axis, an end on the axis counting as below it. Every sign is that of the exact input, so that
+/// faces that share an edge leave no gap; the outline itself belongs to the polygon.
+inline bool covers(std::span<const Vec3> p, const RayQuery& q) {
+    bool inside = false;
+    OutlineCorner a(p.back(), q);
+    for (const Vec3& corner : p) {
+        const OutlineCorner b(corner, q);
+        if ((a.y > 0) != (b.y > 0)) {
+            const double side = edge_side(a, b, q);
+            if (side == 0) return !is_edge_on(p, q);
+            if ((side > 0) == (b.y > 0)) inside = !inside;
+        } else if (b.y == 0 && (b.x == 0 || (a.y == 0 && (a.x > 0) != (b.x > 0)))) {
+            return !is_edge_on(p, q);
+        }
+        a = b;
+    }
+    return inside;
+}
+
+/// The same for a polygon that has columns, with few steps for each corner.
+bool covers_by_columns(const StoredPolygon& p, const RayQuery& q);
+
+inline bool covers(const StoredPolygon& p, const RayQuery& q) {
+    return p.columns.length != 0 ? covers_by_columns(p, q) : covers(p.corners, q);
+}
+
+}  // namespace etalon

@@ -1,0 +1,59 @@
+// Polygons: their corners, and what kernels need to know of all of them together.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "core/numerics/vec.h"
+#include "core/scene/convexity.h"
+
+namespace etalon {
+
+/// A planar polygon with at least 4 corners, concave or not. The front is where the corners run
+/// counter-clockwise. What it shows belongs to another: a geometry keeps a copy.
+struct Polygon {
+    static constexpr std::string_view name = "polygon";
+    static constexpr Convexity convexity = Convexity::any;  // corners may lie off their plane
+    std::span<const Vec3> corners;
+    std::span<const Vec3> normals = {};  ///< one for each corner, or none
+};
+
+/// The plane that a polygon is taken to lie in, even if its corners are a little off: through their
+/// mean, across Newell's normal (twice the area, counter-clockwise; summed from the first corner,
+/// as close to the plane as any).
+struct PolygonPlane {
+    Vec3 mean{0};  ///< seen from the first corner
+    Vec3 normal{0};
+    Vec3 terms{0};  ///< the magnitudes that the normal is a sum of
+};
+
+PolygonPlane plane_of(std::span<const Vec3> corners);
+
+/// What is summed over all corners once, instead of at every hit.
+struct PolygonFacts {
+    PolygonFacts() = default;
+    explicit PolygonFacts(std::span<const Vec3> corners);
+
+    PolygonPlane plane;
+    Box3 box;  ///< of the corners; empty for a degenerate polygon, which has no plane
+};
+
+/// The corners by coordinate: those along one axis are consecutive. First the last corner, so that
+/// every edge is from one number to the next, then all of them, and copies of the last up to a
+/// multiple of `lanes`.
+struct CornerColumns {
+    static constexpr std::size_t lanes = 4;
+
+    const double* along(int axis) const { return first + static_cast<std::size_t>(axis) * length; }
+
+    const double* first = nullptr;
+    std::size_t length = 0;  ///< of a column; 0 where the polygon has too few corners for columns
+};
+
+/// A polygon as a geometry keeps it.
+struct StoredPolygon : Polygon {
+    const PolygonFacts& facts;
+    CornerColumns columns;
+};
+
+}  // namespace etalon

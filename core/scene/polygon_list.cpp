@@ -1,0 +1,57 @@
+#include "core/scene/polygon_list.h"
+
+#include <algorithm>
+
+namespace etalon {
+namespace {
+
+/// Polygons of fewer corners have no columns: kernels gain nothing by them.
+constexpr std::size_t least_corners_for_columns = 8;
+
+template <class T>
+std::uint32_t append(std::vector<T>& to, std::span<const T> items) {
+    const auto first = static_cast<std::uint32_t>(to.size());
+    to.insert(to.end(), items.begin(), items.end());
+    return first;
+}
+
+}  // namespace
+
+void PolygonList::push_back(const Polygon& polygon) {
+    Entry entry{
+        {}, append(corners_, polygon.corners), static_cast<std::uint32_t>(polygon.corners.size())};
+    if (!polygon.normals.empty()) entry.normals = append(normals_, polygon.normals);
+    if (entry.count >= least_corners_for_columns) {
+        entry.columns = static_cast<std::uint32_t>(columns_.size());
+        columns_.resize(columns_.size() + 3 * column_length(entry));
+    }
+    work_out(entry);
+    entries_.push_back(entry);
+}
+
+void PolygonList::work_out(Entry& entry) {
+    const std::span<const Vec3> corners = corners_of(entry);
+    entry.facts = PolygonFacts(corners);
+    if (entry.columns == none) return;
+    const std::size_t length = column_length(entry);
+    double* column = &columns_[entry.columns];
+    for (int axis = 0; axis < 3; ++axis, column += length) {
+        std::fill_n(column, length, corners.back()[axis]);
+        for (std::size_t i = 0; i < corners.size(); ++i) column[i + 1] = corners[i][axis];
+    }
+}
+
+void PolygonList::shrink_to_fit() {
+    entries_.shrink_to_fit();
+    corners_.shrink_to_fit();
+    normals_.shrink_to_fit();
+    columns_.shrink_to_fit();
+}
+
+std::size_t PolygonList::memory_bytes() const {
+    return entries_.capacity() * sizeof(Entry) +
+           (corners_.capacity() + normals_.capacity()) * sizeof(Vec3) +
+           columns_.capacity() * sizeof(double);
+}
+
+}  // namespace etalon

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/scene/polygon.h"
+#include "core/scene/value_iterator.h"
+
+namespace etalon {
+
+/// Many polygons with copies of their corners, which nothing else can reach: what is known of a
+/// polygon is worked out whenever they change, and so never stale.
+class PolygonList {
+  public:
+    using value_type = Polygon;
+
+    std::size_t size() const { return entries_.size(); }
+    bool empty() const { return entries_.empty(); }
+    void push_back(const Polygon& polygon);
+
+    StoredPolygon operator[](std::size_t i) const {
+        const Entry& e = entries_[i];
+        return {{corners_of(e), normals_of(e)}, e.facts, columns_of(e)};
+    }
+
+    ValueIterator<PolygonList> begin() const { return {*this, 0}; }
+    ValueIterator<PolygonList> end() const { return {*this, size()}; }
+
+    /// The corners of all polygons, one after the other.
+    std::span<const Vec3> corners() const { return corners_; }
+    bool have_normals() const { return !normals_.empty(); }
+
+    /// Calls change(corner) for every corner, which may move it.
+    template <class Change>
+    void change_corners(const Change& change) {
+        for (Vec3& corner : corners_) change(corner);
+        for (Entry& e : entries_) work_out(e);
+    }
+
+    void shrink_to_fit();
+    std::size_t memory_bytes() const;
+
+  private:
+    static constexpr std::uint32_t none = 0xFFFFFFFFU;
+
+    struct Entry {
+        PolygonFacts facts;
+        std::uint32_t first, count;    ///< among all corners
+        std::uint32_t normals = none;  ///< number of the first
+        std::uint32_t columns = none;  ///< number of the first one's first coordinate
+    };
+
+    std::span<const Vec3> corners_of(const Entry& e) const {
+        return {corners_.data() + e.first, e.count};
+    }
+    std::span<const Vec3> normals_of(const Entry& e) const {
+        if (e.normals == none) return {};
+        return {normals_.data() + e.normals, e.count};
+    }
+    static std::size_t column_length(const Entry& e) {
+        constexpr std::size_t lanes = CornerColumns::lanes;
+        return (e.count + lanes) / lanes * lanes;
+    }
+    CornerColumns columns_of(const Entry& e) const {
+        if (e.columns == none) return {};
+        return {columns_.data() + e.columns, column_length(e)};
+    }
+
+    /// Works out what follows from the corners.
+    void work_out(Entry& entry);
+
+    std::vector<Entry> entries_;
+    std::vector<Vec3> corners_, normals_;
+    std::vector<double> columns_;
+};
+
+}  // namespace etalon
