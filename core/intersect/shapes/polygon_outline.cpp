@@ -23,11 +23,12 @@ struct SureSides {
     std::array<std::uint64_t, words> above, below;
 };
 
-/// The sheared y of a corner, y_scale Y - z_scale Z + constant, whose sign is sure beyond `doubt`.
+/// The sheared y of a corner, y_scale Y - z_scale Z + constant, whose sign is sure beyond
+/// `error_bound`.
 struct SideFilter {
     SideFilter(const Box3& box, const RayQuery& q);
 
-    double y_scale, z_scale, constant, doubt;
+    double y_scale, z_scale, constant, error_bound;
 };
 
 }  // namespace etalon
@@ -44,7 +45,7 @@ SureSides sure_sides(const double* ys, const double* zs, std::size_t count, cons
     const Tag tag;
     const auto y_scale = hn::Set(tag, f.y_scale), z_scale = hn::Set(tag, f.z_scale);
     const auto constant = hn::Set(tag, f.constant);
-    const auto doubt = hn::Set(tag, f.doubt), minus_doubt = hn::Set(tag, -f.doubt);
+    const auto bound = hn::Set(tag, f.error_bound), minus_bound = hn::Set(tag, -f.error_bound);
     const auto bits = [](auto mask) HWY_ATTR {
         std::uint8_t byte = 0;
         hn::StoreMaskBits(Tag(), mask, &byte);
@@ -54,8 +55,8 @@ SureSides sure_sides(const double* ys, const double* zs, std::size_t count, cons
     for (std::size_t i = 0; i < count; i += hn::Lanes(tag)) {
         const auto depth = hn::NegMulAdd(z_scale, hn::LoadU(tag, zs + i), constant);
         const auto y = hn::MulAdd(y_scale, hn::LoadU(tag, ys + i), depth);
-        sides.above[i / word_bits] |= bits(hn::Gt(y, doubt)) << i % word_bits;
-        sides.below[i / word_bits] |= bits(hn::Lt(y, minus_doubt)) << i % word_bits;
+        sides.above[i / word_bits] |= bits(hn::Gt(y, bound)) << i % word_bits;
+        sides.below[i / word_bits] |= bits(hn::Lt(y, minus_bound)) << i % word_bits;
     }
     return sides;
 }
@@ -82,7 +83,7 @@ SideFilter::SideFilter(const Box3& box, const RayQuery& q) {
     constant = q.dy * o[q.kz] - q.dz * o[q.ky];
     const double terms = std::abs(q.dz) * (reach[q.ky] + std::abs(o[q.ky])) +
                          std::abs(q.dy) * (reach[q.kz] + std::abs(o[q.kz]));
-    doubt = 10 * unit_roundoff * terms + 0x1p-1000;
+    error_bound = 10 * unit_roundoff * terms + 0x1p-1000;
 }
 
 namespace {
@@ -149,13 +150,13 @@ bool covers_by_columns(const StoredPolygon& p, const RayQuery& q) {
         }
         if (left < word_bits) edges &= (1ULL << left) - 1;
         std::uint64_t above = sides.above[word];
-        const std::uint64_t in_doubt = ~(above | sides.below[word]) & (edges | (first == 0));
-        for_each_bit(in_doubt, [&](std::size_t i) {
+        const std::uint64_t undecided = ~(above | sides.below[word]) & (edges | (first == 0));
+        for_each_bit(undecided, [&](std::size_t i) {
             if (walk.is_above(first + i)) above |= 1ULL << i;
         });
         const std::uint64_t crossing = (above ^ (above << 1 | previous)) & edges;
         for_each_bit(crossing, [&](std::size_t i) { walk.cross(first + i); });
-        for_each_bit(in_doubt & edges & ~crossing, [&](std::size_t i) { walk.touch(first + i); });
+        for_each_bit(undecided & edges & ~crossing, [&](std::size_t i) { walk.touch(first + i); });
         previous = above >> (word_bits - 1);
         edges = ~0ULL;
     }
