@@ -32,8 +32,9 @@ Color transmittance(const Color& absorption, double distance) {
     return {along(absorption.x), along(absorption.y), along(absorption.z)};
 }
 
-/// A surface that faces a light: its number, the direction to the light, and the cosine there.
-struct Unshadowed {
+/// Surface that faces a light, whether or not anything is in between: its number, the direction to
+/// the light, and the cosine there.
+struct FacingSurface {
     std::size_t surface;
     Vec3 towards;
     double cosine;
@@ -145,7 +146,7 @@ void Whitted::add_light(std::size_t light, int k, const RaysView& batch,
                         std::span<const Vertex* const> lit, std::span<Color> reflected,
                         RayCounts& counts) const {
     std::vector<Ray> rays;
-    std::vector<Unshadowed> facing;
+    std::vector<FacingSurface> facing;
     for (std::size_t j = 0; j < lit.size(); ++j) {
         const auto& [ray, at] = *lit[j];
         const Path& path = batch.paths[ray];
