@@ -11,10 +11,11 @@
 
 namespace etalon {
 
-/// One sample of a pixel: its ray, and where the choices on the ray's way come from.
-struct CameraSample {
-    Ray ray;
-    SampleSource source;
+/// Samples of pixels, side by side: of each its ray, and where the choices on the ray's way come
+/// from.
+struct CameraSamples {
+    std::span<const Ray> rays;
+    std::span<const SampleSource> sources;
 };
 
 /// Computes what camera rays see. Thread-safe.
@@ -32,7 +33,7 @@ class Integrator {
     /// Sets `colors`, one for each sample, to be averaged with the others of the pixel. Adds the
     /// rays that it takes, the camera rays included, to `counts`. A colour does not depend on the
     /// other samples.
-    virtual void radiance(std::span<const CameraSample> samples, std::span<Color> colors,
+    virtual void radiance(const CameraSamples& samples, std::span<Color> colors,
                           RayCounts& counts) const = 0;
 
     /// Why parts of the scene were replaced after rendering began: a face of a skybox whose file

@@ -18,16 +18,42 @@ class CameraSampler {
     /// Returns the points with rays of their own: a window's pixels, or the corners about them.
     Imath::Box2i sampled(Imath::Box2i window) const;
 
-    /// Appends the samples [first, last) of the pixel, or corner, (x, y).
-    void append(int x, int y, std::uint32_t first, std::uint32_t last,
-                std::vector<CameraSample>& samples) const;
-
   private:
+    friend class CameraBatch;
+
     CameraRays camera_;
     std::uint32_t seed_;
     Sampler sampler_;
     bool has_samples_, shares_corners_;
     Vec2 in_pixel_;  ///< place of the one ray of an image without samples
+};
+
+/// Samples whose rays are made together. For one thread.
+class CameraBatch {
+  public:
+    /// The sampler must outlive the batch.
+    explicit CameraBatch(const CameraSampler& sampler) : sampler_(sampler) {}
+
+    /// Adds the samples [first, last) of the pixel, or corner, (x, y).
+    void add(int x, int y, std::uint32_t first, std::uint32_t last);
+
+    std::size_t size() const { return pixels_.size(); }
+
+    /// The pixel of each sample, in the order in which they were added.
+    const std::vector<Imath::V2i>& pixels() const { return pixels_; }
+
+    /// Makes the rays. What is returned is valid until the next call of a member.
+    CameraSamples make();
+
+    void clear();
+
+  private:
+    const CameraSampler& sampler_;
+    std::vector<Imath::V2i> pixels_;
+    std::vector<SampleSource> sources_;
+    PointBatch in_pixel_, on_lens_;
+    std::vector<Vec2> places_;
+    std::vector<Ray> rays_;
 };
 
 }  // namespace etalon

@@ -59,9 +59,9 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
         means.normal.add(x, y, Color(at.ns));
     };
     const bool complete = visit_pixels(window, stop, [&](int x, int y, std::size_t) {
-        std::vector<CameraSample> of_pixel;
-        rays.append(x, y, 0, samples, of_pixel);
-        for (const CameraSample& sample : of_pixel) add(x, y, sample.ray);
+        CameraBatch of_pixel(rays);
+        of_pixel.add(x, y, 0, samples);
+        for (const Ray& ray : of_pixel.make().rays) add(x, y, ray);
     });
     if (!complete) return std::nullopt;
     if (rays.shares_corners()) means = {means.albedo.cells(), means.normal.cells()};

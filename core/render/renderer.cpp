@@ -76,7 +76,7 @@ class Renderer {
     void render_pass(const SamplingGoal& goal, const SamplingPasses& passes) {
         const auto stop = [&] { return stopped(); };
         for_each_tile(tiles_, stop, [&](std::size_t i, const Imath::Box2i& tile) {
-            SampleBatch batch(film_, integrator_, counts_[i]);
+            SampleBatch batch(rays_, integrator_, film_, counts_[i]);
             for_each_pixel(tile, stop, [&](int x, int y) { add_pixel(x, y, goal, batch); });
             batch.finish();
             const std::uint64_t total = samples_done_.fetch_add(batch.done()) + batch.done();
@@ -90,7 +90,7 @@ class Renderer {
         std::uint32_t next = film_.counts()[pixel];
         for (const std::uint32_t last = goal.of(pixel); next < last;) {
             const std::uint32_t end = std::min(last, next + batch.room());
-            batch.add(rays_, x, y, next, end);
+            batch.add(x, y, next, end);
             next = end;
         }
     }

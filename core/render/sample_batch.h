@@ -12,15 +12,15 @@ namespace etalon {
 /// integrator does best to get at a time. For one thread.
 class SampleBatch {
   public:
-    /// `film`, `integrator` and `counts` must outlive the batch. No other thread may add samples to
-    /// the same pixels.
-    SampleBatch(Film& film, const Integrator& integrator, RayCounts& counts);
+    /// All four must outlive the batch. No other thread may add samples to the same pixels.
+    SampleBatch(const CameraSampler& camera, const Integrator& integrator, Film& film,
+                RayCounts& counts);
 
     /// How many samples can be added at least; never 0.
     std::uint32_t room() const;
 
     /// Adds the samples [first, last) of the pixel (x, y), at most room() of them.
-    void add(const CameraSampler& rays, int x, int y, std::uint32_t first, std::uint32_t last);
+    void add(int x, int y, std::uint32_t first, std::uint32_t last);
 
     /// Renders the samples that still wait, and gives them to the film.
     void finish();
@@ -29,11 +29,10 @@ class SampleBatch {
     std::uint64_t done() const { return done_; }
 
   private:
-    Film& film_;
+    CameraBatch samples_;
     const Integrator& integrator_;
+    Film& film_;
     RayCounts& counts_;
-    std::vector<CameraSample> samples_;
-    std::vector<Imath::V2i> pixels_;  ///< the pixel of each sample
     std::vector<Color> colors_;
     std::uint64_t done_ = 0;
 };

@@ -17,9 +17,35 @@ class PointSet {
     }
 
   private:
+    friend class PointBatch;
+
     ScrambledSobol sobol_;
     std::uint32_t seed_;
     bool is_sobol_;
+};
+
+/// Points of many point sets of one sampler, made together.
+class PointBatch {
+  public:
+    void add(const PointSet& set, std::uint32_t index) {
+        if (set.is_sobol_) {
+            sobol_.add(set.sobol_, index);
+        } else {
+            points_.push_back(set(index));
+        }
+    }
+
+    /// Makes the points; in the order in which they were added. They are valid until clear().
+    std::span<const Vec2> make() {
+        sobol_.move_to(points_);
+        return points_;
+    }
+
+    void clear() { points_.clear(); }
+
+  private:
+    SobolBatch sobol_;
+    std::vector<Vec2> points_;
 };
 
 /// All samples of the pixel (x, y).

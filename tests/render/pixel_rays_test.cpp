@@ -25,10 +25,11 @@ Color seen_through(const TestScene& scene, const Vec2& pixel) {
     std::vector<std::string> problems;
     RayCounts counts;
     const CameraRays camera(scene.camera, scene.settings.resolution);
-    const CameraSample sample{camera.ray(pixel, Vec2(0.5)), {{0, 0, 0}, 0}};
+    const Ray ray = camera.ray(pixel, Vec2(0.5));
+    const SampleSource sample({0, 0, 0}, 0);
     Color color;
     Whitted(scene, *intersector, scene.settings, problems)
-        .radiance(std::span(&sample, 1), std::span(&color, 1), counts);
+        .radiance({{&ray, 1}, {&sample, 1}}, {&color, 1}, counts);
     return color;
 }
 

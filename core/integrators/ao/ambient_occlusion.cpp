@@ -22,21 +22,19 @@ AmbientOcclusion::AmbientOcclusion(const Scene& scene, const BatchIntersector& i
       max_distance_(settings.max_distance),
       rays_(settings.samples_per_pixel > 0 ? 1 : rays_without_samples) {}
 
-void AmbientOcclusion::radiance(std::span<const CameraSample> samples, std::span<Color> colors,
+void AmbientOcclusion::radiance(const CameraSamples& samples, std::span<Color> colors,
                                 RayCounts& counts) const {
-    std::vector<Ray> rays;
-    for (const CameraSample& sample : samples) rays.push_back(sample.ray);
-    std::vector<Hit> hits(samples.size());
-    intersector_.closest(rays, hits);
-    counts.camera += samples.size();
+    std::vector<Hit> hits(samples.rays.size());
+    intersector_.closest(samples.rays, hits);
+    counts.camera += hits.size();
 
-    rays.clear();
+    std::vector<Ray> rays;
     std::vector<std::size_t> open;  // the camera rays that hit
-    for (std::size_t i = 0; i < samples.size(); ++i) {
+    for (std::size_t i = 0; i < hits.size(); ++i) {
         colors[i] = Color(0.0F);
         if (hits[i].primitive == no_index) continue;
         open.push_back(i);
-        append_occlusion_rays(samples[i], hits[i], rays);
+        append_occlusion_rays(samples.rays[i], samples.sources[i], hits[i], rays);
     }
     std::vector<std::uint8_t> blocked(rays.size());
     intersector_.occluded(rays, blocked);
@@ -53,14 +51,14 @@ void AmbientOcclusion::radiance(std::span<const CameraSample> samples, std::span
 }
 
 /// Appends rays from the point that a camera ray has hit to its hemisphere.
-void AmbientOcclusion::append_occlusion_rays(const CameraSample& sample, const Hit& hit,
-                                             std::vector<Ray>& rays) const {
-    const SurfaceInteraction at = surface_interaction(scene_, sample.ray, hit);
+void AmbientOcclusion::append_occlusion_rays(const Ray& ray, const SampleSource& sample,
+                                             const Hit& hit, std::vector<Ray>& to) const {
+    const SurfaceInteraction at = surface_interaction(scene_, ray, hit);
     const std::uint32_t dimension = occlusion_dimension(camera_ray_name);
     for (std::uint32_t k = 0; k < rays_; ++k) {
-        const Vec2 uv = sample.source.stratified(dimension, k, rays_);
-        rays.push_back(spawn_ray(at.surface, cosine_direction(at.ng, uv)));
-        rays.back().tmax = max_distance_;
+        const Vec2 uv = sample.stratified(dimension, k, rays_);
+        to.push_back(spawn_ray(at.surface, cosine_direction(at.ng, uv)));
+        to.back().tmax = max_distance_;
     }
 }
 

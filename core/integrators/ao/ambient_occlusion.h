@@ -20,12 +20,12 @@ class AmbientOcclusion final : public Integrator {
     AmbientOcclusion(const Scene& scene, const BatchIntersector& intersector,
                      const RenderSettings& settings, std::vector<std::string>& problems);
 
-    void radiance(std::span<const CameraSample> samples, std::span<Color> colors,
+    void radiance(const CameraSamples& samples, std::span<Color> colors,
                   RayCounts& counts) const override;
 
   private:
-    void append_occlusion_rays(const CameraSample& sample, const Hit& hit,
-                               std::vector<Ray>& rays) const;
+    void append_occlusion_rays(const Ray& ray, const SampleSource& sample, const Hit& hit,
+                               std::vector<Ray>& to) const;
 
     const Scene& scene_;
     const BatchIntersector& intersector_;

@@ -72,17 +72,15 @@ Whitted::Whitted(const Scene& scene, const BatchIntersector& intersector,
         lights_.emplace_back(light, settings.samples_per_pixel);
 }
 
-void Whitted::radiance(std::span<const CameraSample> samples, std::span<Color> colors,
+void Whitted::radiance(const CameraSamples& samples, std::span<Color> colors,
                        RayCounts& counts) const {
-    Rays batch;
-    batch.rays.reserve(samples.size());
-    batch.paths.reserve(samples.size());
-    for (const CameraSample& sample : samples) {
-        batch.rays.push_back(sample.ray);
-        batch.paths.push_back({&sample.source, camera_ray_name, Color(0.0F)});
+    std::vector<Path> paths;
+    paths.reserve(samples.sources.size());
+    for (const SampleSource& source : samples.sources) {
+        paths.push_back({&source, camera_ray_name, Color(0.0F)});
     }
-    counts.camera += samples.size();
-    trace({batch.rays, batch.paths}, 1, colors, counts);
+    counts.camera += paths.size();
+    trace({samples.rays, paths}, 1, colors, counts);
     if (!rules_.normalize_camera_rays) return;
     for (Color& color : colors) color = fitted(color);
 }

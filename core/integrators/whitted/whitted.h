@@ -19,7 +19,7 @@ class Whitted final : public Integrator {
     Whitted(const Scene& scene, const BatchIntersector& intersector, const RenderSettings& settings,
             std::vector<std::string>& problems);
 
-    void radiance(std::span<const CameraSample> samples, std::span<Color> colors,
+    void radiance(const CameraSamples& samples, std::span<Color> colors,
                   RayCounts& counts) const override;
 
     std::vector<std::string> late_problems() const override { return environment_.late_problems(); }

@@ -1,0 +1,84 @@
+// Vectors of doubles, as many as an instruction takes, to be written like one. Sums are in the order
+// in which Vec3 has them, so that each lane has the bits of the same formula for a Vec3. Compiled
+// for each instruction set.
+#if defined(ETALON_VEC_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ETALON_VEC_LANES_INL_H
+#undef ETALON_VEC_LANES_INL_H
+#else
+#define ETALON_VEC_LANES_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "core/numerics/vec.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The largest number of lanes; arrays are padded to a multiple of it.
+inline constexpr std::size_t most_doubles = 4;
+
+using DoubleTag = hn::CappedTag<double, most_doubles>;
+using Doubles = hn::Vec<DoubleTag>;
+using DoubleMask = hn::Mask<DoubleTag>;
+
+HWY_INLINE Doubles broadcast(double x) {
+    return hn::Set(DoubleTag(), x);
+}
+
+struct Vec2Lanes {
+    Doubles x, y;
+};
+
+struct Vec3Lanes {
+    Doubles x, y, z;
+
+    HWY_INLINE Doubles dot(const Vec3Lanes& v) const { return x * v.x + y * v.y + z * v.z; }
+
+    friend HWY_INLINE Vec3Lanes operator+(const Vec3Lanes& a, const Vec3Lanes& b) {
+        return {a.x + b.x, a.y + b.y, a.z + b.z};
+    }
+    friend HWY_INLINE Vec3Lanes operator-(const Vec3Lanes& a, const Vec3Lanes& b) {
+        return {a.x - b.x, a.y - b.y, a.z - b.z};
+    }
+    friend HWY_INLINE Vec3Lanes operator*(Doubles s, const Vec3Lanes& v) {
+        return {s * v.x, s * v.y, s * v.z};
+    }
+    friend HWY_INLINE Vec3Lanes operator/(const Vec3Lanes& v, Doubles s) {
+        return {v.x / s, v.y / s, v.z / s};
+    }
+};
+
+HWY_INLINE Vec3Lanes broadcast(const Vec3& v) {
+    return {broadcast(v.x), broadcast(v.y), broadcast(v.z)};
+}
+
+/// The vectors that begin at `from`.
+HWY_INLINE Vec2Lanes load(const Vec2* from) {
+    Vec2Lanes v;
+    hn::LoadInterleaved2(DoubleTag(), &from->x, v.x, v.y);
+    return v;
+}
+HWY_INLINE Vec3Lanes load(const Vec3* from) {
+    Vec3Lanes v;
+    hn::LoadInterleaved3(DoubleTag(), &from->x, v.x, v.y, v.z);
+    return v;
+}
+HWY_INLINE void store(const Vec3Lanes& v, Vec3* to) {
+    hn::StoreInterleaved3(v.x, v.y, v.z, DoubleTag(), &to->x);
+}
+
+HWY_INLINE Vec3Lanes abs(const Vec3Lanes& v) {
+    return {hn::Abs(v.x), hn::Abs(v.y), hn::Abs(v.z)};
+}
+
+HWY_INLINE Vec3Lanes normalized(const Vec3Lanes& v) {
+    return v / hn::Sqrt(v.dot(v));
+}
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
