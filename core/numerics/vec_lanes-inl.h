@@ -78,6 +78,24 @@ HWY_INLINE Vec3Lanes normalized(const Vec3Lanes& v) {
     return v / hn::Sqrt(v.dot(v));
 }
 
+/// next_towards() of core/numerics/rounding.h; x itself where `direction` is zero.
+HWY_INLINE Doubles next_towards(Doubles x, Doubles direction) {
+    using Bits = hn::RebindToSigned<DoubleTag>;
+    const Doubles zero = hn::Zero(DoubleTag());
+    const auto bits = hn::BitCast(Bits(), x), turn = hn::BitCast(Bits(), hn::Xor(x, direction));
+    const auto step = hn::Or(hn::BroadcastSignBit(turn), hn::Set(Bits(), 1));
+    const Doubles least = broadcast(std::numeric_limits<double>::denorm_min());
+    const Doubles next = hn::IfThenElse(x == zero, hn::CopySign(least, direction),
+                                        hn::BitCast(DoubleTag(), hn::Add(bits, step)));
+    const DoubleMask moves = hn::And(hn::Abs(x) < broadcast(infinity), direction != zero);
+    return hn::IfThenElse(moves, next, x);
+}
+
+HWY_INLINE Vec3Lanes next_towards(const Vec3Lanes& v, const Vec3Lanes& direction) {
+    return {next_towards(v.x, direction.x), next_towards(v.y, direction.y),
+            next_towards(v.z, direction.z)};
+}
+
 }  // namespace etalon::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

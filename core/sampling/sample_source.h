@@ -76,6 +76,12 @@ class SampleSource {
         return pixel_.points(dimension)(index_ * parts + k);
     }
 
+    /// Adds that point to those that will be made together.
+    void add_stratified(std::uint32_t dimension, std::uint32_t k, std::uint32_t parts,
+                        PointBatch& to) const {
+        to.add(pixel_.points(dimension), index_ * parts + k);
+    }
+
   private:
     PixelSamples pixel_;
     std::uint32_t index_;

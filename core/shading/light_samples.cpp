@@ -24,21 +24,20 @@ LightSamples::LightSamples(const Light& light, int samples_per_pixel) : light_(l
         count_ = quad.samples;
         columns_ = grid_columns(count_);
     } else {
+        is_random_ = true;
         count_ = (quad.samples + samples_per_pixel - 1) / samples_per_pixel;
     }
     color_ = quad.color / static_cast<float>(count_);
 }
 
-Vec3 LightSamples::position(int k, const SampleSource& sample, std::uint32_t dimension) const {
+Vec3 LightSamples::position(int k) const {
     if (const auto* point = std::get_if<PointLight>(&light_)) return point->position;
+    return position(
+        Vec2((k % columns_ + 0.5) / columns_, (k / columns_ + 0.5) / (count_ / columns_)));
+}
+
+Vec3 LightSamples::position(const Vec2& uv) const {
     const auto& quad = std::get<QuadLight>(light_);
-    Vec2 uv;
-    if (columns_ > 0) {
-        uv = Vec2((k % columns_ + 0.5) / columns_, (k / columns_ + 0.5) / (count_ / columns_));
-    } else {
-        uv = sample.stratified(dimension, static_cast<std::uint32_t>(k),
-                               static_cast<std::uint32_t>(count_));
-    }
     return quad.corner + uv.x * quad.edge1 + uv.y * quad.edge2;
 }
 

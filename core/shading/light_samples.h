@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstdint>
-
-#include "core/sampling/sample_source.h"
+#include "core/numerics/vec.h"
 #include "core/scene/light.h"
 
 namespace etalon {
@@ -17,13 +15,20 @@ class LightSamples {
     int count() const { return count_; }
     const Color& color() const { return color_; }
 
-    /// Position of point `k` < count(); `dimension` names the choice within the sample.
-    Vec3 position(int k, const SampleSource& sample, std::uint32_t dimension) const;
+    /// Whether the points are taken from the pixel's samples.
+    bool is_random() const { return is_random_; }
+
+    /// Position of point `k` < count(), unless random.
+    Vec3 position(int k) const;
+
+    /// Position of the point for uv in [0, 1)^2, if random.
+    Vec3 position(const Vec2& uv) const;
 
   private:
     const Light& light_;
     int count_ = 1;
-    int columns_ = 0;  ///< columns of the regular grid; 0: points are taken from the sample
+    bool is_random_ = false;
+    int columns_ = 1;  ///< columns of the regular grid
     Color color_;
 };
 

@@ -76,7 +76,11 @@ class RaySetMaker {
         if (scene_.look.lights.empty()) return set;
         for_each_hit([&](const SurfacePoint& p, const Vec3&, const SampleSource& sample) {
             const Light& light = scene_.look.lights[set.rays.size() % scene_.look.lights.size()];
-            const Vec3 target = LightSamples(light, 1).position(0, sample, shadow_dimension);
+            const LightSamples points(light, 1);
+            const Vec3 target =
+                points.is_random()
+                    ? points.position(sample.stratified(shadow_dimension, 0, points.count()))
+                    : points.position(0);
             set.rays.push_back(spawn_ray_to(p, target));
             set.rays.back().coherent = true;
         });

@@ -9,10 +9,6 @@
 namespace etalon {
 namespace {
 
-/// A light's own place is not part of the way to it: what lies within this part of the distance
-/// casts no shadow, so that a light may lie on a surface. Well above the roundings of a double.
-constexpr double shadow_end = 1 - 0x1p-32;
-
 bool is_black(const Color& c) {
     return c == Color(0.0F);
 }
@@ -31,14 +27,6 @@ Color transmittance(const Color& absorption, double distance) {
     const auto along = [&](float a) { return static_cast<float>(std::exp(-a * distance)); };
     return {along(absorption.x), along(absorption.y), along(absorption.z)};
 }
-
-/// Surface that faces a light, whether or not anything is in between: its number, the direction to
-/// the light, and the cosine there.
-struct FacingSurface {
-    std::size_t surface;
-    Vec3 towards;
-    double cosine;
-};
 
 /// Factor of the highlight for unit vectors; `normal` is on the light's side.
 double highlight_of(const Material& m, const Vec3& direction, const Vec3& normal,
@@ -123,62 +111,58 @@ std::vector<Whitted::Vertex> Whitted::find_vertices(const RaysView& batch, std::
 /// Adds what the lights send along each ray, by surfaces that scatter or shine.
 void Whitted::add_direct(const RaysView& batch, std::span<const Vertex> vertices,
                          std::span<Color> colors, RayCounts& counts) const {
-    std::vector<const Vertex*> lit;
+    Lit lit{{}, LitSurfaces(vertices.size())};
     for (const Vertex& v : vertices) {
         const Material& m = *v.at.material;
-        if (!is_black(m.diffuse) || !is_black(m.specular)) lit.push_back(&v);
+        if (is_black(m.diffuse) && is_black(m.specular)) continue;
+        lit.vertices.push_back(&v);
+        lit.surfaces.add(v.at);
     }
-    std::vector<Color> sums(lit.size(), Color(0.0F)), reflected(lit.size());
+    const std::size_t count = lit.vertices.size();
+    std::vector<Color> sums(count, Color(0.0F)), reflected(count);
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         std::ranges::fill(reflected, Color(0.0F));
         for (int k = 0; k < lights_[i].count(); ++k) {
             add_light(i, k, batch, lit, reflected, counts);
         }
-        for (std::size_t j = 0; j < lit.size(); ++j) sums[j] += reflected[j] * lights_[i].color();
+        for (std::size_t j = 0; j < count; ++j) sums[j] += reflected[j] * lights_[i].color();
     }
-    for (std::size_t j = 0; j < lit.size(); ++j) colors[lit[j]->ray] += sums[j];
+    for (std::size_t j = 0; j < count; ++j) colors[lit.vertices[j]->ray] += sums[j];
+}
+
+/// Returns the light's point k for each surface.
+std::vector<Vec3> Whitted::light_points(std::size_t light, int k, const RaysView& batch,
+                                        const Lit& lit) const {
+    const LightSamples& samples = lights_[light];
+    if (!samples.is_random()) return std::vector(lit.vertices.size(), samples.position(k));
+    PointBatch points;
+    for (const Vertex* v : lit.vertices) {
+        const Path& path = batch.paths[v->ray];
+        path.sample->add_stratified(light_dimension(path.name, light), k, samples.count(), points);
+    }
+    std::vector<Vec3> positions;
+    positions.reserve(lit.vertices.size());
+    for (const Vec2& uv : points.make()) positions.push_back(samples.position(uv));
+    return positions;
 }
 
 /// Adds the part of the light's point k, taken as white, that each surface sends back.
-void Whitted::add_light(std::size_t light, int k, const RaysView& batch,
-                        std::span<const Vertex* const> lit, std::span<Color> reflected,
-                        RayCounts& counts) const {
-    std::vector<Ray> rays;
-    std::vector<FacingSurface> facing;
-    for (std::size_t j = 0; j < lit.size(); ++j) {
-        const auto& [ray, at] = *lit[j];
-        const Path& path = batch.paths[ray];
-        const Vec3 position =
-            lights_[light].position(k, *path.sample, light_dimension(path.name, light));
-        const Vec3 towards = normalized(position - at.surface.position);
-        const double cosine = at.ns.dot(towards);
-        if (!(cosine > 0) || !(at.ng.dot(towards) > 0)) continue;
-        rays.push_back(shadow_ray(position, towards, at));
-        rays.back().coherent = batch.rays[ray].coherent;
-        facing.push_back({j, towards, cosine});
+void Whitted::add_light(std::size_t light, int k, const RaysView& batch, const Lit& lit,
+                        std::span<Color> reflected, RayCounts& counts) const {
+    ShadowRays shadow(lit.surfaces, light_points(light, k, batch, lit), rules_.fixed_bias);
+    for (std::size_t i = 0; i < shadow.rays.size(); ++i) {
+        shadow.rays[i].coherent = batch.rays[lit.vertices[shadow.facing[i].surface]->ray].coherent;
     }
-    std::vector<std::uint8_t> blocked(rays.size());
-    intersector_.occluded(rays, blocked);
-    counts.shadow += rays.size();
-    for (std::size_t i = 0; i < rays.size(); ++i) {
+    std::vector<std::uint8_t> blocked(shadow.rays.size());
+    intersector_.occluded(shadow.rays, blocked);
+    counts.shadow += shadow.rays.size();
+    for (std::size_t i = 0; i < shadow.rays.size(); ++i) {
         counts.shadow_blocked += blocked[i];
         if (blocked[i] != 0) continue;
-        const auto& [j, towards, cosine] = facing[i];
-        reflected[j] += scattered(lit[j]->at, batch.rays[lit[j]->ray].direction, towards, cosine);
+        const auto& [j, towards, cosine] = shadow.facing[i];
+        const auto& [ray, at] = *lit.vertices[j];
+        reflected[j] += scattered(at, batch.rays[ray].direction, towards, cosine);
     }
-}
-
-Ray Whitted::shadow_ray(const Vec3& light, const Vec3& towards,
-                        const SurfaceInteraction& at) const {
-    Ray shadow;
-    if (rules_.fixed_bias == 0) {
-        shadow = spawn_ray_to(at.surface, light);
-    } else {
-        shadow = leaving_ray(at, towards, false);
-        shadow.direction = light - shadow.origin;
-    }
-    shadow.tmax = shadow_end;
-    return shadow;
 }
 
 /// Adds what mirrors and glass let come back.

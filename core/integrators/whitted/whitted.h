@@ -9,6 +9,7 @@
 #include "core/scene/render_settings.h"
 #include "core/shading/environment_map.h"
 #include "core/shading/light_samples.h"
+#include "core/shading/shadow_rays.h"
 #include "core/shading/surface_interaction.h"
 
 namespace etalon {
@@ -51,6 +52,12 @@ class Whitted final : public Integrator {
         SurfaceInteraction at;
     };
 
+    /// The vertices of a batch that scatter or shine, and the same as lights see them.
+    struct Lit {
+        std::vector<const Vertex*> vertices;
+        LitSurfaces surfaces;
+    };
+
     /// The rays that leave the vertices of a batch for mirrors and glass: each one's vertex, and
     /// the weight of its colour there.
     struct SecondaryRays : Rays {
@@ -63,10 +70,10 @@ class Whitted final : public Integrator {
                                       std::span<Color> colors) const;
     void add_direct(const RaysView& batch, std::span<const Vertex> vertices,
                     std::span<Color> colors, RayCounts& counts) const;
-    void add_light(std::size_t light, int k, const RaysView& batch,
-                   std::span<const Vertex* const> lit, std::span<Color> reflected,
-                   RayCounts& counts) const;
-    Ray shadow_ray(const Vec3& light, const Vec3& towards, const SurfaceInteraction& at) const;
+    std::vector<Vec3> light_points(std::size_t light, int k, const RaysView& batch,
+                                   const Lit& lit) const;
+    void add_light(std::size_t light, int k, const RaysView& batch, const Lit& lit,
+                   std::span<Color> reflected, RayCounts& counts) const;
     void add_secondary(const RaysView& batch, int depth, std::span<const Vertex> vertices,
                        std::span<Color> colors, RayCounts& counts) const;
     void leave(const RaysView& batch, std::size_t vertex, const Vertex& v, SecondaryRays& to,

@@ -1,0 +1,137 @@
+#include "core/shading/shadow_rays.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/numerics/instruction_sets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/shading/shadow_rays.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "core/numerics/vec_lanes-inl.h"
+
+#ifndef ETALON_SHADOW_RAYS_ONCE
+#define ETALON_SHADOW_RAYS_ONCE
+namespace etalon {
+
+/// Some surfaces and what becomes of each: so many that they stay in the fastest cache.
+struct AimedChunk {
+    static constexpr std::size_t most = 64;
+
+    const Vec3 *positions, *errors, *normals, *shading_normals;
+    std::array<Vec3, most> lights;
+    std::size_t count;
+
+    std::array<Vec3, most> towards;  ///< unit vector to the light
+    std::array<double, most> cosine, facing;  ///< products of it with the two normals
+    std::array<Vec3, most> origins, directions;  ///< of the ray
+    std::array<double, most> leaving;  ///< normal . (light - position), its sign that of the side left to
+    std::array<double, most> moving;   ///< that side's normal . direction
+};
+
+}  // namespace etalon
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+void aim(AimedChunk& c, double fixed_bias) {
+    const DoubleTag tag;
+    const Doubles zero = broadcast(0.0), one = broadcast(1.0), bias = broadcast(fixed_bias);
+    for (std::size_t i = 0; i < c.count; i += hn::Lanes(tag)) {
+        const Vec3Lanes position = load(c.positions + i), normal = load(c.normals + i);
+        const Vec3Lanes light = load(&c.lights[i]), to_light = light - position;
+        const Vec3Lanes towards = normalized(to_light);
+        const Doubles facing = normal.dot(towards), leaving = normal.dot(to_light);
+        store(towards, &c.towards[i]);
+        hn::StoreU(load(c.shading_normals + i).dot(towards), tag, &c.cosine[i]);
+        hn::StoreU(facing, tag, &c.facing[i]);
+
+        const Doubles side = hn::IfThenElse(leaving < zero, hn::Neg(one), one);
+        Vec3Lanes origin;
+        if (fixed_bias == 0) {
+            const Doubles distance = abs(normal).dot(load(c.errors + i));
+            const Vec3Lanes offset = (side * distance) * normal;
+            origin = next_towards(position + offset, offset);
+        } else {
+            const Doubles front = hn::IfThenElse(facing < zero, hn::Neg(bias), bias);
+            origin = position + front * normal;
+        }
+        const Vec3Lanes direction = light - origin;
+        store(origin, &c.origins[i]);
+        store(direction, &c.directions[i]);
+        hn::StoreU(leaving, tag, &c.leaving[i]);
+        hn::StoreU(side * normal.dot(direction), tag, &c.moving[i]);
+    }
+}
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace etalon {
+
+HWY_EXPORT(aim);
+
+namespace {
+
+/// Whether a ray that leaves a surface cannot meet it again.
+bool leaves_for_good(Convexity convexity, double leaving, double moving) {
+    const bool outward = leaving > 0;
+    return (convexity == Convexity::flat || (convexity == Convexity::convex && outward)) &&
+           moving > 0;
+}
+
+}  // namespace
+
+LitSurfaces::LitSurfaces(std::size_t most) {
+    constexpr std::size_t lanes = 4;
+    for (auto* column : {&positions_, &errors_, &normals_, &shading_normals_}) {
+        column->resize((most + lanes - 1) / lanes * lanes);
+    }
+    traits_.reserve(most);
+}
+
+void LitSurfaces::add(const SurfaceInteraction& at) {
+    const SurfacePoint& p = at.surface;
+    const std::size_t i = size();
+    positions_[i] = p.position;
+    errors_[i] = p.error;
+    normals_[i] = p.normal;
+    shading_normals_[i] = at.ns;
+    traits_.push_back({at.entering ? 1.0 : -1.0, p.primitive, p.convexity});
+}
+
+/// A light's own place is not part of the way to it: what lies within this part of the distance
+/// casts no shadow, so that a light may lie on a surface. Well above the roundings of a double.
+constexpr double shadow_end = 1 - 0x1p-32;
+
+ShadowRays::ShadowRays(const LitSurfaces& surfaces, std::span<const Vec3> lights,
+                       double fixed_bias) {
+    rays.reserve(surfaces.size());
+    facing.reserve(surfaces.size());
+    AimedChunk c;
+    for (std::size_t first = 0; first < surfaces.size(); first += AimedChunk::most) {
+        c.positions = &surfaces.positions_[first];
+        c.errors = &surfaces.errors_[first];
+        c.normals = &surfaces.normals_[first];
+        c.shading_normals = &surfaces.shading_normals_[first];
+        c.count = std::min(AimedChunk::most, surfaces.size() - first);
+        std::ranges::copy(lights.subspan(first, c.count), c.lights.begin());
+        HWY_DYNAMIC_DISPATCH(aim)(c, fixed_bias);
+        for (std::size_t i = 0; i < c.count; ++i) {
+            const LitSurfaces::Traits& traits = surfaces.traits_[first + i];
+            if (!(c.cosine[i] > 0) || !(traits.front * c.facing[i] > 0)) continue;
+            const bool for_good = fixed_bias == 0 &&
+                                  leaves_for_good(traits.convexity, c.leaving[i], c.moving[i]);
+            rays.push_back({c.origins[i], c.directions[i], 0, shadow_end,
+                            for_good ? traits.primitive : no_index});
+            facing.push_back({first + i, c.towards[i], c.cosine[i]});
+        }
+    }
+}
+
+}  // namespace etalon
+#endif
