@@ -28,8 +28,7 @@ constexpr std::uint64_t recorded_rays = 2'000'000;
 /// Sees black everywhere, at once: what is left of a rendering are its camera rays and its film.
 class Black : public Integrator {
   public:
-    void radiance(const CameraSamples&, std::span<Color> colors,
-                  RayCounts&) const override {
+    void radiance(const CameraSamples&, std::span<Color> colors, RayCounts&) const override {
         std::ranges::fill(colors, Color(0.0F));
     }
 };

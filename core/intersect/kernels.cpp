@@ -30,23 +30,6 @@ double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive,
                       [&]<class Shape>() { return first_hit_of<Shape>(geometry, p, query); });
 }
 
-bool offer_to_all(const Geometry& geometry, std::uint32_t primitive,
-                  std::span<const RayQuery> queries, std::span<NearestHit> nearest) {
-    const Primitive p = geometry.primitives[primitive];
-    return with_shape(p.kind, [&]<class Shape>() {
-        const auto& shape = geometry.get<Shape>(p);
-        bool any = false;
-        for (std::size_t i = 0; i < queries.size(); ++i) {
-            const RayQuery& query = queries[i];
-            if (query.ray.exclude == primitive) continue;
-            const double t = first_hit(geometry, shape, p.sides, query);
-            any |= t <= query.ray.tmax;
-            nearest[i].offer(t, primitive);
-        }
-        return any;
-    });
-}
-
 template <class Shape>
 double shape_first_hit(const Geometry& geometry, const Shape& shape, Sides sides,
                        const RayQuery& query) {

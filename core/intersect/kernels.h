@@ -2,8 +2,6 @@
 // backend runs the same instructions and gets the same bits.
 #pragma once
 
-#include <span>
-
 #include "core/intersect/ray.h"
 #include "core/intersect/surface.h"
 #include "core/scene/geometry.h"
@@ -22,11 +20,6 @@ double shape_first_hit(const Geometry& geometry, const Shape& shape, Sides sides
                        const RayQuery& query);
 extern template double shape_first_hit(const Geometry&, const Triangle&, Sides, const RayQuery&);
 extern template double shape_first_hit(const Geometry&, const Sphere&, Sides, const RayQuery&);
-
-/// Offers the primitive to the nearest hit of each ray: the same for many rays, with one look at
-/// what the primitive is. Returns whether any ray hits it within its tmax.
-bool offer_to_all(const Geometry& geometry, std::uint32_t primitive,
-                  std::span<const RayQuery> queries, std::span<NearestHit> nearest);
 
 SurfacePoint surface_at(const Geometry& geometry, const Ray& ray, const Hit& hit);
 

@@ -1,6 +1,6 @@
-// Vectors of doubles, as many as an instruction takes, to be written like one. Sums are in the order
-// in which Vec3 has them, so that each lane has the bits of the same formula for a Vec3. Compiled
-// for each instruction set.
+// Vectors of doubles, as many as an instruction takes, to be written like one. Sums are in the
+// order in which Vec3 has them, so that each lane has the bits of the same formula for a Vec3.
+// Compiled for each instruction set.
 #if defined(ETALON_VEC_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_VEC_LANES_INL_H
 #undef ETALON_VEC_LANES_INL_H
@@ -36,6 +36,9 @@ struct Vec3Lanes {
     Doubles x, y, z;
 
     HWY_INLINE Doubles dot(const Vec3Lanes& v) const { return x * v.x + y * v.y + z * v.z; }
+    HWY_INLINE Vec3Lanes cross(const Vec3Lanes& v) const {
+        return {y * v.z - z * v.y, z * v.x - x * v.z, x * v.y - y * v.x};
+    }
 
     friend HWY_INLINE Vec3Lanes operator+(const Vec3Lanes& a, const Vec3Lanes& b) {
         return {a.x + b.x, a.y + b.y, a.z + b.z};

@@ -106,7 +106,8 @@ void CameraRays::rays(std::span<const Vec2> pixels, std::span<const Vec2> lens,
         chunk.count = std::min(RayChunk::most, rays.size() - first);
         for (std::size_t i = 0; i < chunk.count; ++i) {
             chunk.pixels[i] = pixels[first + i];
-            if (has_lens()) chunk.on_lens[i] = concentric_disk(lens[first + i]) * frame_.lens_radius;
+            if (has_lens())
+                chunk.on_lens[i] = concentric_disk(lens[first + i]) * frame_.lens_radius;
         }
         HWY_DYNAMIC_DISPATCH(make_rays)(frame_, chunk);
         for (std::size_t i = 0; i < chunk.count; ++i) {
@@ -122,10 +123,22 @@ Ray CameraRays::ray(const Vec2& pixel, const Vec2& lens) const {
 }
 
 Imath::M44d CameraRays::world_to_camera() const {
-    return {frame_.u.x,          frame_.v.x,          frame_.n.x,          0,  //
-            frame_.u.y,          frame_.v.y,          frame_.n.y,          0,  //
-            frame_.u.z,          frame_.v.z,          frame_.n.z,          0,  //
-            -frame_.eye.dot(frame_.u), -frame_.eye.dot(frame_.v), -frame_.eye.dot(frame_.n), 1};
+    return {frame_.u.x,
+            frame_.v.x,
+            frame_.n.x,
+            0,  //
+            frame_.u.y,
+            frame_.v.y,
+            frame_.n.y,
+            0,  //
+            frame_.u.z,
+            frame_.v.z,
+            frame_.n.z,
+            0,  //
+            -frame_.eye.dot(frame_.u),
+            -frame_.eye.dot(frame_.v),
+            -frame_.eye.dot(frame_.n),
+            1};
 }
 
 Imath::M44d CameraRays::world_to_ndc() const {
@@ -133,7 +146,7 @@ Imath::M44d CameraRays::world_to_ndc() const {
     const double half_height = frame_.height / 2 * frame_.pixel_size.y;
     const Imath::M44d project(frame_.distance / half_width, 0, 0, 0,   //
                               0, frame_.distance / half_height, 0, 0,  //
-                              0, 0, -1, -1,                      //
+                              0, 0, -1, -1,                            //
                               0, 0, 0, 0);
     return world_to_camera() * project;
 }

@@ -24,11 +24,12 @@ struct AimedChunk {
     std::array<Vec3, most> lights;
     std::size_t count;
 
-    std::array<Vec3, most> towards;  ///< unit vector to the light
-    std::array<double, most> cosine, facing;  ///< products of it with the two normals
+    std::array<Vec3, most> towards;              ///< unit vector to the light
+    std::array<double, most> cosine, facing;     ///< products of it with the two normals
     std::array<Vec3, most> origins, directions;  ///< of the ray
-    std::array<double, most> leaving;  ///< normal . (light - position), its sign that of the side left to
-    std::array<double, most> moving;   ///< that side's normal . direction
+    std::array<double, most>
+        leaving;  ///< normal . (light - position), its sign that of the side left to
+    std::array<double, most> moving;  ///< that side's normal . direction
 };
 
 }  // namespace etalon
@@ -124,8 +125,8 @@ ShadowRays::ShadowRays(const LitSurfaces& surfaces, std::span<const Vec3> lights
         for (std::size_t i = 0; i < c.count; ++i) {
             const LitSurfaces::Traits& traits = surfaces.traits_[first + i];
             if (!(c.cosine[i] > 0) || !(traits.front * c.facing[i] > 0)) continue;
-            const bool for_good = fixed_bias == 0 &&
-                                  leaves_for_good(traits.convexity, c.leaving[i], c.moving[i]);
+            const bool for_good =
+                fixed_bias == 0 && leaves_for_good(traits.convexity, c.leaving[i], c.moving[i]);
             rays.push_back({c.origins[i], c.directions[i], 0, shadow_end,
                             for_good ? traits.primitive : no_index});
             facing.push_back({first + i, c.towards[i], c.cosine[i]});

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/intersect/ray_group.h"
+#include "core/scene/geometry.h"
+
+namespace etalon {
+
+/// Offers a primitive to the rays of a group: what primitive_first_hit() gives for each, to the
+/// bit, several rays at a time where the shape has a kernel for that. Returns whether it is now the
+/// nearest hit of any.
+bool offer_to_group(const Geometry& geometry, std::uint32_t primitive, RayGroup& group);
+
+}  // namespace etalon

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+
+#include "core/intersect/ray.h"
+
+namespace etalon {
+
+/// Rays of one dominant axis, side by side, that look for their nearest hits together. So many that
+/// what kernels need of them stays in the fastest cache.
+struct RayGroup {
+    static constexpr std::size_t most = 64;
+
+    /// Number of no primitive. Numbers are doubles here, so that vector instructions can compare
+    /// them together with the rest.
+    static constexpr double none = infinity;
+
+    template <class T>
+    using Column = std::array<T, most>;
+
+    int dominant = 0;  ///< the axis that is the dominant one of all
+    std::size_t count = 0;
+    Column<const Ray*> rays;
+    Column<Vec3> origins, directions;  ///< as in a RayQuery
+    Column<double> tmins, excludes;
+    Column<double> ts, primitives;  ///< of the nearest hits; at first the ray's tmax, and none
+
+    bool is_full() const { return count == most; }
+
+    void add(const Ray& ray, const RayQuery& query) {
+        const std::size_t i = count++;
+        rays[i] = &ray;
+        origins[i] = query.ray.origin;
+        directions[i] = query.ray.direction;
+        tmins[i] = query.ray.tmin;
+        excludes[i] = ray.exclude == no_index ? none : ray.exclude;
+        ts[i] = ray.tmax;
+        primitives[i] = none;
+    }
+
+    /// Removes a ray; the last takes its place.
+    void remove(std::size_t i) {
+        const std::size_t last = --count;
+        rays[i] = rays[last];
+        origins[i] = origins[last];
+        directions[i] = directions[last];
+        tmins[i] = tmins[last];
+        excludes[i] = excludes[last];
+        ts[i] = ts[last];
+        primitives[i] = primitives[last];
+    }
+
+    Hit hit(std::size_t i) const {
+        const double p = primitives[i];
+        return {ts[i], p == none ? no_index : static_cast<std::uint32_t>(p)};
+    }
+};
+
+}  // namespace etalon

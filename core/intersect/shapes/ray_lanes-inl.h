@@ -1,0 +1,68 @@
+// What the kernels for several rays at once share. They take the steps of first_hit() of their
+// shape with the same bits, as long as plain doubles decide; of the rays for which they do not,
+// first_hit() is asked. Compiled for each instruction set.
+#if defined(ETALON_RAY_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ETALON_RAY_LANES_INL_H
+#undef ETALON_RAY_LANES_INL_H
+#else
+#define ETALON_RAY_LANES_INL_H
+#endif
+
+#include "core/intersect/ray_group.h"
+#include "core/numerics/vec_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+/// Rays of a group.
+struct RayLanes {
+    HWY_INLINE RayLanes(const RayGroup& group, std::size_t first)
+        : origin(load(&group.origins[first])),
+          direction(load(&group.directions[first])),
+          tmin(hn::LoadU(DoubleTag(), &group.tmins[first])) {}
+
+    Vec3Lanes origin, direction;
+    Doubles tmin;
+};
+
+/// What is found for each ray: t, or NaN where it misses; and whether it is for first_hit() to say.
+struct HitLanes {
+    Doubles t;
+    DoubleMask doubtful;
+};
+
+HWY_INLINE HitLanes misses() {
+    return {broadcast(no_hit), hn::FirstN(DoubleTag(), 0)};
+}
+
+/// No answer for any ray.
+HWY_INLINE HitLanes all_doubtful() {
+    return {broadcast(no_hit), hn::FirstN(DoubleTag(), most_doubles)};
+}
+
+/// `t` of the rays for which the steps `decided`, and nothing for those that `missed` before.
+HWY_INLINE HitLanes settled(Doubles t, DoubleMask missed, DoubleMask decided) {
+    const DoubleMask known = hn::Or(missed, decided);
+    return {hn::IfThenElse(hn::AndNot(missed, decided), t, broadcast(no_hit)), hn::Not(known)};
+}
+
+HWY_INLINE DoubleMask is_ahead(Doubles t, const RayLanes& rays) {
+    return hn::And(t > rays.tmin, t < broadcast(infinity));
+}
+
+/// See first_visible() in roots.h.
+HWY_INLINE Doubles first_visible(Doubles entry, Doubles exit, Sides sides, const RayLanes& rays) {
+    Doubles t = broadcast(no_hit);
+    if (sides != Sides::front) t = hn::IfThenElse(is_ahead(exit, rays), exit, t);
+    if (sides != Sides::back) t = hn::IfThenElse(is_ahead(entry, rays), entry, t);
+    return t;
+}
+
+HWY_INLINE Doubles max_abs(Doubles x, Doubles y, Doubles z) {
+    return hn::Max(hn::Abs(x), hn::Max(hn::Abs(y), hn::Abs(z)));
+}
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

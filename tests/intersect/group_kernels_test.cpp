@@ -1,0 +1,119 @@
+// Kernels for groups of rays, against those for single ones, for every instruction set that they
+// are compiled for and this machine has.
+#include "core/intersect/group_kernels.h"
+
+#include <bit>
+
+#include "core/intersect/kernels.h"
+#include "tests/each_instruction_set.h"
+#include "tests/intersect/rays_at_shapes.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+/// The answer of the kernel for a single ray.
+Hit hit_alone(const Geometry& geometry, const Ray& ray) {
+    NearestHit nearest(ray.tmax);
+    nearest.offer(primitive_first_hit(geometry, 0, RayQuery(ray)), 0);
+    return {nearest.t, nearest.primitive};
+}
+
+bool same_bits(const Hit& a, const Hit& b) {
+    return a.primitive == b.primitive &&
+           std::bit_cast<std::uint64_t>(a.t) == std::bit_cast<std::uint64_t>(b.t);
+}
+
+/// Bounds of all kinds around the hit that there may be.
+void limit(Ray& ray, const Hit& hit, int i) {
+    if (i % 4 == 1) ray.tmin = hit.primitive == no_index ? 0.5 : hit.t;
+    if (i % 4 == 2) ray.tmax = hit.primitive == no_index ? 2.0 : hit.t;
+    if (i % 16 == 3) ray.exclude = 0;
+}
+
+void require_same(const Geometry& geometry, RayGroup& group) {
+    bool any = false;
+    for (std::size_t i = 0; i < group.count; ++i) {
+        any |= hit_alone(geometry, *group.rays[i]).primitive == 0;
+    }
+    REQUIRE(offer_to_group(geometry, 0, group) == any);
+    for (std::size_t i = 0; i < group.count; ++i) {
+        const Ray& ray = *group.rays[i];
+        CAPTURE(i, group.count, ray.origin, ray.direction, ray.tmin, ray.tmax);
+        REQUIRE(same_bits(group.hit(i), hit_alone(geometry, ray)));
+    }
+    group.count = 0;
+}
+
+/// Offers the geometry's one primitive to rays, in groups of 1, 2, 3... rays of each axis.
+void require_same(const Geometry& geometry, const std::vector<Ray>& rays) {
+    std::array<RayGroup, 3> groups;
+    std::array<std::size_t, 3> sizes{1, 1, 1};
+    for (int axis = 0; axis < 3; ++axis) groups[axis].dominant = axis;
+    for (const Ray& ray : rays) {
+        const RayQuery query(ray);
+        RayGroup& group = groups[query.kz];
+        group.add(ray, query);
+        if (group.count < sizes[query.kz]) continue;
+        sizes[query.kz] = sizes[query.kz] % RayGroup::most + 1;
+        require_same(geometry, group);
+    }
+}
+
+void check_shapes(int rays_each) {
+    for_each_target([&] {
+        for (const ShapeCase& shape : shape_cases()) {
+            CAPTURE(shape.name);
+            Random random(11);
+            std::vector<Ray> rays;
+            for (int i = 0; i < rays_each; ++i) {
+                Ray ray = aimed_ray(shape, i, random).ray;
+                limit(ray, hit_alone(shape.scene.geometry, ray), i);
+                if (is_valid(ray)) rays.push_back(ray);
+            }
+            require_same(shape.scene.geometry, rays);
+        }
+    });
+}
+
+}  // namespace
+
+TEST_CASE("Kernels: a ray of a group has the hit that it has alone, to the bit") {
+    check_shapes(4000);
+}
+
+TEST_CASE("Kernels: many rays of groups have the hits that they have alone, to the bit", "[long]") {
+    check_shapes(300'000);
+}
+
+TEST_CASE("Kernels: a group hits degenerate shapes as little as a ray does") {
+    for_each_target([&] {
+        for (const DegenerateCase& shape : degenerate_cases()) {
+            CAPTURE(shape.name);
+            Random random(12);
+            std::vector<Ray> rays;
+            for (int i = 0; i < 500; ++i) {
+                const Vec3 direction = random.direction();
+                rays.push_back({random.in_cube() - random.uniform(0, 10) * direction, direction});
+            }
+            require_same(shape.scene.geometry, rays);
+        }
+    });
+}
+
+TEST_CASE("Kernels: of two primitives at the same distance a group keeps the lower number") {
+    Geometry geometry;
+    geometry.add(Sphere{Vec3(0), 1}, 0);
+    geometry.add(Sphere{Vec3(0), 1}, 0);
+    const Ray ray{Vec3(0, 0, 5), Vec3(0, 0, -1)};
+    for (const auto& [first, second] : {std::pair(0U, 1U), std::pair(1U, 0U)}) {
+        RayGroup group;
+        group.dominant = 2;
+        group.add(ray, RayQuery(ray));
+        offer_to_group(geometry, first, group);
+        offer_to_group(geometry, second, group);
+        CHECK(group.hit(0).primitive == 0);
+        CHECK(group.hit(0).t == 4);
+    }
+}
