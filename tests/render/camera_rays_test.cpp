@@ -2,9 +2,10 @@
 
 #include <cmath>
 
-#include "tests/catch.h"
+#include "tests/each_instruction_set.h"
 
 using namespace etalon;
+using namespace etalon::test;
 
 namespace {
 
@@ -77,4 +78,26 @@ TEST_CASE("An up vector along the view direction still gives a frame", "[render]
     const Ray ray = CameraRays(c, size).ray(Vec2(10, 10), Vec2(0.5));
     CHECK(is_finite(ray.direction));
     CHECK(ray.direction.length() == Approx(1));
+}
+
+TEST_CASE("Rays made together are those made one by one, whatever the instructions", "[render]") {
+    for (const double aperture : {0.0, 8.0}) {
+        Camera c{Vec3(3, -2, 5), Vec3(0.5, 1, -1), Vec3(0.2, 1, 0.1), 40, aperture, 1.5};
+        const CameraRays camera(c, size);
+        std::vector<Vec2> pixels, lens;
+        std::vector<Ray> alone;
+        for (int i = 0; i < 131; ++i) {
+            pixels.emplace_back(i * 1.37, 100 - i * 0.71);
+            lens.emplace_back(i * 7 % 131 / 131.0, i / 131.0);
+            alone.push_back(camera.ray(pixels.back(), lens.back()));
+        }
+        for_each_target([&] {
+            std::vector<Ray> together(alone.size());
+            camera.rays(pixels, lens, together);
+            for (std::size_t i = 0; i < alone.size(); ++i) {
+                CHECK(together[i].origin == alone[i].origin);
+                CHECK(together[i].direction == alone[i].direction);
+            }
+        });
+    }
 }

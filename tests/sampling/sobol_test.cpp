@@ -1,12 +1,14 @@
 #include "core/sampling/sample_source.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
 
-#include "tests/catch.h"
+#include "tests/each_instruction_set.h"
 
 using namespace etalon;
+using namespace etalon::test;
 
 namespace {
 
@@ -89,4 +91,24 @@ TEST_CASE("The mean over many seeds is unbiased", "[sampling]") {
     // Standard deviation of the mean: 1 / sqrt(12 * 4096) = 0.0045; five of them.
     CHECK(sum.x / seeds == Approx(0.5).margin(0.0225));
     CHECK(sum.y / seeds == Approx(0.5).margin(0.0225));
+}
+
+TEST_CASE("Points made together are those made one by one", "[sampling]") {
+    for_each_target([] {
+        for (const Sampler sampler : {Sampler::sobol, Sampler::random}) {
+            PointBatch batch;
+            for (const std::uint32_t count : {1U, 7U, 8U, 9U, 100U}) {
+                std::vector<Vec2> expected;
+                for (std::uint32_t i = 0; i < count; ++i) {
+                    const PointSet points =
+                        PixelSamples(static_cast<int>(i), 3, 5, sampler).points(i % 3);
+                    const std::uint32_t index = hash(i, count);
+                    expected.push_back(points(index));
+                    batch.add(points, index);
+                }
+                CHECK(std::ranges::equal(batch.make(), expected));
+                batch.clear();
+            }
+        }
+    });
 }

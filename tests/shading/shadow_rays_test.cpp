@@ -1,0 +1,87 @@
+#include "core/shading/shadow_rays.h"
+
+#include "core/numerics/random.h"
+#include "tests/each_instruction_set.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+SurfaceInteraction random_surface(Random& random) {
+    constexpr Convexity kinds[] = {Convexity::any, Convexity::flat, Convexity::convex};
+    SurfaceInteraction at;
+    SurfacePoint& p = at.surface;
+    p.position = random.in_cube();
+    p.error = random.uniform(0, 1) < 0.1 ? Vec3(0) : Vec3(random.uniform(0, 1e-9));
+    p.normal = random.direction();
+    p.primitive = 7;
+    p.convexity = kinds[static_cast<int>(random.uniform(0, 3))];
+    at.entering = random.uniform(0, 1) < 0.5;
+    at.ng = at.entering ? p.normal : -p.normal;
+    at.ns = normalized(at.ng + 0.3 * random.direction());
+    return at;
+}
+
+/// Points of a light far off, near the surface's plane, and on the surface.
+Vec3 random_light(const SurfaceInteraction& at, int i, Random& random) {
+    const Vec3& p = at.surface.position;
+    if (i % 8 == 0) return p;
+    if (i % 8 == 1) return p + random.uniform(0, 1e-9) * random.direction();
+    if (i % 8 == 2) return p + at.ng.cross(random.direction());
+    return 10.0 * random.in_cube();
+}
+
+bool is_same(const Ray& a, const Ray& b) {
+    return a.origin == b.origin && a.direction == b.direction && a.exclude == b.exclude;
+}
+
+}  // namespace
+
+TEST_CASE("Shadow rays made together are those that leave each surface", "[shading]") {
+    for_each_target([] {
+        Random random(5);
+        for (const std::size_t count : {0U, 1U, 5U, 64U, 200U}) {
+            std::vector<SurfaceInteraction> surfaces;
+            std::vector<Vec3> lights;
+            LitSurfaces lit(count);
+            for (std::size_t i = 0; i < count; ++i) {
+                surfaces.push_back(random_surface(random));
+                lights.push_back(random_light(surfaces[i], static_cast<int>(i), random));
+                lit.add(surfaces[i]);
+            }
+            const ShadowRays shadow(lit, lights, 0);
+            std::size_t next = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                const SurfaceInteraction& at = surfaces[i];
+                const Vec3 towards = normalized(lights[i] - at.surface.position);
+                CAPTURE(count, i, towards);
+                if (!(at.ns.dot(towards) > 0) || !(at.ng.dot(towards) > 0)) continue;
+                REQUIRE(next < shadow.rays.size());
+                REQUIRE(shadow.facing[next].surface == i);
+                CHECK(shadow.facing[next].towards == towards);
+                CHECK(shadow.facing[next].cosine == at.ns.dot(towards));
+                CHECK(is_same(shadow.rays[next], spawn_ray_to(at.surface, lights[i])));
+                CHECK(shadow.rays[next].tmax < 1);
+                ++next;
+            }
+            CHECK(next == shadow.rays.size());
+        }
+    });
+}
+
+TEST_CASE("Shadow rays with a fixed bias start that far along the normal", "[shading]") {
+    Random random(6);
+    LitSurfaces lit(20);
+    std::vector<SurfaceInteraction> surfaces;
+    for (int i = 0; i < 20; ++i) lit.add(surfaces.emplace_back(random_surface(random)));
+    const Vec3 light(100, 0, 0);
+    const ShadowRays shadow(lit, std::vector(20, light), 0.5);
+    CHECK(!shadow.rays.empty());
+    for (std::size_t i = 0; i < shadow.rays.size(); ++i) {
+        const SurfaceInteraction& at = surfaces[shadow.facing[i].surface];
+        CHECK(shadow.rays[i].origin == at.surface.position + 0.5 * at.ng);
+        CHECK(shadow.rays[i].direction == light - shadow.rays[i].origin);
+        CHECK(shadow.rays[i].exclude == no_index);
+    }
+}
