@@ -41,11 +41,8 @@ Result<std::vector<Color>> read_reference(const std::string& path, const RenderS
                         path, size.x, size.y, place, asked.x, asked.y, window.min.x, window.min.y,
                         frame.x, frame.y)};
     }
-    // A PNG does not say which values it has: those of the image it was made from.
-    if (settings.display_colors && image.encoding == Encoding::srgb) {
-        image.encoding = Encoding::display;
-    }
-    std::vector<Color> pixels = linear_pixels(image);
+    const bool as_displayed = settings.display_colors && settings.keep_display_values;
+    std::vector<Color> pixels = as_displayed ? display_pixels(image) : linear_pixels(image);
     return {size == frame ? cut_out(pixels, size.x, window) : std::move(pixels), {}};
 }
 

@@ -10,8 +10,8 @@
 namespace etalon {
 
 /// Reads the reference for the pixels of an image's window, by rows from the top, from a file of
-/// the window or of the whole frame. Where the scene's colours are display values, so are those of
-/// a PNG. A failure's reason begins with the path.
+/// the window or of the whole frame: as light, or as display values where images keep them. A
+/// failure's reason begins with the path.
 Result<std::vector<Color>> read_reference(const std::string& path, const RenderSettings& settings);
 
 }  // namespace etalon

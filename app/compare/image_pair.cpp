@@ -18,10 +18,11 @@ bool same_extent(const Image& a, const Image& b) {
     return a.width == b.width && a.height == b.height && same_place;
 }
 
-/// A PNG does not say that it has display values; it has if the other image has them.
-void agree_on_encoding(Image& a, Image& b) {
-    if (a.encoding == Encoding::display && b.encoding == Encoding::srgb) b.encoding = a.encoding;
-    if (b.encoding == Encoding::display && a.encoding == Encoding::srgb) a.encoding = b.encoding;
+/// Whether the pair is compared by display values: one has them, and the other, if a PNG, may have
+/// them too.
+bool has_display_values(const Image& a, const Image& b) {
+    const auto has = [&](Encoding e) { return a.encoding == e || b.encoding == e; };
+    return has(Encoding::display) && !has(Encoding::linear);
 }
 
 }  // namespace
@@ -35,10 +36,10 @@ Result<ImagePair> read_image_pair(const std::string& a, const std::string& b) {
     if (!same_extent(p, q)) {
         return {{}, fmt::format("{}; {}; expected the same", extent(a, p), extent(b, q))};
     }
-    agree_on_encoding(p, q);
+    const auto pixels_of = has_display_values(p, q) ? display_pixels : linear_pixels;
     ImagePair images{p.width, p.height, {}};
-    parallel_invoke([&] { images.pixels[0] = linear_pixels(p); },
-                    [&] { images.pixels[1] = linear_pixels(q); });
+    parallel_invoke([&] { images.pixels[0] = pixels_of(p); },
+                    [&] { images.pixels[1] = pixels_of(q); });
     return {std::move(images), {}};
 }
 

@@ -34,6 +34,11 @@ void declare_image(Options& options, RenderArguments& a) {
         .by_commas()
         .check(check_aov)
         .group(group);
+    options
+        .add_flag("--display-values", a.display_values,
+                  "Leave display values, the colours of P3F, NFF, PRT and SCE, as they are in EXR "
+                  "and in errors, rather than decode them to linear light")
+        .group(group);
     options.add("--exposure", a.exposure, "Exposure of the PNG in stops (default: 0)").group(group);
 }
 

@@ -19,7 +19,7 @@ struct RenderArguments {
     int samples = -1, max_depth = 0, threads = 0;
     std::uint32_t seed = 0;
     double exposure = 0, target_error = 0, time_limit = 0, max_distance = 0;
-    bool spd = false, quiet = false;
+    bool spd = false, quiet = false, display_values = false;
 };
 
 void declare_render_options(Options& options, RenderArguments& a);

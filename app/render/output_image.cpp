@@ -13,6 +13,7 @@ RenderedImage make_output_image(const Scene& scene, const RenderSettings& settin
     const CameraRays camera(scene.camera, settings.resolution);
     RenderedImage image{settings.resolution.x,   settings.resolution.y,   rendering.film.window(),
                         rendering.film.pixels(), settings.display_colors, {}};
+    image.keep_display_values = settings.keep_display_values;
     image.metadata = {{"software", std::string("Etalon " ETALON_VERSION)},
                       {"backend", stats.backend},
                       {"integrator", stats.integrator},

@@ -95,6 +95,7 @@ std::string apply_overrides(const RenderArguments& a, RenderSettings& settings) 
     apply_samples(a, settings);
     if (!a.backend.empty()) settings.backend = a.backend;
     settings.variance = need_variance(a.aovs);
+    settings.keep_display_values = a.display_values;
     if (a.target_error > 0 && settings.samples_per_pixel < 1) {
         return "--target-error needs at least one sample per pixel";
     }

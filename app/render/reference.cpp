@@ -3,12 +3,14 @@
 #include "app/common/reference_image.h"
 #include "core/image/metrics/flip.h"
 #include "core/image/metrics/measure_metrics.h"
+#include "core/render/image_pixels.h"
 
 namespace etalon {
 
 std::string Reference::open(const std::string& path, const RenderSettings& settings) {
     Result<std::vector<Color>> image = read_reference(path, settings);
     pixels_ = std::move(image.value);
+    settings_ = settings;
     width_ = settings.window().size().x + 1;
     return image.error;
 }
@@ -17,7 +19,7 @@ void Reference::note(const RenderedPass& pass) {
     const Duration lap = watch_.lap();
     spent_.wall += lap.wall;
     spent_.cpu += lap.cpu;
-    const std::vector<Color> pixels = pass.film.pixels();
+    const std::vector<Color> pixels = image_pixels(pass.film, settings_);
     const auto samples = static_cast<double>(pass.film.total_count());
     history_.push_back({{"spp", samples / static_cast<double>(pass.film.size())},
                         {"seconds", spent_.wall},
@@ -29,7 +31,7 @@ void Reference::note(const RenderedPass& pass) {
 }
 
 Metrics Reference::metrics_of(const Film& film) const {
-    const std::vector<Color> pixels = film.pixels();
+    const std::vector<Color> pixels = image_pixels(film, settings_);
     return measure(pixels, pixels_, flip_map(pixels, pixels_, width_));
 }
 

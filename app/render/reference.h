@@ -29,6 +29,7 @@ class Reference {
     const nlohmann::ordered_json& history() const { return history_; }
 
   private:
+    RenderSettings settings_;
     int width_ = 0;
     std::vector<Color> pixels_;
     Stopwatch watch_;

@@ -10,6 +10,7 @@
 #include "core/image/metrics/metrics.h"
 #include "core/integrators/integrators.h"
 #include "core/parallel/parallel.h"
+#include "core/render/image_pixels.h"
 #include "core/render/renderer.h"
 
 namespace etalon::convergence {
@@ -68,7 +69,7 @@ class SeedRun {
   private:
     void note(const Film& film) {
         seconds_ += watch_.lap().cpu;
-        const std::vector<Color> pixels = film.pixels();
+        const std::vector<Color> pixels = image_pixels(film, settings_);
         const auto samples = static_cast<double>(film.total_count());
         Point point{samples / static_cast<double>(film.size()), seconds_,
                     mse(pixels, reference_.pixels), relmse(pixels, reference_.pixels)};
@@ -146,7 +147,8 @@ ReferenceImage render_reference(const Scene& scene, const RenderSettings& scene_
     control.progress = run.progress;
     const Studio studio(scene, plan.backends.front());
     const Rendering r = render(scene.camera, *studio.integrator(settings), settings, control);
-    return {r.film.pixels(), fmt::format("{} samples per pixel", settings.samples_per_pixel)};
+    return {image_pixels(r.film, settings),
+            fmt::format("{} samples per pixel", settings.samples_per_pixel)};
 }
 
 std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings,

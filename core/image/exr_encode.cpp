@@ -11,9 +11,11 @@
 #include <bit>
 #include <cstring>
 #include <map>
+#include <span>
 
 #include "core/image/exr.h"
 #include "core/image/exr_zip.h"
+#include "core/image/image.h"
 #include "core/parallel/chunks.h"
 
 namespace etalon {
@@ -50,6 +52,29 @@ class MemoryStream : public Imf::OStream {
     std::size_t position_ = 0;
 };
 
+bool has_display_values(const RenderedImage& image) {
+    return image.display_colors && image.keep_display_values;
+}
+
+/// The colours that the file holds, in a copy where they are not those of the image.
+class FileColors {
+  public:
+    explicit FileColors(const RenderedImage& image) : colors_(image.pixels) {
+        if (!image.display_colors || image.keep_display_values) return;
+        decoded_ = image.pixels;
+        decode(decoded_);
+        colors_ = decoded_;
+    }
+    FileColors(const FileColors&) = delete;
+    FileColors& operator=(const FileColors&) = delete;
+
+    const Color* data() const { return colors_.data(); }
+
+  private:
+    std::vector<Color> decoded_;
+    std::span<const Color> colors_;
+};
+
 Imf::Header make_header(const RenderedImage& image) {
     Imf::Header header({{0, 0}, {image.width - 1, image.height - 1}}, image.window);
     header.compression() = Imf::ZIP_COMPRESSION;
@@ -58,7 +83,7 @@ Imf::Header make_header(const RenderedImage& image) {
         header.channels().insert(c.name, Imf::Channel(pixel_type(c)));
     }
     Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec. 709
-    if (image.display_colors) header.insert(display_colors_attribute, Imf::IntAttribute(1));
+    if (has_display_values(image)) header.insert(display_colors_attribute, Imf::IntAttribute(1));
     for (const auto& [name, value] : image.metadata) {
         std::visit(
             [&, key = name](const auto& v) {
@@ -76,10 +101,10 @@ struct Plane {
 };
 
 /// The planes in the order in which a file has them: by name.
-std::map<std::string, Plane> planes_of(const RenderedImage& image) {
+std::map<std::string, Plane> planes_of(const RenderedImage& image, const FileColors& colors) {
     std::map<std::string, Plane> planes;
     for (int k = 0; k < 3; ++k) {
-        const auto* first = reinterpret_cast<const std::uint8_t*>(&image.pixels[0][k]);
+        const auto* first = reinterpret_cast<const std::uint8_t*>(&(*colors.data())[k]);
         planes[color_names[k]] = {first, sizeof(Color)};
     }
     for (const Channel& c : image.channels) planes[c.name] = {data(c), sizeof(float)};
@@ -108,7 +133,8 @@ Bytes gather(const std::map<std::string, Plane>& planes, std::size_t width, std:
 /// The compressed blocks, made by all threads. OpenEXR has threads of its own, which would come on
 /// top of ours, and a slower compressor.
 std::vector<Bytes> zipped_blocks(const RenderedImage& image) {
-    const std::map<std::string, Plane> planes = planes_of(image);
+    const FileColors colors(image);
+    const std::map<std::string, Plane> planes = planes_of(image, colors);
     const Imath::V2i last = image.window.size();
     const std::size_t width = static_cast<std::size_t>(last.x) + 1;
     const Chunks chunks(static_cast<std::size_t>(last.y) + 1, exr_zip_rows);

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/image/srgb.h"
+#include "core/parallel/parallel.h"
 
 namespace etalon {
 namespace {
@@ -19,19 +20,45 @@ float decoded(std::uint8_t value) {
     return table[value];
 }
 
+template <class Convert>
+std::vector<Color> converted_pixels(const Image& image, const Convert& convert) {
+    const auto width = static_cast<std::size_t>(image.width);
+    std::vector<Color> pixels(width * image.height);
+    parallel_for(static_cast<std::size_t>(image.height), 16,
+                 [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t y = begin; y < end; ++y) {
+                         for (std::size_t x = 0; x < width; ++x) {
+                             pixels[y * width + x] =
+                                 image.converted(static_cast<int>(x), static_cast<int>(y), convert);
+                         }
+                     }
+                 });
+    return pixels;
+}
+
+constexpr auto as_it_is = [](auto value) { return detail::as_stored(value); };
+
 }  // namespace
 
 std::vector<Color> linear_pixels(const Image& image) {
-    const bool encoded = image.encoding == Encoding::srgb;
-    std::vector<Color> pixels;
-    pixels.reserve(static_cast<std::size_t>(image.width) * image.height);
-    for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) {
-            const auto linear = [](auto value) { return decoded(value); };
-            pixels.push_back(encoded ? image.converted(x, y, linear) : image.color(x, y));
+    if (image.encoding == Encoding::linear) return converted_pixels(image, as_it_is);
+    return converted_pixels(image, [](auto value) { return decoded(value); });
+}
+
+std::vector<Color> display_pixels(const Image& image) {
+    if (image.encoding != Encoding::linear) return converted_pixels(image, as_it_is);
+    return converted_pixels(image, [](auto value) {
+        return static_cast<float>(srgb_encoded(detail::as_stored(value)));
+    });
+}
+
+void decode(std::vector<Color>& display_values) {
+    parallel_for(display_values.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            Color& c = display_values[i];
+            c = {decoded(c.x), decoded(c.y), decoded(c.z)};
         }
-    }
-    return pixels;
+    });
 }
 
 }  // namespace etalon

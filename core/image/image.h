@@ -67,7 +67,12 @@ inline Color Image::color(int x, int y) const {
     return converted(x, y, [](auto value) { return detail::as_stored(value); });
 }
 
-/// The colours of all pixels, by rows from the top: linear RGB, or the display values.
+/// The colours of all pixels, by rows from the top: as light, or as display values. sRGB's curve
+/// leads from one to the other; what is stored as sRGB may be either.
 std::vector<Color> linear_pixels(const Image& image);
+std::vector<Color> display_pixels(const Image& image);
+
+/// The light that display values stand for: sRGB's curve, continued above 1. Below it is a line.
+void decode(std::vector<Color>& display_values);
 
 }  // namespace etalon

@@ -20,7 +20,8 @@ struct Channel {
     }
 };
 
-/// A rendered image: linear scene values in a data window inside the full frame.
+/// A rendered image: linear scene values, or display values, in a data window inside the full
+/// frame.
 struct RenderedImage {
     int width = 0, height = 0;    ///< size of the full frame (display window)
     Imath::Box2i window;          ///< pixels present, inclusive on both ends as in OpenEXR
@@ -31,6 +32,9 @@ struct RenderedImage {
     std::map<std::string, Attribute> metadata;
 
     std::vector<Channel> channels{};  ///< each of as many values as there are pixels, in that order
+
+    /// An EXR holds display values as they are, not the light that they stand for.
+    bool keep_display_values = false;
 };
 
 }  // namespace etalon

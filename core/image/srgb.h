@@ -21,4 +21,9 @@ inline double srgb_decoded(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
+/// Slope of srgb_decoded() at a value that it decodes to `linear`.
+inline double srgb_slope(double encoded, double linear) {
+    return encoded <= 0.04045 ? 1 / 12.92 : 2.4 * linear / (encoded + 0.055);
+}
+
 }  // namespace etalon

@@ -24,9 +24,10 @@ constexpr std::uint32_t most_to_fewest = 64;
 
 }  // namespace
 
-AdaptivePasses::AdaptivePasses(const Film& film, double error, std::uint32_t samples)
-    : estimate_(film.width(), static_cast<int>(film.size()) / film.width()),
-      error_(error),
+AdaptivePasses::AdaptivePasses(const Film& film, const RenderSettings& settings,
+                               std::uint32_t samples)
+    : estimate_(film.width(), static_cast<int>(film.size()) / film.width(), settings.decodes()),
+      error_(settings.target_error),
       samples_(samples) {}
 
 std::optional<SamplingGoal> AdaptivePasses::next(const Film& film) {

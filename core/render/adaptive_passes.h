@@ -2,6 +2,7 @@
 
 #include "core/render/error_estimate.h"
 #include "core/render/sampling_passes.h"
+#include "core/scene/render_settings.h"
 
 namespace etalon {
 
@@ -10,7 +11,7 @@ namespace etalon {
 class AdaptivePasses : public SamplingPasses {
   public:
     /// Plans passes for films like this one, with at most `samples` samples of a pixel.
-    AdaptivePasses(const Film& film, double error, std::uint32_t samples);
+    AdaptivePasses(const Film& film, const RenderSettings& settings, std::uint32_t samples);
 
     std::optional<SamplingGoal> next(const Film& film) override;
     double expected_error() const override { return expected_; }

@@ -1,8 +1,10 @@
 #include "core/render/error_estimate.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
+#include "core/image/srgb.h"
 #include "core/parallel/parallel.h"
 
 namespace etalon {
@@ -30,6 +32,17 @@ double relative_square(const Vec3& difference, const Vec3& value) {
     return sum / 3;
 }
 
+/// The same for the light that display values stand for: a small difference grows by the slope of
+/// the curve.
+double decoded_relative_square(const Vec3& difference, const Vec3& value) {
+    Vec3 light, change;
+    for (int k = 0; k < 3; ++k) {
+        light[k] = srgb_decoded(value[k]);
+        change[k] = difference[k] * srgb_slope(value[k], light[k]);
+    }
+    return relative_square(change, light);
+}
+
 /// The exponent of a power law for V where one change is `ratio` times the next. V is a sum of
 /// parts that fall as 1 / n, where the samples might as well be random, and of faster ones; what
 /// counts in the long run are the slow ones. As a / n + b / n^2 it is (5 - ratio) / 3 of the last
@@ -50,9 +63,10 @@ int blocks(int pixels) {
 
 }  // namespace
 
-ErrorEstimate::ErrorEstimate(int width, int height)
+ErrorEstimate::ErrorEstimate(int width, int height, bool decodes)
     : width_(width),
       height_(height),
+      decodes_(decodes),
       sums_(static_cast<std::size_t>(width) * height, Vec3(0)),
       counts_(sums_.size(), 0),
       changes_(sums_.size(), 0),
@@ -65,21 +79,30 @@ std::size_t ErrorEstimate::block(int x, int y) const {
 }
 
 void ErrorEstimate::look(const Film& film) {
-    for (std::size_t i = 0; i < sums_.size(); ++i) look_at_pixel(i, film);
+    std::atomic<bool> any = false;
+    parallel_for(sums_.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        bool some = false;
+        for (std::size_t i = begin; i < end; ++i) some |= look_at_pixel(i, film);
+        if (some) any = true;
+    });
+    exists_ = exists_ || any;
     learn_rates();
     compare_neighbours();
 }
 
-void ErrorEstimate::look_at_pixel(std::size_t i, const Film& film) {
-    if (counts_[i] > 0 && film.counts()[i] == 2 * counts_[i]) {
+/// Returns whether the pixel's samples were doubled.
+bool ErrorEstimate::look_at_pixel(std::size_t i, const Film& film) {
+    const bool doubled = counts_[i] > 0 && film.counts()[i] == 2 * counts_[i];
+    if (doubled) {
         const Vec3 half = sums_[i] / counts_[i];
         const Vec3 other_half = (film.sum(i) - sums_[i]) / counts_[i];
         changes_before_[i] = changes_[i];
-        changes_[i] = relative_square((half - other_half) / 2, film.mean(i));
-        exists_ = true;
+        const auto square = decodes_ ? decoded_relative_square : relative_square;
+        changes_[i] = square((half - other_half) / 2, film.mean(i));
     }
     sums_[i] = film.sum(i);
     counts_[i] = film.counts()[i];
+    return doubled;
 }
 
 void ErrorEstimate::learn_rates() {

@@ -15,7 +15,8 @@ namespace etalon {
 /// falls out of two such changes in a row, taken together over a block of pixels.
 class ErrorEstimate {
   public:
-    ErrorEstimate(int width, int height);
+    /// `decodes`: the error is that of the light for which the film's display values stand.
+    ErrorEstimate(int width, int height, bool decodes);
 
     /// Looks at a film each of whose pixels has as many samples as when last looked at, or twice as
     /// many; others tell nothing.
@@ -37,7 +38,7 @@ class ErrorEstimate {
     double rate(int x, int y) const { return rates_[block(x, y)]; }
 
   private:
-    void look_at_pixel(std::size_t pixel, const Film& film);
+    bool look_at_pixel(std::size_t pixel, const Film& film);
     void learn_rates();
     void compare_neighbours();
 
@@ -45,6 +46,7 @@ class ErrorEstimate {
     std::size_t block(int x, int y) const;
 
     int width_, height_;
+    bool decodes_;
     bool exists_ = false;
     std::vector<Vec3> sums_;
     std::vector<std::uint32_t> counts_;

@@ -58,7 +58,7 @@ class Renderer {
     std::unique_ptr<SamplingPasses> make_passes() const {
         const auto samples = static_cast<std::uint32_t>(std::max(1, settings_.samples_per_pixel));
         if (settings_.target_error > 0) {
-            return std::make_unique<AdaptivePasses>(film_, settings_.target_error, samples);
+            return std::make_unique<AdaptivePasses>(film_, settings_, samples);
         }
         return std::make_unique<UniformPasses>(samples, film_.size(), control_.deadline);
     }

@@ -39,6 +39,8 @@ struct RenderSettings {
     Imath::Box2i crop;            ///< pixels to render, inclusive on both ends; empty: all
     bool variance = false;        ///< keep what the variance of each pixel needs
     bool display_colors = false;  ///< colours are display values already: no sRGB curve for PNG
+    /// Images and their errors are in those values, not in the light that they stand for.
+    bool keep_display_values = false;
 
     // Samples
     int samples_per_pixel = 0;                 ///< 0: one deterministic ray, see pixel_rays
@@ -55,6 +57,9 @@ struct RenderSettings {
     WhittedRules whitted;
 
     std::string backend;  ///< name of the intersection backend; empty: the program's default
+
+    /// Whether an image has the light that the film's display values stand for.
+    bool decodes() const { return display_colors && !keep_display_values; }
 
     /// Pixels to render, inclusive on both ends.
     Imath::Box2i window() const {

@@ -77,14 +77,6 @@ TEST_CASE("compare finds a PNG and the EXR it was made of alike, to the PNG's st
     CHECK(json["ssim"] > 0.999);
 }
 
-TEST_CASE("compare finds a PNG and the EXR of the same display values alike", "[app]") {
-    const Folder f;
-    f.write("a.p3f", small_scene);
-    CHECK(f.etalon("render a.p3f -o a.exr -o a.png -q").status == 0);
-    CHECK(json_of(f, "a.exr a.png")["max_abs"] <= 1 / 255.0);
-    CHECK(json_of(f, "a.png a.exr")["max_abs"] <= 1 / 255.0);
-}
-
 TEST_CASE("compare ends with 1 where a figure is worse than it may be, and says which", "[app]") {
     const Folder f;
     write(f, "a.exr", 40, stripes(40, 30));

@@ -103,17 +103,17 @@ TEST_CASE("a time too short for anything is a picture of one sample a pixel", "[
     CHECK(f.stats()["convergence"].size() == 1);
 }
 
-TEST_CASE("a PNG of display values is a reference of display values", "[app]") {
+TEST_CASE("a PNG is a reference", "[app]") {
     const Converging f;
     REQUIRE(f.etalon("render ball.p3f --spp 256 --seed 7 -q -o reference.png").status == 0);
     REQUIRE(f.etalon("render ball.p3f --spp 64 --reference reference.png -q -o a.exr "
                      "--stats s.json")
                 .status == 0);
-    CHECK(f.stats()["error"]["relmse"] < 1e-3);
+    CHECK(f.stats()["error"]["relmse"] < 2e-3);
     REQUIRE(f.shell("exec '" ETALON_BINARY_DIR "/bin/etalon-bench' convergence ball.p3f --spp 64 "
                     "--samplers sobol --seeds 1 --reference reference.png --json c.json")
                 .status == 0);
-    CHECK(json::parse(f.read("c.json"))["curves"][0]["points"].back()["relmse"] < 1e-3);
+    CHECK(json::parse(f.read("c.json"))["curves"][0]["points"].back()["relmse"] < 2e-3);
 }
 
 TEST_CASE("convergence has a curve for every sampler and backend", "[app]") {

@@ -43,7 +43,7 @@ TEST_CASE("Every feature scene looks as its stored reference", "[app]") {
         const std::string name = entry.path().stem().string();
         INFO(name);
         REQUIRE(f.etalon("render '" + entry.path().string() +
-                         "' --resolution 60x40 --spp 2 -q -o now.exr")
+                         "' --resolution 60x40 --spp 2 --display-values -q -o now.exr")
                     .status == 0);
         const fs::path reference = references / (name + ".exr");
         if (update) fs::copy(f.path("now.exr"), reference, fs::copy_options::overwrite_existing);

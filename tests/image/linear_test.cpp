@@ -81,11 +81,20 @@ TEST_CASE("an EXR is linear and says where in its frame it is") {
     CHECK(std::memcmp(pixels.data(), rendered.pixels.data(), pixels.size() * sizeof(Color)) == 0);
 }
 
-TEST_CASE("an EXR says whether it has display values") {
+TEST_CASE("an EXR has the light of display values, or says that it has those") {
     const TemporaryFolder folder;
     RenderedImage rendered = random_image(4, 3);
+    rendered.pixels.assign(12, Color(0.5F, 2, -0.1F));
     rendered.display_colors = GENERATE(false, true);
+    rendered.keep_display_values = GENERATE(false, true);
     REQUIRE(write_image(folder / "p.exr", rendered) == "");
-    const Encoding expected = rendered.display_colors ? Encoding::display : Encoding::linear;
-    CHECK((read_image(folder / "p.exr").value.encoding == expected));
+    const Image image = read_image(folder / "p.exr").value;
+    const bool kept = rendered.display_colors && rendered.keep_display_values;
+    CHECK((image.encoding == (kept ? Encoding::display : Encoding::linear)));
+    const bool is_decoded = rendered.display_colors && !kept;
+    CHECK(image.color(1, 1).x == Approx(is_decoded ? 0.2140411 : 0.5));
+    CHECK(image.color(1, 1).y == Approx(is_decoded ? 4.9538463 : 2));
+    CHECK(image.color(1, 1).z == Approx(is_decoded ? -0.1 / 12.92 : -0.1));
+    CHECK(display_pixels(image)[5].x == Approx(rendered.display_colors ? 0.5 : 0.7353570));
+    CHECK(linear_pixels(image)[5].x == Approx(rendered.display_colors ? 0.2140411 : 0.5));
 }

@@ -91,7 +91,7 @@ ray_counts() {
 result_of() {
     rm -f "$scratch"/image.exr "$scratch"/stats.json
     "$program" render "$1" --resolution "$2" --spp "$spp" --backend "$3" --integrator whitted \
-        --threads 1 --quiet -o "$scratch/image.exr" --stats "$scratch/stats.json" \
+        --threads 1 --quiet --display-values -o "$scratch/image.exr" --stats "$scratch/stats.json" \
         >/dev/null 2>"$scratch/errors" || {
         echo "failed: $(head -1 "$scratch/errors")"
         return 1

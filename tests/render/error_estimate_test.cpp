@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/image/srgb.h"
 #include "core/sampling/sample_source.h"
 #include "tests/catch.h"
 
@@ -26,9 +27,11 @@ double place_of(int pixel) {
     return pixel % 61 / 61.0;
 }
 
-Errors errors_after(std::uint32_t samples, const Integrand& f, Sampler sampler) {
+/// `decodes`: errors of the light that the function's values stand for.
+Errors errors_after(std::uint32_t samples, const Integrand& f, Sampler sampler,
+                    bool decodes = false) {
     Film film({{0, 0}, {side - 1, side - 1}});
-    ErrorEstimate estimate(side, side);
+    ErrorEstimate estimate(side, side, decodes);
     for (std::uint32_t first = 0, last = 1; first < samples; first = last, last *= 2) {
         for (int i = 0; i < side * side; ++i) {
             const int x = i % side, y = i / side;
@@ -41,7 +44,9 @@ Errors errors_after(std::uint32_t samples, const Integrand& f, Sampler sampler) 
     }
     double sum = 0;
     for (int i = 0; i < side * side; ++i) {
-        const double integral = f.mean(place_of(i)), error = film.mean(i).x - integral;
+        const auto shown = [&](double value) { return decodes ? srgb_decoded(value) : value; };
+        const double integral = shown(f.mean(place_of(i)));
+        const double error = shown(film.mean(i).x) - integral;
         sum += error * error / (integral * integral + 0.01);
     }
     return {estimate.total(), sum / static_cast<double>(film.size())};
@@ -62,7 +67,7 @@ const Integrand smooth = {
 
 TEST_CASE("Nothing is expected of a film before its samples were doubled", "[estimate]") {
     Film film({{0, 0}, {0, 0}});
-    ErrorEstimate estimate(1, 1);
+    ErrorEstimate estimate(1, 1, false);
     estimate.look(film);
     film.add(0, 0, Color(1.0F));
     estimate.look(film);
@@ -78,6 +83,15 @@ TEST_CASE("Of independent samples the error is known to a tenth", "[estimate]") 
         const Errors e = errors_after(samples, edge, Sampler::random);
         CAPTURE(samples, e.expected, e.real);
         CHECK(e.expected == Approx(e.real).epsilon(0.1));
+    }
+}
+
+TEST_CASE("Of display values the error is that of the light they stand for", "[estimate]") {
+    for (const std::uint32_t samples : {32, 128}) {
+        const Errors e = errors_after(samples, edge, Sampler::random, true);
+        CAPTURE(samples, e.expected, e.real);
+        CHECK(e.expected == Approx(e.real).epsilon(0.1));
+        CHECK(e.expected > 2 * errors_after(samples, edge, Sampler::random).expected);
     }
 }
 
@@ -101,7 +115,7 @@ TEST_CASE("Of a smooth surface no less error is expected than there is", "[estim
 
 TEST_CASE("What a pixel itself changed has no part in what its neighbours say", "[estimate]") {
     Film film({{0, 0}, {2, 2}});
-    ErrorEstimate estimate(3, 3);
+    ErrorEstimate estimate(3, 3, false);
     const auto add = [&](float centre, float others) {
         for (int i = 0; i < 9; ++i) film.add(i % 3, i / 3, Color(i == 4 ? centre : others));
         estimate.look(film);

@@ -4,6 +4,7 @@
 
 #include "core/image/metrics/metrics.h"
 #include "core/parallel/parallel.h"
+#include "core/render/image_pixels.h"
 #include "core/render/uniform_passes.h"
 #include "tests/catch.h"
 #include "tests/render/test_images.h"
@@ -39,8 +40,12 @@ const TestScene& scene() {
 
 const std::vector<Color>& truth() {
     static const std::vector<Color> pixels =
-        rendered(scene(), samples(scene(), 1024, 99)).film.pixels();
+        image_pixels(rendered(scene(), samples(scene(), 1024, 99)).film, scene().settings);
     return pixels;
+}
+
+double error_of(const Rendering& rendering) {
+    return relmse(image_pixels(rendering.film, scene().settings), truth());
 }
 
 std::atomic<int> clock_reads = 0;
@@ -58,14 +63,14 @@ TEST_CASE("A picture ends near the error asked for, with fewer samples than all 
           "[passes]") {
     for (const double error : {3e-3, 1e-3}) {
         const Rendering r = rendered(scene(), up_to_error(scene(), error));
-        const double real = relmse(r.film.pixels(), truth());
+        const double real = error_of(r);
         CAPTURE(error, r.expected_error, real, r.samples);
         CHECK(r.complete);
         CHECK(r.expected_error <= 1.03 * error);
         CHECK(real < 1.25 * error);
         CHECK(real > 0.75 * error);
         const auto uniform = static_cast<int>(r.samples);
-        CHECK(relmse(rendered(scene(), samples(scene(), uniform)).film.pixels(), truth()) > real);
+        CHECK(error_of(rendered(scene(), samples(scene(), uniform))) > real);
     }
 }
 
