@@ -9,9 +9,24 @@ std::atomic<bool> was_raised = false;
 std::atomic<int> signal_number = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
+/// SIGHUP is what a closed terminal sends.
+constexpr int caught[] = {SIGINT, SIGTERM, SIGHUP};
+
 void handle(int number) {
     signal_number = number;
     was_raised = true;
+}
+
+/// What a signal does now.
+auto disposition(int number) {
+    struct sigaction action = {};
+    sigaction(number, nullptr, &action);
+    return action.sa_handler;
+}
+
+/// Whether the program was started to outlive its terminal, as by nohup.
+bool outlives(int number) {
+    return number == SIGHUP && disposition(number) == SIG_IGN;
 }
 
 }  // namespace
@@ -20,13 +35,15 @@ SignalGuard::SignalGuard() {
     struct sigaction action = {};
     action.sa_handler = handle;
     action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    for (const int number : caught) {
+        if (!outlives(number)) sigaction(number, &action, nullptr);
+    }
 }
 
 SignalGuard::~SignalGuard() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    for (const int number : caught) {
+        if (disposition(number) == handle) std::signal(number, SIG_DFL);
+    }
 }
 
 const std::atomic<bool>& SignalGuard::raised() const {

@@ -4,8 +4,8 @@
 
 namespace etalon {
 
-/// While it lives, the first SIGINT or SIGTERM only sets a flag, so that what there is can be
-/// written; a second one ends the program at once.
+/// While it lives, the first SIGINT, SIGTERM or SIGHUP only sets a flag, so that what there is can
+/// be written; a second one ends the program at once. A SIGHUP that was ignored stays ignored.
 class SignalGuard {
   public:
     SignalGuard();

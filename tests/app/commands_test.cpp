@@ -216,8 +216,10 @@ TEST_CASE("trace answers ray by ray", "[app]") {
 TEST_CASE("An interrupted render writes what there is", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
-    for (const auto& [signal, status] : {std::pair{"INT", 130}, std::pair{"TERM", 143}}) {
-        const auto r = f.shell(std::string(ETALON_BINARY_DIR) +
+    const std::pair<std::string, int> signals[] = {{"INT", 130}, {"TERM", 143}, {"HUP", 129}};
+    for (const auto& [signal, status] : signals) {
+        INFO(signal);
+        const auto r = f.shell("rm -f cut.exr; " + std::string(ETALON_BINARY_DIR) +
                                "/bin/etalon render ball.p3f --spp 10000000 -o cut.exr & pid=$!; " +
                                until_it_has_worked + "kill -" + signal + " $pid; wait $pid");
         CHECK(r.status == status);
