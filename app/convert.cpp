@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "app/scene_arguments.h"
@@ -20,19 +21,19 @@ int convert(const ConvertArguments& a) {
     const std::filesystem::path path = a.output;
     const SceneWriter write = find_scene_writer(path.extension().string());
     if (!write) {
-        fmt::print(stderr, "etalon: error: {}: expected a file ending in {}\n", a.output,
-                   writable_extensions());
+        print_message("etalon: error: {}: expected a file ending in {}\n", a.output,
+                      writable_extensions());
         return exit_usage;
     }
     if (const std::string error = check_writable(a.output); !error.empty()) {
-        fmt::print(stderr, "etalon: error: {}\n", error);
+        print_message("etalon: error: {}\n", error);
         return exit_not_written;
     }
     const LoadedScene loaded = load(a.scene);
     if (!loaded.scene) return loaded.status;
     const WrittenScene written = write(*loaded.scene, loaded.settings, path.parent_path());
     for (const ConversionWarning& warning : written.lost) {
-        fmt::print(stderr, "{}: lost: {} ({})\n", a.output, warning.what, warning.count);
+        print_message("{}: lost: {} ({})\n", a.output, warning.what, warning.count);
     }
     return write_text(a.output, written.text) ? exit_done : exit_not_written;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "app/common/console.h"
 #include "app/common/exit_status.h"
 
 namespace etalon {
@@ -35,16 +36,16 @@ void declare_scene(Options& options, SceneArguments& a) {
 
 LoadedScene load(SceneArguments a) {
     if (a.path == "-" && a.options.format.empty()) {
-        fmt::print(stderr, "etalon: error: a scene on standard input needs --format\n");
+        print_message("etalon: error: a scene on standard input needs --format\n");
         return {std::nullopt, {}, exit_usage, {}};
     }
     a.options.legacy = !a.legacy.empty();
     LoadResult result = load_scene(a.path, a.options);
-    fmt::print(stderr, "{}", report(result.diagnostics));
+    write_message(report(result.diagnostics));
     if (!result.scene) return {std::nullopt, {}, exit_unusable, std::move(result.diagnostics)};
     if (!a.legacy.empty() && a.legacy != result.scene->format) {
-        fmt::print(stderr, "etalon: error: --legacy {} asked for a {} scene\n", a.legacy,
-                   result.scene->format);
+        print_message("etalon: error: --legacy {} asked for a {} scene\n", a.legacy,
+                      result.scene->format);
         return {std::nullopt, {}, exit_usage, {}};
     }
     return {std::move(result.scene), std::move(result.settings), exit_done,

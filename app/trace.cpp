@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "app/common/backends.h"
+#include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "app/scene_arguments.h"
@@ -37,8 +38,8 @@ bool parse_numbers(const std::string& line, std::vector<double>& numbers) {
 }
 
 bool complain(const TraceArguments& a, int line, const char* what) {
-    fmt::print(stderr, "{}:{}:1: error: {}; expected 'ox oy oz dx dy dz [tmin tmax]'\n", a.rays,
-               line, what);
+    print_message("{}:{}:1: error: {}; expected 'ox oy oz dx dy dz [tmin tmax]'\n", a.rays, line,
+                  what);
     return false;
 }
 
@@ -62,7 +63,7 @@ bool read_rays(const TraceArguments& a, std::vector<Ray>& rays) {
     std::ifstream in(a.rays);
     if (in && in.peek() != std::ifstream::traits_type::eof()) return read_rays(a, in, rays);
     if (in.eof()) return true;
-    fmt::print(stderr, "{}: error: cannot be read as a list of rays\n", a.rays);
+    print_message("{}: error: cannot be read as a list of rays\n", a.rays);
     return false;
 }
 
@@ -76,7 +77,7 @@ std::string describe(const Scene& scene, const Ray& ray, const std::optional<Hit
 
 int trace(const TraceArguments& a) {
     if (a.rays == "-" && a.scene.path == "-") {
-        fmt::print(stderr, "etalon: error: the scene and the rays cannot both be standard input\n");
+        print_message("etalon: error: the scene and the rays cannot both be standard input\n");
         return exit_usage;
     }
     LoadedScene loaded = load(a.scene);

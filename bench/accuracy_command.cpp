@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/common/backends.h"
+#include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "bench/accuracy/measure_case.h"
@@ -47,7 +48,9 @@ std::vector<HardCase> chosen_cases(const AccuracyArguments& a) {
 }
 
 int list_cases(const std::vector<HardCase>& cases) {
-    for (const HardCase& c : cases) fmt::print("{}/{}\n", c.id, c.variant);
+    std::string text;
+    for (const HardCase& c : cases) text += fmt::format("{}/{}\n", c.id, c.variant);
+    write_result(text);
     return exit_done;
 }
 
@@ -60,10 +63,9 @@ std::vector<Row> measure_all(const AccuracyArguments& a, const std::vector<HardC
     budget.textbooks = !a.only_backends;
     std::vector<Row> all;
     for (const HardCase& c : cases) {
-        fmt::print(stderr, "etalon-bench: {}/{}\n", c.id, c.variant);
+        print_message("etalon-bench: {}/{}\n", c.id, c.variant);
         const std::vector<Row> rows = accuracy::measure(c, backends, budget);
-        fmt::print("{}", accuracy::table(rows, all.empty() ? "" : all.back().shape));
-        std::fflush(stdout);
+        write_table(a.json, accuracy::table(rows, all.empty() ? "" : all.back().shape));
         all.insert(all.end(), rows.begin(), rows.end());
     }
     return all;
@@ -91,12 +93,15 @@ int measure_accuracy(const AccuracyArguments& a) {
     const std::vector<HardCase> cases = chosen_cases(a);
     if (a.list) return list_cases(cases);
     if (cases.empty()) {
-        fmt::print(stderr, "etalon-bench: error: no case of that name: --list shows them all\n");
+        print_message("etalon-bench: error: no case of that name: --list shows them all\n");
         return exit_usage;
     }
     const std::vector<Row> rows = measure_all(a, cases);
     const auto broken = std::count_if(rows.begin(), rows.end(), is_broken_promise);
-    if (broken > 0) fmt::print("{} rows with errors that none of them may have\n", broken);
+    if (broken > 0) {
+        write_table(a.json,
+                    fmt::format("{} rows with errors that none of them may have\n", broken));
+    }
     if (!write_reports(a, rows)) return exit_not_written;
     return broken > 0 ? exit_differs : exit_done;
 }

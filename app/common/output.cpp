@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/common/console.h"
 #include "core/image/atomic_file.h"
 
 namespace etalon {
@@ -22,15 +23,20 @@ std::string check_writable(const std::string& path) {
 }
 
 bool write_text(const std::string& path, const std::string& text) {
-    if (path == "-") return fmt::print("{}", text), true;
+    if (path == "-") return write_result(text);
     const std::string error = write_file_atomically(path, text);
-    if (!error.empty()) fmt::print(stderr, "etalon: error: {}\n", error);
+    if (!error.empty()) print_message("etalon: error: {}\n", error);
     return error.empty();
 }
 
 bool write_json(const std::string& path, const nlohmann::ordered_json& json) {
     constexpr auto lenient = nlohmann::ordered_json::error_handler_t::replace;
     return write_text(path, json.dump(2, ' ', false, lenient) + "\n");
+}
+
+void write_table(const std::string& json, const std::string& table) {
+    if (json == "-") return write_message(table);
+    write_result(table);
 }
 
 }  // namespace etalon

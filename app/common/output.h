@@ -16,4 +16,8 @@ bool write_text(const std::string& path, const std::string& text);
 /// The same for JSON, indented. Names of files that are not UTF-8 lose what is not.
 bool write_json(const std::string& path, const nlohmann::ordered_json& json);
 
+/// Writes a table to standard output, or to standard error where `json`, the file for the same
+/// results, is "-" and another program is to read them from standard output.
+void write_table(const std::string& json, const std::string& table);
+
 }  // namespace etalon

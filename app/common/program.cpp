@@ -9,7 +9,9 @@
 #include <new>
 #include <vector>
 
+#include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/parse_exit.h"
 
 namespace etalon {
 namespace {
@@ -23,7 +25,7 @@ void keep_freed_memory() {
 #endif
 }
 
-int parse_and_run(CLI::App& app, std::span<const Command> commands, int argc, char** argv) {
+int run_command(CLI::App& app, std::span<const Command> commands, int argc, char** argv) {
     app.require_subcommand(1);
     app.footer(
         "Exit status: 0 done, 1 found more differences than allowed, 2 wrong usage,\n"
@@ -37,7 +39,7 @@ int parse_and_run(CLI::App& app, std::span<const Command> commands, int argc, ch
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? exit_done : exit_usage;
+        return exit_after_parsing(app, error);
     }
     for (const auto& [sub, run] : runs) {
         if (sub->parsed()) return run();
@@ -45,21 +47,28 @@ int parse_and_run(CLI::App& app, std::span<const Command> commands, int argc, ch
     return exit_usage;
 }
 
+/// Returns the exit status; no exception escapes.
+int parse_and_run(const char* name, const char* description, std::span<const Command> commands,
+                  int argc, char** argv) {
+    try {
+        CLI::App app(description, name);
+        app.set_version_flag("--version", fmt::format("{} {}", name, ETALON_VERSION));
+        return run_command(app, commands, argc, argv);
+    } catch (const std::bad_alloc&) {
+        print_message("{}: error: not enough memory for what was asked\n", name);
+    } catch (const std::exception& error) {
+        print_message("{}: error: {}\n", name, error.what());
+    }
+    return exit_unusable;
+}
+
 }  // namespace
 
 int run_program(const char* name, const char* description, std::span<const Command> commands,
                 int argc, char** argv) {
+    prepare_standard_streams();
     keep_freed_memory();
-    try {
-        CLI::App app(description, name);
-        app.set_version_flag("--version", fmt::format("{} {}", name, ETALON_VERSION));
-        return parse_and_run(app, commands, argc, argv);
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "{}: error: not enough memory for what was asked\n", name);
-    } catch (const std::exception& error) {
-        fmt::print(stderr, "{}: error: {}\n", name, error.what());
-    }
-    return exit_unusable;
+    return status_after_results(name, parse_and_run(name, description, commands, argc, argv));
 }
 
 }  // namespace etalon

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 #include <unistd.h>
+#include "app/common/console.h"
 
 namespace etalon {
 namespace {
@@ -25,7 +26,7 @@ Progress::Progress(std::string what)
       last_(start_) {}
 
 Progress::~Progress() {
-    if (terminal_ && printed_) fmt::print(stderr, "\r\x1b[K");
+    if (terminal_ && printed_) print_message("\r\x1b[K");
 }
 
 void Progress::update(double part) {
@@ -42,14 +43,12 @@ void Progress::print(double part, Clock::time_point now) {
     const double elapsed = seconds(now - start_);
     const double left = part > 0 ? elapsed * (1 - part) / part : 0;
     if (!terminal_) {
-        fmt::print(stderr, "{}: {:.0f} %, {:.1f} s, {:.0f} s left\n", what_, 100 * part, elapsed,
-                   left);
+        print_message("{}: {:.0f} %, {:.1f} s, {:.0f} s left\n", what_, 100 * part, elapsed, left);
         return;
     }
     const int filled = static_cast<int>(part * bar_width);
-    fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {:3.0f} %  {:.1f} s, {:.0f} s left \x1b[K", what_, "",
-               filled, "", bar_width - filled, 100 * part, elapsed, left);
-    std::fflush(stderr);
+    print_message("\r{} [{:#<{}}{:.<{}}] {:3.0f} %  {:.1f} s, {:.0f} s left \x1b[K", what_, "",
+                  filled, "", bar_width - filled, 100 * part, elapsed, left);
 }
 
 }  // namespace etalon

@@ -1,6 +1,7 @@
 // etalon compare: how far an image is from another, in numbers and as a map.
 #include <fmt/format.h>
 
+#include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "app/compare/image_pair.h"
@@ -21,7 +22,7 @@ struct Arguments {
 };
 
 int fail(int status, const std::string& message) {
-    fmt::print(stderr, "etalon: error: {}\n", message);
+    print_message("etalon: error: {}\n", message);
     return status;
 }
 
@@ -29,7 +30,7 @@ int fail(int status, const std::string& message) {
 void warn_of_unbounded(const std::string& path, Pixels pixels) {
     const std::uint64_t count = unbounded_pixels(pixels);
     if (count == 0) return;
-    fmt::print(stderr, "{}: warning: {} pixels are NaN or infinite\n", path, count);
+    print_message("{}: warning: {} pixels are NaN or infinite\n", path, count);
 }
 
 /// Returns why the map could not be written; empty if it was.
@@ -39,7 +40,7 @@ std::string write_heatmap(const std::string& path, const PixelPlane& map) {
 }
 
 int write(const Arguments& a, const Metrics& metrics, const PixelPlane& map) {
-    if (a.json != "-") fmt::print("{}", as_text(metrics));
+    if (a.json != "-") write_result(as_text(metrics));
     if (!a.json.empty() && !write_json(a.json, as_json(metrics))) return exit_not_written;
     const std::string error = a.heatmap.empty() ? "" : write_heatmap(a.heatmap, map);
     return error.empty() ? exit_done : fail(exit_not_written, error);

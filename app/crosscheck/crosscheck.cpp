@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/common/backends.h"
+#include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "app/crosscheck/crosscheck_report.h"
@@ -23,8 +24,8 @@ struct Arguments {
 /// The tables make room for what another program is to read from standard output.
 void print(const Arguments& a, const crosscheck::Results& results) {
     if (a.json == "-" || a.rays_out == "-") return;
-    fmt::print("{}", crosscheck::as_text(results));
-    if (a.worst > 0) fmt::print("\n{}", crosscheck::as_rays(results));
+    write_result(crosscheck::as_text(results));
+    if (a.worst > 0) print_result("\n{}", crosscheck::as_rays(results));
 }
 
 int run(const Arguments& a) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/common/backends.h"
+#include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "app/common/progress.h"
@@ -23,7 +24,7 @@ namespace etalon {
 namespace {
 
 bool complain(const std::string& message) {
-    fmt::print(stderr, "etalon: error: {}\n", message);
+    print_message("etalon: error: {}\n", message);
     return false;
 }
 
@@ -76,8 +77,8 @@ class Render {
     /// Warns of what the background's colour stands in for; false if that is an error.
     bool tolerates(const std::vector<std::string>& problems) const {
         for (const std::string& problem : problems) {
-            fmt::print(stderr, "{}: warning: {}; the background colour stands in\n", a_.scene.path,
-                       problem);
+            print_message("{}: warning: {}; the background colour stands in\n", a_.scene.path,
+                          problem);
         }
         return problems.empty() || !a_.scene.options.strict;
     }
@@ -113,7 +114,7 @@ class Render {
         auto channels =
             make_aovs(a_.aovs, scene_, *intersector_, film, settings_, signals_.raised(), missing);
         for (const std::string& name : missing) {
-            fmt::print(stderr, "etalon: warning: stopped before {} was made\n", name);
+            print_message("etalon: warning: stopped before {} was made\n", name);
         }
         stats_.aovs = watch_.lap();
         return channels;
@@ -179,11 +180,11 @@ class Render {
     }
 
     void summarise(const Rendering& rendering) const {
-        fmt::print(stderr, "{}{}: {} primitives, {}, {:.2f} Mrays in {:.2f} s{} -> {}\n",
-                   a_.scene.path, rendering.complete ? "" : " (stopped early)",
-                   scene_.geometry.primitives.size(), stats_.backend,
-                   1e-6 * static_cast<double>(rendering.counts.total()), stats_.render.wall,
-                   error_reached(rendering), fmt::join(a_.outputs, ", "));
+        print_message("{}{}: {} primitives, {}, {:.2f} Mrays in {:.2f} s{} -> {}\n", a_.scene.path,
+                      rendering.complete ? "" : " (stopped early)",
+                      scene_.geometry.primitives.size(), stats_.backend,
+                      1e-6 * static_cast<double>(rendering.counts.total()), stats_.render.wall,
+                      error_reached(rendering), fmt::join(a_.outputs, ", "));
     }
 
     RenderArguments a_;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/common/backends.h"
+#include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/integrators.h"
 #include "app/common/output.h"
@@ -31,7 +32,7 @@ struct ConvergenceArguments {
 };
 
 int fail(int status, const std::string& message) {
-    fmt::print(stderr, "etalon-bench: error: {}\n", message);
+    print_message("etalon-bench: error: {}\n", message);
     return status;
 }
 
@@ -47,11 +48,6 @@ Result<ReferenceImage> read_reference_image(const std::string& path,
     return {{std::move(image.value), path}, image.error};
 }
 
-/// Tables make room for JSON that another program is to read from standard output.
-void show(const ConvergenceArguments& a, const std::string& text) {
-    fmt::print(a.json == "-" ? stderr : stdout, "{}", text);
-}
-
 nlohmann::ordered_json report_on(const ConvergenceArguments& a, const Imath::V2i& size,
                                  const Measured& measured) {
     nlohmann::ordered_json json = speed::json_of_machine();
@@ -60,10 +56,10 @@ nlohmann::ordered_json report_on(const ConvergenceArguments& a, const Imath::V2i
     json["reference"] = measured.reference;
     json["seeds"] = a.plan.seeds;
     json["curves"] = nlohmann::ordered_json::array();
-    show(a, fmt::format("{}, {} x {}; reference: {}; {} seeds\n\n", a.scene, size.x, size.y,
-                        measured.reference, a.plan.seeds));
+    write_table(a.json, fmt::format("{}, {} x {}; reference: {}; {} seeds\n\n", a.scene, size.x,
+                                    size.y, measured.reference, a.plan.seeds));
     for (const Curve& curve : measured.curves) {
-        show(a, table(curve) + "\n");
+        write_table(a.json, table(curve) + "\n");
         json["curves"].push_back(json_of(curve));
     }
     return json;
@@ -86,7 +82,7 @@ int measure_convergence(const ConvergenceArguments& a) {
     const std::string error = a.json.empty() || a.json == "-" ? "" : check_writable(a.json);
     if (!error.empty()) return fail(exit_not_written, error);
     bench::NamedScene named = bench::bench_scene(a.scene);
-    fmt::print(stderr, "{}", named.messages);
+    write_message(named.messages);
     if (!named.scene) return exit_unusable;
     bench::set_width(named.settings.resolution, a.width);
     const SignalGuard signals;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/common/backends.h"
+#include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "app/common/signals.h"
@@ -25,7 +26,7 @@ struct FramesArguments {
 int measure_frames(const FramesArguments& a) {
     const std::string error = a.json.empty() || a.json == "-" ? "" : check_writable(a.json);
     if (!error.empty()) {
-        fmt::print(stderr, "etalon-bench: error: {}\n", error);
+        print_message("etalon-bench: error: {}\n", error);
         return exit_not_written;
     }
     const SignalGuard signals;
@@ -37,14 +38,14 @@ int measure_frames(const FramesArguments& a) {
         if (signals.signal() != 0) break;
         Result<frames::FrameFigures> frame = frames::measure_frame(scene, a.plan);
         if (!frame) {
-            fmt::print(stderr, "etalon-bench: error: {}\n", frame.error);
+            print_message("etalon-bench: error: {}\n", frame.error);
             return exit_unusable;
         }
         frame.value.scene = std::filesystem::path(scene).stem().string();
         json["frames"].push_back(json_of(frame.value));
         figures.push_back(std::move(frame.value));
     }
-    fmt::print(a.json == "-" ? stderr : stdout, "{}", table(figures));
+    write_table(a.json, table(figures));
     if (!a.json.empty() && !write_json(a.json, json)) return exit_not_written;
     return signals.signal() != 0 ? exit_signal + signals.signal() : exit_done;
 }

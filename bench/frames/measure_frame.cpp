@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "app/common/backends.h"
+#include "app/common/console.h"
 #include "app/common/stopwatch.h"
 #include "bench/frames/recorded_rays.h"
 #include "bench/scenes/bench_scene.h"
@@ -140,7 +141,7 @@ Result<FrameFigures> measure_frame(const std::string& name, const Plan& plan) {
     Stopwatch watch;
     bench::NamedScene named = bench::bench_scene(name);
     const double load = watch.lap().cpu;
-    fmt::print(stderr, "{}", named.messages);
+    write_message(named.messages);
     if (!named.scene) return {{}, fmt::format("{}: no scene to measure", name)};
     bench::set_width(named.settings.resolution, plan.width);
     if (plan.samples > 0) named.settings.samples_per_pixel = plan.samples;

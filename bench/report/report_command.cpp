@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "app/common/progress.h"
@@ -53,17 +54,17 @@ class Report {
         if (!write("It is being measured: nothing yet.")) return exit_not_written;
         if (!measure()) return exit_not_written;
         if (!write(missing())) return exit_not_written;
-        fmt::print("{}\n", path_);
+        print_result("{}\n", path_);
         return signals_.signal() != 0 ? exit_signal + signals_.signal() : exit_done;
     }
 
   private:
     void announce() const {
-        fmt::print(stderr,
-                   "etalon-bench: the {} report takes about {} on two free cores; Ctrl-C ends it "
-                   "with what there is{}\n",
-                   results_.settings.name, duration(seconds_),
-                   results_.settings.name == "quick" ? "" : ", --quick takes two minutes");
+        print_message(
+            "etalon-bench: the {} report takes about {} on two free cores; Ctrl-C ends it "
+            "with what there is{}\n",
+            results_.settings.name, duration(seconds_),
+            results_.settings.name == "quick" ? "" : ", --quick takes two minutes");
     }
 
     /// Returns false if the page cannot be written.
@@ -117,7 +118,7 @@ int write_report(const ReportArguments& a) {
     std::error_code error;
     std::filesystem::create_directories(a.folder, error);
     if (error) {
-        fmt::print(stderr, "etalon-bench: error: {}: {}\n", a.folder, error.message());
+        print_message("etalon-bench: error: {}: {}\n", a.folder, error.message());
         return exit_not_written;
     }
     return Report(a).run();

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "bench/bench_subcommands.h"
@@ -53,13 +54,6 @@ struct SpeedArguments {
     }
 };
 
-/// Tables make room for JSON that another program is to read from standard output.
-void show(const SpeedArguments& a, const std::string& text) {
-    std::FILE* to = a.json == "-" ? stderr : stdout;
-    fmt::print(to, "{}", text);
-    std::fflush(to);
-}
-
 /// Returns the table of what was measured last.
 std::string table_of(const SceneFigures& figures) {
     return figures.kinds.empty() ? table(figures.builds) : table(figures.kinds.back());
@@ -67,15 +61,15 @@ std::string table_of(const SceneFigures& figures) {
 
 SceneFigures measure(const SpeedArguments& a, const std::string& name, Scene scene,
                      const Imath::V2i& resolution) {
-    show(a, fmt::format("{}: {} primitives\n", name, scene.geometry.primitives.size()));
+    write_table(a.json, fmt::format("{}: {} primitives\n", name, scene.geometry.primitives.size()));
     const auto observer = [&](const SceneFigures& figures) {
-        if (figures.kinds.size() == 1) show(a, heading_of_rays());
-        show(a, table_of(figures));
+        if (figures.kinds.size() == 1) write_table(a.json, heading_of_rays());
+        write_table(a.json, table_of(figures));
         return true;
     };
     const SceneFigures figures =
         measure_scene(name, std::move(scene), resolution, a.plan(), observer);
-    show(a, (a.only_build ? "" : summary(figures)) + "\n");
+    write_table(a.json, (a.only_build ? "" : summary(figures)) + "\n");
     return figures;
 }
 
@@ -86,11 +80,11 @@ int check_arguments(const SpeedArguments& a) {
         const std::string complaint = bench::complaint_about(name);
         if (!complaint.empty()) complaints += "etalon-bench: error: " + complaint + "\n";
     }
-    fmt::print(stderr, "{}", complaints);
+    write_message(complaints);
     if (!complaints.empty()) return exit_unusable;
     const std::string error = a.json.empty() || a.json == "-" ? "" : check_writable(a.json);
     if (error.empty()) return exit_done;
-    fmt::print(stderr, "etalon-bench: error: {}\n", error);
+    print_message("etalon-bench: error: {}\n", error);
     return exit_not_written;
 }
 
@@ -101,12 +95,12 @@ bool save(const SpeedArguments& a, const nlohmann::ordered_json& json, bool is_c
 }
 
 int measure_speed(const SpeedArguments& a) {
-    if (a.list) return fmt::print("{}", bench::list_of_scenes()), exit_done;
+    if (a.list) return write_result(bench::list_of_scenes()), exit_done;
     if (const int status = check_arguments(a); status != exit_done) return status;
     nlohmann::ordered_json json = json_of_environment(a.plan());
     for (const std::string& name : a.scenes) {
         bench::NamedScene named = bench::bench_scene(name);
-        fmt::print(stderr, "{}", named.messages);
+        write_message(named.messages);
         if (!named.scene) return exit_unusable;
         json["scenes"].push_back(
             json_of(measure(a, name, std::move(*named.scene), named.settings.resolution)));

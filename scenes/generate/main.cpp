@@ -4,16 +4,17 @@
 #include <string>
 #include <system_error>
 
+#include "app/common/console.h"
+#include "app/common/exit_status.h"
+#include "app/common/parse_exit.h"
 #include "scenes/generate/generator_families.h"
 #include "scenes/generate/scene_output.h"
 
 namespace etalon::generate {
 namespace {
 
-enum ExitStatus { done = 0, wrong_usage = 2, unwritable_output = 4 };
-
 int fail(ExitStatus status, const std::string& message) {
-    fmt::print(stderr, "etalon-scenes: {}\n", message);
+    print_message("etalon-scenes: {}\n", message);
     return status;
 }
 
@@ -35,10 +36,10 @@ int write_scene(const Family& family, std::int64_t size, const std::string& path
         family.generate(writer, size);
         writer.flush();
         output.commit();
-        return done;
+        return exit_done;
     } catch (const std::system_error& e) {
-        const std::string place = path.empty() ? "standard output" : path;
-        return fail(unwritable_output, fmt::format("{}: {}", place, e.code().message()));
+        if (path.empty()) return exit_not_written;  // status_after_results() says why
+        return fail(exit_not_written, fmt::format("{}: {}", path, e.code().message()));
     }
 }
 
@@ -57,17 +58,17 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? done : wrong_usage;
+        return exit_after_parsing(app, e);
     }
 
     const Family* family = find_family(name);
     if (family == nullptr) {
-        return fail(wrong_usage, fmt::format("no family '{}'\n{}", name, list_of_families()));
+        return fail(exit_usage, fmt::format("no family '{}'\n{}", name, list_of_families()));
     }
     const std::int64_t n = size.value_or(family->default_size);
     if (n < family->min_size || n > family->max_size) {
-        return fail(wrong_usage, fmt::format("{} takes sizes from {} to {}, not {}", name,
-                                             family->min_size, family->max_size, n));
+        return fail(exit_usage, fmt::format("{} takes sizes from {} to {}, not {}", name,
+                                            family->min_size, family->max_size, n));
     }
     return write_scene(*family, n, path);
 }
@@ -76,5 +77,6 @@ int run(int argc, char** argv) {
 }  // namespace etalon::generate
 
 int main(int argc, char** argv) {
-    return etalon::generate::run(argc, argv);
+    etalon::prepare_standard_streams();
+    return etalon::status_after_results("etalon-scenes", etalon::generate::run(argc, argv));
 }

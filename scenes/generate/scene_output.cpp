@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "app/common/console.h"
+
 namespace etalon::generate {
 namespace {
 
@@ -23,17 +25,18 @@ void require(bool success) {
 Output::Output(const std::string& path)
     : path_(path),
       written_(written_in_place(path) ? path : path + ".part"),
-      file_(path.empty() ? stdout : std::fopen(written_.c_str(), "wb")) {
-    require(file_ != nullptr);
+      file_(path.empty() ? nullptr : std::fopen(written_.c_str(), "wb")) {
+    require(path.empty() || file_ != nullptr);
 }
 
 Output::~Output() {
-    if (file_ == stdout) return;
+    if (file_ == nullptr) return;
     std::fclose(file_);
     if (written_ != path_) std::remove(written_.c_str());
 }
 
 void Output::write(std::string_view text) {
+    if (file_ == nullptr) return require(write_result(text));
     require(std::fwrite(text.data(), 1, text.size(), file_) == text.size());
     require(std::fflush(file_) == 0);
 }

@@ -22,7 +22,7 @@ class Output {
 
   private:
     std::string path_, written_;  ///< where it belongs, and where it is being written
-    std::FILE* file_;
+    std::FILE* file_;             ///< nullptr: standard output
 };
 
 }  // namespace etalon::generate

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "app/common/console.h"
 #include "bench/report/tasks.h"
 #include "bench/scenes/bench_scene.h"
 #include "bench/speed/measured_scene.h"
@@ -9,7 +10,7 @@ namespace {
 
 void measure(const std::string& name, Results& results, const TaskProgress& task_progress) {
     bench::NamedScene named = bench::bench_scene(name);
-    fmt::print(stderr, "{}", named.messages);
+    write_message(named.messages);
     if (!named.scene) return;
     const speed::Plan& plan = results.settings.plan;
     const auto observer = [&](const speed::SceneFigures& figures) {

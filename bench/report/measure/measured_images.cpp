@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "app/common/backends.h"
+#include "app/common/console.h"
 #include "bench/report/command_lines.h"
 #include "bench/report/formatting.h"
 #include "bench/report/measure/cost_map.h"
@@ -40,7 +41,7 @@ Bytes display(const RenderSettings& settings, const std::vector<Color>& pixels) 
 void add(const std::string& title, const Bytes& rgb, ImageFigures& figures) {
     Result<std::string> png = encode_png(rgb, figures.width, figures.height);
     if (png) return figures.layers.push_back({title, std::move(png.value)});
-    fmt::print(stderr, "etalon-bench: warning: {}\n", png.error);
+    print_message("etalon-bench: warning: {}\n", png.error);
 }
 
 /// Pale is what only one pixel of a hundred exceeds: the few worst ones would make all others dark.

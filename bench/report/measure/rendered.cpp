@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/common/backends.h"
+#include "app/common/console.h"
 #include "core/formats/load.h"
 #include "core/integrators/integrators.h"
 
@@ -26,7 +27,7 @@ fs::path scenes_folder() {
 
 std::optional<ShippedScene> shipped_scene(const std::string& name) {
     LoadResult loaded = load_scene((scenes_folder() / name).string());
-    fmt::print(stderr, "{}", report(loaded.diagnostics));
+    write_message(report(loaded.diagnostics));
     if (!loaded.scene) return std::nullopt;
     return ShippedScene{std::move(*loaded.scene), std::move(loaded.settings)};
 }

@@ -1,0 +1,82 @@
+#include "app/common/console.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <system_error>
+
+#include "app/common/exit_status.h"
+
+namespace etalon {
+namespace {
+
+/// errno of the first failure to write to standard output; 0 if there was none.
+int result_failure = 0;
+
+void note_failure() {
+    if (result_failure == 0) result_failure = errno != 0 ? errno : EIO;
+}
+
+std::string_view view_of(const fmt::memory_buffer& text) {
+    return {text.data(), text.size()};
+}
+
+}  // namespace
+
+void prepare_standard_streams() {
+    std::signal(SIGPIPE, SIG_IGN);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(stream, F_GETFD) >= 0) continue;
+        // A directory is opened with the lowest free descriptor, and always there.
+        if (::open("/", O_RDONLY | O_DIRECTORY) < 0) return;
+    }
+}
+
+void write_message(std::string_view text) noexcept {
+    while (!text.empty()) {
+        const ssize_t n = ::write(STDERR_FILENO, text.data(), text.size());
+        if (n < 0 && errno != EINTR) return;
+        text.remove_prefix(static_cast<std::size_t>(n < 0 ? 0 : n));
+    }
+}
+
+void write_message(fmt::string_view format, fmt::format_args values) noexcept {
+    try {
+        fmt::memory_buffer text;
+        fmt::vformat_to(fmt::appender(text), format, values);
+        write_message(view_of(text));
+    } catch (const std::exception&) {  // out of memory: not even the message finds any
+    }
+}
+
+bool write_result(std::string_view text) noexcept {
+    errno = 0;
+    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (!written || std::fflush(stdout) != 0) note_failure();
+    return result_failure == 0;
+}
+
+bool write_result(fmt::string_view format, fmt::format_args values) noexcept {
+    try {
+        fmt::memory_buffer text;
+        fmt::vformat_to(fmt::appender(text), format, values);
+        return write_result(view_of(text));
+    } catch (const std::exception&) {
+        errno = ENOMEM;
+        note_failure();
+        return false;
+    }
+}
+
+int status_after_results(const char* program, int status) noexcept {
+    if (result_failure == 0) return status;
+    print_message("{}: error: standard output: cannot be written: {}\n", program,
+                  std::generic_category().message(result_failure));
+    return status == exit_done || status == exit_differs ? exit_not_written : status;
+}
+
+}  // namespace etalon

@@ -1,0 +1,121 @@
+// What programs do when a standard stream is full, closed or no longer read.
+#include "tests/app/run_program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+
+namespace {
+
+const std::string programs = ETALON_BINARY_DIR "/bin/";
+
+/// Folder with a scene, an image of it and a ray.
+struct Used : Folder {
+    Used() {
+        write("ball.p3f", small_scene);
+        write("rays.txt", "0 0 5 0 0 -1\n");
+        REQUIRE(etalon("render ball.p3f -q -o whole.exr").status == 0);
+    }
+};
+
+/// Commands that write results to standard output.
+const std::string result_commands[] = {
+    "etalon --help",
+    "etalon --version",
+    "etalon trace ball.p3f --rays rays.txt",
+    "etalon info ball.p3f",
+    "etalon info ball.p3f --json",
+    "etalon compare whole.exr whole.exr",
+    "etalon compare whole.exr whole.exr --json -",
+    "etalon crosscheck ball.p3f -b bvh --rays 20",
+    "etalon crosscheck ball.p3f -b bvh --rays 20 --json -",
+    "etalon render ball.p3f -q --stats -",
+    "etalon-bench --help",
+    "etalon-bench speed --list",
+    "etalon-bench speed --scene spheres:20 --only-build --repeat 1",
+    "etalon-bench speed --scene spheres:20 --only-build --repeat 1 --json -",
+    "etalon-bench accuracy --list",
+    "etalon-bench accuracy --case PLN-1 --rays 1 --backends bvh --only-backends",
+    "etalon-bench frames ball.p3f --repeat 1",
+    "etalon-bench convergence ball.p3f --spp 4 --seeds 1",
+    "etalon-scenes --help",
+    "etalon-scenes tetra --size 2"};
+
+}  // namespace
+
+TEST_CASE("A log that is full, closed or not read loses no picture and stops nothing", "[app]") {
+    const Used f;
+    f.write("odd.p3f", small_scene + "sphere 1 2 3 4\n");  // warned of
+    const std::string whole = f.read("whole.exr");
+    for (const std::string log : {"2>/dev/full", "2>&-", "2>&- >&-", "2>&- >&- <&-"}) {
+        INFO(log);
+        const auto r =
+            f.shell("rm -f a.exr; '" + programs + "etalon' render odd.p3f -o a.exr " + log);
+        CHECK(r.status == 0);
+        CHECK(r.out + r.err == "");
+        CHECK(
+            f.shell("'" + programs + "etalon' compare a.exr whole.exr --fail-above mse=0").status ==
+            0);
+    }
+    const auto unread = f.shell("rm -f a.exr; '" + programs +
+                                "etalon' render odd.p3f -o a.exr 2>&1 | true; test -e a.exr");
+    CHECK(unread.status == 0);
+}
+
+TEST_CASE("A message goes into no file that was opened in place of a closed stream", "[app]") {
+    const Used f;
+    const std::string command = "'" + programs + "etalon' render ball.p3f -o ";
+    REQUIRE(f.shell(command + "a.png 2>&- >&- <&-").status == 0);
+    REQUIRE(f.shell(command + "b.png").status == 0);
+    CHECK(f.read("a.png") == f.read("b.png"));
+}
+
+TEST_CASE("Results that standard output cannot take end with status 4 and the reason", "[app]") {
+    const Used f;
+    for (const std::string& command : result_commands) {
+        INFO(command);
+        const std::string line = "exec '" + programs + "'" + command;
+        CHECK(f.shell(line).status == 0);
+        const auto full = f.shell(line + " >/dev/full");
+        CHECK(full.status == 4);
+        CHECK_THAT(full.err,
+                   ContainsSubstring("error: standard output: cannot be written: No space left"));
+        const auto closed = f.shell(line + " >&-");
+        CHECK(closed.status == 4);
+        CHECK_THAT(closed.err,
+                   ContainsSubstring("error: standard output: cannot be written: Bad file"));
+        CHECK(f.shell(line + " >/dev/full 2>/dev/full").status == 4);
+    }
+}
+
+TEST_CASE("The picture is written even if the figures about it cannot be", "[app]") {
+    const Used f;
+    for (const std::string out : {">/dev/full", ">&-", ">&- 2>&-"}) {
+        INFO(out);
+        const auto r = f.shell("rm -f a.exr; '" + programs +
+                               "etalon' render ball.p3f -o a.exr --stats - " + out);
+        CHECK(r.status == 4);
+        CHECK(
+            f.shell("'" + programs + "etalon' compare a.exr whole.exr --fail-above mse=0").status ==
+            0);
+    }
+}
+
+TEST_CASE("A full standard output does not hide that the arguments or the scene are wrong",
+          "[app]") {
+    const Used f;
+    CHECK(f.etalon("trace ball.p3f >/dev/full").status == 2);
+    CHECK(f.etalon("info missing.p3f --json >/dev/full").status == 3);
+    CHECK(f.etalon("render ball.p3f -o a.exr >/dev/full").status == 0);  // it prints no result
+}
+
+TEST_CASE("Everything that is written to a standard stream goes through the console", "[app]") {
+    const Folder f;
+    const auto r = f.shell(
+        "cd '" ETALON_SOURCE_DIR
+        "' && grep -rnE 'fmt::print|std::(cout|cerr|clog|puts|printf)|std(out|err)\\b' "
+        "app bench core embree_backend native_accel scenes --include='*.cpp' --include='*.h'");
+    for (std::size_t at = 0; at < r.out.size(); at = r.out.find('\n', at) + 1) {
+        CHECK(r.out.compare(at, 23, "app/common/console.cpp:") == 0);
+    }
+    CHECK_THAT(r.out, ContainsSubstring("app/common/console.cpp:"));
+}
