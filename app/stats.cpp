@@ -24,6 +24,10 @@ Json rays(const RayCounts& r) {
             {"total", r.total()}};
 }
 
+Json or_null(const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+}
+
 }  // namespace
 
 Json to_json(const RenderStats& s) {
@@ -52,6 +56,9 @@ Json to_json(const RenderStats& s) {
           {"write", s.write.wall},
           {"total", total}}},
         {"cpu_seconds", {{"parse", s.parse.cpu}, {"build", s.build.cpu}, {"render", s.render.cpu}}},
+        {"stopped", s.stopped.empty() ? Json() : Json(s.stopped)},
+        {"target_error", or_null(s.target_error)},
+        {"expected_error", {{"relmse", or_null(s.expected_error)}}},
         {"rays", rays(s.rays)},
         {"mrays_per_s", rate},
         {"memory_bytes",

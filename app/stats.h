@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "app/common/stopwatch.h"
@@ -13,11 +14,14 @@ namespace etalon {
 struct RenderStats {
     std::string scene, format, backend, integrator, isa;
     int threads = 0;
-    int width = 0, height = 0, samples_per_pixel = 0;
+    int width = 0, height = 0;
+    double samples_per_pixel = 0;  ///< mean of what was taken; 0: one ray through each centre
     std::uint32_t seed = 0;
     nlohmann::ordered_json primitives;
     Duration parse, build, render, aovs, write;
     RayCounts rays;
+    std::string stopped;  ///< "signal" or "time-limit"; empty if the image is what was asked for
+    std::optional<double> target_error, expected_error;  ///< relMSE, asked for and estimated
     std::size_t scene_bytes = 0, accelerator_bytes = 0;
 };
 

@@ -2,11 +2,23 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "core/render/camera_rays.h"
 
 namespace etalon {
+namespace {
+
+/// What is partial says so; an error is given where it was asked for and estimated.
+void add_what_was_reached(const RenderStats& stats, RenderedImage& image) {
+    if (!stats.stopped.empty()) image.metadata["stopped"] = stats.stopped;
+    if (stats.target_error) {
+        image.metadata["targetError"] = static_cast<float>(*stats.target_error);
+    }
+    if (stats.expected_error) {
+        image.metadata["expectedError"] = static_cast<float>(*stats.expected_error);
+    }
+}
+
+}  // namespace
 
 RenderedImage make_output_image(const Scene& scene, const RenderSettings& settings,
                                 const Rendering& rendering, const RenderStats& stats) {
@@ -17,11 +29,12 @@ RenderedImage make_output_image(const Scene& scene, const RenderSettings& settin
     image.metadata = {{"software", std::string("Etalon " ETALON_VERSION)},
                       {"backend", stats.backend},
                       {"integrator", stats.integrator},
-                      {"samplesPerPixel", static_cast<int>(std::lround(rendering.samples))},
+                      {"samplesPerPixel", static_cast<float>(rendering.samples)},
                       {"seed", fmt::format("{}", stats.seed)},
                       {"renderTimeSeconds", static_cast<float>(stats.render.wall)},
                       {"worldToCamera", Imath::M44f(camera.world_to_camera())},
                       {"worldToNDC", Imath::M44f(camera.world_to_ndc())}};
+    add_what_was_reached(stats, image);
     return image;
 }
 

@@ -26,7 +26,7 @@ void Reference::note(const RenderedPass& pass) {
                         {"cpu_seconds", spent_.cpu},
                         {"mse", mse(pixels, pixels_)},
                         {"relmse", relmse(pixels, pixels_)}});
-    if (pass.expected_error > 0) history_.back()["expected_relmse"] = pass.expected_error;
+    if (pass.expected_error) history_.back()["expected_relmse"] = *pass.expected_error;
     watch_.lap();
 }
 

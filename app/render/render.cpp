@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
 
 #include "app/common/backends.h"
@@ -121,9 +120,10 @@ class Render {
     }
 
     bool write(const Rendering& rendering) {
+        std::vector<Channel> channels = make_channels(rendering.film);
         fill_stats(rendering);
         RenderedImage image = make_output_image(scene_, settings_, rendering, stats_);
-        image.channels = make_channels(rendering.film);
+        image.channels = std::move(channels);
         bool written = true;
         for (const std::string& path : a_.outputs) {
             const std::string error = write_image(path, image, a_.exposure);
@@ -144,14 +144,20 @@ class Render {
         stats_.threads = max_threads();
         stats_.width = settings_.resolution.x;
         stats_.height = settings_.resolution.y;
-        if (settings_.samples_per_pixel > 0) {
-            stats_.samples_per_pixel = static_cast<int>(std::lround(rendering.samples));
-        }
+        if (settings_.samples_per_pixel > 0) stats_.samples_per_pixel = rendering.samples;
+        stats_.stopped = why_stopped(rendering);
+        if (a_.target_error > 0) stats_.target_error = a_.target_error;
+        stats_.expected_error = rendering.expected_error;
         stats_.seed = a_.seed;
         stats_.primitives = primitive_counts(scene_);
         stats_.rays = rendering.counts;
         stats_.scene_bytes = memory_bytes(scene_);
         stats_.accelerator_bytes = intersector_->memory_bytes();
+    }
+
+    std::string why_stopped(const Rendering& rendering) const {
+        if (signals_.signal() != 0) return "signal";
+        return rendering.complete ? "" : "time-limit";
     }
 
     nlohmann::ordered_json stats_json(const Rendering& rendering) const {
@@ -160,17 +166,19 @@ class Render {
             json["error"] = compare::as_json(reference_->metrics_of(rendering.film));
             json["convergence"] = reference_->history();
         }
-        if (rendering.expected_error > 0) {
-            json["expected_error"] = {{"relmse", rendering.expected_error}};
-        }
         return json;
     }
 
     std::string error_reached(const Rendering& rendering) const {
         std::string text;
-        if (a_.target_error > 0) {
-            text += fmt::format(", {:.1f} samples a pixel, relMSE {:.2e} expected",
-                                rendering.samples, rendering.expected_error);
+        const bool is_adaptive = a_.target_error > 0;
+        if (is_adaptive || !stats_.stopped.empty()) {
+            text += fmt::format(", {:.1f} samples a pixel", rendering.samples);
+        }
+        if (is_adaptive && rendering.expected_error) {
+            text += fmt::format(", relMSE {:.2e} expected", *rendering.expected_error);
+        } else if (is_adaptive) {
+            text += ", relMSE unknown";
         }
         if (reference_) {
             const double error = reference_->history().back()["relmse"];
@@ -181,7 +189,7 @@ class Render {
 
     void summarise(const Rendering& rendering) const {
         print_message("{}{}: {} primitives, {}, {:.2f} Mrays in {:.2f} s{} -> {}\n", a_.scene.path,
-                      rendering.complete ? "" : " (stopped early)",
+                      stats_.stopped.empty() ? "" : fmt::format(" (stopped: {})", stats_.stopped),
                       scene_.geometry.primitives.size(), stats_.backend,
                       1e-6 * static_cast<double>(rendering.counts.total()), stats_.render.wall,
                       error_reached(rendering), fmt::join(a_.outputs, ", "));

@@ -33,11 +33,21 @@ AdaptivePasses::AdaptivePasses(const Film& film, const RenderSettings& settings,
 std::optional<SamplingGoal> AdaptivePasses::next(const Film& film) {
     estimate_.look(film);
     expected_ = estimate_.total();
+    std::optional<SamplingGoal> goal = plan(film);
+    is_complete_ = !goal;
+    return goal;
+}
+
+std::optional<SamplingGoal> AdaptivePasses::plan(const Film& film) {
     if (is_enough()) return std::nullopt;
     if (knows_too_little()) return SamplingGoal{of_all_ = std::max(1U, 2 * of_all_)};
     SamplingGoal goal = worthwhile(film);
     if (goal.of_pixel == film.counts()) return std::nullopt;  // all have as many as they may
     return goal;
+}
+
+std::optional<double> AdaptivePasses::expected_error() const {
+    return estimate_.exists() ? std::optional(expected_) : std::nullopt;
 }
 
 bool AdaptivePasses::is_enough() const {

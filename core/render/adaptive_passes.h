@@ -14,7 +14,8 @@ class AdaptivePasses : public SamplingPasses {
     AdaptivePasses(const Film& film, const RenderSettings& settings, std::uint32_t samples);
 
     std::optional<SamplingGoal> next(const Film& film) override;
-    double expected_error() const override { return expected_; }
+    bool is_complete(std::uint64_t) const override { return is_complete_; }
+    std::optional<double> expected_error() const override;
     double progress(std::uint64_t samples) const override;
 
   private:
@@ -24,6 +25,7 @@ class AdaptivePasses : public SamplingPasses {
         std::uint32_t pixel;
     };
 
+    std::optional<SamplingGoal> plan(const Film& film);
     bool is_enough() const;
     bool knows_too_little() const;
     std::vector<Candidate> candidates(const Film& film) const;
@@ -32,6 +34,7 @@ class AdaptivePasses : public SamplingPasses {
     ErrorEstimate estimate_;
     double error_, expected_ = 0;
     std::uint32_t samples_, of_all_ = 0;
+    bool is_complete_ = false;
 };
 
 }  // namespace etalon

@@ -27,17 +27,15 @@ class Renderer {
 
     Rendering run() {
         const std::unique_ptr<SamplingPasses> passes = make_passes();
-        bool complete = false;
         while (!stopped()) {
             const std::optional<SamplingGoal> goal = passes->next(film_);
             show(*passes);
-            complete = !goal;
-            if (complete) break;
+            if (!goal) break;
             render_pass(*goal, *passes);
             is_image_ = true;
         }
         show(*passes);  // where it was stopped: what there is of the last pass
-        return finished(*passes, complete);
+        return finished(*passes);
     }
 
   private:
@@ -63,12 +61,12 @@ class Renderer {
         return std::make_unique<UniformPasses>(samples, film_.size(), control_.deadline);
     }
 
-    Rendering finished(const SamplingPasses& passes, bool complete) {
+    Rendering finished(const SamplingPasses& passes) {
         Rendering result{rays_.shares_corners() ? film_.cells() : std::move(film_), {}};
         result.samples =
             static_cast<double>(samples_done_) / static_cast<double>(result.film.size());
         result.expected_error = passes.expected_error();
-        result.complete = complete;
+        result.complete = passes.is_complete(samples_done_);
         for (const RayCounts& c : counts_) result.counts += c;
         return result;
     }

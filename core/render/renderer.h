@@ -16,7 +16,7 @@ namespace etalon {
 /// An image as it is after a pass, or after what a stop left of it.
 struct RenderedPass {
     const Film& film;
-    double expected_error;  ///< relMSE; 0 unless an error was asked for
+    std::optional<double> expected_error;  ///< relMSE, where it was estimated
 };
 
 /// How to watch, limit and stop a rendering while it runs. Changes no pixel but by ending early.
@@ -30,9 +30,9 @@ struct RunControl {
 struct Rendering {
     Film film;
     RayCounts counts;
-    double samples = 0;  ///< per pixel, the mean
-    double expected_error = 0;
-    bool complete = false;  ///< neither stopped nor out of time
+    double samples = 0;                    ///< per pixel, the mean
+    std::optional<double> expected_error{};  ///< relMSE, where it was estimated
+    bool complete = false;                 ///< what was asked for: neither stopped nor out of time
 };
 
 /// Renders the window of the settings. The integrator was made with the same settings. The pixels

@@ -23,8 +23,12 @@ class SamplingPasses {
     /// Returns the goal of the next pass; nothing when the image is done.
     virtual std::optional<SamplingGoal> next(const Film& film) = 0;
 
-    /// The image's expected relMSE, as far as it is known; 0 where nobody asks for it.
-    virtual double expected_error() const { return 0; }
+    /// Whether the image is what was asked for after so many samples; next() also ends the passes
+    /// where there is no time for more.
+    virtual bool is_complete(std::uint64_t samples) const = 0;
+
+    /// The image's expected relMSE after the last whole pass; nothing where it was not estimated.
+    virtual std::optional<double> expected_error() const { return std::nullopt; }
 
     /// Fraction of the work that is done after so many samples, in [0, 1].
     virtual double progress(std::uint64_t samples) const = 0;

@@ -18,9 +18,13 @@ std::optional<SamplingGoal> UniformPasses::next(const Film&) {
     return SamplingGoal{goal_ = next};
 }
 
+bool UniformPasses::is_complete(std::uint64_t samples) const {
+    return samples >= all_samples();
+}
+
 double UniformPasses::progress(std::uint64_t samples) const {
-    const double all = static_cast<double>(samples_) * static_cast<double>(pixels_);
-    return std::max(static_cast<double>(samples) / all, deadline_.elapsed_fraction());
+    const double part = static_cast<double>(samples) / static_cast<double>(all_samples());
+    return std::max(part, deadline_.elapsed_fraction());
 }
 
 }  // namespace etalon

@@ -14,10 +14,12 @@ class UniformPasses : public SamplingPasses {
         : samples_(samples), pixels_(pixels), deadline_(deadline) {}
 
     std::optional<SamplingGoal> next(const Film& film) override;
+    bool is_complete(std::uint64_t samples) const override;
     double progress(std::uint64_t samples) const override;
 
   private:
     std::uint32_t affordable() const;
+    std::uint64_t all_samples() const { return std::uint64_t{samples_} * pixels_; }
 
     std::uint32_t samples_, goal_ = 0;
     std::size_t pixels_;

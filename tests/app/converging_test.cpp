@@ -1,4 +1,10 @@
 // render and etalon-bench convergence against references and limits, from outside.
+#include <OpenEXR/ImfFloatAttribute.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
+
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/run_program.h"
@@ -155,4 +161,68 @@ TEST_CASE("convergence renders by every integrator asked for", "[app]") {
     const auto unknown = f.shell(command + "--integrators path");
     CHECK(unknown.status == 2);
     CHECK_THAT(unknown.err + unknown.out, ContainsSubstring("auto,whitted,ao"));
+}
+
+TEST_CASE("an error that nobody estimated is unknown, in words and as null", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    for (const std::string limit : {"--spp 1", "--time-limit 1e-300"}) {
+        INFO(limit);
+        const auto r =
+            f.etalon("render ball.p3f --target-error 0.01 " + limit + " -o a.exr --stats s.json");
+        REQUIRE(r.status == 0);
+        CHECK_THAT(r.err, ContainsSubstring("1.0 samples a pixel, relMSE unknown"));
+        const json s = json::parse(f.read("s.json"));
+        CHECK(s["target_error"] == 0.01);
+        CHECK(s["expected_error"].at("relmse").is_null());
+        CHECK(s["stopped"] == (limit == "--spp 1" ? json() : json("time-limit")));
+        const Imf::InputFile file(f.path("a.exr").c_str());
+        CHECK(file.header().findTypedAttribute<Imf::FloatAttribute>("expectedError") == nullptr);
+    }
+    REQUIRE(f.etalon("render ball.p3f --spp 2 -q -o a.exr --stats s.json").status == 0);
+    const json s = json::parse(f.read("s.json"));
+    CHECK(s.at("target_error").is_null());
+    CHECK(s.at("expected_error").at("relmse").is_null());
+    CHECK(s.at("stopped").is_null());
+    const Imf::InputFile whole(f.path("a.exr").c_str());
+    CHECK(whole.header().findTypedAttribute<Imf::StringAttribute>("stopped") == nullptr);
+    CHECK(whole.header().typedAttribute<Imf::FloatAttribute>("samplesPerPixel").value() == 2);
+}
+
+TEST_CASE("an error that was estimated stands in the image and in the figures alike", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    REQUIRE(f.etalon("render ball.p3f --target-error 0.02 -q -o a.exr --stats s.json").status == 0);
+    const json s = json::parse(f.read("s.json"));
+    CHECK(s["stopped"].is_null());
+    const Imf::InputFile file(f.path("a.exr").c_str());
+    const auto number = [&](const char* name) {
+        return file.header().typedAttribute<Imf::FloatAttribute>(name).value();
+    };
+    CHECK(number("targetError") == 0.02F);
+    CHECK(number("expectedError") == s["expected_error"]["relmse"].get<float>());
+    CHECK(number("samplesPerPixel") == s["image"]["spp"].get<float>());
+    CHECK(s["image"]["spp"] != std::round(s["image"]["spp"].get<double>()));  // it is adaptive
+}
+
+TEST_CASE("an image that a signal or its time ended says so", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const std::string command = "render ball.p3f --spp 10000000 -o a.exr --stats s.json ";
+    const auto r =
+        f.shell("'" ETALON_BINARY_DIR "/bin/etalon' " + command +
+                "& pid=$!; while kill -0 $pid && test $(cut -d ' ' -f 14 "
+                "/proc/$pid/stat) -lt 50; do sleep 0.05; done; kill -INT $pid; wait $pid");
+    CHECK(r.status == 130);
+    CHECK_THAT(r.err, ContainsSubstring("stopped: signal"));
+    for (const std::string why : {"signal", "time-limit"}) {
+        INFO(why);
+        const json s = json::parse(f.read("s.json"));
+        CHECK(s["stopped"] == why);
+        CHECK(s["image"]["spp"] > 1);
+        CHECK(s["image"]["spp"] < 10000000);
+        const Imf::InputFile file(f.path("a.exr").c_str());
+        CHECK(file.header().typedAttribute<Imf::StringAttribute>("stopped").value() == why);
+        REQUIRE(f.etalon(command + "--time-limit 0.2 -q").status == 0);
+    }
 }
