@@ -1,8 +1,10 @@
 #include "app/common/progress.h"
 
-#include <fmt/core.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
+
 #include "app/common/console.h"
+#include "app/common/progress_line.h"
 
 namespace etalon {
 namespace {
@@ -11,10 +13,17 @@ using namespace std::chrono_literals;
 
 constexpr auto terminal_interval = 100ms;
 constexpr auto line_interval = 5s;
-constexpr int bar_width = 30;
+constexpr int usual_columns = 80;
 
 double seconds(std::chrono::steady_clock::duration d) {
     return std::chrono::duration<double>(d).count();
+}
+
+/// Columns of the terminal at standard error, less one: in the last, some go on to the next line.
+int columns() {
+    winsize size = {};
+    const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return (known ? size.ws_col : usual_columns) - 1;
 }
 
 }  // namespace
@@ -41,14 +50,10 @@ void Progress::update(double part) {
 
 void Progress::print(double part, Clock::time_point now) {
     const double elapsed = seconds(now - start_);
+    if (terminal_)
+        return print_message("\r{}\x1b[K", progress_line(what_, part, elapsed, columns()));
     const double left = part > 0 ? elapsed * (1 - part) / part : 0;
-    if (!terminal_) {
-        print_message("{}: {:.0f} %, {:.1f} s, {:.0f} s left\n", what_, 100 * part, elapsed, left);
-        return;
-    }
-    const int filled = static_cast<int>(part * bar_width);
-    print_message("\r{} [{:#<{}}{:.<{}}] {:3.0f} %  {:.1f} s, {:.0f} s left \x1b[K", what_, "",
-                  filled, "", bar_width - filled, 100 * part, elapsed, left);
+    print_message("{}: {:.0f} %, {:.1f} s, {:.0f} s left\n", what_, 100 * part, elapsed, left);
 }
 
 }  // namespace etalon

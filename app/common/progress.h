@@ -6,8 +6,8 @@
 
 namespace etalon {
 
-/// Says on standard error how far a task is: a bar on a terminal, a line every few seconds
-/// elsewhere. May be called from any thread.
+/// Says on standard error how far a task is: a bar as wide as the terminal, a line every few
+/// seconds elsewhere. May be called from any thread.
 class Progress {
   public:
     explicit Progress(std::string what);
