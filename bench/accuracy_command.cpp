@@ -8,6 +8,7 @@
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
+#include "app/common/signals.h"
 #include "bench/accuracy/measure_case.h"
 #include "bench/accuracy/report/accuracy_json.h"
 #include "bench/accuracy/report/accuracy_table.h"
@@ -54,15 +55,19 @@ int list_cases(const std::vector<HardCase>& cases) {
     return exit_done;
 }
 
-std::vector<Row> measure_all(const AccuracyArguments& a, const std::vector<HardCase>& cases) {
+/// The rows until a stop; the case in which it came may have fewer rays.
+std::vector<Row> measure_all(const AccuracyArguments& a, const std::vector<HardCase>& cases,
+                             const std::atomic<bool>& stop) {
     std::vector<const Backend*> backends;
     for (const std::string& name : a.backends) backends.push_back(find_backend(name));
     accuracy::Budget budget;
     budget.rays = static_cast<std::uint64_t>(a.rays);
     budget.seconds = a.seconds;
     budget.textbooks = !a.only_backends;
+    budget.stop = &stop;
     std::vector<Row> all;
     for (const HardCase& c : cases) {
+        if (stop) break;
         print_message("etalon-bench: {}/{}\n", c.id, c.variant);
         const std::vector<Row> rows = accuracy::measure(c, backends, budget);
         write_table(a.json, accuracy::table(rows, all.empty() ? "" : all.back().shape));
@@ -76,17 +81,36 @@ bool is_broken_promise(const Row& row) {
     return row.exact && row.stats.errors() > 0;
 }
 
-bool write_reports(const AccuracyArguments& a, const std::vector<Row>& rows) {
+const std::string partial = "Stopped by a signal: not all cases and rays.\n";
+
+bool write_reports(const AccuracyArguments& a, const std::vector<Row>& rows, bool stopped) {
+    using Json = nlohmann::ordered_json;
     bool written = true;
-    if (!a.json.empty())
-        written &= write_json(a.json, accuracy::json(rows, accuracy::run_environment()));
-    if (!a.markdown.empty()) written &= write_text(a.markdown, accuracy::markdown(rows));
+    if (!a.json.empty()) {
+        Json json = accuracy::json(rows, accuracy::run_environment());
+        json["stopped"] = stopped ? Json("signal") : Json();
+        written &= write_json(a.json, json);
+    }
+    if (!a.markdown.empty()) {
+        const std::string mark = stopped ? partial + "\n" : "";
+        written &= write_text(a.markdown, mark + accuracy::markdown(rows));
+    }
     if (a.plots.empty()) return written;
     for (const std::string& shape : accuracy::shapes_of(rows)) {
         const std::string svg = accuracy::plot(rows, shape);
         if (!svg.empty()) written &= write_text(a.plots + '/' + shape + ".svg", svg);
     }
     return written;
+}
+
+/// Before anything is measured: a slip of the pen is to cost no hour.
+std::string check_outputs(const AccuracyArguments& a) {
+    std::string error;
+    for (const std::string& path :
+         {a.json, a.markdown, a.plots.empty() ? "" : a.plots + "/shape.svg"}) {
+        if (error.empty() && !path.empty() && path != "-") error = check_writable(path);
+    }
+    return error;
 }
 
 int measure_accuracy(const AccuracyArguments& a) {
@@ -96,13 +120,22 @@ int measure_accuracy(const AccuracyArguments& a) {
         print_message("etalon-bench: error: no case of that name: --list shows them all\n");
         return exit_usage;
     }
-    const std::vector<Row> rows = measure_all(a, cases);
+    if (const std::string error = check_outputs(a); !error.empty()) {
+        print_message("etalon-bench: error: {}\n", error);
+        return exit_not_written;
+    }
+    const SignalGuard signals;
+    const std::vector<Row> rows = measure_all(a, cases, signals.raised());
+    const bool stopped = signals.raised();
+    if (stopped) write_table(a.json, partial);
     const auto broken = std::count_if(rows.begin(), rows.end(), is_broken_promise);
     if (broken > 0) {
         write_table(a.json,
                     fmt::format("{} rows with errors that none of them may have\n", broken));
     }
-    if (!write_reports(a, rows)) return exit_not_written;
+    const bool written = write_reports(a, rows, stopped);
+    if (stopped) return exit_signal + signals.signal();
+    if (!written) return exit_not_written;
     return broken > 0 ? exit_differs : exit_done;
 }
 

@@ -7,6 +7,8 @@
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
+#include "app/common/progress.h"
+#include "app/common/signals.h"
 #include "app/crosscheck/crosscheck_report.h"
 #include "app/scene_arguments.h"
 #include "app/subcommands.h"
@@ -16,8 +18,7 @@ namespace {
 
 struct Arguments {
     SceneArguments scene;
-    std::vector<std::string> backends = backend_names();
-    std::size_t rays = 1000, worst = 5;
+    crosscheck::Plan plan{backend_names()};
     std::string json, rays_out;
 };
 
@@ -25,21 +26,32 @@ struct Arguments {
 void print(const Arguments& a, const crosscheck::Results& results) {
     if (a.json == "-" || a.rays_out == "-") return;
     write_result(crosscheck::as_text(results));
-    if (a.worst > 0) print_result("\n{}", crosscheck::as_rays(results));
+    if (a.plan.worst > 0) print_result("\n{}", crosscheck::as_rays(results));
+}
+
+crosscheck::Results crosscheck_scene(const Arguments& a, const LoadedScene& loaded,
+                                     const std::atomic<bool>& stop) {
+    std::optional<Progress> progress;
+    const crosscheck::RunControl run{
+        stop, [&](const std::string& stage) { progress.emplace(a.scene.path + ": " + stage); },
+        [&](double part) { progress->update(part); }};
+    return crosscheck::crosscheck(*loaded.scene, loaded.settings.resolution, a.plan, run);
+}
+
+bool write(const Arguments& a, const crosscheck::Results& results) {
+    print(a, results);
+    if (!a.json.empty() && !write_json(a.json, crosscheck::as_json(results))) return false;
+    return a.rays_out.empty() || write_text(a.rays_out, crosscheck::as_rays(results));
 }
 
 int run(const Arguments& a) {
+    const SignalGuard signals;
     const LoadedScene loaded = load(a.scene);
     if (!loaded.scene) return loaded.status;
-    const auto results = crosscheck::crosscheck(*loaded.scene, loaded.settings.resolution,
-                                                a.backends, a.rays, a.worst);
-    print(a, results);
-    if (!a.json.empty() && !write_json(a.json, crosscheck::as_json(results))) {
-        return exit_not_written;
-    }
-    if (!a.rays_out.empty() && !write_text(a.rays_out, crosscheck::as_rays(results))) {
-        return exit_not_written;
-    }
+    const crosscheck::Results results = crosscheck_scene(a, loaded, signals.raised());
+    const bool written = write(a, results);
+    if (signals.signal() != 0) return exit_signal + signals.signal();
+    if (!written) return exit_not_written;
     return results.as_promised() ? exit_done : exit_differs;
 }
 
@@ -49,16 +61,17 @@ Action declare_crosscheck(Options& options) {
     auto a = std::make_shared<Arguments>();
     declare_scene(options, a->scene);
     options
-        .add("-b,--backend", a->backends,
+        .add("-b,--backend", a->plan.backends,
              "Comma-separated list of backends; errors of embree-builtin do not "
              "change the exit status")
         .by_commas()
         .one_of(backend_names())
         .show_default();
-    options.add("--rays", a->rays, "Number of rays of each kind: camera, bounce, shadow, aimed")
+    options
+        .add("--rays", a->plan.rays, "Number of rays of each kind: camera, bounce, shadow, aimed")
         .within(std::size_t{1}, std::size_t{1} << 24)
         .show_default();
-    options.add("--worst", a->worst, "Number of each backend's worst rays to list")
+    options.add("--worst", a->plan.worst, "Number of each backend's worst rays to list")
         .within(std::size_t{0}, std::size_t{1} << 24)
         .show_default();
     options.add("--json", a->json, "Write the results to this JSON file; - is standard output");

@@ -42,6 +42,7 @@ Json as_json(const Results& results) {
     }
     json["contingency"] = Json::array();
     for (const Contingency& c : results.contingencies) json["contingency"].push_back(to_json(c));
+    json["stopped"] = results.stopped ? Json("signal") : Json();
     return json;
 }
 

@@ -64,7 +64,10 @@ std::string contingencies_as_text(const Results& results) {
 }  // namespace
 
 std::string as_text(const Results& results) {
-    return tallies_as_text(results) + contingencies_as_text(results);
+    const char* partial =
+        results.stopped ? "\nStopped by a signal: these are not all rays and backends asked for.\n"
+                        : "";
+    return tallies_as_text(results) + contingencies_as_text(results) + partial;
 }
 
 std::string as_rays(const Results& results) {

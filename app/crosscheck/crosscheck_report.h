@@ -11,6 +11,7 @@ namespace etalon::crosscheck {
 std::string as_text(const Results& results);
 
 /// Returns for each backend the figures of all rays and of each kind; the pairs in "contingency".
+/// "stopped" is "signal" or null.
 nlohmann::ordered_json as_json(const Results& results);
 
 /// Every backend's worst rays, comments above each, as `etalon trace --rays` takes them. Backends

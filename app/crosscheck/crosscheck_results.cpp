@@ -16,6 +16,24 @@ BackendResults results_of(const Scene& scene, const std::vector<Trial>& trials,
     return results;
 }
 
+/// The backends' answers. The rays for which the oracle was stopped are few: all are asked them.
+std::vector<Tracer> ask_all(const Plan& plan, const Scene& scene, const std::vector<Trial>& trials,
+                            const RunControl& run) {
+    static const std::atomic<bool> never = false;
+    const RunControl control{run.stop ? never : run.stop, run.begin, run.progress};
+    std::vector<Tracer> tracers;
+    if (trials.empty()) return tracers;
+    run.begin("backends");
+    for (const std::string& name : plan.backends) {
+        std::optional<Tracer> tracer = ask(name, scene, trials, control);
+        if (!tracer) break;
+        tracers.push_back(std::move(*tracer));
+        run.progress(static_cast<double>(tracers.size()) /
+                     static_cast<double>(plan.backends.size()));
+    }
+    return tracers;
+}
+
 }  // namespace
 
 bool Results::as_promised() const {
@@ -23,15 +41,16 @@ bool Results::as_promised() const {
                        [](const auto& b) { return !b.exact || b.total.clean(); });
 }
 
-Results crosscheck(const Scene& scene, const Imath::V2i& resolution,
-                   const std::vector<std::string>& backends, std::size_t rays, std::size_t worst) {
-    const std::vector<Trial> trials = make_trials(scene, resolution, rays);
-    std::vector<Tracer> tracers;
-    for (const std::string& name : backends) tracers.push_back(ask(name, scene, trials));
+Results crosscheck(const Scene& scene, const Imath::V2i& resolution, const Plan& plan,
+                   const RunControl& run) {
+    const std::vector<Trial> trials = make_trials(scene, resolution, plan.rays, run);
+    const bool stopped_oracle = run.stop;
+    const std::vector<Tracer> tracers = ask_all(plan, scene, trials, run);
     Results results;
+    results.stopped = stopped_oracle || tracers.size() < plan.backends.size();
     for (const Trial& trial : trials) results.kinds.push_back(trial.kind);
     for (const Tracer& c : tracers) {
-        results.backends.push_back(results_of(scene, trials, c, worst));
+        results.backends.push_back(results_of(scene, trials, c, plan.worst));
     }
     results.contingencies = contingencies(trials, tracers);
     return results;

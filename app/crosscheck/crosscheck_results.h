@@ -19,14 +19,21 @@ struct Results {
     std::vector<std::string> kinds;  ///< of ray
     std::vector<BackendResults> backends;
     std::vector<Contingency> contingencies;
+    bool stopped = false;  ///< not all rays were asked, or not all backends
 
     /// Whether every backend that promises to be exact is.
     bool as_promised() const;
 };
 
-/// Asks the oracle and the backends of these names, and compares. About `rays` of each kind,
-/// `worst` of them kept for each backend.
-Results crosscheck(const Scene& scene, const Imath::V2i& resolution,
-                   const std::vector<std::string>& backends, std::size_t rays, std::size_t worst);
+struct Plan {
+    std::vector<std::string> backends;
+    std::size_t rays = 1000;  ///< of each kind, about
+    std::size_t worst = 5;    ///< rays kept for each backend
+};
+
+/// Asks the oracle and the backends, and compares. A stop while the oracle is asked leaves fewer
+/// rays, which all backends are then asked; one after that leaves fewer backends.
+Results crosscheck(const Scene& scene, const Imath::V2i& resolution, const Plan& plan,
+                   const RunControl& run);
 
 }  // namespace etalon::crosscheck

@@ -6,14 +6,15 @@
 namespace etalon::crosscheck {
 namespace {
 
-Answers ask(const Intersector& intersector, const std::vector<Ray>& rays) {
+Answers ask(const Intersector& intersector, const std::vector<Ray>& rays,
+            const std::atomic<bool>& stop) {
     Answers answers{std::vector<Answer>(rays.size())};
     Stopwatch watch;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
+    for (std::size_t i = 0; i < rays.size() && !stop; ++i) {
         answers.all[i].closest = intersector.closest(rays[i]);
     }
     answers.seconds = watch.lap().cpu;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
+    for (std::size_t i = 0; i < rays.size() && !stop; ++i) {
         answers.all[i].occluded = intersector.occluded(rays[i]);
     }
     return answers;
@@ -21,11 +22,15 @@ Answers ask(const Intersector& intersector, const std::vector<Ray>& rays) {
 
 }  // namespace
 
-Tracer ask(const std::string& backend, const Scene& scene, const std::vector<Trial>& trials) {
+std::optional<Tracer> ask(const std::string& backend, const Scene& scene,
+                          const std::vector<Trial>& trials, const RunControl& run) {
     const Backend* found = find_backend(backend);
     const auto intersector = found->build(scene.geometry);
     Tracer tracer{backend, found->exact, {}};
-    for (const Trial& trial : trials) tracer.answers.push_back(ask(*intersector, trial.rays));
+    for (const Trial& trial : trials) {
+        tracer.answers.push_back(ask(*intersector, trial.rays, run.stop));
+    }
+    if (run.stop) return std::nullopt;
     return tracer;
 }
 

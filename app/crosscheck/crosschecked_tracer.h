@@ -23,6 +23,8 @@ struct Tracer {
     std::vector<Answers> answers;  ///< one for each trial
 };
 
-Tracer ask(const std::string& backend, const Scene& scene, const std::vector<Trial>& trials);
+/// The backend's answers to all rays; nothing if it was stopped before the last one.
+std::optional<Tracer> ask(const std::string& backend, const Scene& scene,
+                          const std::vector<Trial>& trials, const RunControl& run);
 
 }  // namespace etalon::crosscheck

@@ -6,25 +6,48 @@
 namespace etalon::crosscheck {
 namespace {
 
-std::vector<OracleAnswer> ask(const Oracle& oracle, const std::vector<Ray>& rays) {
-    std::vector<OracleAnswer> answers(rays.size());
-    parallel_for(rays.size(), 16, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) answers[i] = oracle.closest(rays[i]);
+constexpr const char* kinds[] = {"camera", "bounce", "shadow", "aimed"};  // few chords are hard
+
+/// Leaves out the rays that a stop left without an answer.
+Trial answered(const RaySet& set, const std::vector<std::optional<OracleAnswer>>& answers) {
+    Trial trial{set.kind, {}, {}};
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        if (!answers[i]) continue;
+        trial.rays.push_back(set.rays[i]);
+        trial.truth.push_back(*answers[i]);
+    }
+    return trial;
+}
+
+/// The oracle's answers, until a stop. `done` kinds of ray were answered before.
+Trial ask(const Oracle& oracle, const RaySet& set, std::size_t done, const RunControl& run) {
+    std::vector<std::optional<OracleAnswer>> answers(set.rays.size());
+    std::atomic<std::size_t> count = 0;
+    parallel_for(set.rays.size(), 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end && !run.stop; ++i) {
+            answers[i] = oracle.closest(set.rays[i]);
+        }
+        const auto part = static_cast<double>(count += end - begin);
+        run.progress((static_cast<double>(done) + part / static_cast<double>(set.rays.size())) /
+                     static_cast<double>(std::size(kinds)));
     });
-    return answers;
+    return answered(set, answers);
 }
 
 }  // namespace
 
-std::vector<Trial> make_trials(const Scene& scene, const Imath::V2i& resolution,
-                               std::size_t limit) {
+std::vector<Trial> make_trials(const Scene& scene, const Imath::V2i& resolution, std::size_t limit,
+                               const RunControl& run) {
+    run.begin("oracle");
     const auto exact = find_backend(default_backend)->build(scene.geometry);
     const Oracle oracle(scene.geometry);
     std::vector<Trial> trials;
-    for (const char* kind : {"camera", "bounce", "shadow", "aimed"}) {  // few chords are hard cases
-        RaySet set = make_ray_set(kind, scene, resolution, *exact, limit);
-        auto truth = ask(oracle, set.rays);
-        trials.push_back({set.kind, std::move(set.rays), std::move(truth)});
+    for (const char* kind : kinds) {
+        const RaySet set = make_ray_set(kind, scene, resolution, *exact, limit);
+        Trial trial = ask(oracle, set, trials.size(), run);
+        if (run.stop && trial.rays.empty()) break;
+        trials.push_back(std::move(trial));
+        if (run.stop) break;
     }
     return trials;
 }

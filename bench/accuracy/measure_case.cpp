@@ -75,7 +75,7 @@ class Measurement {
         const std::uint64_t blocks = (budget_.rays + block_size - 1) / block_size;
         parallel_for(blocks, 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t block = begin; block < end; ++block) {
-                if (block == 0 || !is_over_time()) shoot(block);
+                if (block == 0 || !is_over()) shoot(block);
             }
         });
         return rows();
@@ -86,7 +86,8 @@ class Measurement {
         entries_.push_back({std::move(tracer), exact, refined});
     }
 
-    bool is_over_time() const {
+    bool is_over() const {
+        if (budget_.stop != nullptr && *budget_.stop) return true;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
         return spent.count() > budget_.seconds;
     }

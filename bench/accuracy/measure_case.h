@@ -1,6 +1,8 @@
 // Shoots the rays of a hard case at everyone and sums up how they fared.
 #pragma once
 
+#include <atomic>
+
 #include "bench/accuracy/error_stats.h"
 #include "bench/hard_cases/hard_case.h"
 #include "core/intersect/intersector.h"
@@ -13,6 +15,7 @@ struct Budget {
     /// Upper bound on the number of ray-primitive tests where every ray is tested against every
     /// primitive; the number of rays is reduced to stay below it.
     std::uint64_t tests = 1'000'000'000;
+    const std::atomic<bool>* stop = nullptr;  ///< set: begin no more rays
     bool textbooks = true;  ///< kernels of textbooks, and the project's own by themselves, too
 };
 

@@ -35,26 +35,32 @@ const Tracer& RayMeasurement::who(const std::string& name) const {
     return tracer != nullptr ? *tracer : *find(references_, name);
 }
 
-KindFigures RayMeasurement::measure(const RaySet& set) const {
+std::optional<KindFigures> RayMeasurement::measure(const RaySet& set,
+                                                   const std::function<bool()>& is_over) const {
     Answers answers(tracers_.size(), std::vector<Answer>(set.rays.size(), missed));
-    KindFigures figures{set.kind, set.rays.size(), set.occlusion, time(set, answers)};
+    KindFigures figures{set.kind, set.rays.size(), set.occlusion, time(set, is_over, answers)};
+    if (figures.tracers.empty()) return std::nullopt;
     find_errors(set, answers, figures);
     return figures;
 }
 
-std::vector<RayFigures> RayMeasurement::time(const RaySet& set, Answers& answers) const {
+/// Nothing if it was over before the last repeat.
+std::vector<RayFigures> RayMeasurement::time(const RaySet& set,
+                                             const std::function<bool()>& is_over,
+                                             Answers& answers) const {
     std::vector<RayFigures> all(tracers_.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
         all[i].tracer = tracers_[i].name();
         all[i].by_threads = runs_on(plan_.threads);
     }
     const std::size_t ways = plan_.threads.size();
-    alternate(plan_.repeats, tracers_.size() * ways, [&](int, std::size_t k) {
+    const auto shoot = [&](int, std::size_t k) {
         const std::size_t i = k / ways;
         const Intersector& intersector = *tracers_[i].intersector;
         Runs& runs = all[i].by_threads[k % ways];
         runs.repeats.push_back(trace(intersector, set, runs.threads, answers[i]));
-    });
+    };
+    if (!alternate(plan_.repeats, tracers_.size() * ways, is_over, shoot)) return {};
     compare_with_baselines(all);
     return all;
 }

@@ -1,6 +1,9 @@
 // Speed and errors of the tracers' answers to rays.
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "bench/speed/plan.h"
 #include "bench/speed/timed_tracer.h"
 
@@ -16,13 +19,16 @@ class RayMeasurement {
     /// Backend that decides where rays start.
     const Intersector& exact() const { return *who(default_backend).intersector; }
 
-    KindFigures measure(const RaySet& set) const;
+    /// Nothing if it was over before the last repeat.
+    std::optional<KindFigures> measure(const RaySet& set,
+                                       const std::function<bool()>& is_over) const;
 
   private:
     using Answers = std::vector<std::vector<Answer>>;  ///< of each tracer
 
     const Tracer& who(const std::string& name) const;
-    std::vector<RayFigures> time(const RaySet& set, Answers& answers) const;
+    std::vector<RayFigures> time(const RaySet& set, const std::function<bool()>& is_over,
+                                 Answers& answers) const;
     std::vector<Answer> answers_of(const std::string& name, const RaySet& set,
                                    const Answers& answers) const;
     OracleReferences oracle_references(const RaySet& set,

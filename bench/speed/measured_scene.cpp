@@ -23,16 +23,20 @@ SceneFigures measure_scene(const std::string& name, Scene scene, const Imath::V2
     setup.scene = std::move(scene);
     SceneFigures figures{name, setup.scene.geometry.primitives.size(), {}, {}};
     std::vector<Tracer> tracers = enter(plan);
-    figures.builds = measure_builds(tracers, setup.scene, plan.threads, plan.repeats);
-    if (!observer(figures) || plan.kinds.empty()) return figures;
+    figures.builds = measure_builds(tracers, setup.scene, plan, observer.is_over);
+    if (figures.builds.empty()) return figures;
+    observer.show(figures);
+    if (plan.kinds.empty()) return figures;
     const RayMeasurement measurement(setup, tracers, plan);
     for (const char* kind : ray_kinds) {
         if (std::find(plan.kinds.begin(), plan.kinds.end(), kind) == plan.kinds.end()) continue;
         const RaySet set =
             make_ray_set(kind, setup.scene, resolution, measurement.exact(), plan.max_rays);
         if (set.rays.empty()) continue;
-        figures.kinds.push_back(measurement.measure(set));
-        if (!observer(figures)) return figures;
+        std::optional<KindFigures> measured = measurement.measure(set, observer.is_over);
+        if (!measured) break;
+        figures.kinds.push_back(std::move(*measured));
+        observer.show(figures);
     }
     return figures;
 }

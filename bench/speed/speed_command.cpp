@@ -9,6 +9,7 @@
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
+#include "app/common/signals.h"
 #include "bench/bench_subcommands.h"
 #include "bench/scenes/bench_scene.h"
 #include "bench/speed/measured_scene.h"
@@ -60,16 +61,16 @@ std::string table_of(const SceneFigures& figures) {
 }
 
 SceneFigures measure(const SpeedArguments& a, const std::string& name, Scene scene,
-                     const Imath::V2i& resolution) {
+                     const Imath::V2i& resolution, const std::atomic<bool>& stop) {
     write_table(a.json, fmt::format("{}: {} primitives\n", name, scene.geometry.primitives.size()));
-    const auto observer = [&](const SceneFigures& figures) {
+    const auto show = [&](const SceneFigures& figures) {
         if (figures.kinds.size() == 1) write_table(a.json, heading_of_rays());
         write_table(a.json, table_of(figures));
-        return true;
     };
-    const SceneFigures figures =
-        measure_scene(name, std::move(scene), resolution, a.plan(), observer);
-    write_table(a.json, (a.only_build ? "" : summary(figures)) + "\n");
+    const auto is_over = [&] { return stop.load(); };
+    SceneFigures figures =
+        measure_scene(name, std::move(scene), resolution, a.plan(), {show, is_over});
+    write_table(a.json, (figures.kinds.empty() ? "" : summary(figures)) + "\n");
     return figures;
 }
 
@@ -94,16 +95,30 @@ bool save(const SpeedArguments& a, const nlohmann::ordered_json& json, bool is_c
     return write_json(a.json, json);
 }
 
+/// Keeps what was finished, marked as partial; returns the exit status.
+int stop_at(const std::string& scene, const SpeedArguments& a, nlohmann::ordered_json& json,
+            int signal) {
+    json["stopped"] = "signal";
+    write_table(a.json, fmt::format("Stopped by a signal in {}.\n", scene));
+    save(a, json, true);
+    return exit_signal + signal;
+}
+
 int measure_speed(const SpeedArguments& a) {
     if (a.list) return write_result(bench::list_of_scenes()), exit_done;
     if (const int status = check_arguments(a); status != exit_done) return status;
+    const SignalGuard signals;
     nlohmann::ordered_json json = json_of_environment(a.plan());
+    json["stopped"] = nullptr;
+    json["scenes"] = nlohmann::ordered_json::array();
     for (const std::string& name : a.scenes) {
         bench::NamedScene named = bench::bench_scene(name);
         write_message(named.messages);
         if (!named.scene) return exit_unusable;
-        json["scenes"].push_back(
-            json_of(measure(a, name, std::move(*named.scene), named.settings.resolution)));
+        const SceneFigures figures =
+            measure(a, name, std::move(*named.scene), named.settings.resolution, signals.raised());
+        if (!figures.builds.empty()) json["scenes"].push_back(json_of(figures));
+        if (signals.raised()) return stop_at(name, a, json, signals.signal());
         if (!save(a, json, &name == &a.scenes.back())) return exit_not_written;
     }
     return exit_done;

@@ -44,14 +44,16 @@ std::vector<std::string> with_baselines(const std::vector<std::string>& asked) {
 }
 
 std::vector<BuildFigures> measure_builds(std::vector<Tracer>& tracers, const Scene& scene,
-                                         const std::vector<int>& threads, int repeats) {
+                                         const Plan& plan, const std::function<bool()>& is_over) {
+    const std::vector<int>& threads = plan.threads;
     std::vector<BuildFigures> all(tracers.size());
     for (BuildFigures& figures : all) figures.by_threads = runs_on(threads);
-    alternate(repeats, tracers.size() * threads.size(), [&](int, std::size_t k) {
+    const auto build = [&](int, std::size_t k) {
         const std::size_t who = k / threads.size(), how = k % threads.size();
         const Duration seconds = time_build(tracers[who], scene, threads[how]);
         all[who].by_threads[how].repeats.push_back(seconds);
-    });
+    };
+    if (!alternate(plan.repeats, tracers.size() * threads.size(), is_over, build)) return {};
     for (std::size_t i = 0; i < tracers.size(); ++i) {
         const Intersector& built = *tracers[i].intersector;
         all[i].tracer = tracers[i].name();

@@ -1,7 +1,10 @@
 // Tracers that take part in a measurement, and their construction.
 #pragma once
 
+#include <functional>
+
 #include "bench/speed/figures.h"
+#include "bench/speed/plan.h"
 #include "core/intersect/intersector.h"
 
 namespace etalon::speed {
@@ -21,8 +24,8 @@ struct Tracer {
 };
 
 /// Builds each tracer's intersector over and over and keeps the last one. With one thread it is
-/// pinned; of more, oneTBB decides where they run.
+/// pinned; of more, oneTBB decides where they run. Nothing if it was over before the last repeat.
 std::vector<BuildFigures> measure_builds(std::vector<Tracer>& tracers, const Scene& scene,
-                                         const std::vector<int>& threads, int repeats);
+                                         const Plan& plan, const std::function<bool()>& is_over);
 
 }  // namespace etalon::speed

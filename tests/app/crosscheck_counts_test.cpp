@@ -1,9 +1,13 @@
-// Counts of crosscheck, on answers made up for the purpose.
+// Counts of crosscheck, on answers made up for the purpose, and what a stop leaves of them.
 #include "app/crosscheck/crosscheck_results.h"
+#include "core/formats/load.h"
+#include "tests/app/run_program.h"
 #include "tests/catch.h"
 
 using namespace etalon;
 using namespace etalon::crosscheck;
+using etalon::test::Folder;
+using etalon::test::small_scene;
 
 namespace {
 
@@ -123,4 +127,29 @@ TEST_CASE("The worst rays come gravest first, the furthest off among equals", "[
 
     const Tracer good = tracer("good", {4, {Hit{2 + 0x1p-50, 7}, true}});
     CHECK(worst_rays(scene, {trial}, good, 9).at(0).wrong == "t off by 2 ulp");
+}
+
+TEST_CASE("A stop leaves the rays that the oracle, or the backends that have answered",
+          "[crosscheck]") {
+    const Folder f;
+    const LoadResult loaded = load_scene(f.write("ball.p3f", small_scene), {});
+    REQUIRE(loaded.scene.has_value());
+    for (const std::string stage : {"none", "oracle", "backends"}) {
+        INFO(stage);
+        std::atomic<bool> stop = false, outside = false;
+        std::string now;
+        const RunControl run{stop, [&](const std::string& begun) { now = begun; },
+                             [&](double part) {
+                                 if (part < 0 || part > 1) outside = true;
+                                 if (now == stage) stop = true;
+                             }};
+        const Results results =
+            crosscheck::crosscheck(*loaded.scene, {32, 24}, {{"bvh", "grid", "none"}, 400, 1}, run);
+        CHECK_FALSE(outside);
+        CHECK(results.stopped == (stage != "none"));
+        CHECK(results.backends.size() == (stage == "backends" ? 1 : 3));
+        CHECK(results.kinds.size() == (stage == "oracle" ? 1 : 4));
+        CHECK(results.backends[0].total.rays > 0);
+        CHECK((results.backends[0].total.rays < 400) == (stage == "oracle"));
+    }
 }

@@ -37,8 +37,13 @@ TEST_CASE("A geometric mean treats twice as fast and half as fast alike") {
 
 TEST_CASE("Repeats go forwards and backwards in turn") {
     std::vector<std::size_t> order;
-    alternate(3, 3, [&](int, std::size_t k) { order.push_back(k); });
+    const auto note = [&](int, std::size_t k) { order.push_back(k); };
+    CHECK(alternate(
+        3, 3, [] { return false; }, note));
     CHECK(order == std::vector<std::size_t>{0, 1, 2, 2, 1, 0, 0, 1, 2});
+    const auto is_over = [&] { return order.size() == 13; };
+    CHECK_FALSE(alternate(3, 3, is_over, note));
+    CHECK(order.size() == 13);
 }
 
 TEST_CASE("A ratio is the median over repeats, which a slow spell of the machine leaves alone") {

@@ -13,13 +13,14 @@ void measure(const std::string& name, Results& results, const TaskProgress& task
     write_message(named.messages);
     if (!named.scene) return;
     const speed::Plan& plan = results.settings.plan;
-    const auto observer = [&](const speed::SceneFigures& figures) {
+    const auto show = [&](const speed::SceneFigures& figures) {
         const auto done = static_cast<double>(figures.kinds.size() + 1);
         task_progress.progress(done / static_cast<double>(plan.kinds.size() + 1));
-        return !task_progress.is_over();
     };
-    results.scenes.add(speed::measure_scene(name, std::move(*named.scene),
-                                            named.settings.resolution, plan, observer));
+    const auto is_over = [&] { return task_progress.is_over(); };
+    speed::SceneFigures figures = speed::measure_scene(
+        name, std::move(*named.scene), named.settings.resolution, plan, {show, is_over});
+    if (!figures.builds.empty()) results.scenes.add(std::move(figures));
 }
 
 /// A ray takes about a microsecond, whoever answers it.

@@ -1,0 +1,78 @@
+// What long commands keep when they are interrupted.
+#include <nlohmann/json.hpp>
+
+#include "tests/app/run_program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+
+using nlohmann::json;
+
+namespace {
+
+/// Runs a program and interrupts it as soon as `until`, a shell command, succeeds; "$pid" is its
+/// process, "out" and "err" are what it has written.
+ProgramResult interrupted(const Folder& f, const std::string& command, const std::string& until) {
+    const auto r = f.shell("'" ETALON_BINARY_DIR "/bin/'" + command +
+                           " >out 2>err & pid=$!; while kill -0 $pid && ! { " + until +
+                           "; }; do sleep 0.02; done 2>loop; kill -INT $pid; wait $pid");
+    return {r.status, f.read("out"), f.read("err"), r.peak_bytes};
+}
+
+/// It has used so many hundredths of a second of processor time.
+std::string has_worked(int hundredths) {
+    return "test $(cut -d ' ' -f 14 /proc/$pid/stat) -ge " + std::to_string(hundredths);
+}
+
+}  // namespace
+
+TEST_CASE("An interrupted crosscheck gives what the oracle has answered", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto r = interrupted(
+        f, "etalon crosscheck ball.p3f -b bvh,grid --rays 8000000 --json c.json", has_worked(200));
+    CHECK(r.status == 130);
+    CHECK_THAT(r.out, ContainsSubstring("Stopped by a signal"));
+    const json j = json::parse(f.read("c.json"));
+    CHECK(j["stopped"] == "signal");
+    for (const char* backend : {"bvh", "grid"}) {
+        CHECK(j[backend]["rays"] > 0);
+        CHECK(j[backend]["rays"] < 4500000);
+        CHECK(j[backend]["class_errors"] == 0);
+    }
+    REQUIRE(f.etalon("crosscheck ball.p3f -b bvh --rays 20 --json c.json").status == 0);
+    CHECK(json::parse(f.read("c.json")).at("stopped").is_null());
+}
+
+TEST_CASE("An interrupted etalon-bench speed gives what it has measured", "[app]") {
+    const Folder f;
+    const auto r = interrupted(f,
+                               "etalon-bench speed --scene spheres:20,spheres:30 --backends bvh "
+                               "--rays camera --repeat 1000 --oracle 0.02 --json s.json",
+                               "grep -q '^build *bvh' out");
+    CHECK(r.status == 130);
+    CHECK_THAT(r.out, ContainsSubstring("Stopped by a signal in spheres:20."));
+    const json j = json::parse(f.read("s.json"));
+    CHECK(j["stopped"] == "signal");
+    REQUIRE(j["scenes"].size() == 1);
+    CHECK(j["scenes"][0]["build"].contains("bvh"));
+    CHECK_FALSE(j["scenes"][0].contains("rays"));
+}
+
+TEST_CASE("An interrupted etalon-bench accuracy gives the cases until then", "[app]") {
+    const Folder f;
+    const auto r = interrupted(f,
+                               "etalon-bench accuracy --backends bvh --rays 1e5 --json a.json "
+                               "--markdown a.md",
+                               "grep -q bvh out");
+    CHECK(r.status == 130);
+    CHECK_THAT(r.out, ContainsSubstring("Stopped by a signal"));
+    const json j = json::parse(f.read("a.json"));
+    CHECK(j["stopped"] == "signal");
+    CHECK(j["rows"].size() >= 1);
+    CHECK(j["rows"][0]["rays"] == 100000);
+    CHECK(f.read("a.md").find("Stopped by a signal") == 0);
+    CHECK(f.shell("'" ETALON_BINARY_DIR
+                  "/bin/etalon-bench' accuracy --case PLN-1 --rays 1 --json no/such/a.json")
+              .status == 4);
+}
