@@ -72,14 +72,11 @@ bool is_sce(const FormatProbe& o) {
     return shows(o, {{"sce1.0"}, {"eyepos", 3}, {"eyedir", 3}, {"fovy_deg", 1}});
 }
 
+/// Matches what version 3 has no meaning for. `"spectrum"` textures and `"point3"` parameters are
+/// more frequent in version 4, but legal in version 3.
 bool is_pbrt_v4(const FormatProbe& o) {
-    return is_pbrt(o) && shows(o, {{"ColorSpace"},
-                                   {"Option"},
-                                   {"Attribute"},
-                                   {"\"point3"},
-                                   {"\"rgb\""},
-                                   {"\"spectrum\""},
-                                   {"\"zsobol\""}});
+    return is_pbrt(o) &&
+           shows(o, {{"ColorSpace"}, {"Option"}, {"Attribute"}, {"\"rgb\""}, {"\"zsobol\""}});
 }
 
 bool is_pbrt(const FormatProbe& o) {

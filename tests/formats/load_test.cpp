@@ -128,6 +128,9 @@ TEST_CASE("scenes of other formats are recognised and named") {
         looks_like("a PBRT scene"));
     CHECK(foreign("LookAt 0 0 1 0 0 0 0 1 0\nColorSpace \"srgb\"\nWorldBegin\n") ==
           looks_like("a PBRT scene of version 4"));
+    CHECK(foreign("WorldBegin\nTexture \"checks\" \"spectrum\" \"checkerboard\"\n"
+                  "Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0]\nWorldEnd\n") ==
+          looks_like("a PBRT scene"));
     CHECK(foreign("# cube\nmtllib a.mtl\nv 0 0 0\nv 1 0 0\nf 1 2 3\n") ==
           looks_like("a Wavefront OBJ mesh"));
 }
