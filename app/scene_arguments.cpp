@@ -35,10 +35,6 @@ void declare_scene(Options& options, SceneArguments& a) {
 }
 
 LoadedScene load(SceneArguments a) {
-    if (a.path == "-" && a.options.format.empty()) {
-        print_message("etalon: error: a scene on standard input needs --format\n");
-        return {std::nullopt, {}, exit_usage, {}};
-    }
     a.options.legacy = !a.legacy.empty();
     LoadResult result = load_scene(a.path, a.options);
     write_message(report(result.diagnostics));

@@ -136,7 +136,10 @@ TEST_CASE("The scene may come from standard input", "[app]") {
     const Folder f;
     CHECK(f.etalon("render - --format p3f -o a.exr -q", small_scene).status == 0);
     CHECK(f.has("a.exr"));
-    CHECK(f.etalon("render -", small_scene).status == 2);
+    CHECK(f.etalon("render - -q", small_scene).status == 0);
+    CHECK(f.has("render.exr"));
+    CHECK(f.etalon("info -", "x").status == 3);
+    CHECK(f.etalon("info -", "sce1.0\neyepos 0 0 5\nball 1 0 0 0\n").status == 0);
 }
 
 TEST_CASE("Wrong usage ends with 2, an unusable scene with 3, an unwritable output with 4",
