@@ -46,6 +46,7 @@ Action declare_convert(Options& options) {
     options
         .add("-o,--output", a->output,
              "Output file; its extension, .p3f or .pbrt, gives the format")
+        .value("FILE")
         .required();
     return [a] { return convert(*a); };
 }

@@ -102,9 +102,12 @@ Action declare_trace(Options& options) {
         .add("--rays", a->rays,
              "File with one ray per line, 'ox oy oz dx dy dz [tmin tmax]', decimal or hexadecimal;"
              " - is standard input")
+        .value("FILE")
         .required();
-    options.add("-o,--output", a->output,
-                "File for the hits, one line per ray (default: standard output)");
+    options
+        .add("-o,--output", a->output,
+             "File for the hits, one line per ray (default: standard output)")
+        .value("FILE");
     options
         .add("-b,--backend", a->backend,
              "Backend that finds the hits (default: the scene's, else bvh)")

@@ -147,26 +147,31 @@ Action declare_accuracy(Options& options) {
         .add("--case", a->cases,
              "Comma-separated list of cases: SPH, SPH-1, or \"SPH-1/1e3 radii\" (default: all of "
              "--list)")
+        .value("CASE")
         .by_commas();
     options.add("--backends", a->backends, "Comma-separated list of backends")
         .by_commas()
         .one_of(backend_names())
         .show_default();
     options.add("--rays", a->rays, "Number of rays of each case, such as 1e7")
+        .value("N")
         .within(1.0, 1e12)
         .show_default();
     options
         .add("--limit", a->seconds,
-             "Time limit of each case, in seconds; it may then get fewer rays (default: none)")
+             "Time limit of each case; it may then get fewer rays (default: none)")
+        .value("SECONDS")
         .positive();
     options.add_flag("--only-backends", a->only_backends,
                      "Measure backends only, not kernels by themselves");
     options.add_flag("--list", a->list, "List the cases and exit");
-    options.add("--json", a->json, "Write the results to this JSON file; - is standard output");
-    options.add("--markdown", a->markdown,
-                "Write the table of docs/accuracy/table.md to this file");
-    options.add("--plots", a->plots,
-                "Write plots of error against cost, SHAPE.svg, to this directory");
+    options.add("--json", a->json, "Write the results to this JSON file; - is standard output")
+        .value("FILE");
+    options.add("--markdown", a->markdown, "Write the table of docs/accuracy/table.md to this file")
+        .value("FILE");
+    options
+        .add("--plots", a->plots, "Write plots of error against cost, SHAPE.svg, to this directory")
+        .value("DIR");
     return [a] { return measure_accuracy(*a); };
 }
 

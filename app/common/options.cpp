@@ -1,9 +1,64 @@
 #include "app/common/options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
+#include "core/formats/nearest_name.h"
+
 namespace etalon {
+namespace {
+
+template <class T>
+struct ValueOf {
+    using type = T;
+};
+template <class T>
+struct ValueOf<std::vector<T>> {
+    using type = T;
+};
+template <class T>
+struct ValueOf<std::optional<T>> {
+    using type = T;
+};
+
+template <class T>
+constexpr bool is_whole = std::is_integral_v<T>;
+
+/// Reads a number as CLI11 does.
+template <class T>
+std::optional<T> parse(const std::string& text) {
+    T value{};
+    return CLI::detail::lexical_cast(text, value) ? std::optional(value) : std::nullopt;
+}
+
+/// Returns "TEXT: expected ..." unless the text is a number that `accepts`.
+template <class T, class Test>
+auto number_check(const std::string& expected, Test accepts) {
+    return [=](const std::string& text) {
+        const std::optional<T> value = parse<T>(text);
+        return value && accepts(*value) ? std::string() : text + ": expected " + expected;
+    };
+}
+
+template <class T>
+auto range_check(T least, T most) {
+    const char* what = is_whole<T> ? "a whole number" : "a number";
+    return number_check<T>(fmt::format("{} from {} to {}", what, least, most),
+                           [=](T value) { return least <= value && value <= most; });
+}
+
+}  // namespace
+
+Option& Option::value(const std::string& name) {
+    option_->type_name(name);
+    return *this;
+}
 
 Option& Option::required() {
     option_->required();
@@ -11,8 +66,8 @@ Option& Option::required() {
 }
 
 Option& Option::by_commas() {
-    option_->delimiter(',');
-    return *this;
+    option_->delimiter(',')->type_name(option_->get_type_name() + ",...");
+    return one_value_each();
 }
 
 Option& Option::one_value_each() {
@@ -36,33 +91,33 @@ Option& Option::group(const std::string& heading) {
 }
 
 Option& Option::one_of(const std::vector<std::string>& values) {
-    option_->check(CLI::IsMember(values));
-    return *this;
+    const std::string list = fmt::format("{}", fmt::join(values, ", "));
+    option_->description(option_->get_description() + ". One of " + list);
+    return check([values, list](const std::string& text) {
+        if (std::ranges::find(values, text) != values.end()) return std::string();
+        const std::vector<std::string_view> names(values.begin(), values.end());
+        return text + ": expected one of " + list + did_you_mean(text, names);
+    });
 }
 
 Option& Option::within(int least, int most) {
-    option_->check(CLI::Range(least, most));
-    return *this;
+    return check(range_check(least, most));
 }
 
 Option& Option::within(std::size_t least, std::size_t most) {
-    option_->check(CLI::Range(least, most));
-    return *this;
+    return check(range_check(least, most));
 }
 
 Option& Option::within(double least, double most) {
-    option_->check(CLI::Range(least, most));
-    return *this;
+    return check(range_check(least, most));
 }
 
 Option& Option::positive() {
-    option_->check(CLI::PositiveNumber);
-    return *this;
+    return check(number_check<double>("a number above 0", [](double x) { return x > 0; }));
 }
 
 Option& Option::not_negative() {
-    option_->check(CLI::NonNegativeNumber);
-    return *this;
+    return check(number_check<double>("0 or a number above", [](double x) { return x >= 0; }));
 }
 
 Option& Option::check(std::function<std::string(const std::string&)> find_fault) {
@@ -72,7 +127,16 @@ Option& Option::check(std::function<std::string(const std::string&)> find_fault)
 
 template <class T>
 Option Options::add(const std::string& names, T& value, const std::string& help) {
-    return Option(*app_.add_option(names, value, help));
+    using Value = typename ValueOf<T>::type;
+    CLI::Option* const option = app_.add_option(names, value, help);
+    if constexpr (std::is_arithmetic_v<Value>) {
+        option->type_name(is_whole<Value> ? "N" : "X");
+        const char* expected = is_whole<Value> ? "a whole number" : "a number";
+        option->check(number_check<Value>(expected, [](Value x) { return x == x; }));  // no NaN
+    } else {
+        option->type_name("NAME");
+    }
+    return Option(*option);
 }
 
 template Option Options::add(const std::string&, int&, const std::string&);
@@ -82,9 +146,14 @@ template Option Options::add(const std::string&, double&, const std::string&);
 template Option Options::add(const std::string&, std::string&, const std::string&);
 template Option Options::add(const std::string&, std::vector<int>&, const std::string&);
 template Option Options::add(const std::string&, std::vector<std::string>&, const std::string&);
+template Option Options::add(const std::string&, std::optional<std::int64_t>&, const std::string&);
 
 Option Options::add_flag(const std::string& names, bool& value, const std::string& help) {
     return Option(*app_.add_flag(names, value, help));
+}
+
+void Options::add_notes(const std::string& text) {
+    app_.footer(text);
 }
 
 }  // namespace etalon

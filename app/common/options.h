@@ -18,6 +18,9 @@ class Option {
   public:
     explicit Option(CLI::Option& option) : option_(&option) {}
 
+    /// Name of the value in the help: FILE, SECONDS (default: N for whole numbers, X for others,
+    /// NAME for text).
+    Option& value(const std::string& name);
     Option& required();
     /// Several values, with commas between them.
     Option& by_commas();
@@ -35,7 +38,8 @@ class Option {
     Option& within(double least, double most);
     Option& positive();
     Option& not_negative();
-    /// `find_fault` returns a text without a fault empty, and else what is wrong with it.
+    /// `find_fault` returns a text without a fault empty, and else what is wrong with it, beginning
+    /// with the text: "magic: expected one of ...".
     Option& check(std::function<std::string(const std::string&)> find_fault);
 
   private:
@@ -48,12 +52,15 @@ class Options {
     explicit Options(CLI::App& app) : app_(app) {}
 
     /// Declares an option by its names, "-o,--output", or a positional argument by its bare name.
-    /// Parsing writes to `value`, which must live until then: an int, unsigned, std::size_t, double
-    /// or std::string, or a vector of int or std::string.
+    /// Parsing writes to `value`, which must live until then: an integer, double or std::string, a
+    /// vector of int or std::string, or an optional integer.
     template <class T>
     Option add(const std::string& names, T& value, const std::string& help);
 
     Option add_flag(const std::string& names, bool& value, const std::string& help);
+
+    /// Adds text to the end of the help, as it is.
+    void add_notes(const std::string& text);
 
   private:
     CLI::App& app_;

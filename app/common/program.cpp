@@ -7,11 +7,14 @@
 
 #include <CLI/CLI.hpp>
 #include <new>
+#include <optional>
+#include <sstream>
 #include <vector>
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
-#include "app/common/parse_exit.h"
+#include "app/common/help.h"
+#include "app/common/usage_error.h"
 
 namespace etalon {
 namespace {
@@ -25,35 +28,62 @@ void keep_freed_memory() {
 #endif
 }
 
-int run_command(CLI::App& app, std::span<const Command> commands, int argc, char** argv) {
-    app.require_subcommand(1);
-    app.footer(
-        "Exit status: 0 done, 1 found more differences than allowed, 2 wrong usage,\n"
-        "3 the scene (or another input) is unusable, 4 output could not be written.");
+constexpr const char* exit_statuses =
+    "Exit status: 0 done, 1 found more differences than allowed, 2 wrong usage,\n"
+    "3 the scene (or another input) is unusable, 4 output could not be written.\n";
+
+/// Declares a command in the part of the parser that belongs to it; `name` is how it is called.
+Action declare(const Command& command, const std::string& name, CLI::App& parser) {
+    Options options(parser);
+    Action run = command.declare(options);
+    std::string footer = parser.get_footer() + "Examples:\n";
+    for (const Example& example : command.examples) {
+        footer += fmt::format("  {} {}\n      {}\n", name, example.arguments, example.purpose);
+    }
+    parser.footer(footer + "\n" + exit_statuses);
+    return run;
+}
+
+/// Parses the command line; returns an exit status if that is all, as after --help.
+std::optional<int> parse(CLI::App& program, int argc, char** argv) {
+    try {
+        program.parse(argc, argv);
+        return std::nullopt;
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() != 0) {
+            write_message(usage_error(program, error));
+            return exit_usage;
+        }
+        std::ostringstream text;
+        program.exit(error, text);
+        write_result(text.str());
+        return exit_done;
+    }
+}
+
+int parse_and_run(CLI::App& program, std::span<const Command> commands, int argc, char** argv) {
+    program.require_subcommand(1);
     std::vector<std::pair<CLI::App*, Action>> runs;
     for (const Command& command : commands) {
-        CLI::App* sub = app.add_subcommand(command.name, command.summary);
-        Options options(*sub);
-        runs.emplace_back(sub, command.declare(options));
+        CLI::App* const sub = program.add_subcommand(command.name, command.summary);
+        runs.emplace_back(sub, declare(command, program.get_name() + " " + command.name, *sub));
     }
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return exit_after_parsing(app, error);
-    }
+    program.footer(exit_statuses);
+    if (const std::optional<int> status = parse(program, argc, argv)) return *status;
     for (const auto& [sub, run] : runs) {
         if (sub->parsed()) return run();
     }
     return exit_usage;
 }
 
-/// Returns the exit status; no exception escapes.
-int parse_and_run(const char* name, const char* description, std::span<const Command> commands,
-                  int argc, char** argv) {
+/// Runs `task` with the parser of a program; what it throws becomes a message and a status.
+template <class Task>
+int guarded(const char* name, const char* description, const Task& task) {
     try {
-        CLI::App app(description, name);
-        app.set_version_flag("--version", fmt::format("{} {}", name, ETALON_VERSION));
-        return run_command(app, commands, argc, argv);
+        CLI::App program(description, name);
+        program.formatter(help_formatter());
+        program.set_version_flag("--version", fmt::format("{} {}", name, ETALON_VERSION));
+        return task(program);
     } catch (const std::bad_alloc&) {
         print_message("{}: error: not enough memory for what was asked\n", name);
     } catch (const std::exception& error) {
@@ -62,13 +92,29 @@ int parse_and_run(const char* name, const char* description, std::span<const Com
     return exit_unusable;
 }
 
+/// Runs a program from its first line to its exit status.
+template <class Task>
+int run_prepared(const char* name, const char* description, const Task& task) {
+    prepare_standard_streams();
+    keep_freed_memory();
+    return status_after_results(name, guarded(name, description, task));
+}
+
 }  // namespace
 
 int run_program(const char* name, const char* description, std::span<const Command> commands,
                 int argc, char** argv) {
-    prepare_standard_streams();
-    keep_freed_memory();
-    return status_after_results(name, parse_and_run(name, description, commands, argc, argv));
+    return run_prepared(name, description, [&](CLI::App& program) {
+        return parse_and_run(program, commands, argc, argv);
+    });
+}
+
+int run_program(const Command& command, int argc, char** argv) {
+    return run_prepared(command.name, command.summary, [&](CLI::App& program) {
+        const Action run = declare(command, command.name, program);
+        const std::optional<int> status = parse(program, argc, argv);
+        return status ? *status : run();
+    });
 }
 
 }  // namespace etalon

@@ -86,16 +86,19 @@ Action declare_compare(Options& options) {
     auto a = std::make_shared<compare::Arguments>();
     options.add("A", a->a, "Image file; EXR, PFM and HDR are linear, PNG and JPEG sRGB").required();
     options.add("B", a->b, "Image file: the reference").required();
-    options.add("--json", a->json, "Write the metrics to this JSON file; - is standard output");
+    options.add("--json", a->json, "Write the metrics to this JSON file; - is standard output")
+        .value("FILE");
     options
         .add("--heatmap", a->heatmap, "Write the map of FLIP to FILE.png, black where A equals B")
+        .value("FILE")
         .check([](const std::string& path) {
             return path.ends_with(".png") ? "" : path + ": expected a name ending in .png";
         });
     options
         .add("--fail-above", a->limits,
-             "METRIC=VALUE: exit with status 1 if the metric is larger, for psnr and ssim smaller; "
-             "may be repeated")
+             "Exit with status 1 if the metric is larger, for psnr and ssim smaller; may be "
+             "repeated")
+        .value("METRIC=VALUE")
         .check([](const std::string& text) { return compare::parse_limit(text).error; })
         .one_value_each();
     return [a] { return compare::run(*a); };

@@ -18,7 +18,7 @@ std::string unknown(const std::string& name) {
         names.push_back(metric.name);
         list += (list.empty() ? "" : ", ") + std::string(metric.name);
     }
-    return fmt::format("'{}' is not one of {}{}", name, list, did_you_mean(name, names));
+    return fmt::format("{}: expected one of {}{}", name, list, did_you_mean(name, names));
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ Result<Limit> parse_limit(const std::string& text) {
     char* end = nullptr;
     const double worst = std::strtod(value.c_str(), &end);
     if (value.empty() || *end != 0 || std::isnan(worst)) {
-        return {{}, fmt::format("'{}': expected METRIC=VALUE with a number", text)};
+        return {{}, fmt::format("{}: expected METRIC=VALUE with a number", text)};
     }
     return {{metric, worst}, {}};
 }

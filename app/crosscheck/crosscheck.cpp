@@ -74,9 +74,12 @@ Action declare_crosscheck(Options& options) {
     options.add("--worst", a->plan.worst, "Number of each backend's worst rays to list")
         .within(std::size_t{0}, std::size_t{1} << 24)
         .show_default();
-    options.add("--json", a->json, "Write the results to this JSON file; - is standard output");
-    options.add("--rays-out", a->rays_out,
-                "Write the worst rays to this file, for trace --rays; - is standard output");
+    options.add("--json", a->json, "Write the results to this JSON file; - is standard output")
+        .value("FILE");
+    options
+        .add("--rays-out", a->rays_out,
+             "Write the worst rays to this file, for trace --rays; - is standard output")
+        .value("FILE");
     return [a] { return run(*a); };
 }
 

@@ -128,7 +128,7 @@ void add(const Aov& aov, const std::vector<Vector>& vectors, std::vector<Channel
 std::string check_aov(const std::string& name) {
     const std::vector<std::string_view> names = all_names();
     if (std::find(names.begin(), names.end(), name) != names.end()) return {};
-    return fmt::format("'{}' is not one of {}{}", name, aov_names(), did_you_mean(name, names));
+    return fmt::format("{}: expected one of {}{}", name, aov_names(), did_you_mean(name, names));
 }
 
 std::string aov_names() {

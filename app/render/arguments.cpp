@@ -16,17 +16,19 @@ void declare_image(Options& options, RenderArguments& a) {
         .add("-o,--output", a.outputs,
              "Output file, FILE.exr or FILE.png; may be repeated "
              "(default: the scene's name with .exr, in this folder)")
+        .value("FILE")
         .check([](const std::string& path) {
             return can_write(path) ? "" : path + ": expected a name ending in .exr or .png";
         })
         .one_value_each()
         .group(group);
-    options.add("--resolution", a.resolution, "WIDTHxHEIGHT in pixels (default: the scene's)")
+    options.add("--resolution", a.resolution, "Width and height in pixels (default: the scene's)")
+        .value("WxH")
         .group(group);
     options
         .add("--crop", a.crop,
-             "Crop window X0,Y0,X1,Y1 in pixels, without X1 and Y1 themselves (default: the whole "
-             "image)")
+             "Crop window in pixels, without X1 and Y1 themselves (default: the whole image)")
+        .value("X0,Y0,X1,Y1")
         .group(group);
     options
         .add("--aov", a.aovs,
@@ -39,7 +41,9 @@ void declare_image(Options& options, RenderArguments& a) {
                   "Leave display values, the colours of P3F, NFF, PRT and SCE, as they are in EXR "
                   "and in errors, rather than decode them to linear light")
         .group(group);
-    options.add("--exposure", a.exposure, "Exposure of the PNG in stops (default: 0)").group(group);
+    options.add("--exposure", a.exposure, "Exposure of the PNG (default: 0)")
+        .value("STOPS")
+        .group(group);
 }
 
 void declare_samples(Options& options, RenderArguments& a) {
@@ -54,16 +58,17 @@ void declare_samples(Options& options, RenderArguments& a) {
         .add("--target-error", a.target_error,
              "relMSE, as of `etalon compare`, at which rendering ends; sampling is adaptive "
              "(default: none)")
+        .value("E")
         .positive()
         .group(group);
-    options
-        .add("--time-limit", a.time_limit,
-             "Time after which rendering ends, in seconds (default: none)")
+    options.add("--time-limit", a.time_limit, "Time after which rendering ends (default: none)")
+        .value("SECONDS")
         .positive()
         .group(group);
     options
         .add("--reference", a.reference,
              "Reference image of the same size; report the error against it over time")
+        .value("FILE")
         .group(group);
     options.add("--sampler", a.sampler, "Sample generator (default: sobol)")
         .one_of({"sobol", "random"})
@@ -106,6 +111,7 @@ void declare_rendering(Options& options, RenderArguments& a) {
     options
         .add("--max-distance", a.max_distance,
              "Largest distance of an occluder for ao, in units of the scene (default: infinite)")
+        .value("D")
         .positive()
         .group(group);
     options.add("-t,--threads", a.threads, "Number of threads (default: all available)")
@@ -120,8 +126,10 @@ void declare_render_options(Options& options, RenderArguments& a) {
     declare_image(options, a);
     declare_samples(options, a);
     declare_rendering(options, a);
-    options.add("--stats", a.stats,
-                "Write counts, times, sizes and errors to this JSON file; - is standard output");
+    options
+        .add("--stats", a.stats,
+             "Write counts, times, sizes and errors to this JSON file; - is standard output")
+        .value("FILE");
     options.add_flag("-q,--quiet", a.quiet, "Show no progress and no summary");
 }
 

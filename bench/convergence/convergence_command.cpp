@@ -111,8 +111,10 @@ Action declare_convergence(Options& options) {
     auto a = std::make_shared<ConvergenceArguments>();
     options.add("SCENE", a->scene, "Scene file, or a name of `etalon-bench speed --list`")
         .required();
-    options.add("--reference", a->reference,
-                "Reference image (default: rendered, with 32 times the samples)");
+    options
+        .add("--reference", a->reference,
+             "Reference image (default: rendered, with 32 times the samples)")
+        .value("FILE");
     options
         .add("--samplers", a->plan.samplers,
              "Comma-separated list of samplers, all with the first backend")
@@ -143,7 +145,8 @@ Action declare_convergence(Options& options) {
         .add("--width", a->width,
              "Width of the image in pixels; its height follows (default: the scene's)")
         .within(1, 65536);
-    options.add("--json", a->json, "Write the results to this JSON file; - is standard output");
+    options.add("--json", a->json, "Write the results to this JSON file; - is standard output")
+        .value("FILE");
     return [a] { return measure_convergence(*a); };
 }
 

@@ -67,7 +67,8 @@ Action declare_frames(Options& options) {
     options.add("--repeat", a->plan.repeats, "Number of times each stage is measured")
         .within(1, 1000)
         .show_default();
-    options.add("--json", a->json, "Write the results to this JSON file; - is standard output");
+    options.add("--json", a->json, "Write the results to this JSON file; - is standard output")
+        .value("FILE");
     return [a] { return measure_frames(*a); };
 }
 

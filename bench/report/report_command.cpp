@@ -129,6 +129,7 @@ int write_report(const ReportArguments& a) {
 Action declare_report(Options& options) {
     auto a = std::make_shared<ReportArguments>();
     options.add("-o,--output", a->folder, "Directory of index.html, created if necessary")
+        .value("DIR")
         .show_default();
     options.add_flag("--quick", a->quick,
                      "Measure for two minutes only (default: longer; the time is announced first)");

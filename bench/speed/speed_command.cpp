@@ -128,6 +128,7 @@ void declare_what(Options& options, SpeedArguments& a) {
     options
         .add("--scene", a.scenes,
              "Comma-separated list of scenes: names of --list, with or without :SIZE, or files")
+        .value("SCENE")
         .by_commas()
         .show_default();
     options
@@ -159,11 +160,13 @@ void declare_how(Options& options, SpeedArguments& a) {
         .show_default();
     options
         .add("--oracle", a.oracle_seconds,
-             "Time for the oracle to check a sample of each kind of ray, in CPU seconds, and as "
+             "CPU time for the oracle to check a sample of each kind of ray, and as "
              "much again for rays in dispute")
+        .value("SECONDS")
         .not_negative()
         .show_default();
-    options.add("--json", a.json, "Write the results to this JSON file; - is standard output");
+    options.add("--json", a.json, "Write the results to this JSON file; - is standard output")
+        .value("FILE");
 }
 
 }  // namespace

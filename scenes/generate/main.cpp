@@ -1,20 +1,29 @@
 // etalon-scenes FAMILY [--size N] [-o FILE.p3f]: a scene of a classic family, at any size.
-#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
-#include "app/common/parse_exit.h"
+#include "app/common/help.h"
+#include "app/common/program.h"
+#include "core/formats/nearest_name.h"
 #include "scenes/generate/generator_families.h"
 #include "scenes/generate/scene_output.h"
 
 namespace etalon::generate {
 namespace {
 
+struct Arguments {
+    std::string family, path;
+    std::optional<std::int64_t> size;
+};
+
 int fail(ExitStatus status, const std::string& message) {
-    print_message("etalon-scenes: {}\n", message);
+    print_message("etalon-scenes: error: {}\n", message);
     return status;
 }
 
@@ -22,10 +31,18 @@ int fail(ExitStatus status, const std::string& message) {
 std::string list_of_families() {
     std::string text = "Families (N is the size; in parentheses the default and the range):\n";
     for (const Family& f : families()) {
-        text += fmt::format("  {:<12} {} ({}; {} to {})\n", f.name, f.description, f.default_size,
-                            f.min_size, f.max_size);
+        text +=
+            help_entry(std::string(f.name), fmt::format("{} ({}; {} to {})", f.description,
+                                                        f.default_size, f.min_size, f.max_size));
     }
     return text;
+}
+
+int no_family(const std::string& name) {
+    std::vector<std::string_view> names;
+    for (const Family& f : families()) names.push_back(f.name);
+    return fail(exit_usage, fmt::format("no family '{}'{}\n{}", name, did_you_mean(name, names),
+                                        list_of_families()));
 }
 
 int write_scene(const Family& family, std::int64_t size, const std::string& path) {
@@ -38,45 +55,41 @@ int write_scene(const Family& family, std::int64_t size, const std::string& path
         output.commit();
         return exit_done;
     } catch (const std::system_error& e) {
-        if (path.empty()) return exit_not_written;  // status_after_results() says why
+        if (path.empty()) return exit_not_written;  // the end of the program says why
         return fail(exit_not_written, fmt::format("{}: {}", path, e.code().message()));
     }
 }
 
-int run(int argc, char** argv) {
-    std::string name;
-    std::string path;
-    std::optional<std::int64_t> size;
-    CLI::App app{"Writes a P3F scene of a classic family of test scenes, at any size."};
-    app.name("etalon-scenes");
-    app.add_option("FAMILY", name, "Family of scenes, see below")->required();
-    app.add_option("-n,--size", size, "Size of the scene (default and range: see below)")
-        ->type_name("N");
-    app.add_option("-o,--output", path, "Output file (default: standard output)")
-        ->type_name("FILE");
-    app.footer(list_of_families());
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& e) {
-        return exit_after_parsing(app, e);
+int run(const Arguments& a) {
+    const Family* const family = find_family(a.family);
+    if (family == nullptr) return no_family(a.family);
+    const std::int64_t size = a.size.value_or(family->default_size);
+    if (size < family->min_size || size > family->max_size) {
+        return fail(exit_usage, fmt::format("{} takes sizes from {} to {}, not {}", a.family,
+                                            family->min_size, family->max_size, size));
     }
-
-    const Family* family = find_family(name);
-    if (family == nullptr) {
-        return fail(exit_usage, fmt::format("no family '{}'\n{}", name, list_of_families()));
-    }
-    const std::int64_t n = size.value_or(family->default_size);
-    if (n < family->min_size || n > family->max_size) {
-        return fail(exit_usage, fmt::format("{} takes sizes from {} to {}, not {}", name,
-                                            family->min_size, family->max_size, n));
-    }
-    return write_scene(*family, n, path);
+    return write_scene(*family, size, a.path);
 }
+
+Action declare(Options& options) {
+    auto a = std::make_shared<Arguments>();
+    options.add("FAMILY", a->family, "Family of scenes, see below").required();
+    options.add("-n,--size", a->size, "Size of the scene (default and range: see below)");
+    options.add("-o,--output", a->path, "Output file (default: standard output)").value("FILE");
+    options.add_notes(list_of_families() + "\n");
+    return [a] { return run(*a); };
+}
+
+constexpr Command command = {
+    "etalon-scenes",
+    "Write a P3F scene of a classic family of test scenes, at any size",
+    declare,
+    {{{"sphereflake -o flake.p3f", "Write a sphereflake of the usual size"},
+      {"mountain --size 4 | etalon info -", "Show what a smaller fractal mountain holds"}}}};
 
 }  // namespace
 }  // namespace etalon::generate
 
 int main(int argc, char** argv) {
-    etalon::prepare_standard_streams();
-    return etalon::status_after_results("etalon-scenes", etalon::generate::run(argc, argv));
+    return etalon::run_program(etalon::generate::command, argc, argv);
 }

@@ -116,7 +116,7 @@ TEST_CASE("an unknown integrator is refused with the list, and what one would ig
     f.write("ball.p3f", small_scene);
     const auto unknown = f.etalon("render ball.p3f --integrator path");
     CHECK(unknown.status == 2);
-    CHECK_THAT(unknown.err + unknown.out, ContainsSubstring("auto,whitted,ao"));
+    CHECK_THAT(unknown.err + unknown.out, ContainsSubstring("auto, whitted, ao"));
     const std::pair<std::string, std::string> ignored[] = {
         {"--max-distance 2", "--integrator ao"},
         {"--integrator whitted --max-distance 2", "--integrator ao"},

@@ -160,7 +160,7 @@ TEST_CASE("convergence renders by every integrator asked for", "[app]") {
     CHECK(j["curves"][0]["points"][0]["mse"] != j["curves"][1]["points"][0]["mse"]);
     const auto unknown = f.shell(command + "--integrators path");
     CHECK(unknown.status == 2);
-    CHECK_THAT(unknown.err + unknown.out, ContainsSubstring("auto,whitted,ao"));
+    CHECK_THAT(unknown.err + unknown.out, ContainsSubstring("auto, whitted, ao"));
 }
 
 TEST_CASE("an error that nobody estimated is unknown, in words and as null", "[app]") {

@@ -45,6 +45,10 @@ TEST_CASE("etalon-scenes ends with 2 on wrong usage and says what is right", "[s
         CHECK(generate(folder, wrong).status == 2);
     }
     CHECK(generate(folder, "--help").status == 0);
+    CHECK_THAT(generate(folder, "sphereflak").err,
+               ContainsSubstring("did you mean 'sphereflake'?"));
+    CHECK(generate(folder, "--version").out ==
+          folder.shell(ETALON_BINARY_DIR "/bin/etalon --version").out.insert(6, "-scenes"));
 }
 
 TEST_CASE("etalon-scenes ends with 4 where it cannot write, and leaves nothing behind",

@@ -1,0 +1,167 @@
+// What the programs say of their command lines: the help, and what is wrong with one.
+#include <algorithm>
+#include <sstream>
+
+#include "tests/app/run_program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+
+namespace {
+
+struct Program {
+    std::string name;
+    std::vector<std::string> commands;
+};
+
+const std::vector<Program> programs = {
+    {"etalon", {"render", "info", "trace", "crosscheck", "compare", "convert"}},
+    {"etalon-bench", {"speed", "accuracy", "convergence", "frames", "report"}},
+    {"etalon-scenes", {""}},
+};
+
+ProgramResult run(const Folder& f, const std::string& command_line) {
+    return f.shell("PATH=" ETALON_BINARY_DIR "/bin:$PATH; " + command_line);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+/// Returns the command lines below "Examples:".
+std::vector<std::string> examples_in(const std::string& help) {
+    std::vector<std::string> examples;
+    for (const std::string& line : lines_of(help.substr(help.find("\nExamples:\n") + 1))) {
+        if (line.starts_with("  etalon")) examples.push_back(line.substr(2));
+    }
+    return examples;
+}
+
+/// A folder with the files that the examples name.
+void put_inputs(const Folder& f) {
+    f.write("scene.p3f", small_scene);
+    f.write("rays.txt", "0 0 5 0 0 -1\n");
+    CHECK(f.etalon("render scene.p3f -q -o a.exr").status == 0);
+    CHECK(f.etalon("render scene.p3f --seed 1 --spp 1 -q -o b.exr").status == 0);
+}
+
+std::string error_of(const Folder& f, const std::string& command_line) {
+    const auto r = run(f, command_line);
+    INFO(command_line);
+    CHECK(r.status == 2);
+    CHECK(r.out == "");
+    return r.err.substr(0, r.err.find('\n'));
+}
+
+}  // namespace
+
+TEST_CASE("help names each value by what it is and fits 80 columns", "[app]") {
+    const Folder f;
+    for (const Program& program : programs) {
+        for (const std::string& command : program.commands) {
+            INFO(program.name << " " << command);
+            const auto r = run(f, program.name + " " + command + " --help");
+            CHECK(r.status == 0);
+            CHECK(r.err == "");
+            for (const char* type : {"TEXT", "INT", "FLOAT", "UINT", ":POSITIVE"}) {
+                CHECK_THAT(r.out, !ContainsSubstring(type));
+            }
+            const std::size_t footer = r.out.find("\nExamples:\n");
+            REQUIRE(footer != std::string::npos);
+            for (const std::string& line : lines_of(r.out.substr(0, footer))) {
+                INFO(line);
+                CHECK(line.size() <= 80);
+            }
+            CHECK(examples_in(r.out).size() == 2);
+        }
+    }
+    const auto render = run(f, "etalon render --help").out;
+    for (const char* shown : {"--output FILE", "--resolution WxH", "--time-limit SECONDS"}) {
+        CHECK_THAT(render, ContainsSubstring(shown));
+    }
+}
+
+TEST_CASE("the examples in the help of etalon and etalon-scenes run", "[app]") {
+    for (const std::string program : {"etalon", "etalon-scenes"}) {
+        const auto& commands = program == "etalon" ? programs[0].commands : programs[2].commands;
+        for (const std::string& command : commands) {
+            const Folder f;
+            put_inputs(f);
+            for (const auto& example :
+                 examples_in(run(f, program + " " + command + " --help").out)) {
+                INFO(example);
+                const auto r = run(f, example);
+                INFO(r.err);
+                CHECK(r.status == 0);
+            }
+        }
+    }
+}
+
+TEST_CASE("the examples in the help of etalon-bench are right up to what they measure", "[app]") {
+    const Folder f;
+    put_inputs(f);
+    // Outputs that cannot be written are noticed before anything is measured.
+    f.shell("mkdir speed.json accuracy.json convergence.json frames.json; touch report results");
+    for (const std::string& command : programs[1].commands) {
+        for (const auto& example : examples_in(run(f, "etalon-bench " + command + " --help").out)) {
+            INFO(example);
+            const auto r = run(f, example);
+            INFO(r.err);
+            CHECK(r.status == (example.ends_with("--list") ? 0 : 4));
+        }
+    }
+}
+
+TEST_CASE("a misspelt command or option is answered with the nearest name", "[app]") {
+    const Folder f;
+    CHECK(error_of(f, "etalon rendr") ==
+          "etalon: error: no command 'rendr'; did you mean 'render'?");
+    CHECK(error_of(f, "etalon-bench sped --json a") ==
+          "etalon-bench: error: no command 'sped'; did you mean 'speed'?");
+    CHECK_THAT(error_of(f, "etalon paint"), ContainsSubstring("'paint'; expected render, info, "));
+    CHECK_THAT(error_of(f, "etalon"), ContainsSubstring("no command given; expected render"));
+    for (const char* line : {"etalon render a.p3f --ssp 4", "etalon render --ssp 4 a.p3f",
+                             "etalon render a.p3f --ssp=4", "etalon render --ssp"}) {
+        CHECK(error_of(f, line) == "etalon: error: no option --ssp; did you mean --spp?");
+    }
+    CHECK(error_of(f, "etalon render -spp 4 a.p3f") ==
+          "etalon: error: no option -spp; did you mean --spp?");
+    CHECK(error_of(f, "etalon-scenes tetra --sise 2") ==
+          "etalon-scenes: error: no option --sise; did you mean --size?");
+    CHECK(error_of(f, "etalon render a.p3f --frobnicate") ==
+          "etalon: error: no option --frobnicate");
+    CHECK(error_of(f, "etalon render a.p3f b.p3f") == "etalon: error: unexpected argument 'b.p3f'");
+}
+
+TEST_CASE("a wrong value is shown with what was expected", "[app]") {
+    const Folder f;
+    const std::pair<std::string, std::string> cases[] = {
+        {"--target-error 0", "--target-error 0: expected a number above 0"},
+        {"--spp many", "--spp many: expected a whole number"},
+        {"--spp -1", "--spp -1: expected a whole number from 0 to 16777216"},
+        {"--spp", "--spp: expected a value"},
+        {"--spp 1 --spp 2", "--spp: given more than once"},
+        {"--exposure nan", "--exposure nan: expected a number"},
+        {"--output a.gif", "--output a.gif: expected a name ending in .exr or .png"},
+        {"--aov albdo",
+         "--aov albdo: expected one of albedo, N, P, Z, uv, dpdu, dpdv, primitiveId, variance, "
+         "sampleCount, cost.boxTests, cost.primitiveTests; did you mean 'albedo'?"},
+        {"--sampler sobel",
+         "--sampler sobel: expected one of sobol, random; did you mean 'sobol'?"}};
+    for (const auto& [option, error] : cases) {
+        CHECK(error_of(f, "etalon render a.p3f " + option) == "etalon: error: " + error);
+    }
+}
+
+TEST_CASE("a list is one argument: the scene after it is not taken for an entry", "[app]") {
+    const Folder f;
+    f.write("G", small_scene);
+    CHECK(f.etalon("render --aov albedo,N G -q -o a.exr").status == 0);
+    CHECK(f.etalon("render --aov albedo --aov N G -q -o a.exr").status == 0);
+    CHECK(error_of(f, "etalon render --aov albedo N G") ==
+          "etalon: error: unexpected argument 'G'");
+}
