@@ -17,24 +17,49 @@ struct ConvertArguments {
     std::string output;
 };
 
-int convert(const ConvertArguments& a) {
-    const std::filesystem::path path = a.output;
-    const SceneWriter write = find_scene_writer(path.extension().string());
-    if (!write) {
-        print_message("etalon: error: {}: expected a file ending in {}\n", a.output,
-                      writable_extensions());
-        return exit_usage;
+SceneWriter writer_of(const std::string& path) {
+    return find_scene_writer(std::filesystem::path(path).extension().string());
+}
+
+/// Whether both name one file.
+bool is_same_file(const std::string& a, const std::string& b) {
+    std::error_code none;
+    return std::filesystem::equivalent(a, b, none);
+}
+
+/// Returns why the output cannot be had, and the exit status; an empty text if it can.
+std::pair<std::string, int> check_output(const ConvertArguments& a) {
+    if (!writer_of(a.output)) {
+        return {fmt::format("{}: expected a file ending in {}", a.output, writable_extensions()),
+                exit_usage};
     }
-    if (const std::string error = check_writable(a.output); !error.empty()) {
+    if (is_same_file(a.scene.path, a.output)) {
+        return {a.output + ": is the scene itself; expected another file", exit_usage};
+    }
+    return {check_writable(a.output), exit_not_written};
+}
+
+/// Says what the format has no word for; false if that is an error.
+bool tolerates(const ConvertArguments& a, const WrittenScene& written) {
+    const bool strict = a.scene.options.strict;
+    for (const ConversionWarning& warning : written.lost) {
+        print_message("{}: {}: {} has no word for {} ({})\n", a.scene.path,
+                      strict ? "error" : "warning", written.format, warning.what, warning.count);
+    }
+    return written.lost.empty() || !strict;
+}
+
+int convert(const ConvertArguments& a) {
+    if (const auto [error, status] = check_output(a); !error.empty()) {
         print_message("etalon: error: {}\n", error);
-        return exit_not_written;
+        return status;
     }
     const LoadedScene loaded = load(a.scene);
     if (!loaded.scene) return loaded.status;
-    const WrittenScene written = write(*loaded.scene, loaded.settings, path.parent_path());
-    for (const ConversionWarning& warning : written.lost) {
-        print_message("{}: lost: {} ({})\n", a.output, warning.what, warning.count);
-    }
+    const std::filesystem::path path = a.output;
+    const WrittenScene written =
+        writer_of(a.output)(*loaded.scene, loaded.settings, path.parent_path());
+    if (!tolerates(a, written)) return exit_unusable;
     return write_text(a.output, written.text) ? exit_done : exit_not_written;
 }
 

@@ -54,13 +54,31 @@ TEST_CASE("convert says what is lost, each kind once with a count", "[app]") {
     CHECK(p3f.status == 0);
     CHECK(p3f.out == "");
     CHECK(p3f.err ==
-          "a.p3f: lost: ambient colour of a material (1)\n"
-          "a.p3f: lost: ellipsoid, now polygons (2)\n");
+          "a.sce: warning: P3F has no word for ambient colour of a material (1)\n"
+          "a.sce: warning: P3F has no word for ellipsoid, now polygons (2)\n");
     CHECK(f.etalon("render a.p3f --strict -q -o a.exr").status == 0);
     const auto pbrt = f.etalon("convert a.sce -o a.pbrt");
     CHECK(pbrt.status == 0);
-    CHECK_THAT(pbrt.err, ContainsSubstring("a.pbrt: lost: ambient colour of a material (1)\n"));
+    CHECK_THAT(pbrt.err,
+               ContainsSubstring(
+                   "a.sce: warning: PBRT has no word for ambient colour of a material (1)\n"));
     CHECK_THAT(f.read("a.pbrt"), ContainsSubstring("WorldEnd"));
+    const auto strict = f.etalon("convert a.sce --strict -o b.p3f");
+    CHECK(strict.status == 3);
+    CHECK_THAT(strict.err, ContainsSubstring("a.sce: error: P3F has no word for ellipsoid"));
+    CHECK_FALSE(f.has("b.p3f"));
+}
+
+TEST_CASE("convert refuses to overwrite its source", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    f.shell("ln -s ball.p3f link.p3f; ln ball.p3f hard.p3f");
+    for (const char* output : {"ball.p3f", "./ball.p3f", "link.p3f", "hard.p3f"}) {
+        const auto r = f.etalon(std::string("convert ball.p3f -o ") + output);
+        CHECK(r.status == 2);
+        CHECK_THAT(r.err, ContainsSubstring("is the scene itself"));
+    }
+    CHECK(f.read("ball.p3f") == small_scene);
 }
 
 TEST_CASE("a skybox is found from where the new file is", "[app]") {

@@ -15,6 +15,7 @@ namespace etalon {
 
 struct WrittenScene {
     std::string text;
+    std::string_view format;              ///< name in messages: "P3F"
     std::vector<ConversionWarning> lost;  ///< warnings of what the format cannot say
 };
 

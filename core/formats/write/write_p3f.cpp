@@ -24,7 +24,7 @@ class P3fScene {
         }
         for (std::size_t i = 0; i < scene_.geometry.primitives.size();) i = write_primitives(i);
         out_.flush();
-        return {std::move(text_), lost_.take()};
+        return {std::move(text_), "P3F", lost_.take()};
     }
 
   private:

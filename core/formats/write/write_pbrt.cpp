@@ -32,7 +32,7 @@ class PbrtScene {
         for (std::size_t i = 0; i < scene_.geometry.primitives.size();) i = write_primitives(i);
         out_.line("WorldEnd");
         out_.flush();
-        return {std::move(text_), lost_.take()};
+        return {std::move(text_), "PBRT", lost_.take()};
     }
 
   private:
