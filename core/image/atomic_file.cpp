@@ -69,9 +69,21 @@ Errno write_and_rename(const std::string& path, std::string_view content,
     return error;
 }
 
+/// The place where a file named by `path` would come to be: what links to nothing yet lead to.
+fs::path link_target(fs::path path) {
+    constexpr int most_links = 40;  // as Linux follows
+    std::error_code none;
+    for (int i = 0; i < most_links && fs::is_symlink(path, none); ++i) {
+        path = path.parent_path() / fs::read_symlink(path);
+    }
+    return path;
+}
+
 Errno write_file(const std::string& path, std::string_view content) {
     struct stat present = {};
-    if (::stat(path.c_str(), &present) != 0) return write_and_rename(path, content, nullptr);
+    if (::stat(path.c_str(), &present) != 0) {
+        return write_and_rename(link_target(path), content, nullptr);
+    }
     if (::access(path.c_str(), W_OK) != 0) return errno;
     if (!S_ISREG(present.st_mode)) return write_in_place(path, content);
     return write_and_rename(fs::canonical(path), content, &present);

@@ -85,6 +85,17 @@ TEST_CASE("a new file has the umask's permissions, a replaced one keeps its own"
     CHECK(content_of(folder / "f") == "2");
 }
 
+TEST_CASE("writing through symbolic links to nothing makes the file they name") {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "there");
+    fs::create_symlink("there/link", folder / "link");
+    fs::create_symlink("file", folder / "there/link");
+    CHECK(write_file_atomically(folder / "link", "new").empty());
+    CHECK(fs::is_symlink(folder / "link"));
+    CHECK(fs::is_symlink(folder / "there/link"));
+    CHECK(fs::is_regular_file(folder / "there/file"));
+}
+
 TEST_CASE("writing through a symbolic link replaces the file it names") {
     const TemporaryFolder folder;
     put(folder / "file", "old");
