@@ -2,9 +2,7 @@
 
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iostream>
-#include <iterator>
+#include <sstream>
 
 #include "app/common/backends.h"
 #include "app/common/console.h"
@@ -12,6 +10,7 @@
 #include "app/common/output.h"
 #include "app/scene_arguments.h"
 #include "app/subcommands.h"
+#include "core/formats/file_text.h"
 #include "core/intersect/kernels.h"
 
 namespace etalon {
@@ -59,12 +58,13 @@ bool read_rays(const TraceArguments& a, std::istream& in, std::vector<Ray>& rays
 }
 
 bool read_rays(const TraceArguments& a, std::vector<Ray>& rays) {
-    if (a.rays == "-") return read_rays(a, std::cin, rays);
-    std::ifstream in(a.rays);
-    if (in && in.peek() != std::ifstream::traits_type::eof()) return read_rays(a, in, rays);
-    if (in.eof()) return true;
-    print_message("{}: error: cannot be read as a list of rays\n", a.rays);
-    return false;
+    const FileText file = read_file(a.rays);
+    if (!file.error.empty()) {
+        print_message("{}: error: {}\n", a.rays, file.error);
+        return false;
+    }
+    std::istringstream in{std::string(file.text())};
+    return read_rays(a, in, rays);
 }
 
 std::string describe(const Scene& scene, const Ray& ray, const std::optional<Hit>& hit) {

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
 #include <optional>
 #include <type_traits>
@@ -30,11 +31,14 @@ struct ValueOf<std::optional<T>> {
 template <class T>
 constexpr bool is_whole = std::is_integral_v<T>;
 
-/// Reads a number as CLI11 does.
+/// Reads a number as CLI11 does, but wraps none around: it takes -1 for the largest unsigned one.
 template <class T>
 std::optional<T> parse(const std::string& text) {
     T value{};
-    return CLI::detail::lexical_cast(text, value) ? std::optional(value) : std::nullopt;
+    errno = 0;
+    if (std::is_unsigned_v<T> && text.starts_with('-')) return std::nullopt;
+    const bool fits = CLI::detail::lexical_cast(text, value) && (!is_whole<T> || errno != ERANGE);
+    return fits ? std::optional(value) : std::nullopt;
 }
 
 /// Returns "TEXT: expected ..." unless the text is a number that `accepts`.

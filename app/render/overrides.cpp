@@ -22,8 +22,12 @@ std::string apply_resolution(const std::string& text, RenderSettings& settings) 
     int width = 0, height = 0;
     char rest = 0;
     const bool parsed = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2;
-    if (!parsed || width < 1 || height < 1 || std::max(width, height) > max_image_side) {
+    if (!parsed || width < 1 || height < 1) {
         return "--resolution " + text + ": expected WIDTHxHEIGHT, e.g. 640x480";
+    }
+    if (std::max(width, height) > max_image_side) {
+        return fmt::format("--resolution {}: expected at most {} pixels a side", text,
+                           max_image_side);
     }
     settings.resolution = {width, height};
     return {};
@@ -81,6 +85,12 @@ std::string apply_integrator(const RenderArguments& a, RenderSettings& settings)
     return {};
 }
 
+/// Refuses an exposure that no image would have.
+std::string check_exposure(const RenderArguments& a) {
+    const bool is_used = a.exposure == 0 || std::ranges::any_of(a.outputs, has_exposure);
+    return is_used ? "" : "--exposure: no output is a PNG; expected -o FILE.png to have it";
+}
+
 std::string check_aovs(const RenderArguments& a, const RenderSettings& settings) {
     if (a.aovs.empty()) return {};
     if (!a.outputs.empty() && std::none_of(a.outputs.begin(), a.outputs.end(), can_hold_channels)) {
@@ -101,6 +111,7 @@ std::string apply_overrides(const RenderArguments& a, RenderSettings& settings) 
     }
     std::string error = apply_integrator(a, settings);
     if (error.empty()) error = check_aovs(a, settings);
+    if (error.empty()) error = check_exposure(a);
     if (error.empty()) error = apply_resolution(a.resolution, settings);
     return error.empty() ? apply_crop(a.crop, settings) : error;
 }

@@ -8,9 +8,11 @@
 #include "app/common/output.h"
 #include "app/common/progress.h"
 #include "app/common/signals.h"
+#include "app/common/units.h"
 #include "app/compare/metrics_report.h"
 #include "app/render/aovs.h"
 #include "app/render/arguments.h"
+#include "app/render/memory.h"
 #include "app/render/output_image.h"
 #include "app/render/reference.h"
 #include "app/stats.h"
@@ -47,6 +49,9 @@ class Render {
         const std::string error = apply_overrides(a_, settings_);
         if (!error.empty()) return complain(error), exit_usage;
         if (a_.outputs.empty()) a_.outputs = {default_output(a_.scene.path)};
+        if (const std::string missing = check_memory(settings_); !missing.empty()) {
+            return complain(missing), exit_unusable;
+        }
         if (!outputs_are_writable()) return exit_not_written;
         if (!open_reference() || !build()) return exit_unusable;
         const Rendering rendering = render_image();
@@ -188,10 +193,10 @@ class Render {
     }
 
     void summarise(const Rendering& rendering) const {
-        print_message("{}{}: {} primitives, {}, {:.2f} Mrays in {:.2f} s{} -> {}\n", a_.scene.path,
+        print_message("{}{}: {} primitives, {}, {} in {}{} -> {}\n", a_.scene.path,
                       stats_.stopped.empty() ? "" : fmt::format(" (stopped: {})", stats_.stopped),
                       scene_.geometry.primitives.size(), stats_.backend,
-                      1e-6 * static_cast<double>(rendering.counts.total()), stats_.render.wall,
+                      rays_text(rendering.counts.total()), seconds_text(stats_.render.wall),
                       error_reached(rendering), fmt::join(a_.outputs, ", "));
     }
 

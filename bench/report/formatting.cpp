@@ -10,14 +10,6 @@
 
 namespace etalon::bench_report {
 
-std::string grouped(std::uint64_t n) {
-    std::string digits = std::to_string(n);
-    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) {
-        digits.insert(static_cast<std::size_t>(at), 1, ',');
-    }
-    return digits;
-}
-
 std::string count_of(std::uint64_t n, const std::string& what) {
     return grouped(n) + " " + what + (n == 1 ? "" : "s");
 }

@@ -5,13 +5,11 @@
 #include <string>
 #include <string_view>
 
+#include "app/common/units.h"
 #include "bench/report/content.h"
 #include "bench/speed/statistics.h"
 
 namespace etalon::bench_report {
-
-/// "1,411,230".
-std::string grouped(std::uint64_t n);
 
 /// "1 case", "799 cases".
 std::string count_of(std::uint64_t n, const std::string& what);

@@ -105,6 +105,10 @@ bool can_hold_channels(const std::string& path) {
     return extension(path) == ".exr";
 }
 
+bool has_exposure(const std::string& path) {
+    return extension(path) == ".png";
+}
+
 std::string write_image(const std::string& path, const RenderedImage& image, double exposure) {
     const Result<std::string> file = encode(extension(path), image, exposure);
     if (!file) return path + ": cannot be written: " + file.error;

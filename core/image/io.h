@@ -23,6 +23,9 @@ bool can_write(const std::string& path);
 /// Whether a file of this extension has a place for an image's channels.
 bool can_hold_channels(const std::string& path);
 
+/// Whether write_image() applies the exposure to a file of this extension.
+bool has_exposure(const std::string& path);
+
 /// Reads an image file: .exr by OpenEXR; PNG and JPEG, told by their first bytes, by libpng and
 /// libjpeg; anything else by OpenImageIO. A failure's reason begins with the path.
 Result<Image> read_image(const std::string& path, Extent extent = Extent::whole);

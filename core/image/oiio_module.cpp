@@ -45,7 +45,11 @@ std::unique_ptr<OIIO::ImageInput> open(const char* path) {
     OIIO::ImageSpec options;
     options["oiio:UnassociatedAlpha"] = 1;  // colours as stored, not multiplied by alpha
     auto input = OIIO::ImageInput::open(path, &options);
-    if (!input) fail(OIIO::geterror());
+    const std::string reason = input ? "" : OIIO::geterror();
+    if (reason.find("could not find a format reader") != std::string::npos) {
+        fail("is no image; expected EXR, PNG, JPEG, HDR or PFM");
+    }
+    if (!input) fail(reason);
     const OIIO::ImageSpec& spec = input->spec();
     if (spec.depth != 1 || spec.deep) fail("volumes and deep pictures are not supported");
     if (std::max(spec.width, spec.height) > max_side) fail("larger than 65536 pixels");

@@ -1,0 +1,78 @@
+// What the commands of etalon say when something is missing, too large or left out.
+#include <nlohmann/json.hpp>
+
+#include "tests/app/run_program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+
+using nlohmann::json;
+
+namespace {
+
+const Folder& folder() {
+    static const Folder f;
+    static const std::string written = f.write("ball.p3f", small_scene);
+    return f;
+}
+
+/// Returns what a command that fails says.
+std::string error_of(const std::string& arguments, int status) {
+    const auto r = folder().etalon(arguments);
+    INFO(arguments);
+    CHECK(r.status == status);
+    CHECK(r.out == "");
+    return r.err;
+}
+
+}  // namespace
+
+TEST_CASE("a size of an image that cannot be says what could be", "[app]") {
+    CHECK(error_of("render ball.p3f --resolution 100000x100000", 2) ==
+          "etalon: error: --resolution 100000x100000: expected at most 65536 pixels a side\n");
+    const auto r = folder().shell("ulimit -v 4000000; " ETALON_BINARY_DIR
+                                  "/bin/etalon render ball.p3f --resolution 60000x50000 -o a.exr");
+    CHECK(r.status == 3);
+    CHECK(r.err == "etalon: error: 60000 x 50000 pixels need 120.0 GB; there are 4.1\n");
+}
+
+TEST_CASE("an exposure that no output has is refused", "[app]") {
+    CHECK_THAT(error_of("render ball.p3f --exposure 1", 2),
+               ContainsSubstring("expected -o FILE.png"));
+    CHECK_THAT(error_of("render ball.p3f --exposure 1 -o a.exr", 2),
+               ContainsSubstring("expected -o FILE.png"));
+    CHECK(folder().etalon("render ball.p3f --exposure 1 -q -o a.exr -o a.png").status == 0);
+}
+
+TEST_CASE("an input that cannot be read is named with the system's reason", "[app]") {
+    CHECK(error_of("trace ball.p3f --rays none.txt", 3) ==
+          "none.txt: error: cannot be opened: No such file or directory\n");
+    CHECK(error_of("trace ball.p3f --rays .", 3) == ".: error: is a directory\n");
+    folder().write("text.txt", "no image\n");
+    CHECK_THAT(error_of("compare text.txt text.txt", 3),
+               ContainsSubstring("is no image; expected EXR, PNG, JPEG, HDR or PFM\n"));
+}
+
+TEST_CASE("an output that cannot be written is named with the reason", "[app]") {
+    CHECK(error_of("render ball.p3f -o no/x.exr", 4) ==
+          "etalon: error: no/x.exr: cannot be written: no is no directory\n");
+}
+
+TEST_CASE("a folder without permission is said to be that", "[app][needs_unprivileged_user]") {
+    const std::string as_nobody =
+        "chmod 755 . ; setpriv --reuid=65534 --regid=65534 --clear-groups " ETALON_BINARY_DIR
+        "/bin/etalon ";
+    SKIP_UNLESS(folder().shell(as_nobody + "info ball.p3f").status == 0,
+                "the program cannot be run as another user");
+    const auto r = folder().shell(as_nobody + "render ball.p3f -o x.exr");
+    CHECK(r.status == 4);
+    CHECK(r.err == "etalon: error: x.exr: cannot be written: no permission in this folder\n");
+}
+
+TEST_CASE("the summary of a small image shows its rays and its time, not zeros", "[app]") {
+    const auto r = folder().etalon("render ball.p3f -b bvh -o a.exr");
+    CHECK(r.status == 0);
+    CHECK_THAT(r.err, ContainsSubstring(" rays in ") && ContainsSubstring(" ms -> a.exr"));
+    CHECK_THAT(r.err, !ContainsSubstring("0.00"));
+}
+
