@@ -51,6 +51,7 @@ Json lights(const Scene& scene) {
     return counts;
 }
 
+/// "more" counts further diagnostics of the same kind, which were left out.
 Json diagnostics(const std::vector<Diagnostic>& list) {
     Json result = Json::array();
     for (const Diagnostic& d : list) {
@@ -59,6 +60,7 @@ Json diagnostics(const std::vector<Diagnostic>& list) {
                           {"line", d.line},
                           {"column", d.column},
                           {"message", d.message}});
+        if (d.more > 0) result.back()["more"] = d.more;
     }
     return result;
 }
@@ -124,7 +126,7 @@ int inform(const InfoArguments& a) {
     const LoadedScene loaded = load(a.scene);
     if (!loaded.scene) {
         const Json j{{"scene", a.scene.path}, {"diagnostics", diagnostics(loaded.diagnostics)}};
-        if (a.json) write_json("-", j);
+        if (a.json && loaded.status == exit_unusable) write_json("-", j);
         return loaded.status;
     }
     const Json j = describe(a, loaded);

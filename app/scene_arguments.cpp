@@ -12,6 +12,15 @@ std::vector<std::string> strings(std::span<const std::string_view> names) {
     return {names.begin(), names.end()};
 }
 
+/// Adds that there is nothing to see, as where a file was cut; an error if warnings are.
+void note_no_shapes(LoadResult& result, const SceneArguments& a) {
+    if (!result.scene || !result.scene->geometry.primitives.empty()) return;
+    const bool strict = a.options.strict;
+    result.diagnostics.push_back({strict ? Severity::error : Severity::warning, "empty", a.path, 0,
+                                  0, "no shapes: the image shows the background only"});
+    if (strict) result.scene.reset();
+}
+
 }  // namespace
 
 void declare_scene(Options& options, SceneArguments& a) {
@@ -37,6 +46,7 @@ void declare_scene(Options& options, SceneArguments& a) {
 LoadedScene load(SceneArguments a) {
     a.options.legacy = !a.legacy.empty();
     LoadResult result = load_scene(a.path, a.options);
+    note_no_shapes(result, a);
     write_message(report(result.diagnostics));
     if (!result.scene) return {std::nullopt, {}, exit_unusable, std::move(result.diagnostics)};
     if (!a.legacy.empty() && a.legacy != result.scene->format) {

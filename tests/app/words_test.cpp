@@ -76,3 +76,25 @@ TEST_CASE("the summary of a small image shows its rays and its time, not zeros",
     CHECK_THAT(r.err, !ContainsSubstring("0.00"));
 }
 
+TEST_CASE("a scene cut before its first shape says that it has none", "[app]") {
+    const Folder f;
+    f.write("cut.p3f", small_scene.substr(0, small_scene.find("pl 1")));
+    const auto r = f.etalon("info cut.p3f");
+    CHECK(r.status == 0);
+    CHECK_THAT(r.err, ContainsSubstring("cut.p3f: warning: no shapes"));
+    CHECK(f.etalon("render cut.p3f --strict -o a.exr").status == 3);
+    CHECK(f.etalon("render cut.p3f -q -o a.exr").status == 0);
+}
+
+TEST_CASE("info --json says how many diagnostics it left out", "[app]") {
+    const Folder f;
+    std::string text = small_scene;
+    for (int i = 0; i < 25; ++i) text += "s 0 0 0 nan\n";
+    f.write("odd.p3f", text);
+    const json list = json::parse(f.etalon("info odd.p3f --json").out)["diagnostics"];
+    REQUIRE(list.size() == 20);
+    CHECK(list.back()["more"] == 5);
+    CHECK_FALSE(list.front().contains("more"));
+    CHECK(f.etalon("info odd.p3f --json --legacy sce").out == "");  // wrong usage, no scene
+}
+
