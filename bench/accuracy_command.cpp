@@ -103,16 +103,6 @@ bool write_reports(const AccuracyArguments& a, const std::vector<Row>& rows, boo
     return written;
 }
 
-/// Before anything is measured: a slip of the pen is to cost no hour.
-std::string check_outputs(const AccuracyArguments& a) {
-    std::string error;
-    for (const std::string& path :
-         {a.json, a.markdown, a.plots.empty() ? "" : a.plots + "/shape.svg"}) {
-        if (error.empty() && !path.empty() && path != "-") error = check_writable(path);
-    }
-    return error;
-}
-
 int measure_accuracy(const AccuracyArguments& a) {
     const std::vector<HardCase> cases = chosen_cases(a);
     if (a.list) return list_cases(cases);
@@ -120,9 +110,10 @@ int measure_accuracy(const AccuracyArguments& a) {
         print_message("etalon-bench: error: no case of that name: --list shows them all\n");
         return exit_usage;
     }
-    if (const std::string error = check_outputs(a); !error.empty()) {
+    const std::string plots = a.plots.empty() ? "" : a.plots + "/shape.svg";
+    if (const auto [error, status] = check_outputs({a.json, a.markdown, plots}); !error.empty()) {
         print_message("etalon-bench: error: {}\n", error);
-        return exit_not_written;
+        return status;
     }
     const SignalGuard signals;
     const std::vector<Row> rows = measure_all(a, cases, signals.raised());

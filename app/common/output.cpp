@@ -3,10 +3,14 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "app/common/console.h"
+#include "app/common/exit_status.h"
 #include "core/image/atomic_file.h"
 
 namespace etalon {
@@ -16,9 +20,25 @@ std::string check_writable(const std::string& path) {
     std::error_code ignored;
     const fs::path parent = fs::path(path).parent_path();
     const std::string directory = parent.empty() ? "." : parent.string();
-    if (fs::is_directory(path, ignored)) return path + ": is a directory";
-    if (!fs::is_directory(directory, ignored)) return directory + ": no such directory";
-    if (access(directory.c_str(), W_OK) != 0) return directory + ": no permission to write there";
+    const std::string unwritable = path + ": cannot be written: ";
+    if (fs::is_directory(path, ignored)) return unwritable + "is a directory";
+    if (!fs::is_directory(directory, ignored)) return unwritable + directory + " is no directory";
+    if (access(directory.c_str(), W_OK) == 0) return {};
+    const std::string place = parent.empty() ? "this folder" : directory;
+    if (errno == EACCES) return unwritable + "no permission in " + place;
+    return unwritable + place + ": " + std::generic_category().message(errno);
+}
+
+std::pair<std::string, int> check_outputs(const std::vector<std::string>& paths) {
+    if (std::ranges::count(paths, "-") > 1) {
+        return {"only one output can be -, standard output", exit_usage};
+    }
+    for (const std::string& path : paths) {
+        if (path.empty() || path == "-") continue;
+        if (std::string error = check_writable(path); !error.empty()) {
+            return {std::move(error), exit_not_written};
+        }
+    }
     return {};
 }
 

@@ -2,12 +2,19 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace etalon {
 
 /// The reason why a file could not be written at `path` later on, as far as can be told now; empty
 /// if it looks well. Asked before long work.
 std::string check_writable(const std::string& path);
+
+/// Returns why these outputs cannot all be had, as far as can be told now, and the exit status for
+/// that; an empty text if they can. "-" is standard output, which holds one of them at most; empty
+/// paths stand for outputs that nobody asked for.
+std::pair<std::string, int> check_outputs(const std::vector<std::string>& paths);
 
 /// Writes text to a file, whole or not at all, or to standard output for "-". False, and a message
 /// on standard error, if it could not.

@@ -40,7 +40,7 @@ std::string write_heatmap(const std::string& path, const PixelPlane& map) {
 }
 
 int write(const Arguments& a, const Metrics& metrics, const PixelPlane& map) {
-    if (a.json != "-") write_result(as_text(metrics));
+    write_table(a.json, as_text(metrics));
     if (!a.json.empty() && !write_json(a.json, as_json(metrics))) return exit_not_written;
     const std::string error = a.heatmap.empty() ? "" : write_heatmap(a.heatmap, map);
     return error.empty() ? exit_done : fail(exit_not_written, error);

@@ -22,11 +22,13 @@ struct Arguments {
     std::string json, rays_out;
 };
 
-/// The tables make room for what another program is to read from standard output.
+/// Another program may be reading something else from standard output.
 void print(const Arguments& a, const crosscheck::Results& results) {
-    if (a.json == "-" || a.rays_out == "-") return;
-    write_result(crosscheck::as_text(results));
-    if (a.plan.worst > 0) print_result("\n{}", crosscheck::as_rays(results));
+    const std::string output = a.rays_out == "-" ? a.rays_out : a.json;
+    write_table(output, crosscheck::as_text(results));
+    if (a.plan.worst > 0 && a.rays_out != "-") {
+        write_table(output, fmt::format("\n{}", crosscheck::as_rays(results)));
+    }
 }
 
 crosscheck::Results crosscheck_scene(const Arguments& a, const LoadedScene& loaded,
@@ -45,6 +47,10 @@ bool write(const Arguments& a, const crosscheck::Results& results) {
 }
 
 int run(const Arguments& a) {
+    if (const auto [error, status] = check_outputs({a.json, a.rays_out}); !error.empty()) {
+        print_message("etalon: error: {}\n", error);
+        return status;
+    }
     const SignalGuard signals;
     const LoadedScene loaded = load(a.scene);
     if (!loaded.scene) return loaded.status;

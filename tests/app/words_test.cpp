@@ -98,3 +98,23 @@ TEST_CASE("info --json says how many diagnostics it left out", "[app]") {
     CHECK(f.etalon("info odd.p3f --json --legacy sce").out == "");  // wrong usage, no scene
 }
 
+TEST_CASE("JSON on standard output is alone there, and two results are refused", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    REQUIRE(f.etalon("render ball.p3f -q -o a.exr").status == 0);
+    const std::string checked = "crosscheck ball.p3f -b bvh --rays 10 ";
+    for (const std::string& command : {std::string("compare a.exr a.exr"), checked}) {
+        const auto r = f.etalon(command + " --json -");
+        CHECK(r.status == 0);
+        CHECK(json::accept(r.out));
+        CHECK(r.err != "");
+    }
+    CHECK(f.etalon(checked + "--json - --rays-out -").status == 2);
+    const auto cases =
+        f.shell(ETALON_BINARY_DIR "/bin/etalon-bench accuracy --case SPH-1 --rays 10 --json -");
+    CHECK(json::accept(cases.out));
+    CHECK(cases.err != "");
+    CHECK(f.shell(ETALON_BINARY_DIR
+                  "/bin/etalon-bench accuracy --case SPH-1 --rays 10 --json - --markdown -")
+              .status == 2);
+}
