@@ -32,7 +32,7 @@ EmbreeBuiltin::EmbreeBuiltin(const Geometry& geometry, Traversal traversal)
     std::map<RTCGeometryType, std::vector<std::uint32_t>> by_type;
     std::vector<BoundedPrimitive> others;
     for (const BoundedPrimitive& p : take_bounded()) {
-        if (const auto type = floats.type_of(p.id)) {
+        if (const auto type = embree_type_of(geometry, scene_bounds().space, p.id)) {
             by_type[*type].push_back(p.id);
         } else {
             others.push_back(p);
@@ -45,6 +45,13 @@ EmbreeBuiltin::EmbreeBuiltin(const Geometry& geometry, Traversal traversal)
     }
     others_.build(device_, embree_scene_.get(), static_cast<unsigned>(ids_.size()),
                   scene_bounds().space, std::move(others));
+}
+
+bool EmbreeBuiltin::has_own_kernels(const Geometry& geometry) {
+    const SceneBounds bounds = SceneBounds::of(geometry);
+    return std::ranges::any_of(bounds.bounded, [&](const BoundedPrimitive& p) {
+        return embree_type_of(geometry, bounds.space, p.id).has_value();
+    });
 }
 
 std::size_t EmbreeBuiltin::memory_bytes() const {

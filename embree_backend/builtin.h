@@ -22,6 +22,9 @@ class EmbreeBuiltin final : public Intersector {
     /// Throws as EmbreeDevice does.
     explicit EmbreeBuiltin(const Geometry& geometry, Traversal traversal = Traversal::fast);
 
+    /// Whether Embree has a geometry for any of the primitives.
+    static bool has_own_kernels(const Geometry& geometry);
+
     std::size_t memory_bytes() const override;
     std::string isa() const override { return device_.isa(); }
 

@@ -26,7 +26,7 @@ constexpr Backend backends[] = {
     {"embree-user", "Embree's user geometry, one primitive a callback: the witness", true,
      build<PlainUserGeometry>, false, false, 4},
     {"embree-builtin", "Embree's own float triangles, quads and spheres", false,
-     build<EmbreeBuiltin>, false, false, 2},
+     build<EmbreeBuiltin>, false, false, 2, EmbreeBuiltin::has_own_kernels},
 };
 
 constexpr Backend robust = {"embree-builtin-robust",
@@ -35,7 +35,8 @@ constexpr Backend robust = {"embree-builtin-robust",
                             build_robust,
                             false,
                             false,
-                            5};
+                            5,
+                            EmbreeBuiltin::has_own_kernels};
 
 }  // namespace
 

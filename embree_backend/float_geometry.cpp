@@ -53,33 +53,13 @@ Item* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std
         rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Item), count));
 }
 
-}  // namespace
-
-FloatGeometry::FloatGeometry(const EmbreeDevice& device, const Geometry& geometry,
-                             const NormalizedSpace& space)
-    : device_(device),
-      geometry_(geometry),
-      space_(space),
-      vertices_(float_vertices(device, geometry, space)) {}
-
-std::optional<RTCGeometryType> FloatGeometry::type_of(std::uint32_t primitive) const {
-    const Primitive p = geometry_.primitives[primitive];
-    if (p.sides != Sides::both) return std::nullopt;
-    if (p.kind == kind_of<Triangle>()) return RTC_GEOMETRY_TYPE_TRIANGLE;
-    if (p.kind == kind_of<Sphere>()) return RTC_GEOMETRY_TYPE_SPHERE_POINT;
-    if (p.kind == kind_of<Polygon>() && is_quad(geometry_.get<Polygon>(p))) {
-        return RTC_GEOMETRY_TYPE_QUAD;
-    }
-    return std::nullopt;
-}
-
 /// Embree takes a quad for two triangles that meet in the diagonal from corner 1 to corner 3. That
 /// is the polygon if it is convex and, to the precision of its float corners, flat.
-bool FloatGeometry::is_quad(const Polygon& polygon) const {
+bool is_quad(const Polygon& polygon, const NormalizedSpace& space) {
     const std::span<const Vec3> p = polygon.corners;
     if (p.size() != 4) return false;
     const Vec3 normal = (p[2] - p[0]).cross(p[3] - p[1]);
-    const double height = unit_roundoff_f / space_.scale() * std::sqrt(normal.dot(normal));
+    const double height = unit_roundoff_f / space.scale() * std::sqrt(normal.dot(normal));
     for (int i = 0; i < 4; ++i) {
         const Vec3 edge = p[(i + 1) % 4] - p[i], next = p[(i + 2) % 4] - p[(i + 1) % 4];
         const bool convex = normal.dot(edge.cross(next)) > 0;
@@ -87,6 +67,28 @@ bool FloatGeometry::is_quad(const Polygon& polygon) const {
     }
     return true;
 }
+
+}  // namespace
+
+std::optional<RTCGeometryType> embree_type_of(const Geometry& geometry,
+                                              const NormalizedSpace& space,
+                                              std::uint32_t primitive) {
+    const Primitive p = geometry.primitives[primitive];
+    if (p.sides != Sides::both) return std::nullopt;
+    if (p.kind == kind_of<Triangle>()) return RTC_GEOMETRY_TYPE_TRIANGLE;
+    if (p.kind == kind_of<Sphere>()) return RTC_GEOMETRY_TYPE_SPHERE_POINT;
+    if (p.kind == kind_of<Polygon>() && is_quad(geometry.get<Polygon>(p), space)) {
+        return RTC_GEOMETRY_TYPE_QUAD;
+    }
+    return std::nullopt;
+}
+
+FloatGeometry::FloatGeometry(const EmbreeDevice& device, const Geometry& geometry,
+                             const NormalizedSpace& space)
+    : device_(device),
+      geometry_(geometry),
+      space_(space),
+      vertices_(float_vertices(device, geometry, space)) {}
 
 EmbreeOwned<RTCGeometry> FloatGeometry::make(RTCGeometryType type,
                                              const std::vector<std::uint32_t>& ids) const {

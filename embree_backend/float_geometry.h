@@ -9,21 +9,22 @@
 
 namespace etalon {
 
+/// Returns Embree's type for a primitive that Embree has and hits on the same sides, if any.
+std::optional<RTCGeometryType> embree_type_of(const Geometry& geometry,
+                                              const NormalizedSpace& space,
+                                              std::uint32_t primitive);
+
 /// Makes geometries of Embree's own from a scene's primitives, in the floats of a frame.
 class FloatGeometry {
   public:
     FloatGeometry(const EmbreeDevice& device, const Geometry& geometry,
                   const NormalizedSpace& space);
 
-    /// Returns Embree's type for a primitive that Embree has and hits on the same sides, if any.
-    std::optional<RTCGeometryType> type_of(std::uint32_t primitive) const;
-
     /// The primitives `ids`, all of that type, in this order. Throws as EmbreeDevice does.
     EmbreeOwned<RTCGeometry> make(RTCGeometryType type,
                                   const std::vector<std::uint32_t>& ids) const;
 
   private:
-    bool is_quad(const Polygon& polygon) const;
     void fill_triangles(RTCGeometry geometry, const std::vector<std::uint32_t>& ids) const;
     void fill_quads(RTCGeometry geometry, const std::vector<std::uint32_t>& ids) const;
     void fill_spheres(RTCGeometry geometry, const std::vector<std::uint32_t>& ids) const;

@@ -60,6 +60,7 @@ class Measurement {
           seed_(seed_of(hard_case)),
           budget_(budget) {
         for (const Backend* b : backends) {
+            if (b->has_own_kernels && !b->has_own_kernels(setup_.scene.geometry)) continue;
             enter(backend_tracer(*b, setup_.scene), b->exact, true);
         }
         if (!budget.textbooks) return;

@@ -88,7 +88,9 @@ struct KeyFigure {
 
 struct Page {
     std::string title, subtitle;
+    std::string introduction;
     std::string missing;  ///< why it is not complete; empty if it is
+    std::string doubt;    ///< why its figures are doubtful; empty if they are not
     std::vector<KeyFigure> summary;
     std::vector<Section> sections;
     std::string command;

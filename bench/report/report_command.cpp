@@ -9,6 +9,7 @@
 #include "app/common/progress.h"
 #include "app/common/signals.h"
 #include "bench/bench_subcommands.h"
+#include "bench/report/data_files.h"
 #include "bench/report/formatting.h"
 #include "bench/report/html/html.h"
 #include "bench/report/sections/sections.h"
@@ -43,7 +44,8 @@ Results nothing_yet(const Settings& settings) {
 class Report {
   public:
     explicit Report(const ReportArguments& a)
-        : path_((std::filesystem::path(a.folder) / "index.html").string()),
+        : folder_(a.folder),
+          path_((std::filesystem::path(a.folder) / "index.html").string()),
           results_(nothing_yet(a.quick ? quick_settings() : full_settings())),
           deadline_(results_.settings.seconds_limit),
           tasks_(all_tasks(results_.settings)),
@@ -53,7 +55,7 @@ class Report {
         announce();
         if (!write("It is being measured: nothing yet.")) return exit_not_written;
         if (!measure()) return exit_not_written;
-        if (!write(missing())) return exit_not_written;
+        if (!write(missing()) || !write_data()) return exit_not_written;
         print_result("{}\n", path_);
         return signals_.signal() != 0 ? exit_signal + signals_.signal() : exit_done;
     }
@@ -104,9 +106,11 @@ class Report {
         return write_text(path_, html(page_of(results_)));
     }
 
+    bool write_data() const { return write_data_files(folder_, results_, page_of(results_)); }
+
     const SignalGuard signals_;
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    const std::string path_;
+    const std::string folder_, path_;
     Results results_;
     const Deadline deadline_;
     const std::vector<Task> tasks_;
@@ -128,7 +132,9 @@ int write_report(const ReportArguments& a) {
 
 Action declare_report(Options& options) {
     auto a = std::make_shared<ReportArguments>();
-    options.add("-o,--output", a->folder, "Directory of index.html, created if necessary")
+    options
+        .add("-o,--output", a->folder,
+             "Directory of index.html, data.json and a CSV of each table; created if necessary")
         .value("DIR")
         .show_default();
     options.add_flag("--quick", a->quick,

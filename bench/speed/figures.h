@@ -65,6 +65,7 @@ struct KindFigures {
 struct SceneFigures {
     std::string scene;
     std::size_t primitives = 0;
+    std::string shape;  ///< of nearly all primitives; "mixed" where there is none
     std::vector<BuildFigures> builds;
     std::vector<KindFigures> kinds;
 };

@@ -1,6 +1,7 @@
 #include "bench/speed/measured_scene.h"
 
 #include <algorithm>
+#include <array>
 
 #include "bench/speed/measured_rays.h"
 
@@ -15,13 +16,23 @@ std::vector<Tracer> enter(const Plan& plan) {
     return tracers;
 }
 
+std::string shape_of(const Geometry& geometry) {
+    std::array<std::size_t, shape_kinds> counts{};
+    for (const Primitive p : geometry.primitives) ++counts[p.kind];
+    const auto most = std::ranges::max_element(counts);
+    const bool is_nearly_all = 10 * *most >= 9 * geometry.primitives.size();
+    return is_nearly_all ? std::string(kind_name(static_cast<ShapeKind>(most - counts.begin())))
+                         : "mixed";
+}
+
 }  // namespace
 
 SceneFigures measure_scene(const std::string& name, Scene scene, const Imath::V2i& resolution,
                            const Plan& plan, const Observer& observer) {
     hard::CaseSetup setup;
     setup.scene = std::move(scene);
-    SceneFigures figures{name, setup.scene.geometry.primitives.size(), {}, {}};
+    const Geometry& geometry = setup.scene.geometry;
+    SceneFigures figures{name, geometry.primitives.size(), shape_of(geometry), {}, {}};
     std::vector<Tracer> tracers = enter(plan);
     figures.builds = measure_builds(tracers, setup.scene, plan, observer.is_over);
     if (figures.builds.empty()) return figures;

@@ -83,6 +83,9 @@ struct Backend {
     bool counts_box_tests = false;  ///< in a TraversalCost
     bool counts_primitive_tests = false;
     int colour = 7;  ///< colour in reports, of bench/plot/style.h, from 1; 7 is grey
+    /// Whether a backend that is not exact has kernels of its own for any of the primitives. Where
+    /// it has none it is no other than the exact ones.
+    bool (*has_own_kernels)(const Geometry& geometry) = nullptr;
 };
 
 }  // namespace etalon

@@ -30,9 +30,9 @@ struct RunControl {
 struct Rendering {
     Film film;
     RayCounts counts;
-    double samples = 0;                    ///< per pixel, the mean
+    double samples = 0;                      ///< per pixel, the mean
     std::optional<double> expected_error{};  ///< relMSE, where it was estimated
-    bool complete = false;                 ///< what was asked for: neither stopped nor out of time
+    bool complete = false;  ///< what was asked for: neither stopped nor out of time
 };
 
 /// Renders the window of the settings. The integrator was made with the same settings. The pixels

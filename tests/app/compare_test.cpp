@@ -110,7 +110,8 @@ TEST_CASE("compare knows a limit that cannot be meant", "[app]") {
     write(f, "a.exr", 2, stripes(2, 2));
     const auto misspelt = f.etalon("compare a.exr a.exr --fail-above remlse=1");
     CHECK(misspelt.status == 2);
-    CHECK_THAT(misspelt.err, ContainsSubstring("--fail-above remlse: expected") && ContainsSubstring("max_abs") &&
+    CHECK_THAT(misspelt.err, ContainsSubstring("--fail-above remlse: expected") &&
+                                 ContainsSubstring("max_abs") &&
                                  ContainsSubstring("did you mean 'relmse'?"));
     for (const char* text : {"mse", "mse=", "mse=x", "mse=1x", "mse=nan", "=1", "mean_a=1"}) {
         INFO(text);

@@ -31,8 +31,8 @@ class Helpers : public tbb::task_scheduler_observer {
 /// from thread to thread in ways that sanitizers take for a race or a leak.
 const Helpers& all_helpers = *new Helpers;
 
-/// How many threads joined in builds. The least of three: a thread that something before woke up may
-/// be late, but not each time.
+/// How many threads joined in builds. The least of three: a thread that something before woke up
+/// may be late, but not each time.
 int helpers_of(const Backend& backend, const Scene& scene) {
     int least = std::numeric_limits<int>::max();
     for (int i = 0; i < 3; ++i) {

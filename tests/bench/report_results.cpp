@@ -20,7 +20,7 @@ speed::Runs runs(double seconds) {
 }
 
 speed::SceneFigures scene() {
-    speed::SceneFigures figures{adversarial, 1234567, {}, {{"camera", 1000, false, {}}}};
+    speed::SceneFigures figures{adversarial, 1234567, "sphere", {}, {{"camera", 1000, false, {}}}};
     double seconds = 0.5;
     for (const char* name :
          {"grid", "bvh", "embree", "embree-user", "embree-builtin", "embree-builtin-robust"}) {

@@ -161,13 +161,13 @@ void draw(Svg& svg, const Scatter& scatter, const Axes& axes, const F& is_named)
     draw_points(svg, scatter, axes);
 }
 
-std::string title_of(const std::string& shape) {
-    return shape + ": error against cost";
+PlotTexts texts_of(const Scatter& scatter, const std::string& shape) {
+    return {shape + ": error against cost", cost_axis(scatter), std::string(error_axis)};
 }
 
 /// The same as the image, in words.
-std::string description_of(const Scatter& scatter) {
-    std::string text = cost_axis(scatter) + "; " + std::string(error_axis) + ".";
+std::string description_of(const Scatter& scatter, const PlotTexts& texts) {
+    std::string text = texts.cost + "; " + texts.error + ".";
     for (const Point& p : scatter.points) {
         text += fmt::format(" {}: {}, {}{}.", p.tracer, brief(p.cost), brief(p.error),
                             p.efficient ? " (in the Pareto set)" : "");
@@ -175,12 +175,23 @@ std::string description_of(const Scatter& scatter) {
     return text;
 }
 
+template <class F>
+std::string draw_small(const Scatter& scatter, const PlotTexts& texts,
+                       const std::string& description, const F& is_named) {
+    Svg svg(small.width, small.height, texts.title, description);
+    svg.text({0, 12}, Anchor::start, texts.error, "small");
+    svg.text({small.right, small.bottom + 48}, Anchor::end, texts.cost, "small");
+    draw(svg, scatter, Axes(scatter, small), is_named);
+    return svg.inlined();
+}
+
 }  // namespace
 
 std::string plot(const std::vector<Row>& rows, const std::string& shape) {
     const Scatter scatter = scatter_of(rows, shape);
     if (scatter.points.empty()) return {};
-    Svg svg(large.width, large.height, title_of(shape), description_of(scatter));
+    const PlotTexts texts = texts_of(scatter, shape);
+    Svg svg(large.width, large.height, texts.title, description_of(scatter, texts));
     draw_titles(svg, shape, scatter);
     draw_key(svg, scatter);
     draw(svg, scatter, Axes(scatter, large), [](const Point&) { return true; });
@@ -190,11 +201,16 @@ std::string plot(const std::vector<Row>& rows, const std::string& shape) {
 std::string small_plot(const std::vector<Row>& rows, const std::string& shape) {
     const Scatter scatter = scatter_of(rows, shape);
     if (scatter.points.empty()) return {};
-    Svg svg(small.width, small.height, title_of(shape), description_of(scatter));
-    svg.text({0, 12}, Anchor::start, "error", "small");
-    svg.text({small.right, small.bottom + 48}, Anchor::end, cost_axis(scatter), "small");
-    draw(svg, scatter, Axes(scatter, small), [](const Point& p) { return p.efficient; });
-    return svg.inlined();
+    PlotTexts texts = texts_of(scatter, shape);
+    const std::string description = description_of(scatter, texts);
+    texts.error = "error";
+    return draw_small(scatter, texts, description, [](const Point& p) { return p.efficient; });
+}
+
+std::string small_plot(const Scatter& scatter, const PlotTexts& texts) {
+    if (scatter.points.empty()) return {};
+    return draw_small(scatter, texts, description_of(scatter, texts),
+                      [](const Point&) { return true; });
 }
 
 }  // namespace etalon::accuracy

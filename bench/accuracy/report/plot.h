@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/accuracy/error_stats.h"
+#include "bench/accuracy/report/points.h"
 
 namespace etalon::accuracy {
 
@@ -15,5 +16,13 @@ std::string plot(const std::vector<Row>& rows, const std::string& shape);
 /// A part of a page, which has the titles and the key: small enough for a phone, so that only who
 /// is in the Pareto set has a label. Empty if nobody has a cost.
 std::string small_plot(const std::vector<Row>& rows, const std::string& shape);
+
+/// What a plot is of: its title, and the texts at its axes.
+struct PlotTexts {
+    std::string title, cost, error;
+};
+
+/// The same of any points, all of which have a label. Empty without points.
+std::string small_plot(const Scatter& scatter, const PlotTexts& texts);
 
 }  // namespace etalon::accuracy

@@ -7,6 +7,24 @@
 namespace etalon::bench_report {
 namespace {
 
+constexpr const char* introduction =
+    "Etalon renders scenes through interchangeable intersection backends, its own and Embree’s, so "
+    "that each checks the speed and the correctness of the others. What follows are the speeds of "
+    "these backends, the errors beside them, and where the time of whole images goes, all measured "
+    "on "
+    "the machine below by the commands under each figure.";
+
+/// A machine that does something else as well: the part of its cores that was busy at the start.
+constexpr double busy = 0.2;
+
+std::string doubt(const Machine& machine) {
+    if (machine.load <= busy * machine.cores) return {};
+    return fmt::format(
+        "The machine was busy when this began: a load of {:.2f} on {} cores. CPU times suffer from "
+        "what shares the caches, and wall times from whatever ran.",
+        machine.load, machine.cores);
+}
+
 constexpr Section (*makers[])(const Results&) = {
     machine_section, speed_section,  builds_section,     pareto_section, convergence_section,
     images_section,  frames_section, hard_cases_section, spd_section,
@@ -20,7 +38,9 @@ Page page_of(const Results& results) {
     page.subtitle =
         fmt::format("{}, {}, Etalon {}, the {} report", results.begun, results.machine.processor,
                     results.machine.version, results.settings.name);
+    page.introduction = introduction;
     page.missing = results.missing;
+    page.doubt = doubt(results.machine);
     page.summary = summary(results);
     for (const auto make : makers) page.sections.push_back(make(results));
     page.command = command_of(results.settings);

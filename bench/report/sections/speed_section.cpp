@@ -1,9 +1,12 @@
 // Section on speed: rays per second, with the number of wrong answers beside it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
+#include "app/common/backends.h"
 #include "bench/accuracy/report/numbers.h"
+#include "bench/accuracy/report/plot.h"
 #include "bench/report/command_lines.h"
 #include "bench/report/formatting.h"
 #include "bench/report/sections/sections.h"
@@ -61,17 +64,40 @@ Figure figure_of(const Results& results, const SceneFigures& scene) {
 struct Sum {
     std::vector<double> ratios;
     Wrong wrong;
+    Wrong sample;  ///< of rays spread evenly over all
 };
 
-Figure overview(const Results& results) {
+std::map<std::string, Sum> sums_of(const Results& results) {
     std::map<std::string, Sum> sums;
+    for (const SceneFigures& scene : results.scenes.list) {
+        for (const KindFigures& kind : scene.kinds) {
+            for (const RayFigures& r : kind.tracers) {
+                sums[r.tracer].ratios.push_back(r.by_threads.front().ratio.median);
+                sums[r.tracer].wrong += r.errors;
+                sums[r.tracer].sample.wrong += r.errors.sample.errors();
+                sums[r.tracer].sample.judged += r.errors.sample.rays;
+            }
+        }
+    }
+    return sums;
+}
+
+double per_million(const Wrong& w) {
+    return w.judged == 0 ? 0 : 1e6 * static_cast<double>(w.wrong) / static_cast<double>(w.judged);
+}
+
+bool is_exact(std::string_view tracer) {
+    return std::ranges::any_of(all_backends(),
+                               [&](const Backend& b) { return b.name == tracer && b.exact; });
+}
+
+Figure overview(const Results& results) {
+    std::map<std::string, Sum> sums = sums_of(results);
     std::vector<std::string> names;
     for (const SceneFigures& scene : results.scenes.list) {
         for (const KindFigures& kind : scene.kinds) {
             for (const RayFigures& r : kind.tracers) {
-                if (!sums.contains(r.tracer)) names.push_back(r.tracer);
-                sums[r.tracer].ratios.push_back(r.by_threads.front().ratio.median);
-                sums[r.tracer].wrong += r.errors;
+                if (std::ranges::find(names, r.tracer) == names.end()) names.push_back(r.tracer);
             }
         }
     }
@@ -87,6 +113,37 @@ Figure overview(const Results& results) {
                         "rays.",
                         count_of(results.scenes.list.size(), "scene")),
             speed_command(results.settings), results.scenes.date, Bars{{std::move(group)}}};
+}
+
+/// The scenes' geometric mean of what a ray costs, against the share of wrong answers.
+accuracy::Scatter scatter_of(const std::map<std::string, Sum>& sums) {
+    accuracy::Scatter scatter{baseline, 0, {}};
+    for (const auto& [name, sum] : sums) {
+        accuracy::Point point;
+        point.tracer = name;
+        point.exact = is_exact(name);
+        point.cost = 1 / geometric_mean(sum.ratios);
+        point.error = per_million(sum.sample);
+        point.worst_case = "all scenes";
+        scatter.points.push_back(point);
+    }
+    std::ranges::sort(scatter.points, {}, &accuracy::Point::cost);
+    accuracy::mark_efficient(scatter.points);
+    return scatter;
+}
+
+Figure one_picture(const Results& results) {
+    const std::string svg =
+        accuracy::small_plot(scatter_of(sums_of(results)),
+                             {"Errors against cost", "cost of a ray, relative to embree-builtin",
+                              "wrong answers per 10⁶ rays, of a sample spread evenly"});
+    Charts charts{{{"All scenes and kinds of rays", svg}},
+                  {{1, "promises to be right"}, {2, "float backend"}}};
+    return {"What a ray costs, and how often its answer is wrong",
+            "To the right what a ray costs relative to embree-builtin, the geometric mean over all "
+            "scenes and kinds of rays; upwards wrong answers. Best is the lower left; filled marks "
+            "are those that nothing beats in both.",
+            speed_command(results.settings), results.scenes.date, std::move(charts)};
 }
 
 const std::vector<Column> columns = {
@@ -155,6 +212,7 @@ Section speed_section(const Results& results) {
         "rays, and those on which the backends do not agree: “wrong” are hits where there is "
         "nothing, misses where there is something, and other primitives than the nearest."};
     if (results.scenes.list.empty()) return section;
+    section.figures.push_back(one_picture(results));
     section.figures.push_back(overview(results));
     for (const SceneFigures& scene : results.scenes.list) {
         section.figures.push_back(figure_of(results, scene));

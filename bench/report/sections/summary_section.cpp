@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+#include <map>
+
 #include "bench/accuracy/report/cases.h"
 #include "bench/report/formatting.h"
 #include "bench/report/sections/sections.h"
@@ -9,23 +13,32 @@ namespace {
 
 using namespace speed;
 
-void add_speed(const std::vector<SceneFigures>& scenes, std::vector<KeyFigure>& key_figures) {
-    std::vector<double> fast, robust;
+/// The ratios of the default backend to a baseline, of all kinds of rays, by the scenes' shapes.
+std::map<std::string, std::vector<double>> ratios_by_shape(
+    const std::vector<SceneFigures>& scenes) {
+    std::map<std::string, std::vector<double>> ratios;
     for (const SceneFigures& scene : scenes) {
         for (const KindFigures& kind : scene.kinds) {
             for (const RayFigures& r : kind.tracers) {
                 if (r.tracer != default_backend) continue;
-                fast.push_back(r.by_threads.front().ratio.median);
-                robust.push_back(r.by_threads.front().ratio_robust.median);
+                ratios[scene.shape].push_back(r.by_threads.front().ratio.median);
             }
         }
     }
-    if (fast.empty()) return;
-    key_figures.push_back(
-        {"×" + three_digits(geometric_mean(fast)), "ray speed",
-         fmt::format("{} to {}, mean of {}; ×{} to its robust form", default_backend,
-                     baseline_backend, count_of(scenes.size(), "scene"),
-                     three_digits(geometric_mean(robust)))});
+    return ratios;
+}
+
+/// A figure for each kind of scene: one mean of all would hide that they differ.
+void add_speed(const std::vector<SceneFigures>& scenes, std::vector<KeyFigure>& key_figures) {
+    for (const auto& [shape, ratios] : ratios_by_shape(scenes)) {
+        const auto [least, most] = std::ranges::minmax(ratios);
+        const auto count = std::ranges::count(scenes, shape, &SceneFigures::shape);
+        key_figures.push_back(
+            {"×" + three_digits(geometric_mean(ratios)), shape + " scenes, ray speed",
+             fmt::format("{} to {}: ×{} to ×{} over {} and the kinds of rays", default_backend,
+                         baseline_backend, three_digits(least), three_digits(most),
+                         count_of(static_cast<std::uint64_t>(count), "scene"))});
+    }
 }
 
 void add_builds(const std::vector<SceneFigures>& scenes, std::vector<KeyFigure>& key_figures) {
@@ -43,23 +56,41 @@ void add_builds(const std::vector<SceneFigures>& scenes, std::vector<KeyFigure>&
                                        baseline_backend, three_digits(geometric_mean(sizes)))});
 }
 
-void add_errors(const std::vector<accuracy::Row>& rows, std::vector<KeyFigure>& key_figures) {
-    std::uint64_t exact_rays = 0, exact_errors = 0, baseline_rays = 0, baseline_errors = 0;
-    for (const accuracy::Row& row : rows) {
-        if (row.exact) exact_rays += row.stats.rays, exact_errors += row.stats.errors();
-        if (row.tracer != accuracy::baseline) continue;
-        baseline_rays += row.stats.rays;
-        baseline_errors += row.stats.errors();
+/// Wrong answers of a group of tracers, to rays that are counted once however many answer them.
+struct Judged {
+    void add(const accuracy::CaseRows& c, const std::function<bool(const accuracy::Row&)>& counts) {
+        std::uint64_t most_rays = 0, most_errors = 0;
+        for (const accuracy::Row* row : c.rows) {
+            if (!counts(*row)) continue;
+            most_rays = std::max(most_rays, row->stats.rays);
+            most_errors = std::max(most_errors, row->stats.errors());
+        }
+        rays += most_rays;
+        errors += most_errors;
     }
-    if (exact_rays == 0) return;
-    key_figures.push_back({grouped(exact_errors), "wrong answers",
-                           fmt::format("exact backends, {} hard rays", grouped(exact_rays))});
-    if (baseline_rays == 0) return;
-    const double share =
-        100 * static_cast<double>(baseline_errors) / static_cast<double>(baseline_rays);
+
+    std::uint64_t rays = 0, errors = 0;
+};
+
+void add_errors(const std::vector<accuracy::Row>& rows, std::vector<KeyFigure>& key_figures) {
+    Judged exact, baseline;
+    for (const std::string& shape : accuracy::shapes_of(rows)) {
+        for (const accuracy::CaseRows& c : accuracy::cases_of(rows, shape)) {
+            exact.add(c, [](const accuracy::Row& row) { return row.exact; });
+            baseline.add(c,
+                         [](const accuracy::Row& row) { return row.tracer == accuracy::baseline; });
+        }
+    }
+    if (exact.rays == 0) return;
     key_figures.push_back(
-        {fmt::format("{} %", three_digits(share)), "wrong answers",
-         fmt::format("{}, {} of the same rays", baseline_backend, grouped(baseline_rays))});
+        {grouped(exact.errors), "wrong answers",
+         fmt::format("exact backends; {} hard rays, each counted once", grouped(exact.rays))});
+    if (baseline.rays == 0) return;
+    const double share =
+        100 * static_cast<double>(baseline.errors) / static_cast<double>(baseline.rays);
+    key_figures.push_back({fmt::format("{} %", three_digits(share)), "wrong answers",
+                           fmt::format("{}, {} of those rays: where Embree has the shape",
+                                       baseline_backend, grouped(baseline.rays))});
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ Json json_of_environment(const Plan& plan) {
 }
 
 Json json_of(const SceneFigures& scene) {
-    Json json = {{"scene", scene.scene}, {"primitives", scene.primitives}};
+    Json json = {{"scene", scene.scene}, {"primitives", scene.primitives}, {"shape", scene.shape}};
     for (const BuildFigures& build : scene.builds) json["build"][build.tracer] = json_of(build);
     for (const KindFigures& kind : scene.kinds) json["rays"][kind.kind] = json_of(kind);
     return json;

@@ -1,0 +1,131 @@
+#include "bench/report/data_files.h"
+
+#include <cctype>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/common/output.h"
+#include "bench/accuracy/report/accuracy_json.h"
+#include "bench/convergence/curve_report.h"
+#include "bench/frames/frame_report.h"
+#include "bench/speed/report/speed_json.h"
+
+namespace etalon::bench_report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Machine& m) {
+    return {{"processor", m.processor},  {"cores", m.cores}, {"memory_bytes", m.memory_bytes},
+            {"system", m.system},        {"load", m.load},   {"version", m.version},
+            {"compiler", m.compiler},    {"flags", m.flags}, {"embree", m.embree},
+            {"embree_isa", m.embree_isa}};
+}
+
+Json json_of(const SpdFigures& spd) {
+    Json json = {{"family", spd.family},
+                 {"size", spd.size},
+                 {"primitives", spd.primitives},
+                 {"parse_cpu_seconds", spd.parse}};
+    for (const SpdRun& run : spd.runs) {
+        json["backends"][run.backend] = {{"build_cpu_seconds", run.build.cpu},
+                                         {"render_cpu_seconds", run.render.cpu},
+                                         {"accelerator_bytes", run.bytes},
+                                         {"rays", run.counts.total()}};
+    }
+    return json;
+}
+
+Json json_of(const ConvergenceFigures& figures) {
+    Json json = {{"scene", figures.request.scene}, {"reference", figures.reference}};
+    for (const convergence::Curve& curve : figures.curves) {
+        json["curves"].push_back(convergence::json_of(curve));
+    }
+    return json;
+}
+
+Json json_of(const KeyFigure& figure) {
+    return {{"value", figure.value}, {"name", figure.name}, {"note", figure.note}};
+}
+
+template <class List, class Convert>
+Json list_of(const List& list, const Convert& convert) {
+    Json json = Json::array();
+    for (const auto& item : list) json.push_back(convert(item));
+    return json;
+}
+
+Json data_of(const Results& results, const Page& page) {
+    const auto own = [](const auto& figures) { return json_of(figures); };
+    const Machine& m = results.machine;
+    return {{"schema", 1},
+            {"report", results.settings.name},
+            {"begun", results.begun},
+            {"missing", results.missing},
+            {"machine", json_of(m)},
+            {"key_figures", list_of(page.summary, own)},
+            {"speed",
+             list_of(results.scenes.list, [](const auto& scene) { return speed::json_of(scene); })},
+            {"accuracy",
+             accuracy::json(results.rows.list, {m.processor, m.compiler, m.flags, m.version})},
+            {"frames", list_of(results.frames.list,
+                               [](const auto& frame) { return frames::json_of(frame); })},
+            {"spd", list_of(results.spd.list, own)},
+            {"convergence", list_of(results.convergence.list, own)}};
+}
+
+/// "speed", "All numbers of this section" -> "speed-all-numbers-of-this-section.csv".
+std::string csv_name(const Section& section, const Figure& figure) {
+    std::string name = section.id;
+    bool is_between = true;
+    for (const char c : figure.title) {
+        const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+        if (is_plain && is_between) name += '-';
+        if (is_plain) name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        is_between = !is_plain;
+    }
+    return name + ".csv";
+}
+
+std::string quoted(const std::string& field) {
+    if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
+    std::string text = "\"";
+    for (const char c : field) text += c == '"' ? "\"\"" : std::string(1, c);
+    return text + '"';
+}
+
+std::string csv_of(const Table& table) {
+    std::string text;
+    const auto end_field = [&](std::size_t i) {
+        text += i + 1 < table.columns.size() ? "," : "\r\n";
+    };
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        text += quoted(table.columns[i].name);
+        end_field(i);
+    }
+    for (const std::vector<Cell>& row : table.rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            text += quoted(row[i].text);
+            end_field(i);
+        }
+    }
+    return text;
+}
+
+}  // namespace
+
+bool write_data_files(const std::string& folder, const Results& results, const Page& page) {
+    const std::filesystem::path place(folder);
+    bool written = write_json((place / "data.json").string(), data_of(results, page));
+    for (const Section& section : page.sections) {
+        for (const Figure& figure : section.figures) {
+            const auto* table = std::get_if<Table>(&figure.content);
+            if (table == nullptr) continue;
+            const auto path = place / csv_name(section, figure);
+            written = write_text(path.string(), csv_of(*table)) && written;
+        }
+    }
+    return written;
+}
+
+}  // namespace etalon::bench_report

@@ -1,0 +1,119 @@
+// What the report begins with, and its figures for programs.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/common/backends.h"
+#include "bench/accuracy/measure_case.h"
+#include "bench/hard_cases/case_families.h"
+#include "bench/report/data_files.h"
+#include "bench/report/html/html.h"
+#include "bench/report/sections/sections.h"
+#include "tests/bench/report_results.h"
+#include "tests/catch.h"
+#include "tests/temporary_folder.h"
+
+using namespace etalon;
+using namespace etalon::bench_report;
+using namespace etalon::test;
+
+using nlohmann::json;
+
+namespace {
+
+const KeyFigure& key_figure(const Page& page, const std::string& name, const std::string& note) {
+    for (const KeyFigure& figure : page.summary) {
+        if (figure.name.find(name) != std::string::npos &&
+            figure.note.find(note) != std::string::npos) {
+            return figure;
+        }
+    }
+    FAIL("no key figure " << name << ", " << note);
+    return page.summary.front();
+}
+
+json written_data(const Results& results, const TemporaryFolder& folder) {
+    REQUIRE(write_data_files(folder / ".", results, page_of(results)));
+    return json::parse(content_of(folder / "data.json"));
+}
+
+}  // namespace
+
+TEST_CASE("A ray of the hard cases is counted once, however many backends answer it") {
+    const Page page = page_of(sample_results());
+    // Two cases of a sphere and two of a scene, of a million rays each.
+    CHECK_THAT(key_figure(page, "wrong answers", "exact").note, ContainsSubstring("4,000,000"));
+    const KeyFigure& float_errors = key_figure(page, "wrong answers", "embree-builtin");
+    CHECK_THAT(float_errors.note, ContainsSubstring("4,000,000"));
+    CHECK(float_errors.value == "56.0 %");  // (2 x 999,999 + 240,000) of 4,000,000
+}
+
+TEST_CASE("A report has a speed for each kind of scene, and what it lies between") {
+    Results results = sample_results();
+    speed::SceneFigures other = results.scenes.list.front();
+    other.shape = "triangle";
+    results.scenes.add(other);
+    const Page page = page_of(results);
+    for (const char* shape : {"sphere", "triangle"}) {
+        const KeyFigure& figure = key_figure(page, std::string(shape) + " scenes", "bvh");
+        CHECK_THAT(figure.note, ContainsSubstring("over 1 scene"));
+        CHECK(figure.value == "×1.33");
+    }
+}
+
+TEST_CASE("A report says when the machine was busy") {
+    Results results = sample_results();
+    results.machine.cores = 2;
+    results.machine.load = 0.1;
+    CHECK_THAT(html(page_of(results)), !ContainsSubstring("Doubtful"));
+    results.machine.load = 1.5;
+    CHECK_THAT(html(page_of(results)),
+               ContainsSubstring("Doubtful") && ContainsSubstring("a load of 1.50 on 2 cores"));
+}
+
+TEST_CASE("data.json holds what the key figures are worked out from") {
+    const TemporaryFolder folder;
+    const Results results = sample_results();
+    const json data = written_data(results, folder);
+    CHECK(data["schema"] == 1);
+    double logs = 0;
+    int count = 0;
+    for (const json& scene : data["speed"]) {
+        CHECK(scene["shape"] == "sphere");
+        for (const json& kind : scene["rays"]) {
+            logs += std::log(kind["bvh"]["ratio"].get<double>());
+            ++count;
+        }
+    }
+    CHECK(std::exp(logs / count) == Approx(1 / 0.75).epsilon(0.01));
+    CHECK(data["key_figures"].size() == page_of(results).summary.size());
+    CHECK(data["frames"].size() == 1);
+    CHECK(data["spd"][0]["backends"]["bvh"]["rays"].is_number());
+    CHECK(data["convergence"][0]["curves"].size() == 2);
+}
+
+TEST_CASE("Each table of a report is a CSV file, with what CSV takes for its own in quotes") {
+    const TemporaryFolder folder;
+    const Results results = sample_results();
+    written_data(results, folder);
+    std::size_t tables = 0;
+    for (const Section& section : page_of(results).sections) {
+        for (const Figure& figure : section.figures) {
+            tables += std::holds_alternative<Table>(figure.content) ? 1 : 0;
+        }
+    }
+    CHECK(folder.names().size() == tables + 1);
+    const std::string csv = content_of(folder / "machine-machine.csv");
+    CHECK_THAT(csv, ContainsSubstring("processor,\"<b>\"\"a\"\" & b</b>\"\r\n"));
+}
+
+TEST_CASE("Embree's own kernels take part in the cases of shapes that Embree has") {
+    const accuracy::Budget budget{64, infinity, 1'000'000, false};
+    const std::vector<const Backend*> backends{find_backend("bvh"), find_backend(baseline_backend)};
+    const auto tracers = [&](const std::vector<hard::HardCase>& cases) {
+        return accuracy::measure(cases.front(), backends, budget).size();
+    };
+    CHECK(tracers(hard::sphere_cases()) == 2);
+    CHECK(tracers(hard::triangle_cases()) == 2);
+    CHECK(tracers(hard::cone_cases()) == 1);
+    CHECK(tracers(hard::box_cases()) == 1);
+}
