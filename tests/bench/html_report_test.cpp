@@ -96,9 +96,9 @@ TEST_CASE("Base64 is that of RFC 4648") {
 }
 
 TEST_CASE("Numbers of a report are short and grouped") {
-    CHECK(grouped(0) == "0");
-    CHECK(grouped(999) == "999");
-    CHECK(grouped(1411230) == "1,411,230");
+    CHECK(etalon::grouped(0) == "0");
+    CHECK(etalon::grouped(999) == "999");
+    CHECK(etalon::grouped(1411230) == "1,411,230");
     CHECK(three_digits(0.99949) == "0.999");
     CHECK(three_digits(0.9996) == "1.00");
     CHECK(three_digits(1234.4) == "1,234");

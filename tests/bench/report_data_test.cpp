@@ -107,7 +107,9 @@ TEST_CASE("Each table of a report is a CSV file, with what CSV takes for its own
 }
 
 TEST_CASE("Embree's own kernels take part in the cases of shapes that Embree has") {
-    const accuracy::Budget budget{64, infinity, 1'000'000, false};
+    accuracy::Budget budget;
+    budget.rays = 64;
+    budget.textbooks = false;
     const std::vector<const Backend*> backends{find_backend("bvh"), find_backend(baseline_backend)};
     const auto tracers = [&](const std::vector<hard::HardCase>& cases) {
         return accuracy::measure(cases.front(), backends, budget).size();
