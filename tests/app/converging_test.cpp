@@ -192,14 +192,14 @@ TEST_CASE("an error that nobody estimated is unknown, in words and as null", "[a
 TEST_CASE("an error that was estimated stands in the image and in the figures alike", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
-    REQUIRE(f.etalon("render ball.p3f --target-error 0.02 -q -o a.exr --stats s.json").status == 0);
+    REQUIRE(f.etalon("render ball.p3f --target-error 1e-4 -q -o a.exr --stats s.json").status == 0);
     const json s = json::parse(f.read("s.json"));
     CHECK(s["stopped"].is_null());
     const Imf::InputFile file(f.path("a.exr").c_str());
     const auto number = [&](const char* name) {
         return file.header().typedAttribute<Imf::FloatAttribute>(name).value();
     };
-    CHECK(number("targetError") == 0.02F);
+    CHECK(number("targetError") == 1e-4F);
     CHECK(number("expectedError") == s["expected_error"]["relmse"].get<float>());
     CHECK(number("samplesPerPixel") == s["image"]["spp"].get<float>());
     CHECK(s["image"]["spp"] != std::round(s["image"]["spp"].get<double>()));  // it is adaptive
