@@ -27,7 +27,7 @@ Environment skybox_in(const TemporaryFolder& folder, const std::string& extensio
     for (std::size_t k = 0; k < towards.size(); ++k) {
         const std::string path = folder / (std::to_string(k) + extension);
         const RenderedImage image{
-            64, 64, {{0, 0}, {63, 63}}, std::vector<Color>(64 * 64, color_of(k)), true, {}};
+            64, 64, {{0, 0}, {63, 63}}, std::vector<Color>(64 * 64, color_of(k)), false, {}};
         REQUIRE(write_image(path, image) == "");
         environment.skybox->faces[k] = path;
     }
