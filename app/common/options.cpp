@@ -94,7 +94,13 @@ Option& Option::group(const std::string& heading) {
     return *this;
 }
 
+Option& Option::suggest(const std::vector<std::string>& values) {
+    (*choices_)[option_] = values;
+    return *this;
+}
+
 Option& Option::one_of(const std::vector<std::string>& values) {
+    suggest(values);
     const std::string list = fmt::format("{}", fmt::join(values, ", "));
     option_->description(option_->get_description() + ". One of " + list);
     return check([values, list](const std::string& text) {
@@ -140,7 +146,7 @@ Option Options::add(const std::string& names, T& value, const std::string& help)
     } else {
         option->type_name("NAME");
     }
-    return Option(*option);
+    return {*option, choices_};
 }
 
 template Option Options::add(const std::string&, int&, const std::string&);
@@ -153,7 +159,7 @@ template Option Options::add(const std::string&, std::vector<std::string>&, cons
 template Option Options::add(const std::string&, std::optional<std::int64_t>&, const std::string&);
 
 Option Options::add_flag(const std::string& names, bool& value, const std::string& help) {
-    return Option(*app_.add_flag(names, value, help));
+    return {*app_.add_flag(names, value, help), choices_};
 }
 
 void Options::add_notes(const std::string& text) {

@@ -6,17 +6,18 @@
 #include <string>
 #include <vector>
 
+#include "app/common/value_choices.h"
+
 namespace CLI {
 class App;
-class Option;
-}  // namespace CLI
+}
 
 namespace etalon {
 
 /// An option just declared. Each function adds a rule to it and returns it, for the next one.
 class Option {
   public:
-    explicit Option(CLI::Option& option) : option_(&option) {}
+    Option(CLI::Option& option, ValueChoices& choices) : option_(&option), choices_(&choices) {}
 
     /// Name of the value in the help: FILE, SECONDS (default: N for whole numbers, X for others,
     /// NAME for text).
@@ -32,6 +33,9 @@ class Option {
     /// The heading in the help below which it stands.
     Option& group(const std::string& heading);
 
+    /// Offers values where a command line is completed.
+    Option& suggest(const std::vector<std::string>& values);
+    /// Allows these values alone.
     Option& one_of(const std::vector<std::string>& values);
     Option& within(int least, int most);
     Option& within(std::size_t least, std::size_t most);
@@ -44,12 +48,14 @@ class Option {
 
   private:
     CLI::Option* option_;
+    ValueChoices* choices_;
 };
 
 /// The options of one command.
 class Options {
   public:
-    explicit Options(CLI::App& app) : app_(app) {}
+    /// Records in `choices` the values that options take.
+    Options(CLI::App& app, ValueChoices& choices) : app_(app), choices_(choices) {}
 
     /// Declares an option by its names, "-o,--output", or a positional argument by its bare name.
     /// Parsing writes to `value`, which must live until then: an integer, double or std::string, a
@@ -64,6 +70,7 @@ class Options {
 
   private:
     CLI::App& app_;
+    ValueChoices& choices_;
 };
 
 }  // namespace etalon

@@ -9,9 +9,11 @@
 #include <new>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include "app/common/console.h"
+#include "app/common/documentation.h"
 #include "app/common/exit_status.h"
 #include "app/common/help.h"
 #include "app/common/usage_error.h"
@@ -32,9 +34,16 @@ constexpr const char* exit_statuses =
     "Exit status: 0 done, 1 found more differences than allowed, 2 wrong usage,\n"
     "3 the scene (or another input) is unusable, 4 output could not be written.\n";
 
+/// The parser of a program.
+struct CommandLine {
+    CLI::App program;
+    ValueChoices choices;
+};
+
 /// Declares a command in the part of the parser that belongs to it; `name` is how it is called.
-Action declare(const Command& command, const std::string& name, CLI::App& parser) {
-    Options options(parser);
+Action declare(const Command& command, const std::string& name, CLI::App& parser,
+               ValueChoices& choices) {
+    Options options(parser, choices);
     Action run = command.declare(options);
     std::string footer = parser.get_footer() + "Examples:\n";
     for (const Example& example : command.examples) {
@@ -45,7 +54,12 @@ Action declare(const Command& command, const std::string& name, CLI::App& parser
 }
 
 /// Parses the command line; returns an exit status if that is all, as after --help.
-std::optional<int> parse(CLI::App& program, int argc, char** argv) {
+std::optional<int> parse(CommandLine& line, int argc, char** argv) {
+    CLI::App& program = line.program;
+    // For the installation alone, so the help does not list it.
+    if (argc == 3 && std::string_view(argv[1]) == "--write-documentation") {
+        return write_documentation(program, line.choices, argv[2]) ? exit_done : exit_not_written;
+    }
     try {
         program.parse(argc, argv);
         return std::nullopt;
@@ -61,15 +75,17 @@ std::optional<int> parse(CLI::App& program, int argc, char** argv) {
     }
 }
 
-int parse_and_run(CLI::App& program, std::span<const Command> commands, int argc, char** argv) {
+int parse_and_run(CommandLine& line, std::span<const Command> commands, int argc, char** argv) {
+    CLI::App& program = line.program;
     program.require_subcommand(1);
     std::vector<std::pair<CLI::App*, Action>> runs;
     for (const Command& command : commands) {
         CLI::App* const sub = program.add_subcommand(command.name, command.summary);
-        runs.emplace_back(sub, declare(command, program.get_name() + " " + command.name, *sub));
+        runs.emplace_back(
+            sub, declare(command, program.get_name() + " " + command.name, *sub, line.choices));
     }
     program.footer(exit_statuses);
-    if (const std::optional<int> status = parse(program, argc, argv)) return *status;
+    if (const std::optional<int> status = parse(line, argc, argv)) return *status;
     for (const auto& [sub, run] : runs) {
         if (sub->parsed()) return run();
     }
@@ -80,10 +96,10 @@ int parse_and_run(CLI::App& program, std::span<const Command> commands, int argc
 template <class Task>
 int guarded(const char* name, const char* description, const Task& task) {
     try {
-        CLI::App program(description, name);
-        program.formatter(help_formatter());
-        program.set_version_flag("--version", fmt::format("{} {}", name, ETALON_VERSION));
-        return task(program);
+        CommandLine line{CLI::App(description, name), {}};
+        line.program.formatter(help_formatter());
+        line.program.set_version_flag("--version", fmt::format("{} {}", name, ETALON_VERSION));
+        return task(line);
     } catch (const std::bad_alloc&) {
         print_message("{}: error: not enough memory for what was asked\n", name);
     } catch (const std::exception& error) {
@@ -104,15 +120,15 @@ int run_prepared(const char* name, const char* description, const Task& task) {
 
 int run_program(const char* name, const char* description, std::span<const Command> commands,
                 int argc, char** argv) {
-    return run_prepared(name, description, [&](CLI::App& program) {
-        return parse_and_run(program, commands, argc, argv);
+    return run_prepared(name, description, [&](CommandLine& line) {
+        return parse_and_run(line, commands, argc, argv);
     });
 }
 
 int run_program(const Command& command, int argc, char** argv) {
-    return run_prepared(command.name, command.summary, [&](CLI::App& program) {
-        const Action run = declare(command, command.name, program);
-        const std::optional<int> status = parse(program, argc, argv);
+    return run_prepared(command.name, command.summary, [&](CommandLine& line) {
+        const Action run = declare(command, command.name, line.program, line.choices);
+        const std::optional<int> status = parse(line, argc, argv);
         return status ? *status : run();
     });
 }

@@ -38,9 +38,15 @@ std::string list_of_families() {
     return text;
 }
 
+std::vector<std::string> family_names() {
+    std::vector<std::string> names;
+    for (const Family& f : families()) names.emplace_back(f.name);
+    return names;
+}
+
 int no_family(const std::string& name) {
-    std::vector<std::string_view> names;
-    for (const Family& f : families()) names.push_back(f.name);
+    const std::vector<std::string> known = family_names();
+    const std::vector<std::string_view> names(known.begin(), known.end());
     return fail(exit_usage, fmt::format("no family '{}'{}\n{}", name, did_you_mean(name, names),
                                         list_of_families()));
 }
@@ -73,7 +79,9 @@ int run(const Arguments& a) {
 
 Action declare(Options& options) {
     auto a = std::make_shared<Arguments>();
-    options.add("FAMILY", a->family, "Family of scenes, see below").required();
+    options.add("FAMILY", a->family, "Family of scenes, see below")
+        .required()
+        .suggest(family_names());
     options.add("-n,--size", a->size, "Size of the scene (default and range: see below)");
     options.add("-o,--output", a->path, "Output file (default: standard output)").value("FILE");
     options.add_notes(list_of_families() + "\n");

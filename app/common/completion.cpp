@@ -1,0 +1,117 @@
+#include "app/common/completion.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "app/common/option_text.h"
+
+namespace etalon {
+namespace {
+
+/// A case of the script, which says what the word may be; `before` sets the part of it to keep.
+std::string script_case(const std::string& pattern, const std::vector<std::string>& words,
+                        const char* before = "") {
+    return fmt::format("        {}) words=\"{}\"{} ;;\n", pattern, fmt::join(words, " "), before);
+}
+
+std::vector<std::string> names_of(const CLI::Option& option) {
+    std::vector<std::string> names;
+    for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+/// The names of all options but those that the help hides, having no group.
+std::vector<std::string> option_names(const CLI::App& command) {
+    std::vector<std::string> all;
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->get_group().empty()) continue;
+        for (const std::string& name : names_of(*option)) all.push_back(name);
+    }
+    return all;
+}
+
+/// Returns what a word may be that is neither an option nor the value of one.
+std::vector<std::string> plain_words(const CLI::App& command, const ValueChoices& choices) {
+    std::vector<std::string> words;
+    for (const CLI::App* sub : command.get_subcommands({})) words.push_back(sub->get_name());
+    for (const CLI::Option* option : command.get_options()) {
+        const auto known = choices.find(option);
+        if (!option->get_positional() || known == choices.end()) continue;
+        words.insert(words.end(), known->second.begin(), known->second.end());
+    }
+    return words;
+}
+
+/// Returns the cases of values: the word before is the name of an option.
+std::string value_cases(const CLI::App& command, const std::string& name,
+                        const ValueChoices& choices) {
+    std::string cases;
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->get_positional() || !has_value(*option)) continue;
+        const char* before =
+            option->get_delimiter() == ',' ? " before=${word%\"${word##*,}\"}" : "";
+        const auto known = choices.find(option);
+        for (const std::string& option_name : names_of(*option)) {
+            const std::string pattern = fmt::format("\"{} {} \"*", name, option_name);
+            cases += known == choices.end() ? fmt::format("        {}) ;;\n", pattern)
+                                            : script_case(pattern, known->second, before);
+        }
+    }
+    return cases;
+}
+
+/// Returns the cases of a command, "" for the program itself.
+std::string command_cases(const CLI::App& command, const std::string& name,
+                          const ValueChoices& choices) {
+    return value_cases(command, name, choices) +
+           script_case(fmt::format("\"{} \"*\" -\"*", name), option_names(command)) +
+           script_case(fmt::format("\"{} \"*", name), plain_words(command, choices));
+}
+
+/// What stands around the cases, which compare "COMMAND PREVIOUS-WORD WORD". Bash takes the "=" of
+/// "--option=value" for a word of its own.
+constexpr const char* script = R"(# Completion of {program} for bash, written by {program} itself.
+_{function}() {{
+    local word=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}}
+    local command="" words="" before="" i
+    if [[ $word == "=" ]]; then
+        word=""
+    elif [[ $previous == "=" ]]; then
+        previous=${{COMP_WORDS[COMP_CWORD - 2]}}
+    fi
+    for ((i = 1; i < COMP_CWORD; ++i)); do
+        case ${{COMP_WORDS[i]}} in
+            {commands}) command=${{COMP_WORDS[i]}} && break ;;
+        esac
+    done
+    case "$command $previous $word" in
+{cases}    esac
+    COMPREPLY=()
+    [[ -z $words ]] || mapfile -t COMPREPLY < <(compgen -P "$before" -W "$words" -- "${{word#"$before"}}")
+}}
+complete -o bashdefault -o default -F _{function} {program}
+)";
+
+}  // namespace
+
+std::string completion_script(const CLI::App& program, const ValueChoices& choices) {
+    std::vector<std::string> names;
+    std::string cases;
+    for (const CLI::App* command : program.get_subcommands({})) {
+        names.push_back(command->get_name());
+        cases += command_cases(*command, command->get_name(), choices);
+    }
+    cases += command_cases(program, "", choices);
+    std::string function = program.get_name();
+    std::replace(function.begin(), function.end(), '-', '_');
+    return fmt::format(
+        script, fmt::arg("program", program.get_name()), fmt::arg("function", function),
+        fmt::arg("commands", names.empty() ? "\"\"" : fmt::format("{}", fmt::join(names, " | "))),
+        fmt::arg("cases", cases));
+}
+
+}  // namespace etalon

@@ -1,0 +1,19 @@
+// What is installed beside a program to tell how it is used.
+#pragma once
+
+#include <filesystem>
+
+#include "app/common/value_choices.h"
+
+namespace CLI {
+class App;
+}
+
+namespace etalon {
+
+/// Writes the manual pages of the program and its subcommands to `folder`/man1, and the completion
+/// of its command line for bash to `folder`/completions. False, after a message, if that failed.
+bool write_documentation(const CLI::App& program, const ValueChoices& choices,
+                         const std::filesystem::path& folder);
+
+}  // namespace etalon
