@@ -1,19 +1,37 @@
 #include "app/common/backends.h"
 
+#include <stdexcept>
+
 #include "embree_backend/embree_backends.h"
 #include "native_accel/native_backends.h"
 
 namespace etalon {
 
-const std::vector<Backend>& all_backends() {
-    static const std::vector<Backend> backends = [] {
-        std::vector<Backend> list;
+namespace {
+
+std::vector<Backend>& backends() {
+    static std::vector<Backend> list = [] {
+        std::vector<Backend> own;
         for (const auto& part : {native_backends(), embree_backends()}) {
-            list.insert(list.end(), part.begin(), part.end());
+            own.insert(own.end(), part.begin(), part.end());
         }
-        return list;
+        return own;
     }();
-    return backends;
+    return list;
+}
+
+}  // namespace
+
+const std::vector<Backend>& all_backends() {
+    return backends();
+}
+
+void add_backend(const Backend& backend) {
+    if (find_backend(backend.name)) {
+        throw std::invalid_argument(std::string(backend.name) +
+                                    ": there is a backend of that name");
+    }
+    backends().push_back(backend);
 }
 
 const Backend* find_backend(std::string_view name) {

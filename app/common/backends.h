@@ -14,6 +14,11 @@ namespace etalon {
 /// takes.
 const std::vector<Backend>& all_backends();
 
+/// Adds a backend of a program that is built on the installed libraries. Call it first of all in
+/// main(): it invalidates what the functions here returned before. Throws std::invalid_argument if
+/// there is a backend of that name.
+void add_backend(const Backend& backend);
+
 /// nullptr if there is none of that name.
 const Backend* find_backend(std::string_view name);
 
