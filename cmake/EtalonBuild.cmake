@@ -1,5 +1,7 @@
 # Compile options shared by every target, what is compiled once for all of them, and the one way a
-# library or a program of Etalon is declared.
+# library or a program of Etalon is declared and installed.
+
+include(EtalonInstall)
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -22,16 +24,21 @@ endif()
 
 add_library(etalon_options INTERFACE)
 target_link_libraries(etalon_options INTERFACE Imath::Imath fmt::fmt)
-target_include_directories(etalon_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(etalon_options INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${ETALON_INSTALL_INCLUDEDIR}>)
+target_compile_features(etalon_options INTERFACE cxx_std_20)
 target_compile_options(etalon_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> # g++ 12 sees it in every string sum (its bug 105329)
+  "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wno-sign-conversion>"
+  # g++ 12 sees it in every string sum (its bug 105329).
+  $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>>
   # Programs too, which would be given -fPIE, so that libraries and programs share precompiled headers.
   -fPIC
   # A result must be a function of the source, not of what a compiler may fuse.
   -ffp-contract=off
   # g++ 12 drops the double -> float rounding of a vectorised pair (tests/numerics guards it).
   -fno-tree-slp-vectorize)
+
+etalon_install_library(etalon_options options)
 
 set(ETALON_SANITIZE "" CACHE STRING "Value for -fsanitize=, e.g. address,undefined or thread")
 if(ETALON_SANITIZE)
@@ -87,6 +94,7 @@ function(etalon_library name)
   add_library(etalon_${name} STATIC ${arg_SOURCES})
   add_library(etalon::${name} ALIAS etalon_${name})
   target_link_libraries(etalon_${name} PUBLIC etalon_options ${arg_LINKS})
+  etalon_install_library(etalon_${name} ${name})
   etalon_precompile(etalon_${name} code)
 endfunction()
 
@@ -95,5 +103,6 @@ function(etalon_program name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINKS")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE etalon_options ${arg_LINKS})
+  etalon_install_program(${name})
   etalon_precompile(${name} code)
 endfunction()

@@ -1,0 +1,51 @@
+# What cmake --install copies, in two components: `programs`, for who renders and measures, and
+# `development`, for who writes a backend or a loader in a project of their own.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+# The programs look for their module in ../lib/etalon, so this is "lib" on every system.
+set(ETALON_INSTALL_LIBDIR lib/etalon)
+set(ETALON_INSTALL_CMAKEDIR lib/cmake/Etalon)
+set(ETALON_INSTALL_INCLUDEDIR ${CMAKE_INSTALL_INCLUDEDIR}/etalon)
+
+# etalon_install_library(<target> <name>) installs a library, known as etalon::<name>.
+function(etalon_install_library target name)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS ${target} EXPORT EtalonTargets
+    ARCHIVE DESTINATION ${ETALON_INSTALL_LIBDIR} COMPONENT development)
+endfunction()
+
+# etalon_install_program(<target>) installs a program, and what it says of itself: it writes its
+# manual pages and the completion of its command line from the options that it declares.
+function(etalon_install_program target)
+  install(TARGETS ${target} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
+  set(folder ${PROJECT_BINARY_DIR}/documentation/${target})
+  install(CODE "
+    file(REMOVE_RECURSE \"${folder}\")
+    execute_process(COMMAND \"$<TARGET_FILE:${target}>\" --write-documentation \"${folder}\"
+      COMMAND_ERROR_IS_FATAL ANY)"
+    COMPONENT programs)
+  install(DIRECTORY ${folder}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT programs)
+  install(DIRECTORY ${folder}/completions
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion COMPONENT programs)
+endfunction()
+
+# etalon_install_package() installs the headers and the configuration for find_package(Etalon).
+function(etalon_install_package)
+  install(DIRECTORY app bench core embree_backend native_accel scenes
+    DESTINATION ${ETALON_INSTALL_INCLUDEDIR} COMPONENT development
+    FILES_MATCHING PATTERN "*.h"
+    PATTERN scenes/features EXCLUDE PATTERN scenes/skybox EXCLUDE)
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/EtalonConfigVersion.cmake
+    COMPATIBILITY SameMinorVersion)
+  install(FILES
+    ${PROJECT_SOURCE_DIR}/cmake/EtalonConfig.cmake
+    ${PROJECT_SOURCE_DIR}/cmake/EtalonDependencies.cmake
+    ${PROJECT_SOURCE_DIR}/cmake/FindEtalonDeflate.cmake
+    ${PROJECT_BINARY_DIR}/EtalonConfigVersion.cmake
+    DESTINATION ${ETALON_INSTALL_CMAKEDIR} COMPONENT development)
+  install(EXPORT EtalonTargets NAMESPACE etalon::
+    DESTINATION ${ETALON_INSTALL_CMAKEDIR} COMPONENT development)
+  install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/etalon RENAME copyright
+    COMPONENT programs)
+endfunction()

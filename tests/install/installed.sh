@@ -1,0 +1,18 @@
+# What the tests of an installation begin with: $scratch, an empty folder that goes at the end, and
+# in $prefix Etalon, installed and then moved.
+set -euo pipefail
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+prefix="$scratch/moved here"
+
+fail() {
+    printf '%s\n' "$*" >&2
+    exit 1
+}
+
+# The new programs are there, whoever was first to build them.
+cmake --install "$2" --prefix "$scratch/prefix" >"$scratch/log" || fail "$(cat "$scratch/log")"
+mv "$scratch/prefix" "$prefix"
+mkdir "$scratch/elsewhere"
+cd "$scratch/elsewhere"

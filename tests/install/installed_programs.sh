@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# installed_programs.sh SOURCE BINARY: whether the installed programs work wherever they are moved,
+# have a manual page for each command with each of its options, and a completion that knows them.
+source "$(dirname "$0")/installed.sh"
+export PATH="$prefix/bin:$PATH"
+
+# A skybox of Radiance files, which OpenImageIO alone reads: the module must be found beside the
+# programs.
+check_render() {
+    local face
+    mkdir faces
+    for face in right left top bottom front back; do
+        printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x40\x80\xc0\x80' >"faces/$face.hdr"
+    done
+    sed 's,^env .*,env faces,' "$1/scenes/features/skybox.p3f" >scene.p3f
+    grep -q '^env faces' scene.p3f || fail "scenes/features/skybox.p3f: no line env to replace"
+    etalon render scene.p3f -q --strict --spp 0 --resolution 8x6 -o image.png || fail "render failed"
+    [[ -s image.png ]] || fail "no image"
+    etalon-scenes tetra --size 1 -o tetra.p3f
+    etalon-bench speed --list >/dev/null
+}
+
+# Names of the commands in the help of a program.
+commands_of() {
+    "$1" --help | awk '/^Commands:/ { on = 1; next } /^$/ { on = 0 } on && /^  [a-z]/ { print $1 }'
+}
+
+# check_page NAME COMMAND...: the page NAME.1 against the help of the command.
+check_page() {
+    local page=$prefix/share/man/man1/$1.1 option
+    [[ -s $page ]] || fail "no manual page $1.1"
+    while read -r option; do
+        grep -qF -- "\\fB${option//-/\\-}\\fR" "$page" || fail "$1.1: nothing about $option"
+    done < <("${@:2}" --help | grep -oE '^  (-[a-zA-Z], )?--[a-z-]+' | grep -oE -- '-.*' | tr -s ', ' '\n')
+    if command -v groff >/dev/null; then
+        [[ -z $(groff -man -ww -z "$page" 2>&1) ]] || fail "$1.1: $(groff -man -ww -z "$page" 2>&1)"
+    fi
+}
+
+check_pages() {
+    local program command
+    for program in etalon etalon-bench etalon-scenes; do
+        check_page "$program" "$program"
+        for command in $(commands_of "$program"); do
+            check_page "$program-$command" "$program" "$command"
+        done
+    done
+    [[ -s $prefix/share/man/man1/etalon-render.1 ]] || fail "commands_of finds no commands"
+}
+
+# expect WORDS LINE...: what completes a command line, whose last word may be empty.
+expect() {
+    local expected=$1
+    COMP_WORDS=("${@:2}")
+    COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
+    COMPREPLY=()
+    "_${2//-/_}"
+    [[ ${COMPREPLY[*]} == "$expected" ]] || fail "completion of '${*:2}': '${COMPREPLY[*]}', not '$expected'"
+}
+
+check_completion() {
+    local program
+    for program in etalon etalon-bench etalon-scenes; do
+        # shellcheck source=/dev/null
+        source "$prefix/share/bash-completion/completions/$program"
+    done
+    expect "$(commands_of etalon | xargs)" etalon ""
+    expect "render" etalon r
+    expect "embree embree-user embree-builtin" etalon render scene.p3f -b em
+    expect "none grid bvh embree embree-user embree-builtin" etalon render --backend = ""
+    expect "bvh" etalon render --backend = b
+    expect "bvh,grid" etalon crosscheck scene.p3f -b bvh,g
+    expect "p3f prt" etalon info --format p
+    expect "--seed" etalon render scene.p3f --see
+    expect "" etalon render scene.p3f -o im
+    expect "" etalon render sc
+    expect "accuracy" etalon-bench acc
+    expect "sphereflake" etalon-scenes sphereflake
+    expect "--size" etalon-scenes --si
+}
+
+check_render "$@"
+check_pages
+check_completion
