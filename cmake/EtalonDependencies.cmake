@@ -12,3 +12,8 @@ set(ETALON_DEPENDENCIES
   "JPEG"           # libjpeg-turbo
   "PNG 1.6"
   "EtalonDeflate") # FindEtalonDeflate.cmake beside this file
+
+# Debian's packages of them.
+set(ETALON_DEBIAN_PACKAGES
+  libimath-dev libtbb-dev libopenexr-dev libhwy-dev libembree-dev libfmt-dev libcli11-dev
+  nlohmann-json3-dev libjpeg-dev libpng-dev libdeflate-dev)

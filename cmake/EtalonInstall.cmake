@@ -8,8 +8,12 @@ set(ETALON_INSTALL_LIBDIR lib/etalon)
 set(ETALON_INSTALL_CMAKEDIR lib/cmake/Etalon)
 set(ETALON_INSTALL_INCLUDEDIR ${CMAKE_INSTALL_INCLUDEDIR}/etalon)
 
+# What must be built for that: not the tests.
+add_custom_target(installable)
+
 # etalon_install_library(<target> <name>) installs a library, known as etalon::<name>.
 function(etalon_install_library target name)
+  add_dependencies(installable ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS ${target} EXPORT EtalonTargets
     ARCHIVE DESTINATION ${ETALON_INSTALL_LIBDIR} COMPONENT development)
@@ -18,6 +22,7 @@ endfunction()
 # etalon_install_program(<target>) installs a program, and what it says of itself: it writes its
 # manual pages and the completion of its command line from the options that it declares.
 function(etalon_install_program target)
+  add_dependencies(installable ${target})
   install(TARGETS ${target} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
   set(folder ${PROJECT_BINARY_DIR}/documentation/${target})
   install(CODE "
