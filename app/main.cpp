@@ -44,6 +44,6 @@ constexpr etalon::Command commands[] = {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return etalon::run_program("etalon", "Etalon: a renderer and accelerator laboratory", commands,
-                               argc, argv);
+    return etalon::run_program("etalon", "A renderer and accelerator laboratory", commands, argc,
+                               argv);
 }
