@@ -11,17 +11,6 @@ Imath::V2i size_of(const Imath::Box2i& window) {
     return window.size() + Imath::V2i(1);
 }
 
-/// Rows of `pixels`, `width` wide, that lie in the window.
-std::vector<Color> cut_out(const std::vector<Color>& pixels, int width,
-                           const Imath::Box2i& window) {
-    std::vector<Color> part;
-    for (int y = window.min.y; y <= window.max.y; ++y) {
-        const auto row = pixels.begin() + static_cast<std::ptrdiff_t>(y) * width;
-        part.insert(part.end(), row + window.min.x, row + window.max.x + 1);
-    }
-    return part;
-}
-
 }  // namespace
 
 Result<std::vector<Color>> read_reference(const std::string& path, const RenderSettings& settings) {

@@ -68,6 +68,7 @@ int run(const Arguments& a) {
         return fail(exit_not_written, error);
     const Result<ImagePair> images = read_image_pair(a.a, a.b);
     if (!images) return fail(exit_unusable, images.error);
+    if (!images.value.note.empty()) print_message("etalon: note: {}\n", images.value.note);
     const auto& [first, second] = images.value.pixels;
     warn_of_unbounded(a.a, first);
     warn_of_unbounded(a.b, second);

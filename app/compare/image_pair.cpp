@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "core/image/io.h"
 #include "core/parallel/parallel.h"
 
@@ -13,9 +16,48 @@ std::string extent(const std::string& path, const Image& image) {
     return image.origin ? fmt::format("{} at {},{}", size, image.origin->x, image.origin->y) : size;
 }
 
+Imath::V2i size_of(const Image& image) {
+    return {image.width, image.height};
+}
+
 bool same_extent(const Image& a, const Image& b) {
     const bool same_place = !a.origin || !b.origin || *a.origin == *b.origin;
-    return a.width == b.width && a.height == b.height && same_place;
+    return size_of(a) == size_of(b) && same_place;
+}
+
+/// The place of an image in the frame that it shares with another one. One that does not say it, as
+/// no PNG of a whole image does, begins where the frame does if it can be all of it.
+std::optional<Imath::Box2i> place_of(const Image& image, const Image& other) {
+    const Imath::V2i size = size_of(image);
+    if (image.origin) return Imath::Box2i(*image.origin, *image.origin + size - Imath::V2i(1));
+    if (!other.origin) return std::nullopt;
+    const Imath::V2i end = *other.origin + size_of(other);
+    const bool is_all = other.frame ? size == *other.frame : end.x <= size.x && end.y <= size.y;
+    return is_all ? std::optional(Imath::Box2i({0, 0}, size - Imath::V2i(1))) : std::nullopt;
+}
+
+/// The part of their frame that both show, if they are of one frame and there is any.
+std::optional<Imath::Box2i> overlap(const Image& a, const Image& b) {
+    if (a.frame && b.frame && *a.frame != *b.frame) return std::nullopt;
+    const auto p = place_of(a, b), q = place_of(b, a);
+    if (!p || !q) return std::nullopt;
+    const Imath::Box2i both({std::max(p->min.x, q->min.x), std::max(p->min.y, q->min.y)},
+                            {std::min(p->max.x, q->max.x), std::min(p->max.y, q->max.y)});
+    return both.isEmpty() ? std::nullopt : std::optional(both);
+}
+
+/// Leaves of both what lies in a window of the frame.
+void cut(ImagePair& images, const Image& a, const Image& b, const Imath::Box2i& window) {
+    const auto cut_one = [&](std::vector<Color>& pixels, const Image& image, const Image& other) {
+        const Imath::V2i first = place_of(image, other)->min;
+        pixels = cut_out(pixels, image.width, {window.min - first, window.max - first});
+    };
+    cut_one(images.pixels[0], a, b);
+    cut_one(images.pixels[1], b, a);
+    const Imath::V2i size = window.size() + Imath::V2i(1);
+    images.width = size.x, images.height = size.y;
+    images.note = fmt::format("compared are the {} x {} pixels at {},{}, which both show", size.x,
+                              size.y, window.min.x, window.min.y);
 }
 
 /// Whether the pair is compared by display values: one has them, and the other, if a PNG, may have
@@ -33,13 +75,18 @@ Result<ImagePair> read_image_pair(const std::string& a, const std::string& b) {
     if (!first) return {{}, first.error};
     if (!second) return {{}, second.error};
     Image &p = first.value, &q = second.value;
-    if (!same_extent(p, q)) {
-        return {{}, fmt::format("{}; {}; expected the same", extent(a, p), extent(b, q))};
+    const bool is_whole = same_extent(p, q);
+    const std::optional<Imath::Box2i> both = is_whole ? std::nullopt : overlap(p, q);
+    if (!is_whole && !both) {
+        return {{},
+                fmt::format("{}; {}; expected images of one frame that overlap", extent(a, p),
+                            extent(b, q))};
     }
     const auto pixels_of = has_display_values(p, q) ? display_pixels : linear_pixels;
     ImagePair images{p.width, p.height, {}};
     parallel_invoke([&] { images.pixels[0] = pixels_of(p); },
                     [&] { images.pixels[1] = pixels_of(q); });
+    if (both) cut(images, p, q, *both);
     return {std::move(images), {}};
 }
 

@@ -9,10 +9,11 @@
 
 namespace etalon::compare {
 
-/// Two images of one size and, where both files say where in their frame they are, of one place.
+/// What two images both show of one frame.
 struct ImagePair {
     int width = 0, height = 0;
     std::array<std::vector<Color>, 2> pixels;  ///< linear RGB, or display values, by rows
+    std::string note{};                        ///< which part it is, if an image shows more
 };
 
 /// Reads two files of any format of read_image. A failure's reason begins with the path at fault.

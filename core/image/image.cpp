@@ -61,4 +61,14 @@ void decode(std::vector<Color>& display_values) {
     });
 }
 
+std::vector<Color> cut_out(const std::vector<Color>& pixels, int width,
+                           const Imath::Box2i& window) {
+    std::vector<Color> part;
+    for (int y = window.min.y; y <= window.max.y; ++y) {
+        const auto row = pixels.begin() + static_cast<std::ptrdiff_t>(y) * width;
+        part.insert(part.end(), row + window.min.x, row + window.max.x + 1);
+    }
+    return part;
+}
+
 }  // namespace etalon

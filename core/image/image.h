@@ -21,6 +21,7 @@ struct Image {
     std::variant<std::vector<std::uint8_t>, std::vector<float>> pixels;
     Encoding encoding = Encoding::linear;
     std::optional<Imath::V2i> origin;  ///< of the upper left pixel in its frame, where files say it
+    std::optional<Imath::V2i> frame{};  ///< size of the frame, where files say it
 
     bool empty() const { return width == 0; }
 
@@ -74,5 +75,8 @@ std::vector<Color> display_pixels(const Image& image);
 
 /// The light that display values stand for: sRGB's curve, continued above 1. Below it is a line.
 void decode(std::vector<Color>& display_values);
+
+/// The part of `pixels`, of rows `width` long, that lies in a window, inclusive on both ends.
+std::vector<Color> cut_out(const std::vector<Color>& pixels, int width, const Imath::Box2i& window);
 
 }  // namespace etalon

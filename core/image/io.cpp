@@ -47,8 +47,10 @@ Result<std::string> encode(const std::string& kind, const RenderedImage& image, 
     if (!is_consistent(image)) return {{}, "its window and its pixels do not agree"};
     if (kind == ".exr") return encode_exr(image);
     if (kind == ".png") {
-        const Imath::V2i last = image.window.size();
-        return encode_png(display_bytes(image, exposure), last.x + 1, last.y + 1);
+        const Imath::V2i size = image.window.size() + Imath::V2i(1);
+        const bool is_crop = size != Imath::V2i(image.width, image.height);
+        const auto origin = is_crop ? std::optional(image.window.min) : std::nullopt;
+        return encode_png(display_bytes(image, exposure), size.x, size.y, origin);
     }
     return {{}, "expected a name ending in .exr or .png"};
 }

@@ -13,8 +13,8 @@
 namespace etalon {
 
 /// Writes .exr (float RGB, ZIP, data window, all metadata and channels) or .png (8 bit), told by
-/// the extension. A crop's PNG holds the crop. `exposure` in stops applies to PNG only. Returns the
-/// reason of a failure, beginning with the path, or an empty string.
+/// the extension. A crop's PNG holds the crop and its offset. `exposure` in stops applies to PNG
+/// only. Returns the reason of a failure, beginning with the path, or an empty string.
 std::string write_image(const std::string& path, const RenderedImage& image, double exposure = 0);
 
 /// Whether write_image() knows the extension.

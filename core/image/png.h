@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -18,7 +19,9 @@ namespace etalon {
 /// file. May throw std::bad_alloc.
 Result<Image> read_png(std::FILE* file, Extent extent);
 
-/// A PNG file in memory, marked as sRGB, of width * height pixels R, G, B by rows from the top.
-Result<std::string> encode_png(std::span<const std::uint8_t> rgb, int width, int height);
+/// A PNG file in memory, marked as sRGB, of width * height pixels R, G, B by rows from the top;
+/// with the place of its first pixel in a larger image, where it has one.
+Result<std::string> encode_png(std::span<const std::uint8_t> rgb, int width, int height,
+                               const std::optional<Imath::V2i>& origin = {});
 
 }  // namespace etalon

@@ -20,9 +20,11 @@ class PngWriter {
     PngWriter(const PngWriter&) = delete;
     PngWriter& operator=(const PngWriter&) = delete;
 
-    bool write(std::span<const std::uint8_t> rgb, int width, int height) {
+    bool write(std::span<const std::uint8_t> rgb, int width, int height,
+               const std::optional<Imath::V2i>& origin) {
         return info_ && jump_.completes([&] {
             png_set_write_fn(png_, this, append, nullptr);
+            if (origin) png_set_oFFs(png_, info_, origin->x, origin->y, PNG_OFFSET_PIXEL);
             write_header(width, height);
             const std::size_t row = 3 * static_cast<std::size_t>(width);
             for (int y = 0; y < height; ++y) png_write_row(png_, &rgb[y * row]);
@@ -66,9 +68,10 @@ class PngWriter {
 
 }  // namespace
 
-Result<std::string> encode_png(std::span<const std::uint8_t> rgb, int width, int height) {
+Result<std::string> encode_png(std::span<const std::uint8_t> rgb, int width, int height,
+                               const std::optional<Imath::V2i>& origin) {
     PngWriter writer;
-    if (!writer.write(rgb, width, height)) return {{}, writer.reason()};
+    if (!writer.write(rgb, width, height, origin)) return {{}, writer.reason()};
     return {std::move(writer.file()), {}};
 }
 

@@ -52,6 +52,14 @@ class PngReader {
 
     int width() const { return static_cast<int>(png_get_image_width(png_, info_)); }
     int height() const { return static_cast<int>(png_get_image_height(png_, info_)); }
+    /// Place of the first pixel in a larger image, where the file says it.
+    std::optional<Imath::V2i> origin() const {
+        png_int_32 x = 0, y = 0;
+        int unit = PNG_OFFSET_PIXEL;
+        const bool is_said = png_get_oFFs(png_, info_, &x, &y, &unit) != 0;
+        if (!is_said || unit != PNG_OFFSET_PIXEL) return std::nullopt;
+        return Imath::V2i(x, y);
+    }
     int channels() const { return png_get_channels(png_, info_); }
     bool is_wide() const { return png_get_bit_depth(png_, info_) == 16; }
     bool is_interlaced() const { return passes_ > 1; }
@@ -96,7 +104,8 @@ Result<Image> read_png(std::FILE* file, Extent extent) {
     if (std::max(reader.width(), reader.height()) > max_side) {
         return {{}, "larger than 65536 pixels"};
     }
-    Image image{reader.width(), reader.height(), reader.channels(), {}, Encoding::srgb, {}};
+    Image image{reader.width(), reader.height(), reader.channels(), {},
+                Encoding::srgb, reader.origin()};
     if (extent == Extent::header) return {std::move(image), {}};
     std::vector<std::uint8_t> bytes;
     if (!read_bytes(reader, bytes)) return {{}, reader.reason()};

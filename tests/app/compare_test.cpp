@@ -136,8 +136,35 @@ TEST_CASE("compare refuses pictures of different sizes or places, and says both"
     CHECK_THAT(place.err, ContainsSubstring("a.exr: 4 x 3 pixels at 0,0") &&
                               ContainsSubstring("c.exr: 4 x 3 pixels at 7,2"));
     CHECK(f.etalon("compare c.exr c.exr").status == 0);
-    CHECK(f.etalon("compare c.exr c.png").status == 0);  // a PNG does not know its place
+    CHECK(f.etalon("compare c.exr c.png").status == 0);
+    CHECK(f.etalon("compare a.exr c.png").status == 3);  // no overlap
     CHECK_FALSE(f.has("a.json"));
+}
+
+TEST_CASE("compare of a crop with the whole image, or another crop, compares what both show",
+          "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto render = [&](const std::string& arguments) {
+        CHECK(f.etalon("render ball.p3f --spp 1 -q " + arguments).status == 0);
+    };
+    render("-o all.exr -o all.png");
+    render("--crop 8,6,24,20 -o crop.exr -o crop.png");
+    render("--crop 16,0,32,12 -o other.exr");
+    render("--resolution 64x48 -o large.exr");
+    for (const char* pair : {"crop.exr all.exr", "all.exr crop.exr", "crop.png all.png",
+                             "all.png crop.png", "crop.exr other.exr"}) {
+        INFO(pair);
+        CHECK(json_of(f, pair)["max_abs"] == 0.0);
+    }
+    for (const char* pair : {"crop.png all.exr", "crop.exr all.png", "other.exr crop.png"}) {
+        INFO(pair);
+        CHECK(json_of(f, pair)["max_abs"] <= 1 / 255.0);
+    }
+    CHECK_THAT(f.etalon("compare crop.png other.exr").err,
+               ContainsSubstring("note: compared are the 8 x 6 pixels at 16,6"));
+    CHECK(f.etalon("compare all.exr large.exr").status == 3);
+    CHECK(f.etalon("compare crop.exr large.exr").status == 3);
 }
 
 TEST_CASE("compare refuses what it cannot read, and says why", "[app]") {
