@@ -16,7 +16,7 @@ struct RenderStats {
     int threads = 0;
     int width = 0, height = 0;
     double samples_per_pixel = 0;  ///< mean of what was taken; 0: one ray through each centre
-    std::uint32_t seed = 0;
+    std::uint64_t seed = 0;
     nlohmann::ordered_json primitives;
     Duration parse, build, render, aovs, write;
     RayCounts rays;

@@ -73,7 +73,7 @@ void declare_samples(Options& options, RenderArguments& a) {
     options.add("--sampler", a.sampler, "Sample generator (default: sobol)")
         .one_of({"sobol", "random"})
         .group(group);
-    options.add("--seed", a.seed, "Random seed (default: 0)").group(group);
+    options.add("--seed", a.seed, "Random seed, of 64 bits (default: 0)").group(group);
     options
         .add_flag("--spd", a.spd,
                   "Follow the ray rules of the Standard Procedural Databases: one ray through each "

@@ -17,7 +17,7 @@ struct RenderArguments {
     std::string backend, integrator{scene_integrator}, sampler = "sobol", resolution, crop, stats,
                                                        reference;
     int samples = -1, max_depth = 0, threads = 0;
-    std::uint32_t seed = 0;
+    std::size_t seed = 0;
     double exposure = 0, target_error = 0, time_limit = 0, max_distance = 0;
     bool spd = false, quiet = false, display_values = false;
 };

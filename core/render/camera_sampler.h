@@ -22,7 +22,7 @@ class CameraSampler {
     friend class CameraBatch;
 
     CameraRays camera_;
-    std::uint32_t seed_;
+    std::uint64_t seed_;
     Sampler sampler_;
     bool has_samples_, shares_corners_;
     Vec2 in_pixel_;  ///< place of the one ray of an image without samples

@@ -51,13 +51,22 @@ class PointBatch {
 /// All samples of the pixel (x, y).
 class PixelSamples {
   public:
-    PixelSamples(int x, int y, std::uint32_t seed, Sampler sampler = Sampler::sobol)
-        : pixel_(hash(hash(seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y))),
-          sampler_(sampler) {}
+    PixelSamples(int x, int y, std::uint64_t seed, Sampler sampler = Sampler::sobol)
+        : pixel_(name_of(x, y, seed)), sampler_(sampler) {}
 
     PointSet points(std::uint32_t dimension) const { return {sampler_, hash(pixel_, dimension)}; }
 
   private:
+    /// Mixes the seed's upper half into the pixel's name last, and only if there is one: seeds
+    /// below 2^32 have the points that they had when seeds ended there.
+    static std::uint32_t name_of(int x, int y, std::uint64_t seed) {
+        const std::uint32_t row =
+            hash(static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(x));
+        const std::uint32_t pixel = hash(row, static_cast<std::uint32_t>(y));
+        const auto upper = static_cast<std::uint32_t>(seed >> 32);
+        return upper == 0 ? pixel : hash(pixel, upper);
+    }
+
     std::uint32_t pixel_;
     Sampler sampler_;
 };

@@ -46,7 +46,7 @@ struct RenderSettings {
     int samples_per_pixel = 0;                 ///< 0: one deterministic ray, see pixel_rays
     PixelRays pixel_rays = PixelRays::centre;  ///< no effect above 0 samples per pixel
     Sampler sampler = Sampler::sobol;
-    std::uint32_t seed = 0;
+    std::uint64_t seed = 0;
     double target_error = 0;  ///< above 0: the relMSE at which the image is good enough; samples
                               ///< go where they help, samples_per_pixel at most
 

@@ -88,6 +88,24 @@ TEST_CASE("render takes size, crop, depth, seed and several outputs", "[app]") {
     CHECK(s["memory_bytes"]["peak_rss"].get<double>() > 0);
 }
 
+TEST_CASE("a seed has 64 bits, all of which count", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto render = [&](const std::string& seed) {
+        REQUIRE(
+            f.etalon("render ball.p3f --spp 1 -q -o a.exr --stats s.json --seed " + seed).status ==
+            0);
+        CHECK(json::parse(f.read("s.json"))["image"]["seed"].dump() == seed);
+        return pixels(f.path("a.exr"));
+    };
+    const auto first = render("0");
+    CHECK(first != render("4294967296"));
+    CHECK(render("4294967296") != render("8589934592"));
+    CHECK(render("18446744073709551615") != render("4294967295"));
+    CHECK(f.etalon("render ball.p3f --seed 18446744073709551616").status == 2);
+    CHECK(f.etalon("render ball.p3f --seed -1").status == 2);
+}
+
 TEST_CASE("render takes any integrator by name, auto is the scene's own", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
