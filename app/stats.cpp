@@ -2,6 +2,9 @@
 
 #include <sys/resource.h>
 
+#include "app/common/provenance.h"
+#include "embree_backend/embree_backends.h"
+
 namespace etalon {
 namespace {
 
@@ -34,37 +37,40 @@ Json to_json(const RenderStats& s) {
     const double total = s.parse.wall + s.build.wall + s.render.wall + s.aovs.wall + s.write.wall;
     const double rate =
         s.render.wall > 0 ? static_cast<double>(s.rays.total()) / s.render.wall * 1e-6 : 0;
-    return {
-        {"scene", s.scene},
-        {"format", s.format},
-        {"backend", s.backend},
-        {"integrator", s.integrator},
-        {"threads", s.threads},
-        {"isa", s.isa},
-        {"version", ETALON_VERSION},
-        {"image",
-         {{"width", s.width},
-          {"height", s.height},
-          {"spp", s.samples_per_pixel},
-          {"seed", s.seed}}},
-        {"primitives", s.primitives},
-        {"seconds",
-         {{"parse", s.parse.wall},
-          {"build", s.build.wall},
-          {"render", s.render.wall},
-          {"aovs", s.aovs.wall},
-          {"write", s.write.wall},
-          {"total", total}}},
-        {"cpu_seconds", {{"parse", s.parse.cpu}, {"build", s.build.cpu}, {"render", s.render.cpu}}},
-        {"stopped", s.stopped.empty() ? Json() : Json(s.stopped)},
-        {"target_error", or_null(s.target_error)},
-        {"expected_error", {{"relmse", or_null(s.expected_error)}}},
-        {"rays", rays(s.rays)},
-        {"mrays_per_s", rate},
-        {"memory_bytes",
-         {{"scene", s.scene_bytes},
-          {"accelerator", s.accelerator_bytes},
-          {"peak_rss", peak_resident_bytes()}}}};
+    Json json = provenance();
+    const EmbreeLibrary embree = embree_library();
+    json["embree"] = {{"version", embree.version}, {"isa", embree.isa}};
+    json.update({{"scene", s.scene},
+                 {"format", s.format},
+                 {"backend", s.backend},
+                 {"integrator", s.integrator},
+                 {"threads", s.threads},
+                 {"isa", s.isa},
+                 {"image",
+                  {{"width", s.width},
+                   {"height", s.height},
+                   {"spp", s.samples_per_pixel},
+                   {"seed", s.seed}}},
+                 {"primitives", s.primitives},
+                 {"seconds",
+                  {{"parse", s.parse.wall},
+                   {"build", s.build.wall},
+                   {"render", s.render.wall},
+                   {"aovs", s.aovs.wall},
+                   {"write", s.write.wall},
+                   {"total", total}}},
+                 {"cpu_seconds",
+                  {{"parse", s.parse.cpu}, {"build", s.build.cpu}, {"render", s.render.cpu}}},
+                 {"stopped", s.stopped.empty() ? Json() : Json(s.stopped)},
+                 {"target_error", or_null(s.target_error)},
+                 {"expected_error", {{"relmse", or_null(s.expected_error)}}},
+                 {"rays", rays(s.rays)},
+                 {"mrays_per_s", rate},
+                 {"memory_bytes",
+                  {{"scene", s.scene_bytes},
+                   {"accelerator", s.accelerator_bytes},
+                   {"peak_rss", peak_resident_bytes()}}}});
+    return json;
 }
 
 Json primitive_counts(const Scene& scene) {

@@ -87,7 +87,7 @@ bool write_reports(const AccuracyArguments& a, const std::vector<Row>& rows, boo
     using Json = nlohmann::ordered_json;
     bool written = true;
     if (!a.json.empty()) {
-        Json json = accuracy::json(rows, accuracy::run_environment());
+        Json json = accuracy::json(rows);
         json["stopped"] = stopped ? Json("signal") : Json();
         written &= write_json(a.json, json);
     }

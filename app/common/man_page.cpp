@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/common/option_text.h"
+#include "app/common/provenance.h"
 
 namespace etalon {
 namespace {
@@ -159,7 +160,7 @@ std::string see_also(const CLI::App& command, const std::string& name) {
 std::string man_page(const CLI::App& command, const std::string& name) {
     const std::string page = page_name(name);
     return fmt::format(".TH {} 1 \"\" \"Etalon {}\" \"Etalon Manual\"\n.nh\n.ad l\n",
-                       literal(upper_case(page)), ETALON_VERSION) +
+                       literal(upper_case(page)), build_facts().version) +
            fmt::format(".SH NAME\n{} \\- {}\n", literal(page),
                        index_line(command.get_description())) +
            fmt::format(".SH SYNOPSIS\n{}\n", literal(usage_of(command, name))) +

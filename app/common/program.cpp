@@ -16,6 +16,7 @@
 #include "app/common/documentation.h"
 #include "app/common/exit_status.h"
 #include "app/common/help.h"
+#include "app/common/provenance.h"
 #include "app/common/usage_error.h"
 
 namespace etalon {
@@ -92,13 +93,19 @@ int parse_and_run(CommandLine& line, std::span<const Command> commands, int argc
     return exit_usage;
 }
 
+std::string version_text(const char* name) {
+    const BuildFacts& build = build_facts();
+    return fmt::format("{} {}\ncommit {}\ncompiler {}\nflags {}", name, build.version, build.commit,
+                       build.compiler, build.flags);
+}
+
 /// Runs `task` with the parser of a program; what it throws becomes a message and a status.
 template <class Task>
 int guarded(const char* name, const char* description, const Task& task) {
     try {
         CommandLine line{CLI::App(description, name), {}};
         line.program.formatter(help_formatter());
-        line.program.set_version_flag("--version", fmt::format("{} {}", name, ETALON_VERSION));
+        line.program.set_version_flag("--version", version_text(name));
         return task(line);
     } catch (const std::bad_alloc&) {
         print_message("{}: error: not enough memory for what was asked\n", name);
@@ -110,7 +117,9 @@ int guarded(const char* name, const char* description, const Task& task) {
 
 /// Runs a program from its first line to its exit status.
 template <class Task>
-int run_prepared(const char* name, const char* description, const Task& task) {
+int run_prepared(const char* name, const char* description, int argc, char** argv,
+                 const Task& task) {
+    note_command_line(argc, argv);
     prepare_standard_streams();
     keep_freed_memory();
     return status_after_results(name, guarded(name, description, task));
@@ -120,13 +129,13 @@ int run_prepared(const char* name, const char* description, const Task& task) {
 
 int run_program(const char* name, const char* description, std::span<const Command> commands,
                 int argc, char** argv) {
-    return run_prepared(name, description, [&](CommandLine& line) {
+    return run_prepared(name, description, argc, argv, [&](CommandLine& line) {
         return parse_and_run(line, commands, argc, argv);
     });
 }
 
 int run_program(const Command& command, int argc, char** argv) {
-    return run_prepared(command.name, command.summary, [&](CommandLine& line) {
+    return run_prepared(command.name, command.summary, argc, argv, [&](CommandLine& line) {
         const Action run = declare(command, command.name, line.program, line.choices);
         const std::optional<int> status = parse(line, argc, argv);
         return status ? *status : run();

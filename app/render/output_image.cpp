@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
+#include "app/common/provenance.h"
 #include "core/render/camera_rays.h"
 
 namespace etalon {
@@ -26,12 +29,12 @@ RenderedImage make_output_image(const Scene& scene, const RenderSettings& settin
     RenderedImage image{settings.resolution.x,   settings.resolution.y,   rendering.film.window(),
                         rendering.film.pixels(), settings.display_colors, {}};
     image.keep_display_values = settings.keep_display_values;
-    image.metadata = {{"software", std::string("Etalon " ETALON_VERSION)},
+    image.metadata = {{"software", fmt::format("Etalon {}", build_facts().version)},
                       {"backend", stats.backend},
+                      {"scene", std::filesystem::path(stats.scene).filename().string()},
                       {"integrator", stats.integrator},
                       {"samplesPerPixel", static_cast<float>(rendering.samples)},
                       {"seed", fmt::format("{}", stats.seed)},
-                      {"renderTimeSeconds", static_cast<float>(stats.render.wall)},
                       {"worldToCamera", Imath::M44f(camera.world_to_camera())},
                       {"worldToNDC", Imath::M44f(camera.world_to_ndc())}};
     add_what_was_reached(stats, image);

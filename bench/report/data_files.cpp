@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/common/output.h"
+#include "app/common/provenance.h"
 #include "bench/accuracy/report/accuracy_json.h"
 #include "bench/convergence/curve_report.h"
 #include "bench/frames/frame_report.h"
@@ -57,21 +58,20 @@ Json list_of(const List& list, const Convert& convert) {
 
 Json data_of(const Results& results, const Page& page) {
     const auto own = [](const auto& figures) { return json_of(figures); };
-    const Machine& m = results.machine;
-    return {{"schema", 1},
-            {"report", results.settings.name},
-            {"begun", results.begun},
-            {"missing", results.missing},
-            {"machine", json_of(m)},
-            {"key_figures", list_of(page.summary, own)},
-            {"speed",
-             list_of(results.scenes.list, [](const auto& scene) { return speed::json_of(scene); })},
-            {"accuracy",
-             accuracy::json(results.rows.list, {m.processor, m.compiler, m.flags, m.version})},
-            {"frames", list_of(results.frames.list,
-                               [](const auto& frame) { return frames::json_of(frame); })},
-            {"spd", list_of(results.spd.list, own)},
-            {"convergence", list_of(results.convergence.list, own)}};
+    Json json = provenance();
+    json.update({{"report", results.settings.name},
+                 {"begun", results.begun},
+                 {"missing", results.missing},
+                 {"machine", json_of(results.machine)},
+                 {"key_figures", list_of(page.summary, own)},
+                 {"speed", list_of(results.scenes.list,
+                                   [](const auto& scene) { return speed::json_of(scene); })},
+                 {"accuracy", accuracy::json(results.rows.list)["rows"]},
+                 {"frames", list_of(results.frames.list,
+                                    [](const auto& frame) { return frames::json_of(frame); })},
+                 {"spd", list_of(results.spd.list, own)},
+                 {"convergence", list_of(results.convergence.list, own)}});
+    return json;
 }
 
 /// "speed", "All numbers of this section" -> "speed-all-numbers-of-this-section.csv".
@@ -89,9 +89,12 @@ std::string csv_name(const Section& section, const Figure& figure) {
 
 std::string quoted(const std::string& field) {
     if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
-    std::string text = "\"";
-    for (const char c : field) text += c == '"' ? "\"\"" : std::string(1, c);
-    return text + '"';
+    std::string text(1, '"');
+    for (const char c : field) {
+        if (c == '"') text += c;
+        text += c;
+    }
+    return text += '"';
 }
 
 std::string csv_of(const Table& table) {

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -43,14 +45,38 @@ bool is_consistent(const RenderedImage& image) {
                        [&](const Channel& c) { return c.size() == size; });
 }
 
+/// A PNG's keywords, and the metadata that they stand for: what the pixels depend on, so that equal
+/// pictures are equal files.
+constexpr std::pair<const char*, const char*> png_keywords[] = {
+    {"Software", "software"},
+    {"scene", "scene"},
+    {"seed", "seed"},
+    {"samplesPerPixel", "samplesPerPixel"}};
+
+std::string text_of(const RenderedImage::Attribute& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    const auto* number = std::get_if<float>(&value);
+    return number != nullptr ? fmt::format("{}", *number) : "";
+}
+
+PngFacts png_facts(const RenderedImage& image) {
+    PngFacts facts;
+    const Imath::V2i size = image.window.size() + Imath::V2i(1);
+    if (size != Imath::V2i(image.width, image.height)) facts.origin = image.window.min;
+    for (const auto& [keyword, name] : png_keywords) {
+        const auto found = image.metadata.find(name);
+        if (found != image.metadata.end())
+            facts.texts.emplace_back(keyword, text_of(found->second));
+    }
+    return facts;
+}
+
 Result<std::string> encode(const std::string& kind, const RenderedImage& image, double exposure) {
     if (!is_consistent(image)) return {{}, "its window and its pixels do not agree"};
     if (kind == ".exr") return encode_exr(image);
     if (kind == ".png") {
         const Imath::V2i size = image.window.size() + Imath::V2i(1);
-        const bool is_crop = size != Imath::V2i(image.width, image.height);
-        const auto origin = is_crop ? std::optional(image.window.min) : std::nullopt;
-        return encode_png(display_bytes(image, exposure), size.x, size.y, origin);
+        return encode_png(display_bytes(image, exposure), size.x, size.y, png_facts(image));
     }
     return {{}, "expected a name ending in .exr or .png"};
 }

@@ -6,6 +6,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/image/extent.h"
@@ -19,9 +21,14 @@ namespace etalon {
 /// file. May throw std::bad_alloc.
 Result<Image> read_png(std::FILE* file, Extent extent);
 
-/// A PNG file in memory, marked as sRGB, of width * height pixels R, G, B by rows from the top;
-/// with the place of its first pixel in a larger image, where it has one.
+/// What a PNG says beside its pixels.
+struct PngFacts {
+    std::optional<Imath::V2i> origin{};                        ///< of a crop in its frame
+    std::vector<std::pair<std::string, std::string>> texts{};  ///< keywords, and texts in UTF-8
+};
+
+/// A PNG file in memory, marked as sRGB, of width * height pixels R, G, B by rows from the top.
 Result<std::string> encode_png(std::span<const std::uint8_t> rgb, int width, int height,
-                               const std::optional<Imath::V2i>& origin = {});
+                               const PngFacts& facts = {});
 
 }  // namespace etalon

@@ -20,11 +20,13 @@ class PngWriter {
     PngWriter(const PngWriter&) = delete;
     PngWriter& operator=(const PngWriter&) = delete;
 
-    bool write(std::span<const std::uint8_t> rgb, int width, int height,
-               const std::optional<Imath::V2i>& origin) {
+    bool write(std::span<const std::uint8_t> rgb, int width, int height, const PngFacts& facts) {
+        const std::vector<png_text> texts = texts_of(facts);
         return info_ && jump_.completes([&] {
             png_set_write_fn(png_, this, append, nullptr);
+            const auto& origin = facts.origin;
             if (origin) png_set_oFFs(png_, info_, origin->x, origin->y, PNG_OFFSET_PIXEL);
+            png_set_text(png_, info_, texts.data(), static_cast<int>(texts.size()));
             write_header(width, height);
             const std::size_t row = 3 * static_cast<std::size_t>(width);
             for (int y = 0; y < height; ++y) png_write_row(png_, &rgb[y * row]);
@@ -36,6 +38,19 @@ class PngWriter {
     std::string reason() const { return info_ ? jump_.reason : "not enough memory"; }
 
   private:
+    /// libpng's view of the texts, which it only reads.
+    static std::vector<png_text> texts_of(const PngFacts& facts) {
+        std::vector<png_text> texts;
+        for (const auto& [keyword, text] : facts.texts) {
+            png_text& t = texts.emplace_back();
+            t = {};
+            t.compression = PNG_ITXT_COMPRESSION_NONE;
+            t.key = const_cast<char*>(keyword.c_str());
+            t.text = const_cast<char*>(text.c_str());
+        }
+        return texts;
+    }
+
     /// Differences from the left, of which zlib looks for runs only: of rendered images as small as
     /// higher levels make them without a filter, in a third of the time.
     void write_header(int width, int height) {
@@ -69,9 +84,9 @@ class PngWriter {
 }  // namespace
 
 Result<std::string> encode_png(std::span<const std::uint8_t> rgb, int width, int height,
-                               const std::optional<Imath::V2i>& origin) {
+                               const PngFacts& facts) {
     PngWriter writer;
-    if (!writer.write(rgb, width, height, origin)) return {{}, writer.reason()};
+    if (!writer.write(rgb, width, height, facts)) return {{}, writer.reason()};
     return {std::move(writer.file()), {}};
 }
 

@@ -108,11 +108,13 @@ TEST_CASE(
 TEST_CASE("JSON keeps every number to the last bit through writing and reading") {
     std::vector<Row> rows = sample_rows();
     rows[0].stats = {12345678901234567U, 2, 3, 4, 5, 6, 7, 8, 9, 10, {}, {}, {}, {}, {}};
-    const auto written = json(rows, {"a machine", "g++", "-O3", "1.0"});
+    const auto written = json(rows);
     const auto read = nlohmann::ordered_json::parse(written.dump());
     CHECK(read == written);
-    CHECK(read["machine"] == "a machine");
-    CHECK(read["flags"] == "-O3");
+    const RunEnvironment here = run_environment();
+    CHECK(read["machine"] == here.machine);
+    CHECK(read["flags"] == here.flags);
+    CHECK(read["schema"] == 1);
     REQUIRE(read["rows"].size() == rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto& r = read["rows"][i];

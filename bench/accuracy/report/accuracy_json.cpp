@@ -3,6 +3,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/common/provenance.h"
+
 namespace etalon::accuracy {
 namespace {
 
@@ -57,17 +59,18 @@ std::string processor() {
 }  // namespace
 
 RunEnvironment run_environment() {
-    return {processor(), ETALON_COMPILER, ETALON_FLAGS, ETALON_VERSION};
+    const BuildFacts& build = build_facts();
+    return {processor(), std::string(build.compiler), std::string(build.flags),
+            std::string(build.version)};
 }
 
-nlohmann::ordered_json json(const std::vector<Row>& rows, const RunEnvironment& environment) {
+nlohmann::ordered_json json(const std::vector<Row>& rows) {
     Json list = Json::array();
     for (const Row& row : rows) list.push_back(json_of(row));
-    return {{"machine", environment.machine},
-            {"compiler", environment.compiler},
-            {"flags", environment.flags},
-            {"version", environment.version},
-            {"rows", list}};
+    Json json = provenance();
+    json["machine"] = processor();
+    json["rows"] = std::move(list);
+    return json;
 }
 
 }  // namespace etalon::accuracy

@@ -18,6 +18,6 @@ RunEnvironment run_environment();
 
 /// Returns all results with every bit of every number. A distribution is given by its count,
 /// quantiles and maximum; an infinite value is null.
-nlohmann::ordered_json json(const std::vector<Row>& rows, const RunEnvironment& environment);
+nlohmann::ordered_json json(const std::vector<Row>& rows);
 
 }  // namespace etalon::accuracy

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "app/common/provenance.h"
 #include "bench/accuracy/report/accuracy_json.h"
 #include "bench/speed/pinned.h"
 #include "embree_backend/embree_backends.h"
@@ -91,12 +92,11 @@ Json json_of(const KindFigures& kind) {
 Json json_of_machine() {
     const accuracy::RunEnvironment here = accuracy::run_environment();
     const EmbreeLibrary embree = embree_library();
-    return {{"version", here.version},
-            {"machine",
-             {{"cpu", here.machine}, {"cores", usable_cores()}, {"load_average", load_average()}}},
-            {"compiler", here.compiler},
-            {"flags", here.flags},
-            {"embree", {{"version", embree.version}, {"isa", embree.isa}}}};
+    Json json = provenance();
+    json["machine"] = {
+        {"cpu", here.machine}, {"cores", usable_cores()}, {"load_average", load_average()}};
+    json["embree"] = {{"version", embree.version}, {"isa", embree.isa}};
+    return json;
 }
 
 Json json_of_environment(const Plan& plan) {

@@ -1,0 +1,57 @@
+#include "app/common/provenance.h"
+
+#include <nlohmann/json.hpp>
+
+namespace etalon {
+
+extern const char* const etalon_commit;
+
+namespace {
+
+constexpr int schema = 1;
+
+std::string& noted_command_line() {
+    static std::string text;
+    return text;
+}
+
+std::string quoted(std::string_view word) {
+    constexpr std::string_view plain =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_@%+=:,./-";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string_view::npos) {
+        return std::string(word);
+    }
+    std::string text(1, '\'');
+    for (const char c : word) {
+        if (c == '\'') text += "'\\'";
+        text += c;
+    }
+    return text += '\'';
+}
+
+}  // namespace
+
+const BuildFacts& build_facts() {
+    static const BuildFacts facts{ETALON_VERSION, etalon_commit, ETALON_COMPILER, ETALON_FLAGS};
+    return facts;
+}
+
+void note_command_line(int argc, char** argv) {
+    std::string& text = noted_command_line();
+    for (int i = 0; i < argc; ++i) {
+        if (i > 0) text += ' ';
+        text += quoted(argv[i]);
+    }
+}
+
+const std::string& command_line() {
+    return noted_command_line();
+}
+
+nlohmann::ordered_json provenance() {
+    const BuildFacts& build = build_facts();
+    return {{"schema", schema},           {"version", build.version}, {"commit", build.commit},
+            {"compiler", build.compiler}, {"flags", build.flags},     {"command", command_line()}};
+}
+
+}  // namespace etalon
