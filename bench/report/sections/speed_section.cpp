@@ -133,16 +133,16 @@ accuracy::Scatter scatter_of(const std::map<std::string, Sum>& sums) {
 }
 
 Figure one_picture(const Results& results) {
-    const std::string svg =
-        accuracy::small_plot(scatter_of(sums_of(results)),
-                             {"Errors against cost", "cost of a ray, relative to embree-builtin",
-                              "wrong answers per 10⁶ rays, of a sample spread evenly"});
+    const std::string svg = accuracy::small_plot(
+        scatter_of(sums_of(results)),
+        {"Errors against cost", "cost of a ray, relative to embree-builtin", "wrong in 10⁶ rays"});
     Charts charts{{{"All scenes and kinds of rays", svg}},
                   {{1, "promises to be right"}, {2, "float backend"}}};
     return {"What a ray costs, and how often its answer is wrong",
             "To the right what a ray costs relative to embree-builtin, the geometric mean over all "
-            "scenes and kinds of rays; upwards wrong answers. Best is the lower left; filled marks "
-            "are those that nothing beats in both.",
+            "scenes and kinds of rays; upwards wrong answers to a sample spread evenly over all. "
+            "Best is "
+            "the lower left; filled marks are those that nothing beats in both.",
             speed_command(results.settings), results.scenes.date, std::move(charts)};
 }
 
