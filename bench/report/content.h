@@ -90,7 +90,7 @@ struct Page {
     std::string title, subtitle;
     std::string introduction;
     std::string missing;  ///< why it is not complete; empty if it is
-    std::string doubt;    ///< why its figures are doubtful; empty if they are not
+    std::string warning;  ///< why its figures are doubtful; empty if they are not
     std::vector<KeyFigure> summary;
     std::vector<Section> sections;
     std::string command;

@@ -48,9 +48,9 @@ std::string header(const Page& page) {
         text += fmt::format("<p class=\"missing\" role=\"status\"><b>Not complete.</b> {}</p>\n",
                             escaped(page.missing));
     }
-    if (!page.doubt.empty()) {
+    if (!page.warning.empty()) {
         text += fmt::format("<p class=\"missing\" role=\"status\"><b>Doubtful.</b> {}</p>\n",
-                            escaped(page.doubt));
+                            escaped(page.warning));
     }
     text += fmt::format("<p>{}</p>\n", escaped(page.introduction));
     return text + summary(page) + contents(page) + "</header>\n";

@@ -17,7 +17,7 @@ constexpr const char* introduction =
 /// A machine that does something else as well: the part of its cores that was busy at the start.
 constexpr double busy = 0.2;
 
-std::string doubt(const Machine& machine) {
+std::string warning_of(const Machine& machine) {
     if (machine.load <= busy * machine.cores) return {};
     return fmt::format(
         "The machine was busy when this began: a load of {:.2f} on {} cores. CPU times suffer from "
@@ -40,7 +40,7 @@ Page page_of(const Results& results) {
                     results.machine.version, results.settings.name);
     page.introduction = introduction;
     page.missing = results.missing;
-    page.doubt = doubt(results.machine);
+    page.warning = warning_of(results.machine);
     page.summary = summary(results);
     for (const auto make : makers) page.sections.push_back(make(results));
     page.command = command_of(results.settings);
