@@ -78,6 +78,10 @@ HWY_EXPORT(aim);
 
 namespace {
 
+/// A light's own place is not part of the way to it: what lies within this part of the distance
+/// casts no shadow, so that a light may lie on a surface. Well above the roundings of a double.
+constexpr double shadow_end = 1 - 0x1p-32;
+
 /// Whether a ray that leaves a surface cannot meet it again.
 bool leaves_for_good(Convexity convexity, double leaving, double moving) {
     const bool outward = leaving > 0;
@@ -88,7 +92,7 @@ bool leaves_for_good(Convexity convexity, double leaving, double moving) {
 }  // namespace
 
 LitSurfaces::LitSurfaces(std::size_t most) {
-    constexpr std::size_t lanes = 4;
+    constexpr std::size_t lanes = HWY_NAMESPACE::most_doubles;
     for (auto* column : {&positions_, &errors_, &normals_, &shading_normals_}) {
         column->resize((most + lanes - 1) / lanes * lanes);
     }
@@ -104,10 +108,6 @@ void LitSurfaces::add(const SurfaceInteraction& at) {
     shading_normals_[i] = at.ns;
     traits_.push_back({at.entering ? 1.0 : -1.0, p.primitive, p.convexity});
 }
-
-/// A light's own place is not part of the way to it: what lies within this part of the distance
-/// casts no shadow, so that a light may lie on a surface. Well above the roundings of a double.
-constexpr double shadow_end = 1 - 0x1p-32;
 
 ShadowRays::ShadowRays(const LitSurfaces& surfaces, std::span<const Vec3> lights,
                        double fixed_bias) {
