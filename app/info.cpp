@@ -18,7 +18,7 @@ struct InfoArguments {
 };
 
 bool any_material(const Scene& scene, bool (*test)(const Material&)) {
-    return std::any_of(scene.look.materials.begin(), scene.look.materials.end(), test);
+    return std::any_of(scene.whitted().materials.begin(), scene.whitted().materials.end(), test);
 }
 
 /// Returns the features that rendering the scene needs.
@@ -34,17 +34,18 @@ std::vector<std::string> needs(const Scene& s, const RenderSettings& settings) {
          "refracted rays");
     need(any_material(s, [](const Material& m) { return m.absorption != Color(0.0F); }),
          "absorption");
-    need(std::any_of(s.look.lights.begin(), s.look.lights.end(), is_area), "area light samples");
+    need(std::any_of(s.whitted().lights.begin(), s.whitted().lights.end(), is_area),
+         "area light samples");
     need(s.camera.aperture > 0 && settings.samples_per_pixel > 0, "lens samples");
     need(!s.geometry.normals.empty() || s.geometry.all<Polygon>().have_normals(),
          "interpolated normals");
-    need(s.look.environment.skybox.has_value(), "pictures");
+    need(s.whitted().environment.skybox.has_value(), "pictures");
     return list;
 }
 
 Json lights(const Scene& scene) {
     Json counts = Json::object();
-    for (const Light& light : scene.look.lights) {
+    for (const Light& light : scene.whitted().lights) {
         const char* kind = std::holds_alternative<QuadLight>(light) ? "quad" : "point";
         counts[kind] = counts.value(kind, 0) + 1;
     }
@@ -74,7 +75,7 @@ Json describe(const InfoArguments& a, const LoadedScene& loaded) {
             {"format", s.format},
             {"primitives", primitive_counts(s)},
             {"vertices", s.geometry.vertices.size() + s.geometry.decimal_vertices.size()},
-            {"materials", s.look.materials.size()},
+            {"materials", s.whitted().materials.size()},
             {"lights", lights(s)},
             {"camera",
              {{"eye", vec(c.eye)},
@@ -90,9 +91,10 @@ Json describe(const InfoArguments& a, const LoadedScene& loaded) {
             {"max_depth", settings.max_depth},
             {"backend", chosen_backend(settings).name},
             {"background",
-             {s.look.environment.background.x, s.look.environment.background.y,
-              s.look.environment.background.z}},
-            {"skybox", s.look.environment.skybox ? Json(s.look.environment.skybox->faces) : Json()},
+             {s.whitted().environment.background.x, s.whitted().environment.background.y,
+              s.whitted().environment.background.z}},
+            {"skybox",
+             s.whitted().environment.skybox ? Json(s.whitted().environment.skybox->faces) : Json()},
             {"needs", needs(s, settings)},
             {"memory_bytes", memory_bytes(s)},
             {"diagnostics", diagnostics(loaded.diagnostics)}};

@@ -7,8 +7,8 @@ Scene empty_scene(const Stage& stage) {
     scene.format = "generated";
     scene.camera = {
         .eye = stage.eye, .at = stage.at, .up = {0, 1, 0}, .fov_degrees = stage.fov_degrees};
-    scene.look.lights.emplace_back(PointLight{stage.light, Color(1.0F)});
-    scene.look.materials = {Material()};
+    scene.whitted().lights.emplace_back(PointLight{stage.light, Color(1.0F)});
+    scene.whitted().materials = {Material()};
     return scene;
 }
 

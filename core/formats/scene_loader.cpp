@@ -41,8 +41,8 @@ Material default_diffuse() {
 
 void SceneLoader::set_material(const Material& m) {
     if (!is_possible(in, m)) return;
-    material = static_cast<std::uint32_t>(scene.look.materials.size());
-    scene.look.materials.push_back(m);
+    material = static_cast<std::uint32_t>(scene.whitted().materials.size());
+    scene.whitted().materials.push_back(m);
 }
 
 std::uint32_t SceneLoader::current_material() {
@@ -54,20 +54,21 @@ std::uint32_t SceneLoader::current_material() {
 }
 
 Sides SceneLoader::sides() {
-    const bool opaque = scene.look.materials[current_material()].transmission == Color(0.0F);
+    const bool opaque = scene.whitted().materials[current_material()].transmission == Color(0.0F);
     return options.one_sided && opaque ? Sides::front : Sides::both;
 }
 
 void SceneLoader::add_light(const Vec3& position) {
-    uncolored_lights.push_back(scene.look.lights.size());
-    scene.look.lights.emplace_back(PointLight{position, Color(1.0F)});
+    uncolored_lights.push_back(scene.whitted().lights.size());
+    scene.whitted().lights.emplace_back(PointLight{position, Color(1.0F)});
 }
 
 LoadResult SceneLoader::finish(DiagnosticLog& log) {
     finalize_cameras(*this, log);
-    const double intensity = 1 / std::sqrt(static_cast<double>(scene.look.lights.size()));
+    const double intensity = 1 / std::sqrt(static_cast<double>(scene.whitted().lights.size()));
     for (const std::size_t i : uncolored_lights) {
-        std::get<PointLight>(scene.look.lights[i]).color = Color(static_cast<float>(intensity));
+        std::get<PointLight>(scene.whitted().lights[i]).color =
+            Color(static_cast<float>(intensity));
     }
     LoadResult result;
     if (!log.has_errors()) result.scene = std::move(scene);
@@ -78,7 +79,7 @@ LoadResult SceneLoader::finish(DiagnosticLog& log) {
 
 void read_background(SceneLoader& loader) {
     const Color color = loader.in.color("colour");
-    if (loader.in.ok()) loader.scene.look.environment.background = color;
+    if (loader.in.ok()) loader.scene.whitted().environment.background = color;
 }
 
 }  // namespace etalon

@@ -1,8 +1,23 @@
 #pragma once
 
-#include "core/numerics/vec.h"
+#include <cstdint>
+#include <optional>
+
+#include "core/numerics/affine.h"
 
 namespace etalon {
+
+enum class Projection : std::uint8_t { perspective, orthographic, environment };
+
+/// A camera by its own space: x to the right, y up, looking along z. Any affine map takes it to the
+/// world, one that mirrors too.
+struct ProjectiveCamera {
+    Projection projection = Projection::perspective;
+    Affine to_world;
+    Imath::Box2d window;  ///< the image in the plane z = 1; of no effect on an environment
+    double lens_radius = 0;
+    double focal_distance = 1;  ///< z of the plane in focus
+};
 
 /// A pinhole or thin-lens camera. The view plane passes through `at`.
 struct Camera {
@@ -12,6 +27,8 @@ struct Camera {
     double focal = 1;         ///< distance of the plane in focus, in units of |at - eye|
     bool stretched = false;   ///< the field of view is the horizontal one, too: pixels need not be
                               ///< square, as otherwise they are
+    /// Set: rays are made by it, and of all the above only `eye`, `at` and `up` say something.
+    std::optional<ProjectiveCamera> projective{};
 };
 
 }  // namespace etalon

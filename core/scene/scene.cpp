@@ -2,10 +2,28 @@
 
 namespace etalon {
 
+namespace {
+
+template <class... T>
+std::size_t bytes(const std::vector<T>&... arrays) {
+    return ((arrays.capacity() * sizeof(T)) + ...);
+}
+
+std::size_t bytes(const WhittedLook& look) {
+    return bytes(look.materials, look.lights);
+}
+
+std::size_t bytes(const PhysicalLook& look) {
+    const Textures& t = look.textures;
+    return bytes(look.bindings, look.materials, look.lights, look.uvs, t.numbers, t.colors,
+                 t.images);
+}
+
+}  // namespace
+
 std::size_t memory_bytes(const Scene& scene) {
-    const WhittedLook& look = scene.look;
     return sizeof(Scene) + memory_bytes(scene.geometry) +
-           look.materials.capacity() * sizeof(Material) + look.lights.capacity() * sizeof(Light);
+           std::visit([](const auto& look) { return bytes(look); }, scene.look);
 }
 
 }  // namespace etalon

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/scene/camera.h"
@@ -11,6 +12,7 @@
 #include "core/scene/geometry.h"
 #include "core/scene/light.h"
 #include "core/scene/material.h"
+#include "core/scene/physical_look.h"
 
 namespace etalon {
 
@@ -26,7 +28,17 @@ struct Scene {
     std::string format;  ///< "p3f", ...
     Camera camera;
     Geometry geometry;
-    WhittedLook look;
+    std::variant<WhittedLook, PhysicalLook> look;
+
+    /// The look of a scene of a Whitted-style format. Must not be asked of another.
+    WhittedLook& whitted() { return std::get<WhittedLook>(look); }
+    const WhittedLook& whitted() const { return std::get<WhittedLook>(look); }
+
+    bool is_physical() const { return std::holds_alternative<PhysicalLook>(look); }
+
+    /// The look of a scene that is_physical().
+    PhysicalLook& physical() { return std::get<PhysicalLook>(look); }
+    const PhysicalLook& physical() const { return std::get<PhysicalLook>(look); }
 };
 
 /// Bytes held by the scene's arrays.

@@ -53,7 +53,42 @@ class Similarity {
     void operator()(Vec3& point) const { move(point); }
     void operator()(PointLight& l) const { move(l.position); }
     void operator()(QuadLight& l) const { move(l.corner), l.edge1 *= factor_, l.edge2 *= factor_; }
-    void operator()(Camera& c) const { move(c.eye), move(c.at); }
+    void operator()(Camera& c) const {
+        move(c.eye), move(c.at);
+        if (c.projective) c.projective->to_world = after(c.projective->to_world);
+    }
+    void operator()(PointSource& s) const { move(s.position), brighten(s.intensity); }
+    void operator()(SpotSource& s) const { move(s.position), brighten(s.intensity); }
+    void operator()(DistantSource&) const {}
+    void operator()(InfiniteSource&) const {}
+    void operator()(AreaSource&) const {}
+    void operator()(UvMapping&) const {}
+    void operator()(SphericalMapping& m) const { m.to_texture = before(m.to_texture); }
+    void operator()(CylindricalMapping& m) const { m.to_texture = before(m.to_texture); }
+    void operator()(PlanarMapping& m) const {
+        m.u_offset -= static_cast<float>(m.u_axis.dot(offset_) / factor_);
+        m.v_offset -= static_cast<float>(m.v_axis.dot(offset_) / factor_);
+        m.u_axis /= factor_, m.v_axis /= factor_;
+    }
+    template <class Texture>
+    void place_texture(Texture& texture) const {
+        if constexpr (requires { texture.mapping; }) std::visit(*this, texture.mapping);
+        if constexpr (requires { texture.to_texture; }) {
+            texture.to_texture = before(texture.to_texture);
+        }
+    }
+    void operator()(Textures& textures) const {
+        const auto place = [this](auto& texture) { place_texture(texture); };
+        for (auto& texture : textures.numbers) std::visit(place, texture);
+        for (auto& texture : textures.colors) std::visit(place, texture);
+    }
+    void operator()(WhittedLook& look) const {
+        for (Light& light : look.lights) std::visit(*this, light);
+    }
+    void operator()(PhysicalLook& look) const {
+        for (PhysicalLight& light : look.lights) std::visit(*this, light);
+        (*this)(look.textures);
+    }
 
     template <class T>
     void operator()(std::vector<T>& list) const {
@@ -69,8 +104,16 @@ class Similarity {
         finite_ = is_finite(p) && finite_;
     }
     void scale(double& length) const { length *= factor_; }
+    /// As bright as before at places that are `factor` times as far away.
+    void brighten(Color& intensity) const { intensity *= static_cast<float>(factor_ * factor_); }
     Affine after(const Affine& map) const {
         return {factor_ * map.x, factor_ * map.y, factor_ * map.z, factor_ * map.origin + offset_};
+    }
+
+    /// The map of a point as it was, after what was moved back.
+    Affine before(const Affine& map) const {
+        const double f = 1 / factor_;
+        return map * Affine{{f, 0, 0}, {0, f, 0}, {0, 0, f}, -f * offset_};
     }
 
     double factor_;
@@ -91,7 +134,7 @@ Scene transformed(Scene scene, double factor, const Vec3& offset) {
     const Similarity place(factor, offset);
     place(scene.geometry);
     place(scene.camera);
-    for (Light& light : scene.look.lights) std::visit(place, light);
+    std::visit(place, scene.look);
     return scene;
 }
 

@@ -73,9 +73,10 @@ class RaySetMaker {
 
     RaySet shadow() const {
         RaySet set{"shadow", true, {}};
-        if (scene_.look.lights.empty()) return set;
+        if (scene_.whitted().lights.empty()) return set;
         for_each_hit([&](const SurfacePoint& p, const Vec3&, const SampleSource& sample) {
-            const Light& light = scene_.look.lights[set.rays.size() % scene_.look.lights.size()];
+            const Light& light =
+                scene_.whitted().lights[set.rays.size() % scene_.whitted().lights.size()];
             const LightSamples points(light, 1);
             const Vec3 target =
                 points.is_random()

@@ -30,7 +30,7 @@ void add(Scene& scene, const WorldCorners& corners) {
 /// Small triangles near the origin.
 Scene dense_scene() {
     Scene scene;
-    scene.look.materials = {Material()};
+    scene.whitted().materials = {Material()};
     scene.camera.eye = Vec3(0.3, 0.2, 0.4);
     Random random(1);
     for (std::size_t i = 0; i < dense_triangles; ++i) {

@@ -82,7 +82,7 @@ bool same(const Light& a, const Light& b) {
 std::string difference(const Scene& a, const Primitive& p, const Scene& b, const Primitive& q) {
     if (p.kind != q.kind) return "kind";
     if (p.sides != q.sides) return "sides";
-    if (fields(a.look.materials[p.material]) != fields(b.look.materials[q.material]))
+    if (fields(a.whitted().materials[p.material]) != fields(b.whitted().materials[q.material]))
         return "material";
     return with_shape(p.kind, [&]<class Shape>() -> std::string {
         if constexpr (requires(const Shape& shape) { fields(a, shape); }) {
@@ -101,9 +101,9 @@ std::string difference(const LoadResult& first, const LoadResult& second) {
     const Scene &a = *first.scene, &b = *second.scene;
     if (fields(first.settings) != fields(second.settings)) return "settings";
     if (fields(a.camera) != fields(b.camera)) return "camera";
-    if (fields(a.look.environment) != fields(b.look.environment)) return "environment";
-    if (!std::equal(a.look.lights.begin(), a.look.lights.end(), b.look.lights.begin(),
-                    b.look.lights.end(), same)) {
+    if (fields(a.whitted().environment) != fields(b.whitted().environment)) return "environment";
+    if (!std::equal(a.whitted().lights.begin(), a.whitted().lights.end(),
+                    b.whitted().lights.begin(), b.whitted().lights.end(), same)) {
         return "lights";
     }
     if (a.geometry.primitives.size() != b.geometry.primitives.size()) return "number of primitives";

@@ -96,12 +96,12 @@ std::string insanity(const LoadResult& result) {
     const Scene& scene = *result.scene;
     if (!fine(result.settings)) return "settings";
     if (!fine(scene.camera)) return "camera";
-    if (!all_fine(scene.look.lights)) return "light";
-    if (!all_fine(scene.look.materials)) return "material";
+    if (!all_fine(scene.whitted().lights)) return "light";
+    if (!all_fine(scene.whitted().materials)) return "material";
     if (!all_finite(scene.geometry.vertices)) return "vertex";
     if (!all_finite(scene.geometry.normals)) return "normal";
     for (const Primitive p : scene.geometry.primitives) {
-        if (p.material >= scene.look.materials.size()) return "a primitive's material";
+        if (p.material >= scene.whitted().materials.size()) return "a primitive's material";
         const bool good = with_shape(p.kind, [&]<class Shape>() {
             return p.index < scene.geometry.all<Shape>().size() &&
                    fine(scene, scene.geometry.get<Shape>(p));

@@ -12,7 +12,7 @@ TEST_CASE("an empty SCE scene has the course's defaults") {
     const Scene& s = *r.scene;
     CHECK(s.format == "sce");
     CHECK(r.settings.display_colors);
-    CHECK(s.look.environment.background == Color(0, 0, 0.3F));
+    CHECK(s.whitted().environment.background == Color(0, 0, 0.3F));
     CHECK(r.settings.max_depth == 7);
     CHECK(r.settings.samples_per_pixel == 0);
     CHECK(s.camera.eye == Vec3(0));

@@ -68,7 +68,7 @@ TEST_CASE("braces save matrix and surface, push_matrix the matrix alone") {
     const Scene& s = *r.scene;
     REQUIRE(s.geometry.primitives.size() == 3);
     const auto diffuse = [&](std::size_t i) {
-        return s.look.materials[s.geometry.primitives[i].material].diffuse;
+        return s.whitted().materials[s.geometry.primitives[i].material].diffuse;
     };
     CHECK(corners_of(s, 0)[0] == Vec3(1, 0, 0));
     CHECK(diffuse(0) == Color(0, 1, 0));

@@ -173,13 +173,13 @@ TEST_CASE("what P3F cannot say is listed, each kind once") {
     LoadResult r = load_objects("s 0 0 0 1\ns 1 0 0 1\n");
     Scene& s = *r.scene;
     CHECK(lost(r).empty());
-    s.look.materials.push_back(s.look.materials[0]);
+    s.whitted().materials.push_back(s.whitted().materials[0]);
     std::vector<Primitive> primitives = s.geometry.primitives.list();
     primitives[1].material = 1;
     primitives[0].sides = Sides::front;
     s.geometry.primitives = PrimitiveRuns(primitives);
-    for (Material& m : s.look.materials) m.ambient = Color(0.1F);
-    s.look.materials[0].reflection = Color(0.5F);
+    for (Material& m : s.whitted().materials) m.ambient = Color(0.1F);
+    s.whitted().materials[0].reflection = Color(0.5F);
     r.settings.max_depth = 7;
     r.settings.display_colors = false;
     CHECK(lost(r) == std::vector<std::string>{"depth of 7 rays, now 5 1", "sRGB curve of a PNG 1",

@@ -17,7 +17,7 @@ TestScene looking_at(const Vec3& eye, const Vec3& at) {
     scene.camera.eye = eye;
     scene.camera.at = at;
     scene.camera.fov_degrees = 1e-6;
-    scene.look.materials = {matte(Color(0.5F))};
+    scene.whitted().materials = {matte(Color(0.5F))};
     scene.settings.integrator = "ao";
     scene.settings.samples_per_pixel = 1 << 14;
     return scene;
@@ -55,7 +55,7 @@ TEST_CASE("An open plane is white, from either side, and what meets nothing is b
 
 TEST_CASE("The inside of a sphere is black, to the last pixel", "[ao]") {
     TestScene scene = empty_scene(64, 48);
-    scene.look.materials = {matte(Color(0.5F))};
+    scene.whitted().materials = {matte(Color(0.5F))};
     scene.camera.fov_degrees = 120;
     scene.geometry.add(Sphere{Vec3(1, 2, 3), 20}, 0);
     scene.settings.integrator = "ao";
@@ -119,7 +119,7 @@ TEST_CASE("Lights and materials change no ambient occlusion", "[ao]") {
     TestScene scene = mixed_scene();
     scene.settings.integrator = "ao";
     const std::vector<Color> before = image(scene);
-    scene.look.lights.clear();
-    for (Material& m : scene.look.materials) m = matte(Color(0.0F));
+    scene.whitted().lights.clear();
+    for (Material& m : scene.whitted().materials) m = matte(Color(0.0F));
     CHECK(image(scene) == before);
 }

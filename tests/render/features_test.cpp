@@ -28,15 +28,15 @@ SurfaceMeans means_of(const TestScene& scene) {
 
 /// Materials that are nothing but their albedo, and before a black background.
 TestScene without_light(TestScene scene) {
-    for (Material& m : scene.look.materials) m = matte(m.diffuse);
-    scene.look.lights.clear();
-    scene.look.environment.background = Color(0.0F);
+    for (Material& m : scene.whitted().materials) m = matte(m.diffuse);
+    scene.whitted().lights.clear();
+    scene.whitted().environment.background = Color(0.0F);
     return scene;
 }
 
 /// The same where all surfaces glow in their albedo: its image is an image of that.
 TestScene glowing(TestScene scene) {
-    for (Material& m : scene.look.materials) std::swap(m.ambient, m.diffuse);
+    for (Material& m : scene.whitted().materials) std::swap(m.ambient, m.diffuse);
     return scene;
 }
 
@@ -44,7 +44,7 @@ TestScene glowing(TestScene scene) {
 
 TEST_CASE("A centre hit is where arithmetic has it; a miss is at infinity", "[features]") {
     TestScene scene = empty_scene(3, 3);
-    scene.look.materials = {matte(Color(0.5F))};
+    scene.whitted().materials = {matte(Color(0.5F))};
     scene.geometry.add(Plane{Vec3(0, -100, 0), Vec3(0, 1, 0)}, 0);
     scene.geometry.add(Sphere{Vec3(0), 1}, 0);
     const CentreHits hits = hits_of(scene);
@@ -60,7 +60,7 @@ TEST_CASE("A centre hit is where arithmetic has it; a miss is at infinity", "[fe
 
 TEST_CASE("Surface coordinates are those of the hit; a miss has none", "[features]") {
     TestScene scene = empty_scene(3, 3);
-    scene.look.materials = {matte(Color(0.5F))};
+    scene.whitted().materials = {matte(Color(0.5F))};
     scene.geometry.add(Box{Vec3(-1, -0.5, -1), Vec3(1, 1.5, 0)}, 0);
     const CentreParametrizations p = parametrizations_of(scene);
     REQUIRE(p.uv.size() == 9);
@@ -105,14 +105,14 @@ TEST_CASE("Albedo is what the material sends on by all its ways, at most all", "
     m.reflection = Color(0.25F, 0.0F, 0.0F);
     m.transmission = Color(0.5F, 0.25F, 0.0F);
     m.ambient = m.specular = Color(9.0F);
-    scene.look.materials = {m};
+    scene.whitted().materials = {m};
     scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
     CHECK(means_of(scene).albedo.pixels()[0] == Color(1.0F, 0.5F, 0.0F));
 }
 
 TEST_CASE("Normals are those for shading and face who looks", "[features]") {
     TestScene scene = empty_scene(1, 1);
-    scene.look.materials = {matte(Color(1.0F))};
+    scene.whitted().materials = {matte(Color(1.0F))};
     scene.geometry.vertices = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 2, 0)};
     const Vec3 leaning = Vec3(-0.6, 0, 0.8);
     scene.geometry.normals = {leaning, leaning, leaning};

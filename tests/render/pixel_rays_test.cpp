@@ -43,7 +43,7 @@ TestScene clear_ball() {
     Material clear;
     clear.transmission = Color(0.5F);
     clear.ior = 1.25;
-    scene.look.materials = {clear};
+    scene.whitted().materials = {clear};
     scene.geometry.add(Sphere{Vec3(0), 1}, 0);
     return scene;
 }
@@ -102,11 +102,11 @@ TEST_CASE("where all glass mirrors, a mirrored ray of no weight is counted", "[r
 
 TEST_CASE("eyes' rays made to fit keep their hue", "[render]") {
     TestScene scene = empty_scene();
-    scene.look.environment.background = Color(0.5F, 1.0F, 4.0F);
+    scene.whitted().environment.background = Color(0.5F, 1.0F, 4.0F);
     CHECK(centre(scene) == Color(0.5F, 1.0F, 4.0F));
     scene.settings.whitted.normalize_camera_rays = true;
     CHECK(centre(scene) == Color(0.125F, 0.25F, 1.0F));
-    scene.look.environment.background = Color(0.5F, 0.25F, 0.75F);
+    scene.whitted().environment.background = Color(0.5F, 0.25F, 0.75F);
     CHECK(centre(scene) == Color(0.5F, 0.25F, 0.75F));
 }
 

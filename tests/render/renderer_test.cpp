@@ -122,12 +122,12 @@ TEST_CASE("A stop before the start renders nothing and says so", "[render]") {
 
 TEST_CASE("A matte surface sends back diffuse times cosine of each light", "[shading]") {
     TestScene scene = empty_scene();
-    scene.look.materials = {matte(Color(0.5F))};
+    scene.whitted().materials = {matte(Color(0.5F))};
     scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, -1)}, 0);  // two-sided: seen from its back
-    scene.look.lights = {PointLight{Vec3(3, 0, 4), Color(1.0F, 0.5F, 0.0F)}};
+    scene.whitted().lights = {PointLight{Vec3(3, 0, 4), Color(1.0F, 0.5F, 0.0F)}};
     CHECK(centre(scene).x == Approx(0.5 * 0.8));
     CHECK(centre(scene).y == Approx(0.25 * 0.8));
-    scene.look.lights.push_back(PointLight{Vec3(0, 0, -4), Color(1.0F)});  // on the other side
+    scene.whitted().lights.push_back(PointLight{Vec3(0, 0, -4), Color(1.0F)});  // on the other side
     CHECK(centre(scene).x == Approx(0.5 * 0.8));
     scene.geometry.add(Sphere{Vec3(1.5, 0, 2), 0.1}, 0);  // in the way of the first
     CHECK(centre(scene) == Color(0.0F));
@@ -135,10 +135,10 @@ TEST_CASE("A matte surface sends back diffuse times cosine of each light", "[sha
 
 TEST_CASE("A light that lies on a surface is not hidden by it", "[shading]") {
     TestScene scene = empty_scene();
-    scene.look.materials = {matte(Color(1.0F))};
+    scene.whitted().materials = {matte(Color(1.0F))};
     scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
     scene.geometry.add(Plane{Vec3(0, 0, 10), Vec3(0, 0, 1)}, 0);  // behind the camera
-    scene.look.lights = {PointLight{Vec3(0, 0, 10), Color(1.0F)}};
+    scene.whitted().lights = {PointLight{Vec3(0, 0, 10), Color(1.0F)}};
     CHECK(centre(scene).x == Approx(1));
 }
 
@@ -147,9 +147,9 @@ TEST_CASE("A highlight is specular times (N.H)^shininess", "[shading]") {
     Material shiny;
     shiny.specular = Color(0.5F);
     shiny.shininess = 10;
-    scene.look.materials = {shiny};
+    scene.whitted().materials = {shiny};
     scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
-    scene.look.lights = {PointLight{Vec3(3, 0, 4), Color(1.0F)}};
+    scene.whitted().lights = {PointLight{Vec3(3, 0, 4), Color(1.0F)}};
     const double cosine = std::sqrt((1 + 0.8) / 2);  // cosine of half the angle between L and V
     CHECK(centre(scene).x == Approx(0.5 * std::pow(cosine, 10)));
 }
@@ -157,13 +157,13 @@ TEST_CASE("A highlight is specular times (N.H)^shininess", "[shading]") {
 TEST_CASE("A corner normal that leans away from the eye does not turn the light around",
           "[shading]") {
     TestScene scene = empty_scene();
-    scene.look.materials = {matte(Color(1.0F))};
+    scene.whitted().materials = {matte(Color(1.0F))};
     scene.geometry.vertices = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 2, 0)};
     const Vec3 leaning = Vec3(-0.95, 0, 0.1).normalized();
     scene.geometry.normals = {leaning, leaning, leaning};
     scene.geometry.add(Triangle{{0, 1, 2}, 0}, 0);
     scene.camera.eye = Vec3(5, 0, 0.2);  // in front of the triangle, behind the normals' plane
-    scene.look.lights = {PointLight{Vec3(-3, 0, 4), Color(1.0F)}};
+    scene.whitted().lights = {PointLight{Vec3(-3, 0, 4), Color(1.0F)}};
     CHECK(centre(scene).x == Approx(leaning.dot(Vec3(-0.6, 0, 0.8))));
 }
 
@@ -171,7 +171,7 @@ TEST_CASE("A mirror shows what is behind the eye, as deep as allowed", "[shading
     TestScene scene = empty_scene();
     Material mirror;
     mirror.reflection = Color(0.5F);
-    scene.look.materials = {mirror};
+    scene.whitted().materials = {mirror};
     scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
     CHECK(centre(scene).z == Approx(0.5));
     CHECK(centre(scene, 1) == Color(0.0F));
@@ -182,10 +182,10 @@ TEST_CASE("A mirror shows what is behind the eye, as deep as allowed", "[shading
 
 TEST_CASE("Glass of index 1 is not there; absorption goes with the distance inside", "[shading]") {
     TestScene scene = empty_scene();
-    scene.look.materials = {glass(1)};
+    scene.whitted().materials = {glass(1)};
     scene.geometry.add(Sphere{Vec3(0), 1.5}, 0);
     CHECK(centre(scene).z == Approx(1));
-    scene.look.materials[0].absorption = Color(0.5F, 0.0F, 0.25F);
+    scene.whitted().materials[0].absorption = Color(0.5F, 0.0F, 0.25F);
     CHECK(centre(scene).x == Approx(0.25 * std::exp(-0.5 * 3)));
     CHECK(centre(scene).y == Approx(0.5));
     CHECK(centre(scene).z == Approx(std::exp(-0.25 * 3)));
@@ -193,8 +193,8 @@ TEST_CASE("Glass of index 1 is not there; absorption goes with the distance insi
 
 TEST_CASE("A glass plate in an even environment neither takes nor gives light", "[shading]") {
     TestScene scene = empty_scene();
-    scene.look.environment.background = Color(1.0F);
-    scene.look.materials = {glass(1.5)};
+    scene.whitted().environment.background = Color(1.0F);
+    scene.whitted().materials = {glass(1.5)};
     scene.geometry.add(Box{Vec3(-9, -9, -1), Vec3(9, 9, 1)}, 0);
     const double lost = std::pow(0.04, 11);  // what is still in the plate after 12 rays
     CHECK(centre(scene, 12).x == Approx(1).margin(lost + 1e-6));
@@ -203,10 +203,10 @@ TEST_CASE("A glass plate in an even environment neither takes nor gives light", 
 
 TEST_CASE("Clamping each ray keeps highlights from glowing through a mirror", "[shading]") {
     TestScene scene = empty_scene();
-    scene.look.environment.background = Color(4.0F);
+    scene.whitted().environment.background = Color(4.0F);
     Material mirror;
     mirror.reflection = Color(0.5F);
-    scene.look.materials = {mirror};
+    scene.whitted().materials = {mirror};
     scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
     CHECK(centre(scene).x == Approx(2));
     scene.settings.whitted.clamp_each_ray = true;
@@ -217,7 +217,7 @@ TEST_CASE("An ambient colour is seen without any light", "[render]") {
     TestScene scene = empty_scene();
     Material glowing;
     glowing.ambient = Color(0.25F, 0.5F, 0.75F);
-    scene.look.materials = {glowing};
+    scene.whitted().materials = {glowing};
     scene.geometry.add(Sphere{Vec3(0), 1}, 0);
     CHECK(centre(scene) == glowing.ambient);
 }
@@ -227,11 +227,11 @@ TEST_CASE("A highlight is a power of Blinn's or of Phong's angle", "[render]") {
     Material shiny;
     shiny.specular = Color(1.0F);
     shiny.shininess = 3;
-    scene.look.materials = {shiny};
+    scene.whitted().materials = {shiny};
     scene.geometry.add(Plane{Vec3(0), Vec3(0, 0, 1)}, 0);
     // Seen along its normal, lit at 60 degrees from it.
-    scene.look.lights = {PointLight{Vec3(std::sqrt(3.0), 0, 1), Color(1.0F)}};
+    scene.whitted().lights = {PointLight{Vec3(std::sqrt(3.0), 0, 1), Color(1.0F)}};
     CHECK(centre(scene).x == Approx(std::pow(std::cos(std::numbers::pi / 6), 3)));
-    scene.look.materials[0].highlight = Highlight::phong;
+    scene.whitted().materials[0].highlight = Highlight::phong;
     CHECK(centre(scene).x == Approx(std::pow(0.5, 3)));
 }

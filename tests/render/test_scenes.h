@@ -36,7 +36,7 @@ inline TestScene empty_scene(int width = 32, int height = 24) {
     scene.format = "test";
     scene.camera = {Vec3(0, 0, 5), Vec3(0), Vec3(0, 1, 0), 45, 0, 1};
     scene.settings.resolution = {width, height};
-    scene.look.environment.background = Color(0.25F, 0.5F, 1.0F);
+    scene.whitted().environment.background = Color(0.25F, 0.5F, 1.0F);
     return scene;
 }
 
@@ -44,12 +44,12 @@ inline TestScene empty_scene(int width = 32, int height = 24) {
 /// point light and a quad light; a lens.
 inline TestScene mixed_scene(int width = 48, int height = 36) {
     TestScene s = empty_scene(width, height);
-    s.look.lights = {PointLight{Vec3(3, 6, 4), Color(0.6F)},
-                     QuadLight{Vec3(-3, 4, 1), Vec3(1, 0, 0), Vec3(0, 0, 1), Color(0.5F), 9}};
+    s.whitted().lights = {PointLight{Vec3(3, 6, 4), Color(0.6F)},
+                          QuadLight{Vec3(-3, 4, 1), Vec3(1, 0, 0), Vec3(0, 0, 1), Color(0.5F), 9}};
     Material mirror = matte(Color(0.2F));
     mirror.specular = mirror.reflection = Color(0.7F);
     mirror.shininess = 40;
-    s.look.materials = {matte(Color(0.8F, 0.6F, 0.3F)), mirror, glass(1.5)};
+    s.whitted().materials = {matte(Color(0.8F, 0.6F, 0.3F)), mirror, glass(1.5)};
     s.geometry.vertices = {Vec3(-2, -1, -1), Vec3(-1, 1.3, -1.5), Vec3(0.2, -1, -1),
                            Vec3(1.7, 0.9, -2)};
     s.geometry.add(Plane{Vec3(0, -1, 0), Vec3(0, 1, 0)}, 0);

@@ -55,7 +55,7 @@ TEST_CASE("A family's size gives the number of primitives it promises", "[scenes
     INFO(expected.family << " " << expected.size);
     const Scene scene = family_scene(expected.family, expected.size);
     CHECK(counts(scene) == expected.counts);
-    CHECK_FALSE(scene.look.lights.empty());
+    CHECK_FALSE(scene.whitted().lights.empty());
 }
 
 TEST_CASE("The faces of a gear are polygons of 144 corners", "[scenes]") {

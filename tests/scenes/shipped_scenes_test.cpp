@@ -41,7 +41,7 @@ bool is_concave(const Polygon& p) {
 
 bool has(const Scene& scene, auto condition) {
     return std::ranges::any_of(scene.geometry.primitives.list(), [&](const Primitive& p) {
-        return condition(p, scene.look.materials[p.material]);
+        return condition(p, scene.whitted().materials[p.material]);
     });
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("The showcase uses what the words of P3F can mean", "[scenes]") {
 
     CHECK(scene.camera.aperture > 0);
     CHECK(result.settings.samples_per_pixel > 0);
-    CHECK(scene.look.environment.skybox.has_value());
+    CHECK(scene.whitted().environment.skybox.has_value());
 
     CHECK(
         has(scene, [&](auto, auto& m) { return m.reflection == none && m.transmission == none; }));

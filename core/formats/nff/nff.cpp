@@ -17,7 +17,7 @@ void read_light(SceneLoader& loader) {
     const Vec3 position = in.vector("position");
     if (in.ok() && !in.tokens().at_number()) return loader.add_light(position);
     const Color color = in.color("colour");
-    if (in.ok()) loader.scene.look.lights.emplace_back(PointLight{position, color});
+    if (in.ok()) loader.scene.whitted().lights.emplace_back(PointLight{position, color});
 }
 
 /// f r g b Kd Ks Shine T ior. Opaque things may have any index of refraction, 0 too.

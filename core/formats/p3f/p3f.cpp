@@ -56,10 +56,10 @@ void apply_legacy(Scene& scene, RenderSettings& settings) {
     settings.whitted.fixed_bias = 1e-3;
     settings.whitted.schlick = true;
     settings.whitted.clamp_each_ray = true;
-    if (scene.look.environment.skybox) scene.look.environment.skybox->nearest = true;
-    if (scene.look.lights.empty()) return;
-    const float share = 1 / (1.25F * static_cast<float>(scene.look.lights.size()));
-    for (Material& m : scene.look.materials) m.specular *= share;
+    if (scene.whitted().environment.skybox) scene.whitted().environment.skybox->nearest = true;
+    if (scene.whitted().lights.empty()) return;
+    const float share = 1 / (1.25F * static_cast<float>(scene.whitted().lights.size()));
+    for (Material& m : scene.whitted().materials) m.specular *= share;
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ void read_quad_light(Loader& loader) {
         in.warn_at(offset, "range", "expected 1 to {} light samples, found {}; taken as {}",
                    most_samples, samples, taken);
     }
-    loader.scene.look.lights.emplace_back(
+    loader.scene.whitted().lights.emplace_back(
         QuadLight{corner, end1 - corner, end2 - corner, color, static_cast<int>(taken)});
 }
 
@@ -33,7 +33,7 @@ void read_quad_light(Loader& loader) {
 void read_point_light(Loader& loader) {
     const Vec3 position = loader.in.vector("position");
     const Color color = loader.in.color("colour");
-    if (loader.in.ok()) loader.scene.look.lights.emplace_back(PointLight{position, color});
+    if (loader.in.ok()) loader.scene.whitted().lights.emplace_back(PointLight{position, color});
 }
 
 void read_light(Loader& loader) {

@@ -51,7 +51,7 @@ void read_environment(Loader& loader) {
         return;
     }
     found.skybox.nearest = loader.options.legacy;
-    loader.scene.look.environment.skybox = std::move(found.skybox);
+    loader.scene.whitted().environment.skybox = std::move(found.skybox);
 }
 
 }  // namespace etalon::p3f

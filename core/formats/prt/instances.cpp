@@ -16,7 +16,7 @@ constexpr std::size_t most_replayed = std::size_t{1} << 27;
 Geometry close(Loader& loader) {
     OpenDefinition& open = *loader.open;
     Geometry objects = std::exchange(loader.scene.geometry, std::move(open.outer_geometry));
-    loader.scene.look.materials.resize(open.outer_materials);
+    loader.scene.whitted().materials.resize(open.outer_materials);
     loader.material = open.outer_material;
     loader.smooth_vertices = {};
     return objects;
@@ -37,7 +37,7 @@ void close_definition(Loader& loader) {
 
 /// Reads the statements once more, silently.
 void replay(Loader& loader, const Definition& definition, const Vec3& offset) {
-    const std::size_t materials = loader.scene.look.materials.size();
+    const std::size_t materials = loader.scene.whitted().materials.size();
     const std::optional<std::uint32_t> before = loader.material;
     Geometry scene_geometry = std::exchange(loader.scene.geometry, {});
     DiagnosticLog silent({}, definition.statements, false);
@@ -53,7 +53,7 @@ void replay(Loader& loader, const Definition& definition, const Vec3& offset) {
     if (objects) {
         append(loader.scene.geometry, *objects);
     } else {
-        loader.scene.look.materials.resize(materials);
+        loader.scene.whitted().materials.resize(materials);
         loader.material = before;
         loader.skip_degenerate("it lies beyond all numbers");
     }
@@ -74,7 +74,7 @@ void read_instance(Loader& loader) {
                    in.tokens().offset(),
                    0,
                    std::exchange(loader.scene.geometry, {}),
-                   loader.scene.look.materials.size(),
+                   loader.scene.whitted().materials.size(),
                    loader.material};
     loader.smooth_vertices = {};
     loader.set_material(loader.default_material);  // stands in for that of a reference

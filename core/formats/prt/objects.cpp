@@ -15,10 +15,10 @@ Color read_weighted(Reader& in, std::string_view color_name, std::string_view we
 
 /// The inner side of a shell: matter in front of it, nothing behind.
 std::uint32_t hollow(Loader& loader) {
-    Material inner = loader.scene.look.materials[loader.current_material()];
+    Material inner = loader.scene.whitted().materials[loader.current_material()];
     inner.ior = 1 / inner.ior;
-    loader.scene.look.materials.push_back(inner);
-    return static_cast<std::uint32_t>(loader.scene.look.materials.size() - 1);
+    loader.scene.whitted().materials.push_back(inner);
+    return static_cast<std::uint32_t>(loader.scene.whitted().materials.size() - 1);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ constexpr std::array camera_lines = {
 void warn_of_order(Loader& loader, bool is_camera) {
     const bool after_objects =
         !loader.scene.geometry.primitives.empty() || !loader.definitions.empty();
-    if (after_objects || (is_camera && !loader.scene.look.lights.empty())) {
+    if (after_objects || (is_camera && !loader.scene.whitted().lights.empty())) {
         loader.in.warn("order", "'{}' after {}; PRT's document has it before them",
                        loader.in.keyword(), after_objects ? "objects" : "lights");
     }

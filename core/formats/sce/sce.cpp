@@ -115,7 +115,7 @@ LoadResult load_sce(std::string_view text, const std::string& path, const LoadOp
     DiagnosticLog log(path, text, options.strict);
     Loader loader{options, log, std::filesystem::path(path).parent_path()};
     Scene& scene = loader.scene;
-    scene.look.environment.background = Color(0, 0, 0.3F);
+    scene.whitted().environment.background = Color(0, 0, 0.3F);
     loader.settings.display_colors = true;
     loader.settings.max_depth = 6 + 1;
     loader.settings.resolution = {100, 100};

@@ -16,7 +16,7 @@ void read_point_light(Loader& loader, Reader& in) {
     const Vec3 position = loader.state.matrix.point(in.vector("position"));
     const Color color = in.color("colour");
     if (!in.ok() || !is_placed(in, position)) return;
-    loader.scene.look.lights.emplace_back(PointLight{position, color});
+    loader.scene.whitted().lights.emplace_back(PointLight{position, color});
 }
 
 /// A square about the origin in the plane of x and y. Each sample of a pixel takes one point of it;
@@ -28,7 +28,7 @@ void read_area_light(Loader& loader, Reader& in) {
     const QuadLight light{m.point({-w, -w, 0}), m.vector({2 * w, 0, 0}), m.vector({0, 2 * w, 0}),
                           color, 1};
     if (!in.ok() || !is_placed(in, light.corner, light.edge1, light.edge2)) return;
-    loader.scene.look.lights.emplace_back(light);
+    loader.scene.whitted().lights.emplace_back(light);
 }
 
 }  // namespace etalon::sce

@@ -71,7 +71,7 @@ void read_samples(Loader& loader, Reader& in) {
 
 void read_background(Loader& loader, Reader& in) {
     const Color color = in.color("colour");
-    if (in.ok()) loader.scene.look.environment.background = color;
+    if (in.ok()) loader.scene.whitted().environment.background = color;
 }
 
 /// The point looked at is as far away as the eye is from the origin, or twice, or half: so it takes

@@ -53,8 +53,8 @@ void read_shininess(Loader& loader, Reader& in) {
 
 std::uint32_t Loader::current_material() {
     if (!state.material) {
-        state.material = static_cast<std::uint32_t>(scene.look.materials.size());
-        scene.look.materials.push_back(material_of(state.surface));
+        state.material = static_cast<std::uint32_t>(scene.whitted().materials.size());
+        scene.whitted().materials.push_back(material_of(state.surface));
     }
     return *state.material;
 }

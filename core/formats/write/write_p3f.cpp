@@ -19,7 +19,7 @@ class P3fScene {
 
     WrittenScene write() {
         write_settings();
-        for (const Light& light : scene_.look.lights) {
+        for (const Light& light : scene_.whitted().lights) {
             std::visit([&](const auto& l) { write_light(l); }, light);
         }
         for (std::size_t i = 0; i < scene_.geometry.primitives.size();) i = write_primitives(i);
@@ -31,8 +31,8 @@ class P3fScene {
     void write_settings() {
         if (!settings_.backend.empty()) out_.backend(settings_.backend);
         out_.samples(settings_.samples_per_pixel);
-        out_.background(scene_.look.environment.background);
-        if (scene_.look.environment.skybox) write_skybox(*scene_.look.environment.skybox);
+        out_.background(scene_.whitted().environment.background);
+        if (scene_.whitted().environment.skybox) write_skybox(*scene_.whitted().environment.skybox);
         out_.camera(scene_.camera, settings_.resolution);
         note_rules();
     }
@@ -44,7 +44,7 @@ class P3fScene {
         const auto sends_rays = [](const Material& m) {
             return m.reflection != Color(0.0F) || m.transmission != Color(0.0F);
         };
-        if (depth != p3f_depth && std::ranges::any_of(scene_.look.materials, sends_rays)) {
+        if (depth != p3f_depth && std::ranges::any_of(scene_.whitted().materials, sends_rays)) {
             lost_.add(fmt::format("depth of {} rays, now {}", depth, p3f_depth));
         }
         if (rules.schlick || rules.clamp_each_ray || rules.normalize_camera_rays ||
@@ -102,7 +102,7 @@ class P3fScene {
     void use_material(std::uint32_t material) {
         if (material == material_) return;
         material_ = material;
-        const P3fStatement s = to_p3f(scene_.look.materials[material], lost_);
+        const P3fStatement s = to_p3f(scene_.whitted().materials[material], lost_);
         out_.material(s.numbers, s.absorbs);
     }
 

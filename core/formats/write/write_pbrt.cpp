@@ -26,7 +26,7 @@ class PbrtScene {
         write_sampling();
         out_.line("WorldBegin");
         write_environment();
-        for (const Light& light : scene_.look.lights) {
+        for (const Light& light : scene_.whitted().lights) {
             std::visit([&](const auto& l) { write_light(l); }, light);
         }
         for (std::size_t i = 0; i < scene_.geometry.primitives.size();) i = write_primitives(i);
@@ -76,8 +76,8 @@ class PbrtScene {
     }
 
     void write_environment() {
-        if (scene_.look.environment.skybox) lost_.add("skybox, now one colour");
-        const Color& background = scene_.look.environment.background;
+        if (scene_.whitted().environment.skybox) lost_.add("skybox, now one colour");
+        const Color& background = scene_.whitted().environment.background;
         if (background == Color(0.0F)) return;
         lost_.add("background that lights nothing, now one that does");
         out_.line("LightSource \"infinite\" \"rgb L\" [ {} ]", background);
@@ -117,7 +117,7 @@ class PbrtScene {
         if (i == material_) return;
         material_ = i;
         const std::string name = fmt::format("m{}", i);
-        if (!known_[i]) out_.line("{}", to_pbrt(scene_.look.materials[i], name, lost_));
+        if (!known_[i]) out_.line("{}", to_pbrt(scene_.whitted().materials[i], name, lost_));
         known_[i] = true;
         out_.line("NamedMaterial \"{}\"", name);
     }
@@ -247,7 +247,7 @@ class PbrtScene {
     LineWriter out_{[this](std::string_view piece) { text_ += piece; }};
     ConversionWarnings lost_;
     std::uint32_t material_ = no_index;
-    std::vector<bool> known_ = std::vector<bool>(scene_.look.materials.size());
+    std::vector<bool> known_ = std::vector<bool>(scene_.whitted().materials.size());
 };
 
 }  // namespace

@@ -53,10 +53,10 @@ Whitted::Whitted(const Scene& scene, const BatchIntersector& intersector,
                  const RenderSettings& settings, std::vector<std::string>& problems)
     : scene_(scene),
       intersector_(intersector),
-      environment_(scene.look.environment, problems),
+      environment_(scene.whitted().environment, problems),
       max_depth_(settings.max_depth),
       rules_(settings.whitted) {
-    for (const Light& light : scene.look.lights)
+    for (const Light& light : scene.whitted().lights)
         lights_.emplace_back(light, settings.samples_per_pixel);
 }
 

@@ -12,7 +12,7 @@ Scene empty_scene() {
     scene.format = "balls";
     Material grey;
     grey.diffuse = Color(0.7F);
-    scene.look.materials.push_back(grey);
+    scene.whitted().materials.push_back(grey);
     return scene;
 }
 
@@ -24,7 +24,7 @@ void complete(Scene& scene) {
     }
     const double distance = 3 * all.size().length();
     scene.camera = {all.center() + Vec3(0, 0, distance), all.center(), Vec3(0, 1, 0), 30};
-    scene.look.lights.push_back(PointLight{all.center() + Vec3(distance), Color(1.0F)});
+    scene.whitted().lights.push_back(PointLight{all.center() + Vec3(distance), Color(1.0F)});
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+// Sources of light by physical rules. Plain data; core/light samples them.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "core/numerics/affine.h"
+#include "core/scene/shapes.h"
+
+namespace etalon {
+
+struct PointSource {
+    Vec3 position;
+    Color intensity;  ///< in all directions, per steradian
+};
+
+/// A point that shines into a cone, with a smooth border.
+struct SpotSource {
+    Vec3 position, axis;  ///< axis of unit length
+    Color intensity;
+    double cos_total, cos_falloff;  ///< nothing beyond the first angle, all within the second
+};
+
+/// Light from one direction at infinity.
+struct DistantSource {
+    Vec3 direction;  ///< unit vector towards the light
+    Color radiance;
+};
+
+/// Light from all around. With an image: its rows are the angles from +z of the light's own space,
+/// its columns the angles about it.
+struct InfiniteSource {
+    Color radiance;
+    std::string image{};
+    Affine to_light{};  ///< from the world's directions to the light's
+};
+
+/// A primitive that shines from its front, or from both sides.
+struct AreaSource {
+    std::uint32_t primitive;
+    Color radiance;
+    bool two_sided;
+};
+
+using PhysicalLight =
+    std::variant<PointSource, SpotSource, DistantSource, InfiniteSource, AreaSource>;
+
+}  // namespace etalon

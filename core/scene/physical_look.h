@@ -1,0 +1,36 @@
+// How a scene looks by physical rules: what a path tracer needs to know beside the geometry.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/scene/physical_light.h"
+#include "core/scene/physical_material.h"
+#include "core/scene/texture.h"
+
+namespace etalon {
+
+/// What consecutive primitives of one statement have in common beside their shape. A primitive's
+/// `material` is the number of its binding.
+struct SurfaceBinding {
+    std::uint32_t material = 0;      ///< number among the look's materials
+    bool flipped = false;            ///< the format's normal is the opposite of the shape's
+    bool flips_shading = false;      ///< and that of normals at the corners
+    std::uint32_t light = no_index;  ///< number of the light that the first primitive is
+    std::uint32_t first = 0;         ///< number of the first primitive, where they are lights
+    /// Offset of the coordinates of triangles that have some at their corners: those of vertex v
+    /// are number v - uv_offset. Else no_index.
+    std::uint32_t uv_offset = no_index;
+    NumberSlot alpha{1.0F};         ///< a ray passes where it is 0
+    NumberSlot shadow_alpha{1.0F};  ///< a shadow ray passes where it, or alpha, is 0
+};
+
+struct PhysicalLook {
+    std::vector<SurfaceBinding> bindings;
+    std::vector<PhysicalMaterial> materials;
+    std::vector<PhysicalLight> lights;
+    Textures textures;
+    std::vector<std::array<float, 2>> uvs;  ///< of vertices of triangles
+};
+
+}  // namespace etalon

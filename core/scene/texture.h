@@ -1,0 +1,114 @@
+// Textures: values that vary over a surface, as PBRT's scenes name them. Plain data.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/numerics/affine.h"
+#include "core/scene/shapes.h"
+
+namespace etalon {
+
+/// A value, or the number of a texture of that type, which then counts instead.
+template <class T>
+struct Slot {
+    T value{};
+    std::uint32_t texture = no_index;
+};
+
+using ColorSlot = Slot<Color>;
+using NumberSlot = Slot<float>;
+
+/// Place in a texture: (u_scale u + u_offset, v_scale v + v_offset) of the surface's coordinates.
+struct UvMapping {
+    float u_scale = 1, v_scale = 1, u_offset = 0, v_offset = 0;
+};
+
+/// The angles (theta / pi, phi / 2 pi) of the point's place seen from the texture's origin.
+struct SphericalMapping {
+    Affine to_texture;
+};
+
+/// The angle about z, and z.
+struct CylindricalMapping {
+    Affine to_texture;
+};
+
+/// (u_offset + p.u_axis, v_offset + p.v_axis) for the point p in the world.
+struct PlanarMapping {
+    Vec3 u_axis{1, 0, 0}, v_axis{0, 1, 0};
+    float u_offset = 0, v_offset = 0;
+};
+
+using Mapping = std::variant<UvMapping, SphericalMapping, CylindricalMapping, PlanarMapping>;
+
+template <class T>
+struct ConstantTexture {
+    T value{};
+};
+
+template <class T>
+struct ScaleTexture {
+    Slot<T> a, b;
+};
+
+template <class T>
+struct MixTexture {
+    Slot<T> a, b;
+    NumberSlot amount;  ///< 0: a, 1: b
+};
+
+template <class T>
+struct BilinearTexture {
+    Mapping mapping;
+    T v00{}, v01{}, v10{}, v11{};
+};
+
+/// What lies beyond the borders of an image.
+enum class Wrap : std::uint8_t { repeat, black, clamp };
+
+/// An image that textures show. A texture of numbers shows its luminance.
+struct TextureImage {
+    std::string file;
+    Wrap wrap = Wrap::repeat;
+    bool decode_srgb = false;  ///< its values are encoded for display
+    float scale = 1;           ///< factor of its values, after decoding
+};
+
+template <class T>
+struct ImageTexture {
+    Mapping mapping;
+    std::uint32_t image = 0;  ///< number among the look's images
+};
+
+template <class T>
+struct Checkerboard2 {
+    Mapping mapping;
+    Slot<T> even, odd;
+};
+
+template <class T>
+struct Checkerboard3 {
+    Affine to_texture;
+    Slot<T> even, odd;
+};
+
+/// Red is u, green is v, both modulo 1.
+struct UvTexture {
+    Mapping mapping;
+};
+
+template <class T>
+using Texture = std::variant<ConstantTexture<T>, ScaleTexture<T>, MixTexture<T>, BilinearTexture<T>,
+                             ImageTexture<T>, Checkerboard2<T>, Checkerboard3<T>, UvTexture>;
+
+/// All textures of a scene. One may refer to those before it only.
+struct Textures {
+    std::vector<Texture<float>> numbers;
+    std::vector<Texture<Color>> colors;
+    std::vector<TextureImage> images;
+};
+
+}  // namespace etalon
