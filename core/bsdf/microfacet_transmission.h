@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/bsdf/evaluation.h"
+#include "core/bsdf/lobe_kind.h"
+#include "core/bsdf/trowbridge_reitz.h"
+
+namespace etalon {
+
+/// Refraction by facets between dielectrics: Walter et al. 2007, "Microfacet Models for Refraction
+/// through Rough Surfaces". Of radiance, which is divided by eta^2.
+struct MicrofacetTransmission {
+    static constexpr LobeKind kind = LobeKind::transmission;
+    Color transmittance;
+    TrowbridgeReitz facets;
+    float eta;  ///< index below over index above
+
+    Evaluation evaluate(const Vec3f& wo, const Vec3f& wi) const;
+    std::optional<Vec3f> sample(const Vec3f& wo, const Vec2& uv) const;
+    Color albedo(const Vec3f& wo) const;
+    void scale(const Color& by) { transmittance *= by; }
+};
+
+}  // namespace etalon
