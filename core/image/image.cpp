@@ -12,12 +12,7 @@ float decoded(float value) {
     return static_cast<float>(srgb_decoded(value));
 }
 float decoded(std::uint8_t value) {
-    static const auto table = [] {
-        std::array<float, 256> entries{};
-        for (int i = 0; i < 256; ++i) entries[i] = static_cast<float>(srgb_decoded(i / 255.0));
-        return entries;
-    }();
-    return table[value];
+    return decoded_byte_values()[value];
 }
 
 template <class Convert>
@@ -39,6 +34,15 @@ std::vector<Color> converted_pixels(const Image& image, const Convert& convert) 
 constexpr auto as_it_is = [](auto value) { return detail::as_stored(value); };
 
 }  // namespace
+
+const std::array<float, 256>& decoded_byte_values() {
+    static const auto table = [] {
+        std::array<float, 256> entries{};
+        for (int i = 0; i < 256; ++i) entries[i] = static_cast<float>(srgb_decoded(i / 255.0));
+        return entries;
+    }();
+    return table;
+}
 
 std::vector<Color> linear_pixels(const Image& image) {
     if (image.encoding == Encoding::linear) return converted_pixels(image, as_it_is);

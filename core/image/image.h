@@ -73,6 +73,9 @@ inline Color Image::color(int x, int y) const {
 std::vector<Color> linear_pixels(const Image& image);
 std::vector<Color> display_pixels(const Image& image);
 
+/// The light of the 256 bytes that sRGB's curve encodes.
+const std::array<float, 256>& decoded_byte_values();
+
 /// The light that display values stand for: sRGB's curve, continued above 1. Below it is a line.
 void decode(std::vector<Color>& display_values);
 

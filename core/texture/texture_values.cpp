@@ -1,26 +1,93 @@
 #include "core/texture/texture_values.h"
 
+#include <cmath>
+
+#include "core/texture/luminance.h"
+#include "core/texture/mapping.h"
+
 namespace etalon {
 namespace {
 
-/// The value of a constant texture, 1 for any other.
-template <class T>
-T constant(const Texture<T>& texture) {
-    const auto* value = std::get_if<ConstantTexture<T>>(&texture);
-    return value ? value->value : T(1.0F);
+float value_of(const TextureValues& values, const NumberSlot& slot, const TexturePoint& point) {
+    return values.number(slot, point);
 }
+Color value_of(const TextureValues& values, const ColorSlot& slot, const TexturePoint& point) {
+    return values.color(slot, point);
+}
+
+float shown(const TextureImages& images, const ImageTexture<float>& texture, const Vec2& st) {
+    return images.numbers[texture.image].number(st);
+}
+Color shown(const TextureImages& images, const ImageTexture<Color>& texture, const Vec2& st) {
+    return images.colors[texture.image].color(st);
+}
+
+/// Whether the fields with these coordinates' whole parts are of the first kind.
+bool is_even(double sum_of_floors) {
+    return std::floor(sum_of_floors / 2) == sum_of_floors / 2;
+}
+
+/// Evaluates one texture of type T at a point.
+template <class T>
+struct Evaluation {
+    const TextureValues& values;
+    const TextureImages& images;
+    const TexturePoint& point;
+
+    T of(const Slot<T>& slot) const { return value_of(values, slot, point); }
+
+    T operator()(const ConstantTexture<T>& t) const { return t.value; }
+
+    T operator()(const ScaleTexture<T>& t) const { return of(t.a) * of(t.b); }
+
+    T operator()(const MixTexture<T>& t) const {
+        const float amount = values.number(t.amount, point);
+        return of(t.a) * (1 - amount) + of(t.b) * amount;
+    }
+
+    T operator()(const BilinearTexture<T>& t) const {
+        const Imath::V2f st(texture_coordinates(t.mapping, point));
+        return (t.v00 * (1 - st.y) + t.v01 * st.y) * (1 - st.x) +
+               (t.v10 * (1 - st.y) + t.v11 * st.y) * st.x;
+    }
+
+    T operator()(const ImageTexture<T>& t) const {
+        return shown(images, t, texture_coordinates(t.mapping, point));
+    }
+
+    T operator()(const Checkerboard2<T>& t) const {
+        const Vec2 st = texture_coordinates(t.mapping, point);
+        return of(is_even(std::floor(st.x) + std::floor(st.y)) ? t.even : t.odd);
+    }
+
+    T operator()(const Checkerboard3<T>& t) const {
+        const Vec3 p = t.to_texture.point(point.position);
+        return of(is_even(std::floor(p.x) + std::floor(p.y) + std::floor(p.z)) ? t.even : t.odd);
+    }
+
+    T operator()(const UvTexture& t) const {
+        const Vec2 st = texture_coordinates(t.mapping, point);
+        const Color c(static_cast<float>(st.x - std::floor(st.x)),
+                      static_cast<float>(st.y - std::floor(st.y)), 0);
+        if constexpr (std::is_same_v<T, float>) {
+            return luminance(c);
+        } else {
+            return c;
+        }
+    }
+};
 
 }  // namespace
 
-TextureValues::TextureValues(const Textures& textures, std::vector<std::string>&)
-    : textures_(textures) {}
+TextureValues::TextureValues(const Textures& textures, std::vector<std::string>& problems)
+    : textures_(textures), images_(read_texture_images(textures, problems)) {}
 
-float TextureValues::texture_number(std::uint32_t texture, const TexturePoint&) const {
-    return constant(textures_.numbers[texture]);
+float TextureValues::texture_number(std::uint32_t texture, const TexturePoint& point) const {
+    return std::visit(Evaluation<float>{*this, images_, point}, textures_.numbers[texture]);
 }
 
-Color TextureValues::texture_color(std::uint32_t texture, const TexturePoint&) const {
-    return constant(textures_.colors[texture]);
+Color TextureValues::texture_color(std::uint32_t texture, const TexturePoint& point) const {
+    return std::visit(Evaluation<Color>{*this, images_, point}, textures_.colors[texture]);
 }
 
 }  // namespace etalon

@@ -4,20 +4,17 @@
 #include <vector>
 
 #include "core/scene/texture.h"
+#include "core/texture/texture_images.h"
+#include "core/texture/texture_point.h"
 
 namespace etalon {
 
-/// Point of a surface as textures see it.
-struct TexturePoint {
-    Vec2 uv;        ///< the surface's coordinates
-    Vec3 position;  ///< in the world
-};
-
-/// Textures of a scene ready to be evaluated, by any number of threads at a time.
+/// Textures of a scene ready to be evaluated, by any number of threads at a time. Values are those
+/// of pbrt-v3 where a point's footprint is small.
 class TextureValues {
   public:
-    /// Takes over nothing: `textures` must outlive the object. `problems` gets the reasons why
-    /// images cannot be shown, each beginning with the path; a constant stands in for them.
+    /// Reads the images. `textures` must outlive the object; `problems` gets the reasons why images
+    /// cannot be shown, each beginning with the path. Grey stands in for them.
     TextureValues(const Textures& textures, std::vector<std::string>& problems);
 
     /// The value of a slot at a point of a surface.
@@ -33,6 +30,7 @@ class TextureValues {
     Color texture_color(std::uint32_t texture, const TexturePoint& point) const;
 
     const Textures& textures_;
+    TextureImages images_;
 };
 
 }  // namespace etalon

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "core/image/image.h"
+#include "core/scene/texture.h"
+
+namespace etalon {
+
+/// An image as textures show it: interpolated between the centres of its texels, with t upwards
+/// and (0, 0) and (1, 1) at its corners. Texels stay as the file has them.
+class Texels {
+  public:
+    /// No image; it must not be asked for values.
+    Texels() = default;
+
+    /// Shows `image`, of one pixel or more. Bytes are decoded where `how` says so; floats are what
+    /// they say.
+    Texels(std::shared_ptr<const Image> image, const TextureImage& how);
+
+    /// The value at (s, t): the first three channels, or one that is grey; or the first alone.
+    Color color(const Vec2& st) const;
+    float number(const Vec2& st) const;
+
+  private:
+    /// Texels about a point, and their weights.
+    struct Neighbours {
+        std::array<std::size_t, 4> texels;  ///< numbers by rows from the top
+        std::array<float, 4> weights;
+    };
+
+    Neighbours neighbours(const Vec2& st) const;
+
+    template <class Value>
+    Value interpolated(const Vec2& st) const;
+
+    std::shared_ptr<const Image> image_;
+    const std::array<float, 256>* byte_values_ = nullptr;
+    Wrap wrap_ = Wrap::repeat;
+    float scale_ = 1;
+};
+
+}  // namespace etalon
