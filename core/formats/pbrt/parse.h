@@ -17,6 +17,7 @@ struct ParsedFile {
     std::vector<Frame> frames;
     std::vector<std::string> files;  ///< names of the files read, for Place
     std::vector<Diagnostic> diagnostics;
+    bool is_fatal = false;  ///< whether pbrt-v3 stops at one of the errors; it goes on after others
 };
 
 /// Reads PBRT v3, and the files it includes. `path` names the text in diagnostics; files that it

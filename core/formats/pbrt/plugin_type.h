@@ -53,7 +53,9 @@ struct ParameterSpec {
     Default default_value{};
     std::array<Spelling, 3> others{};  ///< used, in order, where `name` is not given
     std::uint8_t other_count = 0;
-    std::string_view choices;  ///< accepted strings, separated by '|'; empty: any
+    std::string_view choices{};  ///< accepted strings, separated by '|'; empty: any
+    std::uint8_t length = 0;     ///< number of values that a list must have; 0: any
+    bool is_required = false;    ///< without it the statement is left out
 
     std::span<const Spelling> other_spellings() const { return {others.data(), other_count}; }
 };
