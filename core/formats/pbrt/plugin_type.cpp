@@ -35,9 +35,10 @@ struct TypeEntry {
 };
 
 // In the order of ValueType.
-constexpr std::array<TypeEntry, 11> value_types = {{{"float", 1},
+constexpr std::array<TypeEntry, 12> value_types = {{{"float", 1},
                                                     {"integer", 1},
                                                     {"bool", 1},
+                                                    {"string", 1},
                                                     {"string", 1},
                                                     {"string", 1},
                                                     {"rgb", 3},

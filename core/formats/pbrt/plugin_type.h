@@ -14,7 +14,8 @@ enum class ValueType : std::uint8_t {
     integer,
     flag,
     string,
-    file,  ///< string that names a file; read as its path
+    file,      ///< string that names a file; read as its path
+    material,  ///< string that names a material; bound as Material::mixed, not as an argument
     color,
     point2,
     vector2,

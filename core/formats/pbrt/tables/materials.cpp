@@ -110,7 +110,10 @@ constexpr std::array kd_subsurface = {
     bump_map,
 };
 constexpr std::array fourier = {file("bsdffile"), bump_map};
-constexpr std::array mix = {string("namedmaterial1"), string("namedmaterial2"),
+constexpr ParameterSpec material_name(std::string_view name) {
+    return {name, ValueType::material, Slot::one};
+}
+constexpr std::array mix = {material_name("namedmaterial1"), material_name("namedmaterial2"),
                             color_texture("amount", 0.5F)};
 
 constexpr std::string_view as_matte = "a matte material";
