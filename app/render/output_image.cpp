@@ -35,8 +35,8 @@ RenderedImage make_output_image(const Scene& scene, const RenderSettings& settin
                       {"integrator", stats.integrator},
                       {"samplesPerPixel", static_cast<float>(rendering.samples)},
                       {"seed", fmt::format("{}", stats.seed)},
-                      {"worldToCamera", Imath::M44f(camera.world_to_camera())},
-                      {"worldToNDC", Imath::M44f(camera.world_to_ndc())}};
+                      {"worldToCamera", Imath::M44f(camera.world_to_camera())}};
+    if (camera.world_to_ndc()) image.metadata["worldToNDC"] = Imath::M44f(*camera.world_to_ndc());
     add_what_was_reached(stats, image);
     return image;
 }

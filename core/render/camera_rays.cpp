@@ -36,19 +36,24 @@ namespace etalon::HWY_NAMESPACE {
 void make_rays(const CameraFrame& c, RayChunk& rays) {
     const DoubleTag tag;
     const Vec3Lanes eye = broadcast(c.eye), u = broadcast(c.u), v = broadcast(c.v),
-                    to_plane = broadcast(c.distance * c.n);
-    const Doubles half_width = broadcast(c.width / 2), half_height = broadcast(c.height / 2),
+                    to_eye = broadcast(c.to_eye);
+    const Doubles axis_x = broadcast(c.axis.x), axis_y = broadcast(c.axis.y),
                   width = broadcast(c.pixel_size.x), height = broadcast(c.pixel_size.y),
                   focal = broadcast(c.focal);
+    const bool is_parallel = c.projection == Projection::orthographic, has_lens = c.lens_radius > 0;
     for (std::size_t i = 0; i < rays.count; i += hn::Lanes(tag)) {
         const Vec2Lanes pixel = load(&rays.pixels[i]);
-        const Doubles x = (pixel.x - half_width) * width, y = (half_height - pixel.y) * height;
-        Vec3Lanes origin = eye, direction = x * u + y * v - to_plane;
-        if (c.lens_radius > 0) {
+        const Doubles x = (pixel.x - axis_x) * width, y = (axis_y - pixel.y) * height;
+        const Vec3Lanes place = x * u + y * v;
+        Vec3Lanes origin = eye, direction = place - to_eye;
+        if (has_lens) {
             const Vec2Lanes disk = load(&rays.on_lens[i]);
             const Vec3Lanes offset = disk.x * u + disk.y * v;
             origin = eye + offset;
-            direction = focal * direction - offset;
+            direction = is_parallel ? place - focal * to_eye - offset : focal * direction - offset;
+        } else if (is_parallel) {
+            origin = eye + place;
+            direction = broadcast(-c.to_eye);
         }
         store(origin, &rays.origins[i]);
         store(normalized(direction), &rays.directions[i]);
@@ -77,27 +82,20 @@ Vec2 concentric_disk(const Vec2& p) {
     return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-}  // namespace
-
-CameraRays::CameraRays(const Camera& c, const Imath::V2i& resolution) {
-    frame_.eye = c.eye;
-    frame_.width = resolution.x;
-    frame_.height = resolution.y;
-    frame_.focal = c.focal;
-    const Vec3 back = c.eye - c.at;
-    auto& [eye, u, v, n, distance, pixel_size, width, height, lens_radius, focal] = frame_;
-    distance = std::sqrt(back.dot(back));
-    n = back / distance;
-    const Vec3 right = c.up.cross(n);
-    const double length = std::sqrt(right.dot(right));
-    orthonormal_basis(n, u, v);  // for an `up` along the view direction: any will do
-    if (length > 0) u = right / length;
-    v = n.cross(u);
-    const double half_angle = c.fov_degrees / 2 * (std::numbers::pi / 180);
-    const double plane_height = 2 * distance * std::tan(half_angle);
-    pixel_size = Vec2(plane_height / (c.stretched ? width : height), plane_height / height);
-    lens_radius = c.aperture * pixel_size.y / 2;
+/// Sets rays to all directions: rows are angles from the camera's y axis, columns those about it,
+/// from x by z.
+void make_environment_rays(const CameraFrame& c, RayChunk& rays) {
+    for (std::size_t i = 0; i < rays.count; ++i) {
+        const Vec2 part = rays.pixels[i] * c.pixel_size;
+        const double theta = std::numbers::pi * part.y, phi = 2 * std::numbers::pi * part.x;
+        const double sine = std::sin(theta);
+        rays.origins[i] = c.eye;
+        rays.directions[i] = normalized(sine * std::cos(phi) * c.u + std::cos(theta) * c.v -
+                                        sine * std::sin(phi) * c.to_eye);
+    }
 }
+
+}  // namespace
 
 void CameraRays::rays(std::span<const Vec2> pixels, std::span<const Vec2> lens,
                       std::span<Ray> rays) const {
@@ -109,7 +107,11 @@ void CameraRays::rays(std::span<const Vec2> pixels, std::span<const Vec2> lens,
             if (has_lens())
                 chunk.on_lens[i] = concentric_disk(lens[first + i]) * frame_.lens_radius;
         }
-        HWY_DYNAMIC_DISPATCH(make_rays)(frame_, chunk);
+        if (frame_.projection == Projection::environment) {
+            make_environment_rays(frame_, chunk);
+        } else {
+            HWY_DYNAMIC_DISPATCH(make_rays)(frame_, chunk);
+        }
         for (std::size_t i = 0; i < chunk.count; ++i) {
             rays[first + i] = {chunk.origins[i], chunk.directions[i]};
         }
@@ -120,35 +122,6 @@ Ray CameraRays::ray(const Vec2& pixel, const Vec2& lens) const {
     Ray ray;
     rays({&pixel, 1}, {&lens, 1}, {&ray, 1});
     return ray;
-}
-
-Imath::M44d CameraRays::world_to_camera() const {
-    return {frame_.u.x,
-            frame_.v.x,
-            frame_.n.x,
-            0,  //
-            frame_.u.y,
-            frame_.v.y,
-            frame_.n.y,
-            0,  //
-            frame_.u.z,
-            frame_.v.z,
-            frame_.n.z,
-            0,  //
-            -frame_.eye.dot(frame_.u),
-            -frame_.eye.dot(frame_.v),
-            -frame_.eye.dot(frame_.n),
-            1};
-}
-
-Imath::M44d CameraRays::world_to_ndc() const {
-    const double half_width = frame_.width / 2 * frame_.pixel_size.x;
-    const double half_height = frame_.height / 2 * frame_.pixel_size.y;
-    const Imath::M44d project(frame_.distance / half_width, 0, 0, 0,   //
-                              0, frame_.distance / half_height, 0, 0,  //
-                              0, 0, -1, -1,                            //
-                              0, 0, 0, 0);
-    return world_to_camera() * project;
 }
 
 }  // namespace etalon

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/numerics/vec.h"
+#include "core/scene/pixel_filter.h"
 
 namespace etalon {
 
@@ -37,7 +38,10 @@ struct RenderSettings {
     // Film
     Imath::V2i resolution{0, 0};  ///< width and height in pixels
     Imath::Box2i crop;            ///< pixels to render, inclusive on both ends; empty: all
-    bool variance = false;        ///< keep what the variance of each pixel needs
+    PixelFilter filter;
+    double max_sample_luminance = infinity;  ///< brighter samples are darkened to it
+    double film_scale = 1;                   ///< factor of the image's values, after that
+    bool variance = false;                   ///< keep what the variance of each pixel needs
     bool display_colors = false;  ///< colours are display values already: no sRGB curve for PNG
     /// Images and their errors are in those values, not in the light that they stand for.
     bool keep_display_values = false;

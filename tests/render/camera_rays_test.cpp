@@ -35,7 +35,7 @@ TEST_CASE("A stretched picture has its field of view both ways", "[render]") {
     CHECK(corner.direction.x / -corner.direction.z == Approx(1));
     CHECK(corner.direction.y / -corner.direction.z == Approx(1));
     Vec3 ndc;
-    camera.world_to_ndc().multVecMatrix(corner.origin + 3.0 * corner.direction, ndc);
+    camera.world_to_ndc()->multVecMatrix(corner.origin + 3.0 * corner.direction, ndc);
     CHECK(ndc.x == Approx(1));
     CHECK(ndc.y == Approx(1));
 }
@@ -62,7 +62,7 @@ TEST_CASE("world_to_ndc takes what a pixel sees to the pixel's place", "[render]
     const CameraRays camera(c, {320, 200});
     const Ray ray = camera.ray(Vec2(80, 50), Vec2(0.5));
     Vec3 ndc;
-    camera.world_to_ndc().multVecMatrix(ray.origin + 7.0 * ray.direction, ndc);
+    camera.world_to_ndc()->multVecMatrix(ray.origin + 7.0 * ray.direction, ndc);
     CHECK(ndc.x == Approx(-0.5));
     CHECK(ndc.y == Approx(0.5));
     Vec3 in_camera;
