@@ -55,7 +55,8 @@ LookFacts facts_of(const WhittedLook& look) {
 
 LookFacts facts_of(const PhysicalLook& look) {
     LookFacts facts{look.materials.size()};
-    constexpr std::string_view kinds[] = {"point", "spot", "distant", "infinite", "area"};
+    constexpr std::string_view kinds[] = {"point",   "spot",     "goniometric",
+                                          "distant", "infinite", "area"};
     for (const PhysicalLight& light : look.lights) facts.count_light(kinds[light.index()]);
     facts.need(facts.lights.contains("area"), "area light samples");
     facts.need(!look.textures.numbers.empty() || !look.textures.colors.empty(), "textures");

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/image/io.h"
-
 namespace etalon {
 namespace {
 
@@ -33,75 +31,52 @@ std::pair<std::size_t, double> find_in(const double* first, std::size_t count, d
 }  // namespace
 
 InfiniteLight::InfiniteLight(const InfiniteSource& source, std::vector<std::string>& problems)
-    : source_(source), to_world_(inverse_directions(source.to_light)), mean_(source.radiance) {
-    if (source.image.empty()) return;
-    const Result<Image> image = read_image(source.image);
-    if (!image) {
-        problems.push_back(image.error);
-        return;
-    }
-    width_ = image.value.width;
-    height_ = image.value.height;
-    texels_ = linear_pixels(image.value);
-    for (Color& texel : texels_) texel *= source.radiance;
-    prepare_sampling();
-}
-
-Color InfiniteLight::texel(int x, int y) const {
-    x = (x % width_ + width_) % width_;
-    y = (y % height_ + height_) % height_;
-    return texels_[static_cast<std::size_t>(y) * width_ + x];
-}
-
-Color InfiniteLight::lookup(const Vec2& place) const {
-    const double x = place.x * width_ - 0.5, y = place.y * height_ - 0.5;
-    const double left = std::floor(x), top = std::floor(y);
-    const auto i = static_cast<int>(left), j = static_cast<int>(top);
-    const auto u = static_cast<float>(x - left), v = static_cast<float>(y - top);
-    return (1 - v) * ((1 - u) * texel(i, j) + u * texel(i + 1, j)) +
-           v * ((1 - u) * texel(i, j + 1) + u * texel(i + 1, j + 1));
+    : source_(source),
+      to_world_(inverse_directions(source.to_light)),
+      image_(source.image, problems),
+      mean_(source.radiance) {
+    if (!image_.empty()) prepare_sampling();
 }
 
 Vec2 InfiniteLight::place_of(const Vec3& direction) const {
-    const Vec3 d = normalized(source_.to_light.vector(direction));
-    const double phi = std::atan2(d.y, d.x);
-    return {(phi < 0 ? phi + 2 * pi : phi) / (2 * pi), std::atan2(std::hypot(d.x, d.y), d.z) / pi};
+    return SphericalImage::place_of(normalized(source_.to_light.vector(direction)));
 }
 
 Color InfiniteLight::radiance(const Vec3& direction) const {
-    return texels_.empty() ? source_.radiance : lookup(place_of(direction));
+    return image_.empty() ? source_.radiance : lookup(place_of(direction));
 }
 
 /// Densities: of each texel's cell the mean luminance of the texels about it, which a lookup in it
 /// may show, less the mean of all, times the sine that makes a square of the sphere.
 void InfiniteLight::prepare_sampling() {
-    std::vector<double> bright(texels_.size());
+    const int width = image_.width(), height = image_.height();
+    std::vector<double> bright(static_cast<std::size_t>(width) * height);
     double sum = 0, weights = 0;
     Vec3 colors(0);
-    for (int y = 0; y < height_; ++y) {
-        const double sine = std::sin(pi * (y + 0.5) / height_);
-        for (int x = 0; x < width_; ++x) {
+    for (int y = 0; y < height; ++y) {
+        const double sine = std::sin(pi * (y + 0.5) / height);
+        for (int x = 0; x < width; ++x) {
             double around = 0;
             for (int dy = -1; dy <= 1; ++dy) {
-                for (int dx = -1; dx <= 1; ++dx) around += luminance(texel(x + dx, y + dy)) / 9;
+                for (int dx = -1; dx <= 1; ++dx) around += luminance(image_.texel(x + dx, y + dy)) / 9;
             }
-            bright[static_cast<std::size_t>(y) * width_ + x] = around;
+            bright[static_cast<std::size_t>(y) * width + x] = around;
             sum += sine * around;
-            colors += sine * Vec3(texel(x, y));
+            colors += sine * Vec3(image_.texel(x, y));
             weights += sine;
         }
     }
-    mean_ = Color(colors / weights);
+    mean_ = Color(colors / weights) * source_.radiance;
     const double mean = sum / weights;
     cells_.resize(bright.size());
     sums_.resize(bright.size());
     double total = 0;
-    std::vector<double> row_sums(height_);
-    for (int y = 0; y < height_; ++y) {
-        const double sine = std::sin(pi * (y + 0.5) / height_);
+    std::vector<double> row_sums(height);
+    for (int y = 0; y < height; ++y) {
+        const double sine = std::sin(pi * (y + 0.5) / height);
         double row = 0;
-        for (int x = 0; x < width_; ++x) {
-            const std::size_t i = static_cast<std::size_t>(y) * width_ + x;
+        for (int x = 0; x < width; ++x) {
+            const std::size_t i = static_cast<std::size_t>(y) * width + x;
             cells_[i] = sine * std::max(0.0, bright[i] - mean);
             sums_[i] = row += cells_[i];
         }
@@ -110,7 +85,7 @@ void InfiniteLight::prepare_sampling() {
     // An image of one colour, up to roundings, is sampled by surfaces alone.
     if (!(total > 1e-6 * sum) || !std::isfinite(total)) return;
     row_sums_ = std::move(row_sums);
-    const double cell_area = 1.0 / (static_cast<double>(width_) * height_);
+    const double cell_area = 1.0 / (static_cast<double>(width) * height);
     for (double& cell : cells_) cell /= total * cell_area;
 }
 
@@ -118,15 +93,16 @@ LightSample InfiniteLight::sample(const Vec2& uv) const {
     LightSample s;
     s.at_infinity = true;
     if (row_sums_.empty()) return s;
+    const auto width = static_cast<std::size_t>(image_.width());
     const auto [row, v] = find_in(row_sums_.data(), row_sums_.size(), uv.y * row_sums_.back());
-    const double* cells = &sums_[row * width_];
-    const auto [column, u] = find_in(cells, width_, uv.x * cells[width_ - 1]);
-    const Vec2 place((static_cast<double>(column) + u) / width_,
-                     (static_cast<double>(row) + v) / height_);
+    const double* cells = &sums_[row * width];
+    const auto [column, u] = find_in(cells, width, uv.x * cells[width - 1]);
+    const Vec2 place((static_cast<double>(column) + u) / image_.width(),
+                     (static_cast<double>(row) + v) / image_.height());
     const double theta = pi * place.y, phi = 2 * pi * place.x, sine = std::sin(theta);
     s.wi =
         normalized(to_world_.vector({sine * std::cos(phi), sine * std::sin(phi), std::cos(theta)}));
-    s.pdf = static_cast<float>(cells_[row * width_ + column] / (2 * pi * pi * sine));
+    s.pdf = static_cast<float>(cells_[row * width + column] / (2 * pi * pi * sine));
     s.radiance = lookup(place);
     return s;
 }
@@ -134,11 +110,12 @@ LightSample InfiniteLight::sample(const Vec2& uv) const {
 double InfiniteLight::pdf(const Vec3& direction) const {
     if (row_sums_.empty()) return 0;
     const Vec2 place = place_of(direction);
-    const int x = std::min(static_cast<int>(place.x * width_), width_ - 1);
-    const int y = std::min(static_cast<int>(place.y * height_), height_ - 1);
+    const int width = image_.width(), height = image_.height();
+    const int x = std::min(static_cast<int>(place.x * width), width - 1);
+    const int y = std::min(static_cast<int>(place.y * height), height - 1);
     const double sine = std::sin(pi * place.y);
     if (!(sine > 0)) return 0;
-    return cells_[static_cast<std::size_t>(y) * width_ + x] / (2 * pi * pi * sine);
+    return cells_[static_cast<std::size_t>(y) * width + x] / (2 * pi * pi * sine);
 }
 
 }  // namespace etalon

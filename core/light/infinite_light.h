@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/light/light_sample.h"
+#include "core/light/spherical_image.h"
 #include "core/scene/physical_light.h"
 
 namespace etalon {
@@ -32,15 +33,13 @@ class InfiniteLight {
     bool can_be_sampled() const { return !row_sums_.empty(); }
 
   private:
-    Color texel(int x, int y) const;
-    Color lookup(const Vec2& place) const;
+    Color lookup(const Vec2& place) const { return image_.at(place) * source_.radiance; }
     Vec2 place_of(const Vec3& direction) const;
     void prepare_sampling();
 
     InfiniteSource source_;
     Affine to_world_;
-    int width_ = 0, height_ = 0;
-    std::vector<Color> texels_;  ///< by rows from +z
+    SphericalImage image_;
     Color mean_{0.0F};
     std::vector<double> cells_;     ///< densities over the unit square, by rows
     std::vector<double> sums_;      ///< of each row, up to and with each cell

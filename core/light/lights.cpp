@@ -63,6 +63,13 @@ struct DeltaSample {
         sample.radiance *= static_cast<float>(spot_falloff(s, -sample.wi));
         return sample;
     }
+    LightSample operator()(const GoniometricSource& s) const {
+        LightSample sample = from_point(s.position, s.intensity, from);
+        if (image->empty()) return sample;
+        const Vec3 d = normalized(s.to_light.vector(-sample.wi));
+        sample.radiance *= image->at(SphericalImage::place_of({d.x, d.z, d.y}));
+        return sample;
+    }
     LightSample operator()(const DistantSource& s) const {
         return {s.direction, Vec3(0), true, s.radiance, 1, true};
     }
@@ -72,6 +79,7 @@ struct DeltaSample {
     }
 
     const Vec3& from;
+    const SphericalImage* image;  ///< of a light that has one
 };
 
 }  // namespace
@@ -106,6 +114,10 @@ void Lights::add(const PhysicalLight& light, std::vector<std::string>& problems)
     } else if (const auto* spot = std::get_if<SpotSource>(&light)) {
         source.power =
             2 * pi * luminance(spot->intensity) * (1 - (spot->cos_falloff + spot->cos_total) / 2);
+    } else if (const auto* goniometric = std::get_if<GoniometricSource>(&light)) {
+        source.index = static_cast<std::uint32_t>(images_.size());
+        images_.emplace_back(goniometric->image, problems);
+        source.power = 4 * pi * luminance(goniometric->intensity);
     } else if (const auto* distant = std::get_if<DistantSource>(&light)) {
         source.power = disk * luminance(distant->radiance);
     } else if (const auto* infinite = std::get_if<InfiniteSource>(&light)) {
@@ -154,6 +166,11 @@ void Lights::add_area(const AreaSource& source, double& power) {
     area_lights_.push_back(std::move(light));
 }
 
+LightSample Lights::sample_delta(const Source& source, const Vec3& from) const {
+    const SphericalImage* image = images_.empty() ? nullptr : &images_[source.index];
+    return std::visit(DeltaSample{from, image}, *source.light);
+}
+
 /// About the irradiance of a light on the point if nothing is in the way, never 0 where there is
 /// any.
 double Lights::importance(const Source& source, const Receiver& at) const {
@@ -169,7 +186,7 @@ double Lights::importance(const Source& source, const Receiver& at) const {
         const double cosine = one_sided ? largest_cosine(at.normal, way, radius) : 1;
         return light.exitance * cosine * light.facing(-way) / distance2;
     }
-    const LightSample sample = std::visit(DeltaSample{at.position}, *source.light);
+    const LightSample sample = sample_delta(source, at.position);
     const double cosine = one_sided ? std::max(0.0, at.normal.dot(sample.wi)) : 1;
     return luminance(sample.radiance) * cosine;
 }
@@ -208,7 +225,7 @@ LightSample Lights::sample(std::uint32_t light, const Vec3& from, const Vec2& uv
         return infinite_lights_[source.index].sample(uv);
     }
     if (!std::holds_alternative<AreaSource>(*source.light)) {
-        return std::visit(DeltaSample{from}, *source.light);
+        return sample_delta(source, from);
     }
     const AreaLight& area = area_lights_[source.index];
     const AreaPoint point =

@@ -70,7 +70,7 @@ class Lights {
     };
     struct Source {
         const PhysicalLight* light;
-        std::uint32_t index;  ///< among the area or the infinite lights
+        std::uint32_t index;  ///< among the area or the infinite lights, or the images of others
         double power;
     };
 
@@ -78,6 +78,7 @@ class Lights {
 
     void add(const PhysicalLight& light, std::vector<std::string>& problems);
     void add_area(const AreaSource& source, double& power);
+    LightSample sample_delta(const Source& source, const Vec3& from) const;
     double importance(const Source& source, const Receiver& at) const;
     std::optional<LightPick> pick_by_power(double choice) const;
 
@@ -86,6 +87,7 @@ class Lights {
     std::vector<Source> sources_;
     std::vector<AreaLight> area_lights_;
     std::vector<InfiniteLight> infinite_lights_;
+    std::vector<SphericalImage> images_;
     std::vector<std::uint32_t> infinite_;
     std::vector<double> power_sums_;
 };

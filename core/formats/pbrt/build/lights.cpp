@@ -39,6 +39,11 @@ void add_infinite(const Parameters& p, const Affine& to_world, Lights& to) {
         InfiniteSource{scaled(p, "L"), std::string(p.string("mapname")), inverse(to_world)});
 }
 
+void add_goniometric(const Parameters& p, const Affine& to_world, Lights& to) {
+    to.emplace_back(GoniometricSource{to_world.origin, scaled(p, "I"),
+                                      std::string(p.string("mapname")), inverse(to_world)});
+}
+
 struct Entry {
     std::string_view name;
     void (*add)(const Parameters&, const Affine&, Lights&);
@@ -46,7 +51,7 @@ struct Entry {
 
 constexpr std::array entries = {
     Entry{"point", add_point},       Entry{"spot", add_spot},         Entry{"distant", add_distant},
-    Entry{"infinite", add_infinite}, Entry{"goniometric", add_point},
+    Entry{"infinite", add_infinite}, Entry{"goniometric", add_goniometric},
 };
 
 bool is_finite(const PhysicalLight& light) {

@@ -26,7 +26,7 @@ constexpr std::array lights = {
     PluginType{Category::light, "spot", spot},
     PluginType{Category::light, "distant", distant},
     PluginType{Category::light, "infinite", infinite_light, "exinfinite"},
-    PluginType{Category::light, "goniometric", goniometric, {}, "a point light"},
+    PluginType{Category::light, "goniometric", goniometric},
     PluginType{Category::light, "projection", projection, {}, "nothing"},
 };
 
