@@ -58,7 +58,8 @@ void InfiniteLight::prepare_sampling() {
         for (int x = 0; x < width; ++x) {
             double around = 0;
             for (int dy = -1; dy <= 1; ++dy) {
-                for (int dx = -1; dx <= 1; ++dx) around += luminance(image_.texel(x + dx, y + dy)) / 9;
+                for (int dx = -1; dx <= 1; ++dx)
+                    around += luminance(image_.texel(x + dx, y + dy)) / 9;
             }
             bright[static_cast<std::size_t>(y) * width + x] = around;
             sum += sine * around;

@@ -51,8 +51,7 @@ struct AreaSource {
     bool two_sided;
 };
 
-using PhysicalLight =
-    std::variant<PointSource, SpotSource, GoniometricSource, DistantSource, InfiniteSource,
-                 AreaSource>;
+using PhysicalLight = std::variant<PointSource, SpotSource, GoniometricSource, DistantSource,
+                                   InfiniteSource, AreaSource>;
 
 }  // namespace etalon

@@ -92,7 +92,8 @@ TEST_CASE("A disk and a ring are seen under the angles between their circles", "
     const Vec3 normal = normalized(Vec3(1, 2, 2)), from = 1.5 * normal;
     const RingArea disk(Ring{Vec3(0), 5.0 * normal, 0, 1}), ring(Ring{Vec3(0), normal, 0.5, 1});
     CHECK_THAT(mean_of_reciprocal_density(disk, from), WithinRel(cap(1, 1.5), 1e-4));
-    CHECK_THAT(mean_of_reciprocal_density(ring, from), WithinRel(cap(1, 1.5) - cap(0.5, 1.5), 1e-4));
+    CHECK_THAT(mean_of_reciprocal_density(ring, from),
+               WithinRel(cap(1, 1.5) - cap(0.5, 1.5), 1e-4));
     check_densities(ring, from);
 }
 

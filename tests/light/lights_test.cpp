@@ -48,7 +48,8 @@ TEST_CASE("Lights are picked as often as their probabilities say", "[light]") {
             const auto pick = lights.pick(at, (i + 0.5) / count);
             REQUIRE(pick);
             ++picked[pick->light];
-            CHECK_THAT(lights.pick_probability(at, pick->light), WithinRel(pick->probability, 1e-9));
+            CHECK_THAT(lights.pick_probability(at, pick->light),
+                       WithinRel(pick->probability, 1e-9));
         }
         double sum = 0;
         for (std::uint32_t i = 0; i < lights.size(); ++i) {
@@ -121,8 +122,8 @@ TEST_CASE("A triangle of light shines from its front", "[light]") {
 
 TEST_CASE("A spot shines within its cone, and less towards the border", "[light]") {
     Scene scene = lit_scene(0);
-    scene.physical().lights = {SpotSource{Vec3(0), Vec3(0, 0, 1), Color(1), std::cos(0.5),
-                                          std::cos(0.4)}};
+    scene.physical().lights = {
+        SpotSource{Vec3(0), Vec3(0, 0, 1), Color(1), std::cos(0.5), std::cos(0.4)}};
     std::vector<std::string> problems;
     const Lights lights(scene, problems);
     const auto at = [&](double angle) {

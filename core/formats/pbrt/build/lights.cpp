@@ -50,8 +50,11 @@ struct Entry {
 };
 
 constexpr std::array entries = {
-    Entry{"point", add_point},       Entry{"spot", add_spot},         Entry{"distant", add_distant},
-    Entry{"infinite", add_infinite}, Entry{"goniometric", add_goniometric},
+    Entry{"point", add_point},
+    Entry{"spot", add_spot},
+    Entry{"distant", add_distant},
+    Entry{"infinite", add_infinite},
+    Entry{"goniometric", add_goniometric},
 };
 
 bool is_finite(const PhysicalLight& light) {

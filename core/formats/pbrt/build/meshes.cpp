@@ -48,7 +48,7 @@ void build_mesh(ShapeBuilder& s, const MeshData& mesh) {
     const std::uint32_t first = add_vertices(s, mesh);
     SurfaceBinding binding;
     binding.corner_normals = has_normals;
-    binding.flipped = has_normals ? s.shape.reverse_orientation : s.flips_winding();
+    binding.flipped = has_normals ? mesh.flipped : s.flips_winding();
     if (!mesh.uvs.empty()) {
         binding.uv_offset = static_cast<std::uint32_t>(g.vertices.size() - s.b.look().uvs.size());
     }
@@ -89,6 +89,7 @@ void build_triangle_mesh(ShapeBuilder& s) {
     auto checked = corners(p.integers("indices"), vertices);
     if (const auto* why = std::get_if<std::string>(&checked)) return s.leave_out(*why);
     mesh.corners = std::get<0>(checked);
+    mesh.flipped = s.shape.reverse_orientation;
     build_mesh(s, mesh);
 }
 

@@ -1,4 +1,4 @@
-// Round shapes of a frame, as far as there are primitives for them: whole ones.
+// Round shapes of a frame: primitives where there are some for them, else meshes.
 #include "core/formats/pbrt/build/shape_builder.h"
 
 namespace etalon::pbrt {
@@ -8,9 +8,11 @@ bool is_whole_turn(const Parameters& p) {
     return p.number("phimax") >= 360;
 }
 
-/// A map of the unit sphere or cylinder to one of this radius.
-Affine stretched(const Affine& map, double radius, double height, double z) {
-    return {radius * map.x, radius * map.y, height * map.z, map.point({0, 0, z})};
+/// The factor of lengths of a whole turn whose surface coordinates nobody asks for: primitives have
+/// their own. Nothing where circles do not stay circles.
+std::optional<double> scale_of_circles(const ShapeBuilder& s) {
+    if (!is_whole_turn(s.parameters()) || !s.b.frame.textures.empty()) return std::nullopt;
+    return s.scale();
 }
 
 void begin_curved(ShapeBuilder& s) {
@@ -19,15 +21,15 @@ void begin_curved(ShapeBuilder& s) {
     s.begin(binding);
 }
 
-/// The side of a cone between two heights, where the map leaves circles circles.
-void build_side(ShapeBuilder& s, double z0, double z1, double radius0, double radius1) {
-    const std::optional<double> scale = s.scale();
-    if (!is_whole_turn(s.parameters())) return s.leave_out("parts of a turn are not rendered yet");
-    if (!scale) return s.leave_out("its transform does not keep circles");
-    if (!(z0 != z1) || !(std::max(radius0, radius1) > 0)) return s.leave_out("it has no area");
+void build_side(ShapeBuilder& s, const Circle& from, const Circle& to) {
+    if (from.z == to.z || !(std::max(from.radius, to.radius) > 0)) {
+        return s.leave_out("it has no area");
+    }
+    const std::optional<double> scale = scale_of_circles(s);
+    if (!scale) return sweep_side(s, from, to);
     begin_curved(s);
-    s.add(Cone{s.to_world.point({0, 0, z0}), s.to_world.point({0, 0, z1}), *scale * radius0,
-               *scale * radius1});
+    s.add(Cone{s.to_world.point({0, 0, from.z}), s.to_world.point({0, 0, to.z}),
+               *scale * from.radius, *scale * to.radius});
 }
 
 }  // namespace
@@ -38,24 +40,22 @@ void build_sphere(ShapeBuilder& s) {
     if (!(radius > 0)) return s.leave_out("its radius is 0");
     const bool whole =
         is_whole_turn(p) && p.number("zmin") <= -radius && p.number("zmax") >= radius;
-    if (!whole) return s.leave_out("parts of a sphere are not rendered yet");
+    if (!whole) return sweep_sphere(s);
     begin_curved(s);
-    const std::optional<double> scale = s.scale();
-    // Only an ellipsoid knows where its texture begins.
-    if (scale && s.b.frame.textures.empty()) {
+    if (const std::optional<double> scale = scale_of_circles(s)) {
         s.add(Sphere{s.to_world.origin, *scale * radius});
     } else {
-        s.add(Ellipsoid(stretched(s.to_world, radius, radius, 0)));
+        const auto& [x, y, z, origin] = s.to_world;
+        s.add(Ellipsoid(Affine{radius * x, radius * y, radius * z, origin}));
     }
 }
 
 void build_disk(ShapeBuilder& s) {
     const Parameters& p = s.parameters();
     const double outer = p.number("radius"), inner = p.number("innerradius");
-    const std::optional<double> scale = s.scale();
-    if (!is_whole_turn(p)) return s.leave_out("parts of a turn are not rendered yet");
-    if (!scale) return s.leave_out("its transform does not keep circles");
     if (!(outer > inner) || !(inner >= 0)) return s.leave_out("it has no area");
+    const std::optional<double> scale = scale_of_circles(s);
+    if (!scale) return sweep_disk(s);
     begin_curved(s);
     s.add(Ring{s.to_world.point({0, 0, p.number("height")}), s.normal({0, 0, 1}).normalized(),
                *scale * inner, *scale * outer});
@@ -63,12 +63,13 @@ void build_disk(ShapeBuilder& s) {
 
 void build_cylinder(ShapeBuilder& s) {
     const Parameters& p = s.parameters();
-    build_side(s, p.number("zmin"), p.number("zmax"), p.number("radius"), p.number("radius"));
+    const double radius = p.number("radius");
+    build_side(s, {p.number("zmin"), radius}, {p.number("zmax"), radius});
 }
 
 void build_cone(ShapeBuilder& s) {
     const Parameters& p = s.parameters();
-    build_side(s, 0, p.number("height"), p.number("radius"), 0);
+    build_side(s, {0, p.number("radius")}, {p.number("height"), 0});
 }
 
 }  // namespace etalon::pbrt

@@ -65,11 +65,23 @@ struct MeshData {
     std::span<const float> normals{};          ///< 3n or none
     std::span<const float> uvs{};              ///< 2n or none
     std::span<const std::uint32_t> corners{};  ///< three for each triangle, each below n
+    bool flipped = false;  ///< the format's normals are opposite to those of the corners
 };
 
 void build_mesh(ShapeBuilder& s, const MeshData& mesh);
 
 void build_triangle_mesh(ShapeBuilder& s);
+
+/// A circle about z.
+struct Circle {
+    double z, radius;
+};
+
+void sweep_sphere(ShapeBuilder& s);
+void sweep_disk(ShapeBuilder& s);
+void sweep_side(ShapeBuilder& s, const Circle& from, const Circle& to);
+void build_paraboloid(ShapeBuilder& s);
+void build_hyperboloid(ShapeBuilder& s);
 
 void build_sphere(ShapeBuilder& s);
 void build_disk(ShapeBuilder& s);

@@ -19,6 +19,8 @@ constexpr std::array entries = {
     Entry{"disk", build_disk},
     Entry{"cylinder", build_cylinder},
     Entry{"cone", build_cone},
+    Entry{"paraboloid", build_paraboloid},
+    Entry{"hyperboloid", build_hyperboloid},
 };
 
 /// More copies than this would take more memory than most machines have: some 100 bytes each.
