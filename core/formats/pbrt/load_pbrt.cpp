@@ -47,6 +47,7 @@ LoadResult load_pbrt(std::string_view text, const std::string& path, const LoadO
     build_lights(b);
     build_shapes(b);
     result.diagnostics = std::move(file.diagnostics);
+    std::ranges::move(b.log.take(), std::back_inserter(result.diagnostics));
     if (options.strict && has_errors(result.diagnostics)) result.scene.reset();
     return result;
 }

@@ -1,4 +1,7 @@
+#include "core/formats/file_text.h"
 #include "core/formats/pbrt/build/shape_builder.h"
+#include "core/formats/ply/ply.h"
+#include "core/tessellate/loop_subdivision.h"
 
 namespace etalon::pbrt {
 namespace {
@@ -23,6 +26,13 @@ std::uint32_t add_vertices(ShapeBuilder& s, const MeshData& mesh) {
         s.b.look().uvs.push_back({mesh.uvs[i], mesh.uvs[i + 1]});
     }
     return first;
+}
+
+void append_numbers(const std::vector<Vec3>& from, std::vector<float>& to) {
+    to.reserve(3 * from.size());
+    for (const Vec3& v : from) {
+        for (const double x : {v.x, v.y, v.z}) to.push_back(static_cast<float>(x));
+    }
 }
 
 /// The numbers of vertices in `indices`, or why they are none.
@@ -91,6 +101,35 @@ void build_triangle_mesh(ShapeBuilder& s) {
     mesh.corners = std::get<0>(checked);
     mesh.flipped = s.shape.reverse_orientation;
     build_mesh(s, mesh);
+}
+
+void build_ply_mesh(ShapeBuilder& s) {
+    const std::string path(s.parameters().string("filename"));
+    const FileText file = read_file(path);
+    if (!file.error.empty()) return s.leave_out(fmt::format("{}: {}", path, file.error));
+    DiagnosticLog log(path, file.text(), s.b.strict);
+    const std::optional<PlyMesh> ply = read_ply(file.text(), log);
+    s.b.log.append(log.list());
+    if (!ply) return s.leave_out(fmt::format("{} cannot be read", path));
+    build_mesh(s,
+               {ply->positions, ply->normals, ply->uvs, ply->indices, s.shape.reverse_orientation});
+}
+
+void build_loop_subdivision(ShapeBuilder& s) {
+    const Parameters& p = s.parameters();
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < p.numbers("P").size() / 3; ++i) {
+        points.emplace_back(triple(p.numbers("P"), i));
+    }
+    const auto checked = corners(p.integers("indices"), points.size());
+    if (const auto* why = std::get_if<std::string>(&checked)) return s.leave_out(*why);
+    const Result<SmoothMesh> smooth =
+        loop_subdivision(points, std::get<0>(checked), std::max(0, p.integer("levels")));
+    if (!smooth) return s.leave_out(smooth.error);
+    std::vector<float> positions, normals;
+    append_numbers(smooth.value.points, positions);
+    append_numbers(smooth.value.normals, normals);
+    build_mesh(s, {positions, normals, {}, smooth.value.corners, s.shape.reverse_orientation});
 }
 
 }  // namespace etalon::pbrt

@@ -1,7 +1,5 @@
 #include "core/formats/pbrt/build/scene_builder.h"
 
-#include <algorithm>
-
 namespace etalon::pbrt {
 
 ColorSlot SceneBuilder::color(const Parameters& p, std::string_view name) {
@@ -20,22 +18,6 @@ std::optional<Affine> SceneBuilder::affine(std::uint32_t transform, const Place&
     warn(place, "transform", "left out: its transform is {}",
          is_affine(m) ? "singular" : "a projection");
     return std::nullopt;
-}
-
-/// Adds a diagnostic; of a kind, only as many as anybody reads.
-void SceneBuilder::add(const Place& place, std::string_view kind, std::string message) {
-    std::size_t alike = 0;
-    Diagnostic* last = nullptr;
-    for (Diagnostic& d : file.diagnostics) {
-        if (d.kind == kind) last = &d, ++alike;
-    }
-    if (alike >= diagnostics_of_a_kind) {
-        ++last->more;
-        return;
-    }
-    file.diagnostics.push_back({strict ? Severity::error : Severity::warning, std::string(kind),
-                                file.files[place.file], place.line, place.column,
-                                std::move(message)});
 }
 
 Affine affine_part(const Matrix4& m) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/formats/diagnostic_list.h"
 #include "core/formats/load.h"
 #include "core/formats/pbrt/frame.h"
 #include "core/formats/pbrt/parse.h"
@@ -15,11 +16,12 @@
 namespace etalon::pbrt {
 
 struct SceneBuilder {
-    ParsedFile& file;
+    const ParsedFile& file;
     const Frame& frame;
     bool strict;
     LoadResult& result;  ///< with a scene of a physical look
 
+    DiagnosticList log{};                          ///< of what is found while building
     std::vector<std::uint32_t> texture_numbers{};  ///< of the frame's textures among their kind's
 
     Scene& scene() { return *result.scene; }
@@ -30,7 +32,12 @@ struct SceneBuilder {
     template <class... T>
     void warn(const Place& place, std::string_view kind, fmt::format_string<T...> text,
               T&&... arguments) {
-        add(place, kind, fmt::format(text, std::forward<T>(arguments)...));
+        Diagnostic* const d = log.admit(strict ? Severity::error : Severity::warning, kind);
+        if (!d) return;
+        d->file = file.files[place.file];
+        d->line = place.line;
+        d->column = place.column;
+        d->message = fmt::format(text, std::forward<T>(arguments)...);
     }
 
     /// The value of a parameter, or the texture that is bound to it.
@@ -39,9 +46,6 @@ struct SceneBuilder {
 
     /// The map of a transform; nothing, and a warning, where points would not stay points.
     std::optional<Affine> affine(std::uint32_t transform, const Place& place);
-
-  private:
-    void add(const Place& place, std::string_view kind, std::string message);
 };
 
 /// The affine part of a matrix.

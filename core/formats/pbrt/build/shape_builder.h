@@ -71,6 +71,8 @@ struct MeshData {
 void build_mesh(ShapeBuilder& s, const MeshData& mesh);
 
 void build_triangle_mesh(ShapeBuilder& s);
+void build_ply_mesh(ShapeBuilder& s);
+void build_loop_subdivision(ShapeBuilder& s);
 
 /// A circle about z.
 struct Circle {

@@ -15,6 +15,8 @@ struct Entry {
 // line here.
 constexpr std::array entries = {
     Entry{"trianglemesh", build_triangle_mesh},
+    Entry{"plymesh", build_ply_mesh},
+    Entry{"loopsubdiv", build_loop_subdivision},
     Entry{"sphere", build_sphere},
     Entry{"disk", build_disk},
     Entry{"cylinder", build_cylinder},
