@@ -6,6 +6,7 @@
 #include "app/common/backends.h"
 #include "app/render/aovs.h"
 #include "app/render/arguments.h"
+#include "app/render/filter_option.h"
 #include "core/image/io.h"
 #include "core/render/spd_rules.h"
 
@@ -104,6 +105,7 @@ std::string check_aovs(const RenderArguments& a, const RenderSettings& settings)
 std::string apply_overrides(const RenderArguments& a, RenderSettings& settings) {
     apply_samples(a, settings);
     if (!a.backend.empty()) settings.backend = a.backend;
+    if (!a.filter.empty()) apply_filter(a.filter, settings.filter);
     settings.variance = need_variance(a.aovs);
     settings.keep_display_values = a.display_values;
     if (a.target_error > 0 && settings.samples_per_pixel < 1) {
