@@ -5,6 +5,7 @@
 #include "app/common/backends.h"
 #include "app/common/integrators.h"
 #include "app/render/aovs.h"
+#include "app/render/filter_option.h"
 #include "core/image/io.h"
 
 namespace etalon {
@@ -29,6 +30,11 @@ void declare_image(Options& options, RenderArguments& a) {
         .add("--crop", a.crop,
              "Crop window in pixels, without X1 and Y1 themselves (default: the whole image)")
         .value("X0,Y0,X1,Y1")
+        .group(group);
+    options.add("--filter", a.filter, filter_help())
+        .value("NAME[:RADIUS]")
+        .check([](const std::string& text) { return check_filter(text); })
+        .suggest(filter_names())
         .group(group);
     options
         .add("--aov", a.aovs,
@@ -80,6 +86,7 @@ void declare_samples(Options& options, RenderArguments& a) {
                   "pixel corner, a mirrored one from all glass")
         .excludes("--spp")
         .excludes("--target-error")
+        .excludes("--filter")
         .group(group);
 }
 

@@ -6,13 +6,15 @@
 
 #include <algorithm>
 
-#include "core/numerics/vec.h"
+#include "core/render/image_film.h"
 
 namespace etalon {
 namespace {
 
-/// Least memory of a pixel: its sum and number of samples while it is rendered, and its colour.
-constexpr double bytes_per_pixel = sizeof(Vec3) + sizeof(std::uint32_t) + sizeof(Color);
+/// Least memory of a pixel: its part of the film while it is rendered, and its colour.
+double bytes_per_pixel(const RenderSettings& settings) {
+    return ImageFilm::bytes_per_pixel(settings) + sizeof(Color);
+}
 
 /// Returns the bytes that the process can have: memory and swap, or the limit set for it.
 double available_bytes() {
@@ -29,7 +31,8 @@ double available_bytes() {
 
 std::string check_memory(const RenderSettings& settings) {
     const Imath::V2i size = settings.window().size() + Imath::V2i(1);
-    const double needed = bytes_per_pixel * size.x * size.y, available = available_bytes();
+    const double needed = bytes_per_pixel(settings) * size.x * size.y,
+                 available = available_bytes();
     if (needed <= available) return {};
     return fmt::format("{} x {} pixels need {:.1f} GB; there are {:.1f}", size.x, size.y,
                        1e-9 * needed, 1e-9 * available);

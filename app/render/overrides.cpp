@@ -6,6 +6,7 @@
 #include "app/common/backends.h"
 #include "app/render/aovs.h"
 #include "app/render/arguments.h"
+#include "app/render/filter_option.h"
 #include "core/image/io.h"
 #include "core/render/spd_rules.h"
 
@@ -118,6 +119,7 @@ std::string apply_overrides(const RenderArguments& a, const Scene& scene,
                             RenderSettings& settings) {
     apply_samples(a, settings);
     if (!a.backend.empty()) settings.backend = a.backend;
+    if (!a.filter.empty()) apply_filter(a.filter, settings.filter);
     settings.variance = need_variance(a.aovs);
     settings.keep_display_values = a.display_values;
     if (a.target_error > 0 && settings.samples_per_pixel < 1) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/parallel/parallel.h"
+#include "core/render/error_factors.h"
 
 namespace etalon {
 namespace {
@@ -24,14 +25,22 @@ constexpr std::uint32_t most_to_fewest = 64;
 
 }  // namespace
 
-AdaptivePasses::AdaptivePasses(const Film& film, const RenderSettings& settings,
+AdaptivePasses::AdaptivePasses(const ImageFilm& image, const RenderSettings& settings,
                                std::uint32_t samples)
-    : estimate_(film.width(), static_cast<int>(film.size()) / film.width(), settings.decodes()),
+    : image_(image),
+      settings_(settings),
+      estimate_(image.samples().width(),
+                static_cast<int>(image.samples().size()) / image.samples().width(),
+                settings.decodes()),
       error_(settings.target_error),
       samples_(samples) {}
 
 std::optional<SamplingGoal> AdaptivePasses::next(const Film& film) {
-    estimate_.look(film);
+    if (image_.is_filtered()) {
+        estimate_.look(film, error_factors(image_.filtered(), film.window(), settings_));
+    } else {
+        estimate_.look(film);
+    }
     expected_ = estimate_.total();
     std::optional<SamplingGoal> goal = plan(film);
     is_complete_ = !goal;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/render/error_estimate.h"
+#include "core/render/image_film.h"
 #include "core/render/sampling_passes.h"
 #include "core/scene/render_settings.h"
 
@@ -10,8 +11,8 @@ namespace etalon {
 /// pixel's samples are doubled each time, so that they stay well distributed.
 class AdaptivePasses : public SamplingPasses {
   public:
-    /// Plans passes for films like this one, with at most `samples` samples of a pixel.
-    AdaptivePasses(const Film& film, const RenderSettings& settings, std::uint32_t samples);
+    /// Plans passes for images like this one, with at most `samples` samples of a pixel.
+    AdaptivePasses(const ImageFilm& image, const RenderSettings& settings, std::uint32_t samples);
 
     std::optional<SamplingGoal> next(const Film& film) override;
     bool is_complete(std::uint64_t) const override { return is_complete_; }
@@ -31,6 +32,8 @@ class AdaptivePasses : public SamplingPasses {
     std::vector<Candidate> candidates(const Film& film) const;
     SamplingGoal worthwhile(const Film& film) const;
 
+    const ImageFilm& image_;
+    const RenderSettings& settings_;
     ErrorEstimate estimate_;
     double error_, expected_ = 0;
     std::uint32_t samples_, of_all_ = 0;

@@ -42,6 +42,9 @@ class CameraBatch {
     /// The pixel of each sample, in the order in which they were added.
     const std::vector<Imath::V2i>& pixels() const { return pixels_; }
 
+    /// Where each sample lies, in pixels, in that order; as long as what make() returns.
+    const std::vector<Vec2>& places() const { return places_; }
+
     /// Makes the rays. What is returned is valid until the next call of a member.
     CameraSamples make();
 

@@ -78,11 +78,11 @@ std::size_t ErrorEstimate::block(int x, int y) const {
     return static_cast<std::size_t>(y / block_size) * blocks(width_) + x / block_size;
 }
 
-void ErrorEstimate::look(const Film& film) {
+void ErrorEstimate::look(const Film& film, const std::vector<Vec3>& factors) {
     std::atomic<bool> any = false;
     parallel_for(sums_.size(), 1024, [&](std::size_t begin, std::size_t end) {
         bool some = false;
-        for (std::size_t i = begin; i < end; ++i) some |= look_at_pixel(i, film);
+        for (std::size_t i = begin; i < end; ++i) some |= look_at_pixel(i, film, factors);
         if (some) any = true;
     });
     exists_ = exists_ || any;
@@ -91,14 +91,17 @@ void ErrorEstimate::look(const Film& film) {
 }
 
 /// Returns whether the pixel's samples were doubled.
-bool ErrorEstimate::look_at_pixel(std::size_t i, const Film& film) {
+bool ErrorEstimate::look_at_pixel(std::size_t i, const Film& film,
+                                  const std::vector<Vec3>& factors) {
     const bool doubled = counts_[i] > 0 && film.counts()[i] == 2 * counts_[i];
     if (doubled) {
         const Vec3 half = sums_[i] / counts_[i];
         const Vec3 other_half = (film.sum(i) - sums_[i]) / counts_[i];
         changes_before_[i] = changes_[i];
+        const Vec3 change = (half - other_half) / 2;
         const auto square = decodes_ ? decoded_relative_square : relative_square;
-        changes_[i] = square((half - other_half) / 2, film.mean(i));
+        changes_[i] =
+            factors.empty() ? square(change, film.mean(i)) : (change * change).dot(factors[i]) / 3;
     }
     sums_[i] = film.sum(i);
     counts_[i] = film.counts()[i];

@@ -19,8 +19,9 @@ class ErrorEstimate {
     ErrorEstimate(int width, int height, bool decodes);
 
     /// Looks at a film each of whose pixels has as many samples as when last looked at, or twice as
-    /// many; others tell nothing.
-    void look(const Film& film);
+    /// many; others tell nothing. `factors`, of each pixel and channel, are what a squared error of
+    /// the pixel adds to the image's relative one, where that is not the pixel's own.
+    void look(const Film& film, const std::vector<Vec3>& factors = {});
 
     /// Whether there is an estimate: some pixels were doubled.
     bool exists() const { return exists_; }
@@ -38,7 +39,7 @@ class ErrorEstimate {
     double rate(int x, int y) const { return rates_[block(x, y)]; }
 
   private:
-    bool look_at_pixel(std::size_t pixel, const Film& film);
+    bool look_at_pixel(std::size_t pixel, const Film& film, const std::vector<Vec3>& factors);
     void learn_rates();
     void compare_neighbours();
 

@@ -25,6 +25,10 @@ std::uint64_t Film::total_count() const {
 }
 
 Vec3 Film::mean(std::size_t pixel) const {
+    return filtered_means_.empty() ? sample_mean(pixel) : filtered_means_[pixel];
+}
+
+Vec3 Film::sample_mean(std::size_t pixel) const {
     return counts_[pixel] == 0 ? Vec3(0) : sums_[pixel] / counts_[pixel];
 }
 
@@ -39,7 +43,7 @@ std::vector<Color> Film::variances() const {
     std::vector<Color> result(size(), Color(0.0F));
     for (std::size_t i = 0; i < size(); ++i) {
         if (counts_[i] < 2) continue;
-        const Vec3 about_mean = squares_[i] - mean(i) * sums_[i];
+        const Vec3 about_mean = squares_[i] - sample_mean(i) * sums_[i];
         for (int k = 0; k < 3; ++k) {  // rounding may leave less than nothing
             result[i][k] = static_cast<float>(std::max(0.0, about_mean[k]) / (counts_[i] - 1.0));
         }
@@ -51,6 +55,17 @@ void Film::add_all(std::size_t pixel, const Film& from, std::size_t pixel_of_it)
     sums_[pixel] += from.sums_[pixel_of_it];
     counts_[pixel] += from.counts_[pixel_of_it];
     if (!squares_.empty()) squares_[pixel] += from.squares_[pixel_of_it];
+}
+
+Film Film::filtered(const Imath::Box2i& window, std::vector<Vec3> means) const {
+    Film result(window, !squares_.empty());
+    for (int y = window.min.y; y <= window.max.y; ++y) {
+        for (int x = window.min.x; x <= window.max.x; ++x) {
+            result.add_all(result.index(x, y), *this, index(x, y));
+        }
+    }
+    result.filtered_means_ = std::move(means);
+    return result;
 }
 
 Film Film::cells() const {

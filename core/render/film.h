@@ -28,7 +28,8 @@ class Film {
     const std::vector<std::uint32_t>& counts() const { return counts_; }
     std::uint64_t total_count() const;
 
-    /// Mean of the samples; black where there is none yet.
+    /// Mean of the samples, or what a filter makes of those about the pixel; black where there is
+    /// none yet.
     Vec3 mean(std::size_t pixel) const;
 
     /// The means of all pixels.
@@ -42,13 +43,19 @@ class Film {
     /// corners. The result is smaller by one both ways.
     Film cells() const;
 
+    /// The part of the film in a window, with the means that a filter made of all samples. Counts
+    /// and variances are still those of each pixel's own.
+    Film filtered(const Imath::Box2i& window, std::vector<Vec3> means) const;
+
   private:
+    Vec3 sample_mean(std::size_t pixel) const;
     void add_all(std::size_t pixel, const Film& from, std::size_t pixel_of_it);
 
     Imath::Box2i window_;
     int width_;
     std::vector<Vec3, LargePages<Vec3>> sums_, squares_;  ///< squares: empty where nobody asked
     std::vector<std::uint32_t> counts_;
+    std::vector<Vec3> filtered_means_;  ///< empty: they are those of the pixels' own samples
 };
 
 }  // namespace etalon

@@ -6,6 +6,7 @@
 
 #include "core/render/adaptive_passes.h"
 #include "core/render/camera_sampler.h"
+#include "core/render/image_film.h"
 #include "core/render/sample_batch.h"
 #include "core/render/tiles.h"
 #include "core/render/uniform_passes.h"
@@ -21,14 +22,14 @@ class Renderer {
           control_(control),
           rays_(camera, settings),
           integrator_(integrator),
-          film_(rays_.sampled(settings.window()), settings.variance),
-          tiles_(tiles_of(film_.window())),
+          film_(rays_.sampled(settings.window()), settings),
+          tiles_(film_.tiles()),
           counts_(tiles_.size()) {}
 
     Rendering run() {
         const std::unique_ptr<SamplingPasses> passes = make_passes();
         while (!stopped()) {
-            const std::optional<SamplingGoal> goal = passes->next(film_);
+            const std::optional<SamplingGoal> goal = passes->next(film_.samples());
             show(*passes);
             if (!goal) break;
             render_pass(*goal, *passes);
@@ -48,7 +49,12 @@ class Renderer {
     /// The film, if there is anything new in it.
     void show(const SamplingPasses& passes) {
         if (control_.after_pass && shown_ < samples_done_) {
-            control_.after_pass({film_, passes.expected_error()});
+            const std::optional<double> error = passes.expected_error();
+            if (film_.is_filtered()) {
+                control_.after_pass({film_.filtered(), error});
+            } else {
+                control_.after_pass({film_.samples(), error});
+            }
         }
         shown_ = samples_done_;
     }
@@ -58,17 +64,23 @@ class Renderer {
         if (settings_.target_error > 0) {
             return std::make_unique<AdaptivePasses>(film_, settings_, samples);
         }
-        return std::make_unique<UniformPasses>(samples, film_.size(), control_.deadline);
+        return std::make_unique<UniformPasses>(samples, film_.samples().size(), control_.deadline);
     }
 
     Rendering finished(const SamplingPasses& passes) {
-        Rendering result{rays_.shares_corners() ? film_.cells() : std::move(film_), {}};
-        result.samples =
-            static_cast<double>(samples_done_) / static_cast<double>(result.film.size());
+        const auto sampled = static_cast<double>(film_.samples().size());
+        Rendering result{image(), {}};
+        result.samples = static_cast<double>(samples_done_) /
+                         (film_.is_filtered() ? sampled : static_cast<double>(result.film.size()));
         result.expected_error = passes.expected_error();
         result.complete = passes.is_complete(samples_done_);
         for (const RayCounts& c : counts_) result.counts += c;
         return result;
+    }
+
+    Film image() {
+        if (film_.is_filtered()) return film_.filtered();
+        return rays_.shares_corners() ? film_.samples().cells() : film_.take_samples();
     }
 
     void render_pass(const SamplingGoal& goal, const SamplingPasses& passes) {
@@ -84,8 +96,8 @@ class Renderer {
 
     /// Gives the batch the samples that the pixel lacks.
     void add_pixel(int x, int y, const SamplingGoal& goal, SampleBatch& batch) const {
-        const std::size_t pixel = film_.index(x, y);
-        std::uint32_t next = film_.counts()[pixel];
+        const std::size_t pixel = film_.samples().index(x, y);
+        std::uint32_t next = film_.samples().counts()[pixel];
         for (const std::uint32_t last = goal.of(pixel); next < last;) {
             const std::uint32_t end = std::min(last, next + batch.room());
             batch.add(x, y, next, end);
@@ -97,7 +109,7 @@ class Renderer {
     const RunControl& control_;
     CameraSampler rays_;
     const Integrator& integrator_;
-    Film film_;
+    ImageFilm film_;
     std::vector<Imath::Box2i> tiles_;
     std::vector<RayCounts> counts_;
     std::atomic<std::uint64_t> samples_done_ = 0;

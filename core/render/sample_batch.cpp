@@ -2,7 +2,7 @@
 
 namespace etalon {
 
-SampleBatch::SampleBatch(const CameraSampler& camera, const Integrator& integrator, Film& film,
+SampleBatch::SampleBatch(const CameraSampler& camera, const Integrator& integrator, ImageFilm& film,
                          RayCounts& counts)
     : samples_(camera),
       integrator_(integrator),
@@ -24,7 +24,7 @@ void SampleBatch::finish() {
     if (count == 0) return;
     integrator_.radiance(samples_.make(), std::span(colors_).first(count), counts_);
     for (std::size_t i = 0; i < count; ++i) {
-        film_.add(samples_.pixels()[i].x, samples_.pixels()[i].y, colors_[i]);
+        film_.add(samples_.pixels()[i], samples_.places()[i], colors_[i]);
     }
     done_ += count;
     samples_.clear();

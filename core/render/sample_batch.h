@@ -4,7 +4,7 @@
 
 #include "core/integrators/integrator.h"
 #include "core/render/camera_sampler.h"
-#include "core/render/film.h"
+#include "core/render/image_film.h"
 
 namespace etalon {
 
@@ -12,8 +12,8 @@ namespace etalon {
 /// integrator does best to get at a time. For one thread.
 class SampleBatch {
   public:
-    /// All four must outlive the batch. No other thread may add samples to the same pixels.
-    SampleBatch(const CameraSampler& camera, const Integrator& integrator, Film& film,
+    /// All four must outlive the batch. No other thread may add samples to the same tile.
+    SampleBatch(const CameraSampler& camera, const Integrator& integrator, ImageFilm& film,
                 RayCounts& counts);
 
     /// How many samples can be added at least; never 0.
@@ -31,7 +31,7 @@ class SampleBatch {
   private:
     CameraBatch samples_;
     const Integrator& integrator_;
-    Film& film_;
+    ImageFilm& film_;
     RayCounts& counts_;
     std::vector<Color> colors_;
     std::uint64_t done_ = 0;

@@ -8,6 +8,7 @@ namespace etalon {
 /// through each pixel corner, a mirrored one from all glass.
 inline void apply_spd_rules(RenderSettings& settings) {
     settings.samples_per_pixel = 0;
+    settings.filter = {};
     settings.pixel_rays = PixelRays::shared_corners;
     settings.whitted.mirror_all_glass = true;
 }

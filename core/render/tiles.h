@@ -9,19 +9,27 @@
 
 namespace etalon {
 
-/// A window of pixels, inclusive on both ends, cut into what threads take at a time: squares of 16
-/// pixels, by rows.
-inline std::vector<Imath::Box2i> tiles_of(const Imath::Box2i& window) {
-    constexpr int side = 16;
+/// Number of pixels on a side of a tile.
+inline constexpr int tile_side = 16;
+
+/// A window of pixels, inclusive on both ends, cut into what threads take at a time: squares, by
+/// rows. The first begins at `corner`, which is not within the window but at its corner or before.
+inline std::vector<Imath::Box2i> tiles_of(const Imath::Box2i& window, const Imath::V2i& corner) {
+    constexpr int side = tile_side;
     std::vector<Imath::Box2i> tiles;
-    for (int y = window.min.y; y <= window.max.y; y += side) {
-        for (int x = window.min.x; x <= window.max.x; x += side) {
+    for (int y = corner.y; y <= window.max.y; y += side) {
+        for (int x = corner.x; x <= window.max.x; x += side) {
+            const Imath::V2i first(std::max(x, window.min.x), std::max(y, window.min.y));
             const Imath::V2i last(std::min(x + side - 1, window.max.x),
                                   std::min(y + side - 1, window.max.y));
-            tiles.emplace_back(Imath::V2i(x, y), last);
+            tiles.emplace_back(first, last);
         }
     }
     return tiles;
+}
+
+inline std::vector<Imath::Box2i> tiles_of(const Imath::Box2i& window) {
+    return tiles_of(window, window.min);
 }
 
 /// Calls visit(i, tiles[i]) for every tile, on all threads, until `stopped()`.

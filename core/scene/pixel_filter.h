@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "core/numerics/vec.h"
 
@@ -20,6 +22,18 @@ struct PixelFilter {
     /// Whether each sample counts for the pixel that it lies in, and for no other.
     bool is_pixel_box() const { return kind == FilterKind::box && radius == Vec2(0.5); }
 };
+
+/// A filter's name and usual radius, which are pbrt-v3's.
+struct FilterType {
+    std::string_view name;
+    FilterKind kind;
+    double radius;
+};
+
+inline constexpr std::array filter_list{
+    FilterType{"box", FilterKind::box, 0.5}, FilterType{"triangle", FilterKind::triangle, 2},
+    FilterType{"gaussian", FilterKind::gaussian, 2},
+    FilterType{"mitchell", FilterKind::mitchell, 2}, FilterType{"sinc", FilterKind::sinc, 4}};
 
 /// A wider filter blurs all there is; its memory would grow with the square of the radius.
 inline constexpr double max_filter_radius = 64;

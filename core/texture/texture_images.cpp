@@ -5,7 +5,7 @@
 #include "core/image/io.h"
 #include "core/image/srgb.h"
 #include "core/parallel/parallel.h"
-#include "core/texture/luminance.h"
+#include "core/numerics/luminance.h"
 
 namespace etalon {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/texture/luminance.h"
+#include "core/numerics/luminance.h"
 #include "core/texture/mapping.h"
 
 namespace etalon {

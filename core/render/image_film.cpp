@@ -1,0 +1,53 @@
+#include "core/render/image_film.h"
+
+#include "core/numerics/luminance.h"
+#include "core/render/tiles.h"
+
+namespace etalon {
+namespace {
+
+Film sample_film(const Imath::Box2i& window, const RenderSettings& settings) {
+    return Film(sampled_window(window, settings.filter), settings.variance);
+}
+
+/// Side of the pixels that always have the same number of samples.
+int cell_side(const RenderSettings& settings) {
+    return settings.target_error > 0 ? 1 : tile_side;
+}
+
+}  // namespace
+
+ImageFilm::ImageFilm(const Imath::Box2i& window, const RenderSettings& settings)
+    : window_(window),
+      samples_(sample_film(window, settings)),
+      scale_(static_cast<float>(settings.film_scale)),
+      max_luminance_(static_cast<float>(settings.max_sample_luminance)),
+      changes_samples_(settings.film_scale != 1 || settings.max_sample_luminance < infinity) {
+    if (!settings.filter.is_pixel_box()) {
+        splats_.emplace(samples_.window(), cell_side(settings), settings.filter);
+    }
+}
+
+void ImageFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& color) {
+    Color sample = color;
+    if (changes_samples_) {
+        const float y = luminance(sample);
+        sample *= y > max_luminance_ ? scale_ * (max_luminance_ / y) : scale_;
+    }
+    samples_.add(pixel.x, pixel.y, sample);
+    if (splats_) splats_->add(pixel, place, sample);
+}
+
+std::vector<Imath::Box2i> ImageFilm::tiles() const {
+    const Imath::Box2i& window = samples_.window();
+    return splats_ ? tiles_of(window, splats_->corner()) : tiles_of(window);
+}
+
+double ImageFilm::bytes_per_pixel(const RenderSettings& settings) {
+    const double own = sizeof(Vec3) + sizeof(std::uint32_t);
+    if (settings.filter.is_pixel_box()) return own;
+    return 2 * own + sizeof(Vec3) +
+           SplatFilm::bytes_per_pixel(cell_side(settings), settings.filter);
+}
+
+}  // namespace etalon

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/render/film.h"
+#include "core/render/splat_film.h"
+#include "core/scene/render_settings.h"
+
+namespace etalon {
+
+/// The film of an image by its settings: what samples are multiplied by, and which pixels they
+/// count for. Threads may add samples to different tiles at the same time.
+class ImageFilm {
+  public:
+    /// Film for an image of `window` whose filter is that of the settings.
+    ImageFilm(const Imath::Box2i& window, const RenderSettings& settings);
+
+    /// Adds a sample at `place`, in pixels, of the pixel in which it lies.
+    void add(const Imath::V2i& pixel, const Vec2& place, const Color& color);
+
+    /// The samples of each pixel. Where a filter is wider than a pixel, there are some beyond the
+    /// image's window.
+    const Film& samples() const { return samples_; }
+
+    /// The tiles that threads may add samples to at the same time.
+    std::vector<Imath::Box2i> tiles() const;
+
+    bool is_filtered() const { return splats_.has_value(); }
+
+    /// The image that the filter makes of them.
+    Film filtered() const { return samples_.filtered(window_, splats_->means(window_, samples_)); }
+
+    /// Takes the samples of an image that is not filtered.
+    Film take_samples() { return std::move(samples_); }
+
+    /// Bytes of memory for each pixel.
+    static double bytes_per_pixel(const RenderSettings& settings);
+
+  private:
+    Imath::Box2i window_;
+    Film samples_;
+    std::optional<SplatFilm> splats_;
+    float scale_, max_luminance_;
+    bool changes_samples_;
+};
+
+}  // namespace etalon

@@ -1,0 +1,152 @@
+#include "core/render/splat_film.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/parallel/parallel.h"
+
+namespace etalon {
+namespace {
+
+int divided_up(int a, int b) {
+    return (a + b - 1) / b;
+}
+
+/// The multiple of `side` that is at most `place`.
+int aligned(int place, int side) {
+    const int beyond = place % side;
+    return place - (beyond < 0 ? beyond + side : beyond);
+}
+
+Imath::V2i size_of(const Imath::Box2i& window) {
+    return window.max - window.min + Imath::V2i(1);
+}
+
+Imath::V2i pixels_before(const FilterAxis& across, const FilterAxis& down) {
+    return {-across.first(0), -down.first(0)};
+}
+
+Imath::V2i block_size(int side, const FilterAxis& across, const FilterAxis& down) {
+    return pixels_before(across, down) + Imath::V2i(across.last(side), down.last(side)) +
+           Imath::V2i(1);
+}
+
+/// Weights of one sample for consecutive pixels of one axis.
+struct Weights {
+    int first, count;
+    std::array<double, 2 * static_cast<int>(max_filter_radius) + 2> values;
+
+    Weights(const FilterAxis& axis, double place)
+        : first(axis.first(place)), count(axis.last(place) - first + 1) {
+        for (int i = 0; i < count; ++i) values[i] = axis(place - 0.5 - (first + i));
+    }
+};
+
+}  // namespace
+
+SplatFilm::SplatFilm(const Imath::Box2i& window, int cell_side, const PixelFilter& filter)
+    : window_(window),
+      side_(cell_side),
+      corner_(aligned(window.min.x, side_), aligned(window.min.y, side_)),
+      across_(filter, 0),
+      down_(filter, 1),
+      cells_(divided_up(window.max.x + 1 - corner_.x, side_),
+             divided_up(window.max.y + 1 - corner_.y, side_)),
+      before_(pixels_before(across_, down_)),
+      block_(block_size(side_, across_, down_)),
+      splats_(static_cast<std::size_t>(cells_.x) * cells_.y * block_.x * block_.y) {}
+
+double SplatFilm::bytes_per_pixel(int cell_side, const PixelFilter& filter) {
+    const Imath::V2i block = block_size(cell_side, {filter, 0}, {filter, 1});
+    return static_cast<double>(sizeof(Splat)) * block.x * block.y / (cell_side * cell_side);
+}
+
+std::size_t SplatFilm::cell_of(const Imath::V2i& pixel) const {
+    const Imath::V2i offset = pixel - corner_;
+    return static_cast<std::size_t>(offset.y / side_) * cells_.x + offset.x / side_;
+}
+
+/// Distances are those from the cell's corner: rounded alike, they stay within the block.
+void SplatFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& sample) {
+    const Imath::V2i offset = pixel - corner_;
+    const Imath::V2i corner = pixel - Imath::V2i(offset.x % side_, offset.y % side_);
+    const Weights x(across_, place.x - corner.x), y(down_, place.y - corner.y);
+    const Vec3 value(sample);
+    Splat* row = &splats_[cell_of(pixel) * block_.x * block_.y];
+    row += (y.first + before_.y) * block_.x + (x.first + before_.x);
+    for (int v = 0; v < y.count; ++v, row += block_.x) {
+        for (int u = 0; u < x.count; ++u) {
+            const double weight = x.values[u] * y.values[v];
+            row[u].sum += weight * value;
+            row[u].weight += weight;
+        }
+    }
+}
+
+/// One over the number of samples that each pixel of a cell has; 0 where there is none.
+std::vector<double> SplatFilm::cell_weights(const Film& samples) const {
+    std::vector<std::uint64_t> pixels(static_cast<std::size_t>(cells_.x) * cells_.y, 0);
+    std::vector<std::uint64_t> counts(pixels.size(), 0);
+    for (int y = window_.min.y; y <= window_.max.y; ++y) {
+        for (int x = window_.min.x; x <= window_.max.x; ++x) {
+            const std::size_t cell = cell_of({x, y});
+            ++pixels[cell];
+            counts[cell] += samples.counts()[samples.index(x, y)];
+        }
+    }
+    std::vector<double> weights(pixels.size(), 0.0);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        if (counts[i] > 0) {
+            weights[i] = static_cast<double>(pixels[i]) / static_cast<double>(counts[i]);
+        }
+    }
+    return weights;
+}
+
+/// The cells whose blocks have the pixel.
+SplatFilm::Range SplatFilm::cells_about(int pixel, int axis) const {
+    const int from_block = pixel - corner_[axis] + before_[axis];  // of the first cell
+    return {std::max(0, divided_up(from_block - block_[axis] + 1, side_)),
+            std::min(cells_[axis] - 1, from_block / side_)};
+}
+
+/// Adds to the row `y` of the window what all cells have for it.
+void SplatFilm::add_row(int y, const Imath::Box2i& window, const std::vector<double>& cell_weights,
+                        std::vector<Splat>& row) const {
+    const Range rows = cells_about(y, 1);
+    const Range columns{cells_about(window.min.x, 0).first, cells_about(window.max.x, 0).last};
+    for (int cy = rows.first; cy <= rows.last; ++cy) {
+        const int v = y - (corner_.y + cy * side_ - before_.y);
+        for (int cx = columns.first; cx <= columns.last; ++cx) {
+            const std::size_t cell = static_cast<std::size_t>(cy) * cells_.x + cx;
+            const Splat* from = &splats_[(cell * block_.y + v) * block_.x];
+            const int corner = corner_.x + cx * side_ - before_.x;
+            const int last = std::min(window.max.x, corner + block_.x - 1);
+            for (int x = std::max(window.min.x, corner); x <= last; ++x) {
+                row[x - window.min.x].sum += cell_weights[cell] * from[x - corner].sum;
+                row[x - window.min.x].weight += cell_weights[cell] * from[x - corner].weight;
+            }
+        }
+    }
+}
+
+std::vector<Vec3> SplatFilm::means(const Imath::Box2i& window, const Film& samples) const {
+    const std::vector<double> weights = cell_weights(samples);
+    const auto width = static_cast<std::size_t>(size_of(window).x);
+    std::vector<Vec3> result(width * size_of(window).y, Vec3(0));
+    parallel_for(size_of(window).y, 4, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t row = begin; row < end; ++row) {
+            std::vector<Splat> splats(width);
+            add_row(window.min.y + static_cast<int>(row), window, weights, splats);
+            for (std::size_t i = 0; i < width; ++i) {
+                if (splats[i].weight == 0) continue;
+                const Vec3 mean = splats[i].sum / splats[i].weight;
+                for (int k = 0; k < 3; ++k) result[row * width + i][k] = std::max(0.0, mean[k]);
+            }
+        }
+    });
+    return result;
+}
+
+}  // namespace etalon

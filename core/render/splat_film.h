@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/parallel/large_pages.h"
+#include "core/render/film.h"
+#include "core/render/filter_axis.h"
+
+namespace etalon {
+
+/// Samples that count for all pixels near them, by the weights of a filter. The image's pixels are
+/// divided into square cells; what the samples of a cell give, to its own pixels and to those
+/// around, is summed up apart from other cells. So threads may add samples to different cells at
+/// the same time, and an image does not depend on their order.
+class SplatFilm {
+  public:
+    /// Film for samples of the pixels of `window`, inclusive on both ends. The cells have
+    /// `cell_side` pixels a side; they are the same whatever the window, so that a part of an image
+    /// has the same bits as the whole.
+    SplatFilm(const Imath::Box2i& window, int cell_side, const PixelFilter& filter);
+
+    /// Adds a sample at `place`, in pixels, of the pixel in which it lies.
+    void add(const Imath::V2i& pixel, const Vec2& place, const Color& sample);
+
+    /// The pixels of `window` by rows: means of the samples near them, not below 0, black where
+    /// there is none. A cell's samples count as much as if there were one of each pixel;
+    /// `samples` has their true number.
+    std::vector<Vec3> means(const Imath::Box2i& window, const Film& samples) const;
+
+    /// The corner of the first cell, in the window's or before.
+    const Imath::V2i& corner() const { return corner_; }
+
+    /// Bytes of memory for each pixel.
+    static double bytes_per_pixel(int cell_side, const PixelFilter& filter);
+
+  private:
+    /// Sum of weighted samples, and of their weights.
+    struct Splat {
+        Vec3 sum{0, 0, 0};
+        double weight = 0;
+    };
+
+    /// Range of cells, or of pixels, along one axis.
+    struct Range {
+        int first, last;
+    };
+
+    std::size_t cell_of(const Imath::V2i& pixel) const;
+    std::vector<double> cell_weights(const Film& samples) const;
+    Range cells_about(int pixel, int axis) const;
+    void add_row(int y, const Imath::Box2i& window, const std::vector<double>& cell_weights,
+                 std::vector<Splat>& row) const;
+
+    Imath::Box2i window_;
+    int side_;
+    Imath::V2i corner_;
+    FilterAxis across_, down_;
+    Imath::V2i cells_;   ///< number of cells along both axes
+    Imath::V2i before_;  ///< how many pixels before its cell a block begins
+    Imath::V2i block_;   ///< size of the pixels that a cell's samples reach
+    std::vector<Splat, LargePages<Splat>> splats_;  ///< blocks, one after the other, by rows
+};
+
+}  // namespace etalon
