@@ -8,7 +8,7 @@ const Vec3 tangent = normalized(Vec3(0.3, -0.5, 0.2));
 }  // namespace
 
 std::vector<LobeCase> lobe_cases() {
-    const Color half(0.5F), tinted(0.9F, 0.5F, 0.2F), white(1);
+    const Color grey(0.5F), tinted(0.9F, 0.5F, 0.2F), white(1);
     const TrowbridgeReitz fine(0.1F, 0.1F), even(0.5F, 0.5F), uneven(0.6F, 0.15F),
         coarse(1.6F, 0.9F);
     const DielectricFresnel glass{1.5F}, thinner{1 / 1.5F};
@@ -18,20 +18,20 @@ std::vector<LobeCase> lobe_cases() {
         {"Lambert's transmission", {LambertTransmission{tinted}}},
         {"Oren and Nayar's reflection", {OrenNayarReflection(tinted, 30)}},
         {"fine dielectric facets", {MicrofacetReflection{white, fine, glass}}},
-        {"facets below a thicker medium", {MicrofacetReflection{half, even, thinner}}},
+        {"facets below a thicker medium", {MicrofacetReflection{grey, even, thinner}}},
         {"uneven metal facets", {MicrofacetReflection{white, uneven, copper}}},
         {"coarse white facets", {MicrofacetReflection{white, coarse, NoFresnel{}}}},
         {"fine refracting facets", {MicrofacetTransmission{white, fine, 1.5F}}},
         {"uneven refracting facets", {MicrofacetTransmission{white, uneven, 1.3F}}},
-        {"facets that refract to a thinner medium", {MicrofacetTransmission{half, even, 1 / 1.5F}}},
-        {"base and coat", {FresnelBlend{half, Color(0.2F), even}}},
+        {"facets that refract to a thinner medium", {MicrofacetTransmission{grey, even, 1 / 1.5F}}},
+        {"base and coat", {FresnelBlend{grey, Color(0.2F), even}}},
         {"dark base and uneven coat", {FresnelBlend{Color(0.01F), tinted, uneven}}},
         {"coat without a base", {FresnelBlend{Color(0), Color(0.05F), fine}}},
         {"rough glass",
          {MicrofacetReflection{white, even, glass}, MicrofacetTransmission{white, even, 1.5F}}},
         {"diffuse under gloss",
-         {LambertReflection{half}, MicrofacetReflection{Color(0.3F), fine, thinner}}},
-        {"diffuse and a mirror", {LambertReflection{tinted / 2}, SpecularReflection{half, glass}}},
+         {LambertReflection{grey}, MicrofacetReflection{Color(0.3F), fine, thinner}}},
+        {"diffuse and a mirror", {LambertReflection{tinted / 2}, SpecularReflection{grey, glass}}},
         {"both sides, and straight through",
          {LambertReflection{tinted / 2}, LambertTransmission{Color(0.2F)},
           SpecularTransmission{Color(0.3F), 1}}},
