@@ -17,10 +17,8 @@ Evaluation MicrofacetTransmission::evaluate(const Vec3f& wo, const Vec3f& wi) co
     const float facets_per_direction = facets.density(m) * std::abs(cos_o * cos_i) / (path * path);
     const float value = (1 - dielectric_reflectance(cos_o, eta)) * facets_per_direction * 4 *
                         facets.visibility(wo, wi);
-    // Facets that show their back to wo are never sampled.
-    const bool seen = cos_o * wo.z > 0;
     return {transmittance * value,
-            seen ? facets_per_direction * beyond * beyond * facets.visible_scale(wo) : 0};
+            facets_per_direction * beyond * beyond * facets.visible_scale(wo)};
 }
 
 std::optional<Vec3f> MicrofacetTransmission::sample(const Vec3f& wo, const Vec2& uv) const {
