@@ -76,6 +76,25 @@ void sweep(ShapeBuilder& s, const Profile& profile, const Row& row_of) {
     build_mesh(s, {mesh.points, mesh.normals, mesh.uvs, mesh.corners, s.flips_outward()});
 }
 
+/// x^2 + y^2 = radius2 + widening z^2.
+struct Waist {
+    double radius2, widening;
+};
+
+/// The hyperboloid about z = 0 that pbrt-v3 draws for a line: it meets the line in p2 and where p1
+/// is moved to by twice the way to p2, and is the surface that the line sweeps only where that is
+/// narrowest at z = 0.
+std::optional<Waist> waist_through(const Vec3& p1, const Vec3& p2) {
+    Vec3 p = p1;
+    for (int i = 0; i < 8; ++i) {
+        p += 2.0 * (p2 - p1);
+        const double squares = p.z * p.z - p2.z * p2.z, near2 = p2.x * p2.x + p2.y * p2.y;
+        const double widening = (p.x * p.x + p.y * p.y - near2) / squares;
+        if (std::isfinite(widening)) return Waist{near2 - widening * p2.z * p2.z, widening};
+    }
+    return std::nullopt;
+}
+
 double even(double x) {
     return x;
 }
@@ -145,12 +164,17 @@ void build_paraboloid(ShapeBuilder& s) {
 
 void build_hyperboloid(ShapeBuilder& s) {
     const Parameters& p = s.parameters();
-    const Vec3 p1(p.vector("p1")), p2(p.vector("p2"));
-    if (p1 == p2) return s.leave_out("it has no area");
+    Vec3 p1(p.vector("p1")), p2(p.vector("p2"));
+    if (p2.z == 0) std::swap(p1, p2);
+    const std::optional<Waist> waist = waist_through(p1, p2);
+    if (p1 == p2 || !waist) return s.leave_out("it has no area");
     sweep(
         s,
         [&](double v) {
-            return ProfilePoint{p1 + v * (p2 - p1), p2 - p1};
+            const Vec3 line = p1 + v * (p2 - p1);
+            const double radius2 = waist->radius2 + waist->widening * line.z * line.z;
+            const double part = std::sqrt(std::max(0.0, radius2)) / std::hypot(line.x, line.y);
+            return ProfilePoint{{part * line.x, part * line.y, line.z}, p2 - p1};
         },
         even);
 }
