@@ -18,6 +18,8 @@ void build_film(SceneBuilder& b) {
                to.resolution[k], most_pixels);
         to.resolution[k] = 256;
     }
+    to.film_scale = p.number("scale");
+    to.max_sample_luminance = p.number("maxsampleluminance");
     const std::span<const float> crop = p.numbers("cropwindow");
     if (!p.is_given("cropwindow") || crop.size() != 4) return;
     const auto place = [](float part, int size) {
@@ -32,6 +34,29 @@ void build_film(SceneBuilder& b) {
         b.warn(film.where, "film", "cropwindow left out: it has no pixels");
     } else {
         to.crop = window;
+    }
+}
+
+void build_filter(SceneBuilder& b) {
+    const Plugin& plugin = b.frame.filter;
+    const Parameters& p = plugin.parameters;
+    PixelFilter& filter = b.result.settings.filter;
+    filter.kind = std::ranges::find(filter_list, plugin.type->name, &FilterType::name)->kind;
+    const auto given = [&](std::string_view name, double& value) {
+        if (plugin.type->find(name) != nullptr) value = p.number(name);
+    };
+    given("xwidth", filter.radius.x);
+    given("ywidth", filter.radius.y);
+    given("alpha", filter.alpha);
+    given("B", filter.b);
+    given("C", filter.c);
+    given("tau", filter.tau);
+    for (int k = 0; k < 2; ++k) {
+        double& radius = filter.radius[k];
+        if (radius > 0 && radius <= max_filter_radius) continue;
+        b.warn(plugin.where, "filter", "width {}: expected a number above 0, at most {}; taken as {}",
+               radius, max_filter_radius, 0.5);
+        radius = 0.5;
     }
 }
 
@@ -75,6 +100,7 @@ void build_integrator(SceneBuilder& b) {
 
 void build_settings(SceneBuilder& b) {
     build_film(b);
+    build_filter(b);
     build_sampler(b);
     build_integrator(b);
 }
