@@ -31,10 +31,6 @@ Vec3 across(const Vec3& v, const Vec3& axis) {
     return normalized(v - v.dot(axis) * axis);
 }
 
-double angle_between(const Vec3& a, const Vec3& b) {
-    return std::atan2(a.cross(b).length(), a.dot(b));
-}
-
 }  // namespace
 
 TriangleArea::TriangleArea(const Vec3& a, const Vec3& b, const Vec3& c) : a_(a), b_(b), c_(c) {
@@ -51,62 +47,112 @@ BoundingSphere TriangleArea::bounds() const {
     return {centre, std::sqrt(radius2)};
 }
 
-/// Van Oosterom and Strackee 1983.
-double TriangleArea::solid_angle(const Vec3& from) const {
-    const Vec3 a = a_ - from, b = b_ - from, c = c_ - from;
-    const double la = std::sqrt(a.dot(a)), lb = std::sqrt(b.dot(b)), lc = std::sqrt(c.dot(c));
-    const double volume = std::abs(a.dot(b.cross(c)));
-    const double base = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-    return 2 * std::atan2(volume, base);
-}
-
 namespace {
+
+/// A triangle seen from a point: its corners' directions.
+struct SphericalTriangle {
+    SphericalTriangle(const Vec3& from, const Vec3& p, const Vec3& q, const Vec3& r)
+        : a(normalized(p - from)), b(normalized(q - from)), c(normalized(r - from)) {}
+
+    /// Van Oosterom and Strackee 1983.
+    double solid_angle() const {
+        const double base = 1 + a.dot(b) + b.dot(c) + c.dot(a);
+        return 2 * std::atan2(std::abs(a.dot(b.cross(c))), base);
+    }
+
+    /// The direction at uv, of a triangle of that solid angle (Arvo 1995): first a part next to a
+    /// of uv.x of the solid angle, then a point of the arc from b that bounds it.
+    std::optional<Vec3> direction(double solid_angle, const Vec2& uv) const {
+        const Vec3 at_a_b = normalized(a.cross(b)), at_a_c = normalized(a.cross(c));
+        const double cos_alpha = at_a_b.dot(at_a_c);
+        const double sin_alpha = std::sqrt(std::max(0.0, 1 - cos_alpha * cos_alpha));
+        // s and t: sine and cosine of pi + area - alpha, which is the sum of the part's other
+        // angles.
+        const double area = uv.x * solid_angle, sin_area = std::sin(area),
+                     cos_area = std::cos(area);
+        const double s = sin_alpha * cos_area - cos_alpha * sin_area;
+        const double t = -(cos_alpha * cos_area + sin_alpha * sin_area);
+        const double u = t + cos_alpha, v = s - sin_alpha * a.dot(b);
+        const double q = (v + (v * t - u * s) * cos_alpha) / ((v * s + u * t) * sin_alpha);
+        if (!(std::abs(q) <= 1 + 1e-6)) return std::nullopt;
+        const double cos_part = std::clamp(q, -1.0, 1.0);
+        const Vec3 corner = cos_part * a + std::sqrt(1 - cos_part * cos_part) * across(c, a);
+        const double z = 1 - uv.y * (1 - corner.dot(b));
+        const Vec3 direction = z * b + std::sqrt(std::max(0.0, 1 - z * z)) * across(corner, b);
+        return is_finite(direction) ? std::optional(direction) : std::nullopt;
+    }
+
+    Vec3 a, b, c;
+};
 
 /// Solid angles for which a spherical triangle's angles are good to a few digits, as in pbrt-v4.
 bool is_sampled_by_angle(double solid_angle) {
     return solid_angle > 3e-4 && solid_angle < 6.22;
 }
 
-}  // namespace
-
-std::optional<Vec3> TriangleArea::spherical_direction(const Vec3& from, const Vec2& uv) const {
-    const Vec3 a = normalized(a_ - from), b = normalized(b_ - from), c = normalized(c_ - from);
-    const Vec3 ab = a.cross(b), bc = b.cross(c), ca = c.cross(a);
-    const double alpha = angle_between(ab, -ca), beta = angle_between(bc, -ab),
-                 gamma = angle_between(ca, -bc);
-    // The angle at b of a part of the triangle, next to a, of uv.x of its area.
-    const double sum = pi + uv.x * (alpha + beta + gamma - pi);
-    const double cos_alpha = std::cos(alpha), sin_alpha = std::sin(alpha);
-    const double s = std::sin(sum) * cos_alpha - std::cos(sum) * sin_alpha;
-    const double t = std::cos(sum) * cos_alpha + std::sin(sum) * sin_alpha;
-    const double u = t + cos_alpha, v = s - sin_alpha * a.dot(b);
-    const double q = (v + (v * t - u * s) * cos_alpha) / ((v * s + u * t) * sin_alpha);
-    if (!(std::abs(q) <= 1 + 1e-6)) return std::nullopt;
-    const double cos_part = std::clamp(q, -1.0, 1.0);
-    const Vec3 corner = cos_part * a + std::sqrt(1 - cos_part * cos_part) * across(c, a);
-    const double z = 1 - uv.y * (1 - corner.dot(b));
-    const Vec3 direction = z * b + std::sqrt(std::max(0.0, 1 - z * z)) * across(corner, b);
-    return is_finite(direction) ? std::optional(direction) : std::nullopt;
+/// Density of a point that was sampled by its solid angle, if that is fit for it, or by its area.
+double pdf_of(const Vec3& from, const AreaPoint& p, double solid_angle, double area) {
+    return is_sampled_by_angle(solid_angle) ? 1 / solid_angle
+                                            : per_steradian(1 / area, from, p.position, p.normal);
 }
 
-AreaPoint TriangleArea::sample(const Vec3& from, const Vec2& uv) const {
-    const double angle = solid_angle(from);
-    if (is_sampled_by_angle(angle)) {
-        const std::optional<Vec3> direction = spherical_direction(from, uv);
-        const double approach = direction ? normal_.dot(*direction) : 0;
-        if (approach == 0) return {a_, normal_, 0};
-        const double distance = normal_.dot(a_ - from) / approach;
-        return {from + distance * *direction, normal_, 1 / angle};
-    }
+}  // namespace
+
+double TriangleArea::solid_angle(const Vec3& from) const {
+    return SphericalTriangle(from, a_, b_, c_).solid_angle();
+}
+
+AreaPoint TriangleArea::by_solid_angle(const Vec3& from, double solid_angle, const Vec2& uv) const {
+    const SphericalTriangle seen(from, a_, b_, c_);
+    const std::optional<Vec3> direction = seen.direction(solid_angle, uv);
+    const double approach = direction ? normal_.dot(*direction) : 0;
+    if (approach == 0) return {a_, normal_, 0};
+    const double distance = normal_.dot(a_ - from) / approach;
+    return {from + distance * *direction, normal_, 1 / solid_angle};
+}
+
+AreaPoint TriangleArea::by_area(const Vec3& from, const Vec2& uv) const {
     const double root = std::sqrt(uv.x);
     const Vec3 position = (1 - root) * a_ + root * (1 - uv.y) * b_ + root * uv.y * c_;
     return chosen_by_area(from, position, normal_, area_);
 }
 
-double TriangleArea::pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const {
+AreaPoint TriangleArea::sample(const Vec3& from, const Vec2& uv) const {
     const double angle = solid_angle(from);
-    return is_sampled_by_angle(angle) ? 1 / angle
-                                      : per_steradian(1 / area_, from, position, normal);
+    return is_sampled_by_angle(angle) ? by_solid_angle(from, angle, uv) : by_area(from, uv);
+}
+
+double TriangleArea::pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const {
+    return pdf_of(from, {position, normal, 1}, solid_angle(from), area_);
+}
+
+TwoTrianglesArea::TwoTrianglesArea(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+    : first_(a, b, c), second_(a, c, d) {}
+
+BoundingSphere TwoTrianglesArea::bounds() const {
+    const BoundingSphere p = first_.bounds(), q = second_.bounds();
+    const double distance = (p.centre - q.centre).length();
+    return {(p.centre + q.centre) / 2, distance / 2 + std::max(p.radius, q.radius)};
+}
+
+AreaPoint TwoTrianglesArea::sample(const Vec3& from, const Vec2& uv) const {
+    const double angle1 = first_.solid_angle(from), angle = angle1 + second_.solid_angle(from);
+    const bool by_angle = is_sampled_by_angle(angle);
+    const double share = by_angle ? angle1 / angle : first_.area() / area();
+    const bool in_first = uv.x < share;
+    const TriangleArea& triangle = in_first ? first_ : second_;
+    const Vec2 place(in_first ? uv.x / share : (uv.x - share) / (1 - share), uv.y);
+    AreaPoint point = by_angle
+                          ? triangle.by_solid_angle(from, in_first ? angle1 : angle - angle1, place)
+                          : triangle.by_area(from, place);
+    point.normal = *first_.flat_normal();
+    if (point.pdf > 0) point.pdf = pdf_of(from, point, angle, area());
+    return point;
+}
+
+double TwoTrianglesArea::pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const {
+    const double angle = first_.solid_angle(from) + second_.solid_angle(from);
+    return pdf_of(from, {position, normal, 1}, angle, area());
 }
 
 double SphereArea::area() const {
@@ -218,6 +264,30 @@ std::optional<AreaShape> area_shape(const Geometry& geometry, std::uint32_t prim
             return std::nullopt;
         }
     });
+}
+
+std::optional<TwoTrianglesArea> quadrilateral(const Geometry& geometry, std::uint32_t primitive) {
+    if (primitive + 1 >= geometry.primitives.size()) return std::nullopt;
+    const Primitive p = geometry.primitives[primitive], q = geometry.primitives[primitive + 1];
+    if (p.kind != kind_of<Triangle>() || q.kind != p.kind || q.material != p.material) {
+        return std::nullopt;
+    }
+    const auto first = corners(geometry, geometry.get<Triangle>(p)),
+               second = corners(geometry, geometry.get<Triangle>(q));
+    const auto at = [](const auto& c, std::size_t k) { return c[k % 3]; };
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            // The edge from a to c of the first is that from c to a of the second.
+            const Vec3 a = at(first, i), b = at(first, i + 1), c = at(first, i + 2),
+                       d = at(second, j + 2);
+            if (at(second, j) != a || at(second, j + 1) != c) continue;
+            const Vec3 n = (b - a).cross(c - a), m = (c - a).cross(d - a);
+            const bool is_flat =
+                n.dot(m) > 0 && n.cross(m).length2() <= 1e-18 * n.dot(m) * n.dot(m);
+            if (is_flat) return TwoTrianglesArea(a, b, c, d);
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace etalon

@@ -34,12 +34,30 @@ class TriangleArea {
     BoundingSphere bounds() const;
     std::optional<Vec3> flat_normal() const { return normal_; }
 
-  private:
+    /// The solid angle in which it is seen.
     double solid_angle(const Vec3& from) const;
-    std::optional<Vec3> spherical_direction(const Vec3& from, const Vec2& uv) const;
+    /// A point at uv by solid angle, or by area.
+    AreaPoint by_solid_angle(const Vec3& from, double solid_angle, const Vec2& uv) const;
+    AreaPoint by_area(const Vec3& from, const Vec2& uv) const;
 
+  private:
     Vec3 a_, b_, c_, normal_;
     double area_;
+};
+
+/// Two triangles a b c and a c d of one plane, sampled like one.
+class TwoTrianglesArea {
+  public:
+    TwoTrianglesArea(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+    AreaPoint sample(const Vec3& from, const Vec2& uv) const;
+    double pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const;
+    double area() const { return first_.area() + second_.area(); }
+    BoundingSphere bounds() const;
+    std::optional<Vec3> flat_normal() const { return first_.flat_normal(); }
+
+  private:
+    TriangleArea first_, second_;
 };
 
 /// A sphere, sampled by the cone in which it is seen from outside, by its area from inside.
@@ -95,9 +113,12 @@ class EllipsoidArea {
     double area_;
 };
 
-using AreaShape = std::variant<TriangleArea, SphereArea, RingArea, EllipsoidArea>;
+using AreaShape = std::variant<TriangleArea, TwoTrianglesArea, SphereArea, RingArea, EllipsoidArea>;
 
 /// The primitive as a shape that shines; nothing for kinds that cannot be sampled.
 std::optional<AreaShape> area_shape(const Geometry& geometry, std::uint32_t primitive);
+
+/// A primitive and the one after it as one shape, where they are the halves of a quadrilateral.
+std::optional<TwoTrianglesArea> quadrilateral(const Geometry& geometry, std::uint32_t primitive);
 
 }  // namespace etalon

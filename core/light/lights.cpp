@@ -106,7 +106,31 @@ Lights::Lights(const Scene& scene, std::vector<std::string>& problems)
     for (const Source& source : sources_) power_sums_.push_back(sum += source.power);
 }
 
+/// Makes the light and the last one a quadrilateral, if they are one.
+bool Lights::add_half(const PhysicalLight& light) {
+    const auto* const half = std::get_if<AreaSource>(&light);
+    const auto* const other =
+        sources_.empty() ? nullptr : std::get_if<AreaSource>(sources_.back().light);
+    if (!half || !other || half->primitive != other->primitive + 1 ||
+        half->radiance != other->radiance || half->two_sided != other->two_sided) {
+        return false;
+    }
+    AreaLight& last = area_lights_.back();
+    const auto both = quadrilateral(scene_.geometry, other->primitive);
+    if (!both || !std::holds_alternative<TriangleArea>(last.shape)) return false;
+    last.exitance *= both->area() / std::get<TriangleArea>(last.shape).area();
+    last.shape = *both;
+    last.bounds = both->bounds();
+    sources_.back().power = pi * last.exitance;
+    return true;
+}
+
 void Lights::add(const PhysicalLight& light, std::vector<std::string>& problems) {
+    if (add_half(light)) {
+        numbers_.push_back(static_cast<std::uint32_t>(sources_.size() - 1));
+        return;
+    }
+    numbers_.push_back(static_cast<std::uint32_t>(sources_.size()));
     Source source{&light, 0, 0};
     const double disk = pi * scene_radius_ * scene_radius_;
     if (const auto* point = std::get_if<PointSource>(&light)) {
@@ -193,6 +217,7 @@ double Lights::importance(const Source& source, const Receiver& at) const {
 
 std::optional<LightPick> Lights::pick(Receiver& at, double choice) const {
     if (sources_.size() > most_by_importance) return pick_by_power(choice);
+    if (sources_.size() == 1) return LightPick{0, 1};
     std::array<double, most_by_importance> sums;
     double sum = 0;
     for (std::size_t i = 0; i < sources_.size(); ++i) sums[i] = sum += importance(sources_[i], at);
@@ -216,6 +241,7 @@ std::optional<LightPick> Lights::pick_by_power(double choice) const {
 
 double Lights::pick_probability(const Receiver& at, std::uint32_t light) const {
     if (sources_.size() > most_by_importance) return sources_[light].power / power_sums_.back();
+    if (sources_.size() == 1) return 1;
     return at.total_importance > 0 ? importance(sources_[light], at) / at.total_importance : 0;
 }
 

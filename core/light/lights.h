@@ -32,7 +32,13 @@ class Lights {
     /// cannot be sampled are lit up by no more than the rays that meet them.
     Lights(const Scene& scene, std::vector<std::string>& problems);
 
+    bool empty() const { return sources_.empty(); }
+
+    /// How many there are to pick from: the halves of a quadrilateral are one.
     std::size_t size() const { return sources_.size(); }
+
+    /// The number among those of a light of the look.
+    std::uint32_t number_of(std::uint32_t light) const { return numbers_[light]; }
 
     /// Chooses a light: where they are few, by what each would give the point if nothing were in
     /// the way, else by its power. Nothing where none can shine there.
@@ -77,6 +83,7 @@ class Lights {
     static constexpr std::size_t most_by_importance = 16;
 
     void add(const PhysicalLight& light, std::vector<std::string>& problems);
+    bool add_half(const PhysicalLight& light);
     void add_area(const AreaSource& source, double& power);
     LightSample sample_delta(const Source& source, const Vec3& from) const;
     double importance(const Source& source, const Receiver& at) const;
@@ -85,6 +92,7 @@ class Lights {
     const Scene& scene_;
     double scene_radius_;
     std::vector<Source> sources_;
+    std::vector<std::uint32_t> numbers_;
     std::vector<AreaLight> area_lights_;
     std::vector<InfiniteLight> infinite_lights_;
     std::vector<SphericalImage> images_;

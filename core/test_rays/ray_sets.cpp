@@ -120,7 +120,7 @@ class RaySetMaker {
     void add_rays_to_lights(const Scene& scene, std::vector<Ray>& rays) const {
         std::vector<std::string> problems;  // an image does not change where lights are
         const Lights lights(scene, problems);
-        if (lights.size() == 0) return;
+        if (lights.empty()) return;
         for_each_hit([&](const SurfacePoint& p, const Vec3&, const SampleSource& sample) {
             const auto light = static_cast<std::uint32_t>(rays.size() % lights.size());
             const LightSample s = lights.sample(light, p.position, sample.point(shadow_dimension));

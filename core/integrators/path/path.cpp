@@ -131,7 +131,8 @@ void PathTracer::Batch::add_emitted(const Path& path, const PhysicalSurface& at,
                                     const Vec3& direction) {
     const SurfaceBinding& binding = *at.binding;
     if (binding.light == no_index) return;
-    const std::uint32_t light = binding.light + (at.point.primitive - binding.first);
+    const std::uint32_t light =
+        t_.lights_.number_of(binding.light + (at.point.primitive - binding.first));
     const Color radiance = t_.lights_.emitted(light, at.point, direction);
     if (radiance == Color(0.0F)) return;
     float weight = 1;
@@ -221,7 +222,7 @@ void PathTracer::Batch::ask_light(const Vertex& v, std::size_t number) {
 void PathTracer::Batch::ask_lights() {
     shadow_rays_.clear();
     asked_.clear();
-    if (t_.lights_.size() > 0) {
+    if (!t_.lights_.empty()) {
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
             if (vertices_[i].bsdf.is_smooth()) ask_light(vertices_[i], i);
         }

@@ -54,8 +54,9 @@ void build_filter(SceneBuilder& b) {
     for (int k = 0; k < 2; ++k) {
         double& radius = filter.radius[k];
         if (radius > 0 && radius <= max_filter_radius) continue;
-        b.warn(plugin.where, "filter", "width {}: expected a number above 0, at most {}; taken as {}",
-               radius, max_filter_radius, 0.5);
+        b.warn(plugin.where, "filter",
+               "width {}: expected a number above 0, at most {}; taken as {}", radius,
+               max_filter_radius, 0.5);
         radius = 0.5;
     }
 }
