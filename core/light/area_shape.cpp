@@ -87,7 +87,7 @@ struct SphericalTriangle {
 
 /// Solid angles for which a spherical triangle's angles are good to a few digits, as in pbrt-v4.
 bool is_sampled_by_angle(double solid_angle) {
-    return solid_angle > 3e-4 && solid_angle < 6.22;
+    return solid_angle > 0.5 && solid_angle < 6.22;
 }
 
 /// Density of a point that was sampled by its solid angle, if that is fit for it, or by its area.
@@ -259,7 +259,10 @@ std::optional<AreaShape> area_shape(const Geometry& geometry, std::uint32_t prim
         } else if constexpr (std::is_same_v<Shape, Ring>) {
             return RingArea(geometry.get<Ring>(p));
         } else if constexpr (std::is_same_v<Shape, Ellipsoid>) {
-            return EllipsoidArea(geometry.get<Ellipsoid>(p).to_world);
+            const Affine& map = geometry.get<Ellipsoid>(p).to_world;
+            const std::optional<double> radius = scale_of(map);
+            if (radius) return SphereArea(Sphere{map.origin, *radius});
+            return EllipsoidArea(map);
         } else {
             return std::nullopt;
         }
