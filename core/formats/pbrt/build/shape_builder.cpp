@@ -64,7 +64,7 @@ void ShapeBuilder::add_light() {
     const Parameters& p = b.frame.area_lights[shape.area_light].parameters;
     b.look().lights.emplace_back(
         AreaSource{static_cast<std::uint32_t>(geometry().primitives.size()),
-                   p.color("L") * p.color("scale"), p.flag("twosided")});
+                   p.color("L") * p.color("scale"), p.flag("twosided"), light_samples(b, p)});
 }
 
 void ShapeBuilder::leave_out(std::string_view why) const {
