@@ -78,6 +78,7 @@ class PathTracer::Batch {
     void ask_lights();
     void choose_lights(const Vertex& v, std::size_t number);
     void ask_light(const Question& q, const Vec2& uv);
+    void pass_cut_outs();
 
     /// Replaces rays and paths by those that go on.
     void go_on();
@@ -172,8 +173,9 @@ void PathTracer::Batch::find_vertices(bool from_camera) {
         }
         (from_camera ? counts_.camera_hits : counts_.secondary_hits) += 1;
         const PhysicalSurface at = physical_surface(t_.scene_, rays_[i], hits_[i]);
-        add_emitted(path, at, direction);
-        if (t_.shading_.is_passed(at)) {
+        const bool cut_out = t_.shading_.is_cut_out(at, PhysicalShading::RayKind::seeing);
+        if (!cut_out) add_emitted(path, at, direction);
+        if (cut_out || t_.shading_.is_passed(at)) {
             next_rays_.push_back(spawn_ray(at.point, direction));
             next_paths_.push_back(path);
             ++counts_.refracted;
@@ -243,6 +245,27 @@ void PathTracer::Batch::ask_light(const Question& q, const Vec2& uv) {
     answers_.push_back({path.sample, path.throughput * color});
 }
 
+/// Asks again for rays that met nothing but holes in surfaces.
+void PathTracer::Batch::pass_cut_outs() {
+    for (std::size_t i = 0; i < shadow_rays_.size(); ++i) {
+        Ray ray = shadow_rays_[i];
+        const Vec3 target = ray.origin + ray.direction;
+        while (blocked_[i] != 0) {
+            Hit hit;
+            t_.intersector_.closest({&ray, 1}, {&hit, 1});
+            blocked_[i] = hit.primitive != no_index ? 1 : 0;
+            if (blocked_[i] == 0) break;
+            const PhysicalSurface at = physical_surface(t_.scene_, ray, hit);
+            if (!t_.shading_.is_cut_out(at, PhysicalShading::RayKind::shadow)) break;
+            const double end = ray.tmax;
+            ray = end < infinity ? spawn_ray_to(at.point, target)
+                                 : spawn_ray(at.point, ray.direction);
+            ray.tmax = end;
+            ++counts_.shadow;
+        }
+    }
+}
+
 void PathTracer::Batch::ask_lights() {
     questions_.clear();
     light_points_.clear();
@@ -258,6 +281,7 @@ void PathTracer::Batch::ask_lights() {
     blocked_.resize(shadow_rays_.size());
     t_.intersector_.occluded(shadow_rays_, blocked_);
     counts_.shadow += shadow_rays_.size();
+    if (t_.shading_.has_cut_outs()) pass_cut_outs();
     for (std::size_t i = 0; i < answers_.size(); ++i) {
         counts_.shadow_blocked += blocked_[i];
         if (blocked_[i] == 0) colors_[answers_[i].sample] += answers_[i].color;
