@@ -56,6 +56,11 @@ int convert(const ConvertArguments& a) {
     }
     const LoadedScene loaded = load(a.scene);
     if (!loaded.scene) return loaded.status;
+    if (loaded.scene->is_physical()) {
+        print_message("{}: a scene of {} cannot be converted yet; expected one of {}\n",
+                      a.scene.path, loaded.scene->format, "P3F, NFF, PRT or SCE");
+        return exit_unusable;
+    }
     const std::filesystem::path path = a.output;
     const WrittenScene written =
         writer_of(a.output)(*loaded.scene, loaded.settings, path.parent_path());

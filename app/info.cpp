@@ -17,39 +17,61 @@ struct InfoArguments {
     bool json = false;
 };
 
-bool any_material(const Scene& scene, bool (*test)(const Material&)) {
-    return std::any_of(scene.whitted().materials.begin(), scene.whitted().materials.end(), test);
-}
+/// What there is to say of a scene's look.
+struct LookFacts {
+    std::size_t materials = 0;
+    Json lights = Json::object();  ///< their number by kind
+    Json background{}, skybox{};   ///< null where the look has none
+    std::vector<std::string> needs{};
 
-/// Returns the features that rendering the scene needs.
-std::vector<std::string> needs(const Scene& s, const RenderSettings& settings) {
-    std::vector<std::string> list;
-    const auto need = [&](bool condition, const char* what) {
-        if (condition) list.emplace_back(what);
-    };
-    const auto is_area = [](const Light& l) { return std::holds_alternative<QuadLight>(l); };
-    need(any_material(s, [](const Material& m) { return m.reflection != Color(0.0F); }),
-         "mirrored rays");
-    need(any_material(s, [](const Material& m) { return m.transmission != Color(0.0F); }),
-         "refracted rays");
-    need(any_material(s, [](const Material& m) { return m.absorption != Color(0.0F); }),
-         "absorption");
-    need(std::any_of(s.whitted().lights.begin(), s.whitted().lights.end(), is_area),
-         "area light samples");
-    need(s.camera.aperture > 0 && settings.samples_per_pixel > 0, "lens samples");
-    need(!s.geometry.normals.empty() || s.geometry.all<Polygon>().have_normals(),
-         "interpolated normals");
-    need(s.whitted().environment.skybox.has_value(), "pictures");
-    return list;
-}
-
-Json lights(const Scene& scene) {
-    Json counts = Json::object();
-    for (const Light& light : scene.whitted().lights) {
-        const char* kind = std::holds_alternative<QuadLight>(light) ? "quad" : "point";
-        counts[kind] = counts.value(kind, 0) + 1;
+    void count_light(std::string_view kind) {
+        Json& count = lights[std::string(kind)];
+        count = count.is_null() ? 1 : count.get<int>() + 1;
     }
-    return counts;
+    void need(bool condition, const char* what) {
+        if (condition) needs.emplace_back(what);
+    }
+};
+
+LookFacts facts_of(const WhittedLook& look) {
+    LookFacts facts{look.materials.size()};
+    for (const Light& light : look.lights) {
+        facts.count_light(std::holds_alternative<QuadLight>(light) ? "quad" : "point");
+    }
+    const Color& background = look.environment.background;
+    facts.background = {background.x, background.y, background.z};
+    if (look.environment.skybox) facts.skybox = look.environment.skybox->faces;
+    const auto any = [&](bool (*test)(const Material&)) {
+        return std::ranges::any_of(look.materials, test);
+    };
+    facts.need(any([](const Material& m) { return m.reflection != Color(0.0F); }), "mirrored rays");
+    facts.need(any([](const Material& m) { return m.transmission != Color(0.0F); }),
+               "refracted rays");
+    facts.need(any([](const Material& m) { return m.absorption != Color(0.0F); }), "absorption");
+    facts.need(facts.lights.contains("quad"), "area light samples");
+    facts.need(look.environment.skybox.has_value(), "pictures");
+    return facts;
+}
+
+LookFacts facts_of(const PhysicalLook& look) {
+    LookFacts facts{look.materials.size()};
+    constexpr std::string_view kinds[] = {"point",   "spot",     "goniometric",
+                                          "distant", "infinite", "area"};
+    for (const PhysicalLight& light : look.lights) facts.count_light(kinds[light.index()]);
+    facts.need(facts.lights.contains("area"), "area light samples");
+    facts.need(!look.textures.numbers.empty() || !look.textures.colors.empty(), "textures");
+    facts.need(!look.textures.images.empty(), "pictures");
+    return facts;
+}
+
+LookFacts facts_of(const Scene& s, const RenderSettings& settings) {
+    LookFacts facts = std::visit([](const auto& look) { return facts_of(look); }, s.look);
+    const bool has_lens =
+        s.camera.projective ? s.camera.projective->lens_radius > 0 : s.camera.aperture > 0;
+    facts.need(has_lens && settings.samples_per_pixel > 0, "lens samples");
+    facts.need(!s.geometry.normals.empty() || s.geometry.all<Polygon>().have_normals(),
+               "interpolated normals");
+    return facts;
 }
 
 /// "more" counts further diagnostics of the same kind, which were left out.
@@ -70,13 +92,14 @@ Json describe(const InfoArguments& a, const LoadedScene& loaded) {
     const Scene& s = *loaded.scene;
     const RenderSettings& settings = loaded.settings;
     const Camera& c = s.camera;
+    const LookFacts look = facts_of(s, settings);
     const auto vec = [](const Vec3& v) { return Json{v.x, v.y, v.z}; };
     return {{"scene", a.scene.path},
             {"format", s.format},
             {"primitives", primitive_counts(s)},
             {"vertices", s.geometry.vertices.size() + s.geometry.decimal_vertices.size()},
-            {"materials", s.whitted().materials.size()},
-            {"lights", lights(s)},
+            {"materials", look.materials},
+            {"lights", look.lights},
             {"camera",
              {{"eye", vec(c.eye)},
               {"at", vec(c.at)},
@@ -90,12 +113,9 @@ Json describe(const InfoArguments& a, const LoadedScene& loaded) {
             {"integrator", settings.integrator},
             {"max_depth", settings.max_depth},
             {"backend", chosen_backend(settings).name},
-            {"background",
-             {s.whitted().environment.background.x, s.whitted().environment.background.y,
-              s.whitted().environment.background.z}},
-            {"skybox",
-             s.whitted().environment.skybox ? Json(s.whitted().environment.skybox->faces) : Json()},
-            {"needs", needs(s, settings)},
+            {"background", look.background},
+            {"skybox", look.skybox},
+            {"needs", look.needs},
             {"memory_bytes", memory_bytes(s)},
             {"diagnostics", diagnostics(loaded.diagnostics)}};
 }

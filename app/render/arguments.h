@@ -26,6 +26,6 @@ void declare_render_options(Options& options, RenderArguments& a);
 
 /// Overrides the scene's own settings by those of the command line. Returns the reason why the
 /// image cannot be had, or nothing.
-std::string apply_overrides(const RenderArguments& a, RenderSettings& settings);
+std::string apply_overrides(const RenderArguments& a, const Scene& scene, RenderSettings& settings);
 
 }  // namespace etalon

@@ -68,12 +68,25 @@ std::vector<std::string_view> integrator_options(const RenderArguments& a) {
     return given;
 }
 
+std::vector<std::string_view> integrators_for(const Scene& scene) {
+    std::vector<std::string_view> names;
+    for (const IntegratorType& type : all_integrators()) {
+        if (type.renders(scene)) names.push_back(type.name);
+    }
+    return names;
+}
+
 /// Refuses what the integrator would ignore.
-std::string apply_integrator(const RenderArguments& a, RenderSettings& settings) {
+std::string apply_integrator(const RenderArguments& a, const Scene& scene,
+                             RenderSettings& settings) {
     choose_integrator(a.integrator, settings);
     if (a.max_depth > 0) settings.max_depth = a.max_depth;
     if (a.max_distance > 0) settings.max_distance = a.max_distance;
     const IntegratorType& chosen = *find_integrator(settings.integrator);
+    if (!chosen.renders(scene)) {
+        return fmt::format("--integrator {}: cannot render a {} scene; expected {}", chosen.name,
+                           scene.format, fmt::join(integrators_for(scene), " or "));
+    }
     for (const std::string_view option : integrator_options(a)) {
         if (chosen.obeys(option)) continue;
         std::vector<std::string_view> able;
@@ -102,7 +115,8 @@ std::string check_aovs(const RenderArguments& a, const RenderSettings& settings)
 
 }  // namespace
 
-std::string apply_overrides(const RenderArguments& a, RenderSettings& settings) {
+std::string apply_overrides(const RenderArguments& a, const Scene& scene,
+                            RenderSettings& settings) {
     apply_samples(a, settings);
     if (!a.backend.empty()) settings.backend = a.backend;
     if (!a.filter.empty()) apply_filter(a.filter, settings.filter);
@@ -111,7 +125,7 @@ std::string apply_overrides(const RenderArguments& a, RenderSettings& settings) 
     if (a.target_error > 0 && settings.samples_per_pixel < 1) {
         return "--target-error needs at least one sample per pixel";
     }
-    std::string error = apply_integrator(a, settings);
+    std::string error = apply_integrator(a, scene, settings);
     if (error.empty()) error = check_aovs(a, settings);
     if (error.empty()) error = check_exposure(a);
     if (error.empty()) error = apply_resolution(a.resolution, settings);

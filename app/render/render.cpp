@@ -46,7 +46,7 @@ class Render {
         scene_ = std::move(*loaded.scene);
         settings_ = std::move(loaded.settings);
         stats_.parse = watch_.lap();
-        const std::string error = apply_overrides(a_, settings_);
+        const std::string error = apply_overrides(a_, scene_, settings_);
         if (!error.empty()) return complain(error), exit_usage;
         if (a_.outputs.empty()) a_.outputs = {default_output(a_.scene.path)};
         if (const std::string missing = check_memory(settings_); !missing.empty()) {

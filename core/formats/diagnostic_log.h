@@ -7,13 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/formats/diagnostic.h"
+#include "core/formats/diagnostic_list.h"
 #include "core/formats/locator.h"
 
 namespace etalon {
 
-/// Gathers the diagnostics about one text. Places are byte offsets; what would never be shown is
-/// only counted, so a text that is wrong in a million places costs neither time nor memory.
+/// Gathers the diagnostics about one text. Places are byte offsets.
 class DiagnosticLog {
   public:
     /// `text` must outlive the log. In a strict log warnings are errors.
@@ -34,21 +33,16 @@ class DiagnosticLog {
     }
 
     /// Takes over what was found in another file, one that this one mentions.
-    void append(DiagnosticLog& other);
+    void append(DiagnosticLog& other) { list_.append(other.list_); }
 
     /// Stands for an offset where the message is about the file as a whole.
     static constexpr std::size_t whole_file = std::string_view::npos;
 
-    bool has_errors() const { return has_errors_; }
-    std::vector<Diagnostic> take() { return std::move(diagnostics_); }
+    DiagnosticList& list() { return list_; }
+    bool has_errors() const { return list_.has_errors(); }
+    std::vector<Diagnostic> take() { return list_.take(); }
 
   private:
-    struct Kind {
-        std::string_view name;
-        int kept;
-        std::size_t last;  ///< last of those kept
-    };
-
     template <class... T>
     void add(Severity severity, std::size_t offset, std::string_view kind,
              fmt::format_string<T...> text, T&&... arguments) {
@@ -63,9 +57,7 @@ class DiagnosticLog {
     std::string file_;
     Locator locator_;
     bool strict_;
-    bool has_errors_ = false;
-    std::vector<Kind> kinds_;
-    std::vector<Diagnostic> diagnostics_;
+    DiagnosticList list_;
 };
 
 /// A word of a file as a message can carry it: in quotes, without bytes that are not printable

@@ -14,6 +14,7 @@
 #include "core/formats/nearest_name.h"
 #include "core/formats/nff/nff.h"
 #include "core/formats/p3f/p3f.h"
+#include "core/formats/pbrt/load_pbrt.h"
 #include "core/formats/prt/prt.h"
 #include "core/formats/sce/sce.h"
 
@@ -37,7 +38,7 @@ struct Format {
 constexpr std::array formats = {
     Format{"sce", "an SCE scene", is_sce, load_sce, true},
     Format{"pbrt-v4", "a PBRT scene of version 4", is_pbrt_v4, nullptr},
-    Format{"pbrt", "a PBRT scene", is_pbrt, nullptr},
+    Format{"pbrt", "a PBRT scene", is_pbrt, load_pbrt},
     Format{"p3f", "a P3F scene", is_p3f, load_p3f, true},
     Format{"prt", "a PRT scene", is_prt, load_prt, true},
     Format{"nff", "an NFF scene", is_nff, load_nff},

@@ -8,7 +8,7 @@ namespace etalon {
 enum class NumberStatus : std::uint8_t { ok, malformed, out_of_range };
 
 struct ScannedNumber {
-    const char* end;  ///< behind the number; of no meaning unless ok
+    const char* end;  ///< behind the number; of no meaning if malformed
     NumberStatus status;
 };
 

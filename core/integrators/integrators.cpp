@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/integrators/ao/ambient_occlusion.h"
+#include "core/integrators/path/path.h"
 #include "core/integrators/whitted/whitted.h"
 
 namespace etalon {
@@ -16,13 +17,16 @@ std::unique_ptr<Integrator> make(const Scene& scene, const BatchIntersector& int
 }
 
 constexpr std::string_view whitted_options[] = {"--max-depth", "--spd"};
+constexpr std::string_view path_options[] = {"--max-depth"};
 constexpr std::string_view ao_options[] = {"--max-distance"};
 
 constexpr IntegratorType integrators[] = {
     {"whitted", "lights, mirrors and glass by the rules of the scene's format", whitted_options,
-     make<Whitted>},
+     make<Whitted>, true, false},
+    {"path", "light over any number of bounces, by physical rules", path_options, make<PathTracer>,
+     false, true},
     {"ao", "ambient occlusion: the share of directions in which nothing is near", ao_options,
-     make<AmbientOcclusion>},
+     make<AmbientOcclusion>, true, true},
 };
 
 }  // namespace

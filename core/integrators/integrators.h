@@ -21,13 +21,19 @@ struct IntegratorType {
     /// The render settings that only some integrators obey, and this one does, as the command line
     /// spells them. Others are refused with it.
     std::span<const std::string_view> options;
-    /// Scene and intersector must outlive the integrator. `problems` gets the reasons why parts of
-    /// the scene are replaced: a skybox that cannot be read by the background's colour.
+    /// Scene, one that it renders(), and intersector must outlive the integrator. `problems` gets
+    /// the reasons why parts of the scene are replaced: a skybox that cannot be read by the
+    /// background's colour.
     std::unique_ptr<Integrator> (*make)(const Scene& scene, const BatchIntersector& intersector,
                                         const RenderSettings& settings,
                                         std::vector<std::string>& problems);
 
+    bool renders_whitted, renders_physical;  ///< scenes of these looks
+
     bool obeys(std::string_view option) const;
+    bool renders(const Scene& scene) const {
+        return scene.is_physical() ? renders_physical : renders_whitted;
+    }
 };
 
 /// Returns all integrators, in the order of help texts. CONTRIBUTING.md lists what a new one takes.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <utility>
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -46,6 +47,23 @@ struct LargePages {
   private:
     static std::align_val_t alignment(std::size_t count) {
         return std::align_val_t(count * sizeof(T) < large_page ? alignof(T) : large_page);
+    }
+};
+
+/// The same for what is filled later: elements without a value are left as the memory was.
+template <class T>
+struct UninitializedLargePages : LargePages<T> {
+    UninitializedLargePages() = default;
+    template <class U>
+    UninitializedLargePages(const UninitializedLargePages<U>&) {}
+
+    template <class U>
+    void construct(U* element) {
+        ::new (static_cast<void*>(element)) U;
+    }
+    template <class U, class... V>
+    void construct(U* element, V&&... values) {
+        ::new (static_cast<void*>(element)) U(std::forward<V>(values)...);
     }
 };
 

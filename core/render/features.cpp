@@ -6,6 +6,7 @@
 #include "core/intersect/kernels.h"
 #include "core/render/camera_sampler.h"
 #include "core/render/tiles.h"
+#include "core/shading/physical_shading.h"
 #include "core/shading/surface_interaction.h"
 
 namespace etalon {
@@ -42,6 +43,27 @@ Color albedo_of(const Material& m) {
     return {share(sum.x), share(sum.y), share(sum.z)};
 }
 
+/// The albedo of surfaces by either look.
+class Albedo {
+  public:
+    explicit Albedo(const Scene& scene) : scene_(scene) {
+        std::vector<std::string> problems;  // told of the image itself
+        if (scene.is_physical()) physical_.emplace(scene, problems);
+    }
+
+    Color at(const Ray& ray, const Hit& hit, const SurfaceInteraction& surface) const {
+        if (!physical_) return albedo_of(*surface.material);
+        const Bsdf bsdf = physical_->scattering(physical_surface(scene_, ray, hit));
+        const Color albedo = bsdf.albedo(-normalized(ray.direction));
+        const auto share = [](float x) { return std::clamp(x, 0.0F, 1.0F); };
+        return {share(albedo.x), share(albedo.y), share(albedo.z)};
+    }
+
+  private:
+    const Scene& scene_;
+    std::optional<PhysicalShading> physical_;
+};
+
 }  // namespace
 
 std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector& intersector,
@@ -51,11 +73,12 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
     const Imath::Box2i window = rays.sampled(settings.window());
     const int samples = std::clamp(settings.samples_per_pixel, 1, most_samples);
     SurfaceMeans means{Film(window), Film(window)};
+    const Albedo albedo(scene);
     const auto add = [&](int x, int y, const Ray& ray) {
         const std::optional<Hit> hit = intersector.closest(ray);
         if (!hit) return means.albedo.add(x, y, Color(0)), means.normal.add(x, y, Color(0));
         const SurfaceInteraction at = surface_interaction(scene, ray, *hit);
-        means.albedo.add(x, y, albedo_of(*at.material));
+        means.albedo.add(x, y, albedo.at(ray, *hit, at));
         means.normal.add(x, y, Color(at.ns));
     };
     const bool complete = visit_pixels(window, stop, [&](int x, int y, std::size_t) {

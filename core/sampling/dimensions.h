@@ -18,6 +18,10 @@ enum PathDimension : std::uint32_t {
     other_side_ray = 1,              ///< name of the next ray, through the surface
     first_light = 2,                 ///< point on a light; light i has first_light + i
     occlusion_direction = 1U << 31,  ///< above all lights
+    light_and_lobe,                  ///< which light is asked, and which lobe scatters
+    light_point,                     ///< point of that light
+    scattered_direction,             ///< direction of that lobe
+    survival,                        ///< whether the path goes on
 };
 
 /// The name of a camera's ray.
@@ -33,6 +37,11 @@ inline std::uint32_t light_dimension(std::uint32_t ray, std::size_t light) {
 
 inline std::uint32_t occlusion_dimension(std::uint32_t ray) {
     return hash(ray, occlusion_direction);
+}
+
+/// A choice at a vertex of which there is one.
+inline std::uint32_t vertex_dimension(std::uint32_t ray, PathDimension choice) {
+    return hash(ray, choice);
 }
 
 /// The choices of a ray set, which are dimensions of samples of its own.

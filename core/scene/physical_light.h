@@ -21,6 +21,15 @@ struct SpotSource {
     double cos_total, cos_falloff;  ///< nothing beyond the first angle, all within the second
 };
 
+/// A point whose intensity varies with the direction as an image says: see InfiniteSource, but with
+/// y and z of the light's space exchanged.
+struct GoniometricSource {
+    Vec3 position;
+    Color intensity;
+    std::string image;
+    Affine to_light;  ///< from the world's directions to the light's
+};
+
 /// Light from one direction at infinity.
 struct DistantSource {
     Vec3 direction;  ///< unit vector towards the light
@@ -42,7 +51,7 @@ struct AreaSource {
     bool two_sided;
 };
 
-using PhysicalLight =
-    std::variant<PointSource, SpotSource, DistantSource, InfiniteSource, AreaSource>;
+using PhysicalLight = std::variant<PointSource, SpotSource, GoniometricSource, DistantSource,
+                                   InfiniteSource, AreaSource>;
 
 }  // namespace etalon

@@ -14,8 +14,8 @@ namespace etalon {
 /// `material` is the number of its binding.
 struct SurfaceBinding {
     std::uint32_t material = 0;      ///< number among the look's materials
-    bool flipped = false;            ///< the format's normal is the opposite of the shape's
-    bool flips_shading = false;      ///< and that of normals at the corners
+    bool flipped = false;            ///< the format's normals are opposite to the shape's
+    bool corner_normals = false;     ///< the front is the side of the normals at the corners
     std::uint32_t light = no_index;  ///< number of the light that the first primitive is
     std::uint32_t first = 0;         ///< number of the first primitive, where they are lights
     /// Offset of the coordinates of triangles that have some at their corners: those of vertex v

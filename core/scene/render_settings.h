@@ -58,6 +58,9 @@ struct RenderSettings {
     std::string integrator = "whitted";  ///< a name of core/integrators/integrators.h
     int max_depth = 5;                   ///< maximum path length, including the camera ray
     double max_distance = infinity;      ///< range of occluders, for ambient occlusion
+    bool direct_lighting = false;        ///< light from lights alone, and in mirrors and glass
+    /// What a path must expect to carry lest it may be ended by chance.
+    float roulette_threshold = 1;
     WhittedRules whitted;
 
     std::string backend;  ///< name of the intersection backend; empty: the program's default

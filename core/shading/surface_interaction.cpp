@@ -7,7 +7,8 @@ namespace etalon {
 SurfaceInteraction surface_interaction(const Scene& scene, const Ray& ray, const Hit& hit) {
     SurfaceInteraction at{surface_at(scene.geometry, ray, hit), nullptr, false, Vec3(0), Vec3(0)};
     const SurfacePoint& p = at.surface;
-    at.material = &scene.whitted().materials[p.material];
+    const auto* const look = std::get_if<WhittedLook>(&scene.look);
+    at.material = look ? &look->materials[p.material] : nullptr;
     at.entering = ray.direction.dot(p.normal) < 0;
     at.ng = at.entering ? p.normal : -p.normal;
     // Where an interpolated normal turns away from the ray it is still the surface's other side

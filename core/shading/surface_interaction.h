@@ -9,7 +9,7 @@ namespace etalon {
 /// A hit seen from where the ray came.
 struct SurfaceInteraction {
     SurfacePoint surface;
-    const Material* material;  ///< in the scene's look
+    const Material* material;  ///< in the scene's look; null if that is a physical one
     bool entering;             ///< the ray came from in front of the surface
     Vec3 ng;                   ///< geometric normal, on the ray's side
     Vec3 ns;                   ///< shading normal, on the same side of the surface as `ng`

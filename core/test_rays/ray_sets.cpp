@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/intersect/kernels.h"
+#include "core/light/lights.h"
 #include "core/render/camera_rays.h"
 #include "core/render/tiles.h"
 #include "core/sampling/dimensions.h"
@@ -73,18 +74,11 @@ class RaySetMaker {
 
     RaySet shadow() const {
         RaySet set{"shadow", true, {}};
-        if (scene_.whitted().lights.empty()) return set;
-        for_each_hit([&](const SurfacePoint& p, const Vec3&, const SampleSource& sample) {
-            const Light& light =
-                scene_.whitted().lights[set.rays.size() % scene_.whitted().lights.size()];
-            const LightSamples points(light, 1);
-            const Vec3 target =
-                points.is_random()
-                    ? points.position(sample.stratified(shadow_dimension, 0, points.count()))
-                    : points.position(0);
-            set.rays.push_back(spawn_ray_to(p, target));
-            set.rays.back().coherent = true;
-        });
+        if (scene_.is_physical()) {
+            add_rays_to_lights(scene_, set.rays);
+        } else {
+            add_rays_to_lights(scene_.whitted().lights, set.rays);
+        }
         return set;
     }
 
@@ -110,6 +104,32 @@ class RaySetMaker {
     }
 
   private:
+    void add_rays_to_lights(const std::vector<Light>& lights, std::vector<Ray>& rays) const {
+        if (lights.empty()) return;
+        for_each_hit([&](const SurfacePoint& p, const Vec3&, const SampleSource& sample) {
+            const LightSamples points(lights[rays.size() % lights.size()], 1);
+            const Vec3 target =
+                points.is_random()
+                    ? points.position(sample.stratified(shadow_dimension, 0, points.count()))
+                    : points.position(0);
+            rays.push_back(spawn_ray_to(p, target));
+            rays.back().coherent = true;
+        });
+    }
+
+    void add_rays_to_lights(const Scene& scene, std::vector<Ray>& rays) const {
+        std::vector<std::string> problems;  // an image does not change where lights are
+        const Lights lights(scene, problems);
+        if (lights.empty()) return;
+        for_each_hit([&](const SurfacePoint& p, const Vec3&, const SampleSource& sample) {
+            const auto light = static_cast<std::uint32_t>(rays.size() % lights.size());
+            const LightSample s = lights.sample(light, p.position, sample.point(shadow_dimension));
+            const Vec3 up = s.wi == Vec3(0) ? p.normal : s.wi;  // of a light that nobody samples
+            rays.push_back(s.at_infinity ? spawn_ray(p, up) : spawn_ray_to(p, s.target));
+            rays.back().coherent = true;
+        });
+    }
+
     Ray through(const Vec2& pixel) const {
         Ray ray = camera_.ray(pixel, Vec2(0.5));
         ray.coherent = true;

@@ -4,8 +4,8 @@
 
 #include "core/image/io.h"
 #include "core/image/srgb.h"
-#include "core/parallel/parallel.h"
 #include "core/numerics/luminance.h"
+#include "core/parallel/parallel.h"
 
 namespace etalon {
 namespace {

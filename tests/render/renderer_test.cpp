@@ -83,7 +83,7 @@ TEST_CASE("A crop holds the same pixels as the whole", "[render]") {
 }
 
 TEST_CASE("An integrator is found by its name, no two have the same", "[render]") {
-    CHECK(find_integrator("path") == nullptr);
+    CHECK(find_integrator("paths") == nullptr);
     for (const IntegratorType& type : all_integrators()) {
         CHECK(find_integrator(type.name) == &type);
         CHECK_FALSE(type.summary.empty());

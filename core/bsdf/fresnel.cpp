@@ -1,0 +1,38 @@
+#include "core/bsdf/fresnel.h"
+
+namespace etalon {
+
+float dielectric_reflectance(float cos_incident, float eta) {
+    const float relative = cos_incident > 0 ? eta : 1 / eta;
+    const float cos_i = std::min(std::abs(cos_incident), 1.0F);
+    const float sine_squared_t = (1 - cos_i * cos_i) / (relative * relative);
+    if (sine_squared_t >= 1) return 1;
+    const float cos_t = std::sqrt(1 - sine_squared_t);
+    const float parallel = (relative * cos_i - cos_t) / (relative * cos_i + cos_t);
+    const float perpendicular = (cos_i - relative * cos_t) / (cos_i + relative * cos_t);
+    return (parallel * parallel + perpendicular * perpendicular) / 2;
+}
+
+namespace {
+
+/// One channel, as Lagarde 2013 ("Memo on Fresnel equations") gathers the terms.
+float conductor_channel(float cos_i, float eta, float k) {
+    const float cos2 = cos_i * cos_i, sin2 = 1 - cos2;
+    const float t0 = eta * eta - k * k - sin2;
+    const float a2_plus_b2 = std::sqrt(t0 * t0 + 4 * eta * eta * k * k);
+    const float a = std::sqrt(std::max(0.0F, (a2_plus_b2 + t0) / 2));
+    const float t1 = a2_plus_b2 + cos2, t2 = 2 * cos_i * a;
+    const float t3 = cos2 * a2_plus_b2 + sin2 * sin2, t4 = t2 * sin2;
+    const float perpendicular = (t1 - t2) / (t1 + t2);
+    return perpendicular * (1 + (t3 - t4) / (t3 + t4)) / 2;
+}
+
+}  // namespace
+
+Color conductor_reflectance(float cos_incident, const Color& eta, const Color& k) {
+    const float cos_i = std::min(cos_incident, 1.0F);
+    return {conductor_channel(cos_i, eta.x, k.x), conductor_channel(cos_i, eta.y, k.y),
+            conductor_channel(cos_i, eta.z, k.z)};
+}
+
+}  // namespace etalon

@@ -1,0 +1,44 @@
+// Reflectance of smooth borders for unpolarised light.
+#pragma once
+
+#include <variant>
+
+#include "core/numerics/vec.h"
+
+namespace etalon {
+
+/// Fresnel's equations between two dielectrics. `eta` is the index below the surface over the one
+/// above; `cos_incident` is the cosine of the angle to the normal, below 0 for light from below. 1
+/// for total reflection.
+float dielectric_reflectance(float cos_incident, float eta);
+
+/// Fresnel's equations for a conductor of the complex index eta + i k over that above it;
+/// `cos_incident` in [0, 1].
+Color conductor_reflectance(float cos_incident, const Color& eta, const Color& k);
+
+/// Reflects everything.
+struct NoFresnel {
+    Color operator()(float) const { return Color(1); }
+};
+
+struct DielectricFresnel {
+    float eta;  ///< index below over index above
+    Color operator()(float cos_incident) const {
+        return Color(dielectric_reflectance(cos_incident, eta));
+    }
+};
+
+struct ConductorFresnel {
+    Color eta, k;
+    Color operator()(float cos_incident) const {
+        return conductor_reflectance(std::abs(cos_incident), eta, k);
+    }
+};
+
+using Fresnel = std::variant<NoFresnel, DielectricFresnel, ConductorFresnel>;
+
+inline Color reflectance(const Fresnel& fresnel, float cos_incident) {
+    return std::visit([&](const auto& kind) { return kind(cos_incident); }, fresnel);
+}
+
+}  // namespace etalon

@@ -1,0 +1,19 @@
+// What every lobe of a BSDF offers. Directions are local, with the shading normal as z.
+//
+// All: `kind`; `albedo(wo)`, an estimate of the part of light from `wo` that it scatters, never 0
+// where it scatters any; `scale(by)`, which multiplies it.
+// A smooth lobe: `evaluate(wo, wi)`, whose value answers for any two directions, though only the
+// lobes of the side that `wi` lies on by the geometric normal are asked; `sample(wo, uv)`, a
+// direction with the density that `evaluate` says, or none.
+// A specular lobe: `sample(wo, choice)`.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace etalon {
+
+/// The side to which a smooth lobe scatters, or that a lobe is specular, which knows its side.
+enum class LobeKind : std::uint8_t { reflection, transmission, specular };
+
+}  // namespace etalon

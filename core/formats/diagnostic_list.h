@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "core/formats/diagnostic.h"
+
+namespace etalon {
+
+/// Diagnostics in the order in which they were found. What would never be shown is only counted,
+/// so that what is wrong in a million places costs neither time nor memory.
+class DiagnosticList {
+  public:
+    /// Returns a new diagnostic without place and message, or null if there are enough of the
+    /// kind. It is valid until the next call.
+    Diagnostic* admit(Severity severity, std::string_view kind);
+
+    /// Whether further ones of the kind are only counted.
+    bool is_full(std::string_view kind) const;
+
+    /// Takes over another list.
+    void append(DiagnosticList& other);
+
+    bool has_errors() const { return has_errors_; }
+    std::vector<Diagnostic> take() { return std::move(diagnostics_); }
+
+  private:
+    struct Kind {
+        std::string_view name;
+        int kept;
+        std::size_t last;  ///< last of those kept
+    };
+
+    bool has_errors_ = false;
+    std::vector<Kind> kinds_;
+    std::vector<Diagnostic> diagnostics_;
+};
+
+}  // namespace etalon

@@ -1,0 +1,42 @@
+#include "core/formats/pbrt/build/scene_builder.h"
+
+namespace etalon::pbrt {
+
+ColorSlot SceneBuilder::color(const Parameters& p, std::string_view name) {
+    if (const auto texture = p.texture(name)) return {p.color(name), texture_numbers[*texture]};
+    return {p.color(name)};
+}
+
+NumberSlot SceneBuilder::number(const Parameters& p, std::string_view name) {
+    if (const auto texture = p.texture(name)) return {p.number(name), texture_numbers[*texture]};
+    return {p.number(name)};
+}
+
+std::optional<Affine> SceneBuilder::affine(std::uint32_t transform, const Place& place) {
+    const Matrix4& m = frame.transforms[transform];
+    if (is_affine(m) && affine_part(m).determinant() != 0) return affine_part(m);
+    warn(place, "transform", "left out: its transform is {}",
+         is_affine(m) ? "singular" : "a projection");
+    return std::nullopt;
+}
+
+Affine affine_part(const Matrix4& m) {
+    const auto column = [&](std::size_t k) { return Vec3(m[0][k], m[1][k], m[2][k]); };
+    return {column(0), column(1), column(2), column(3)};
+}
+
+Affine inverse(const Affine& map) {
+    const double d = map.determinant();
+    const Vec3 a = map.y.cross(map.z) / d, b = map.z.cross(map.x) / d, c = map.x.cross(map.y) / d;
+    Affine result{{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}, Vec3(0)};
+    result.origin = -result.vector(map.origin);
+    return result;
+}
+
+void warn_of_stand_in(SceneBuilder& b, const Plugin& plugin) {
+    if (plugin.type->stand_in.empty()) return;
+    b.warn(plugin.where, "stand-in", "{} \"{}\" is not rendered yet; {} stands in for it",
+           to_string(plugin.type->category), plugin.type->name, plugin.type->stand_in);
+}
+
+}  // namespace etalon::pbrt

@@ -1,0 +1,67 @@
+// A frame of a PBRT file on its way to a scene: what the parts of the builder have in common.
+#pragma once
+
+#include <fmt/core.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/formats/diagnostic_list.h"
+#include "core/formats/load.h"
+#include "core/formats/pbrt/frame.h"
+#include "core/formats/pbrt/parse.h"
+#include "core/numerics/affine.h"
+
+namespace etalon::pbrt {
+
+struct SceneBuilder {
+    const ParsedFile& file;
+    const Frame& frame;
+    bool strict;
+    LoadResult& result;  ///< with a scene of a physical look
+
+    DiagnosticList log{};                          ///< of what is found while building
+    std::vector<std::uint32_t> texture_numbers{};  ///< of the frame's textures among their kind's
+
+    Scene& scene() { return *result.scene; }
+    PhysicalLook& look() { return result.scene->physical(); }
+    Geometry& geometry() { return result.scene->geometry; }
+
+    /// A complaint about a statement: what is left out, or what stands in for it.
+    template <class... T>
+    void warn(const Place& place, std::string_view kind, fmt::format_string<T...> text,
+              T&&... arguments) {
+        Diagnostic* const d = log.admit(strict ? Severity::error : Severity::warning, kind);
+        if (!d) return;
+        d->file = file.files[place.file];
+        d->line = place.line;
+        d->column = place.column;
+        d->message = fmt::format(text, std::forward<T>(arguments)...);
+    }
+
+    /// The value of a parameter, or the texture that is bound to it.
+    ColorSlot color(const Parameters& p, std::string_view name);
+    NumberSlot number(const Parameters& p, std::string_view name);
+
+    /// The map of a transform; nothing, and a warning, where points would not stay points.
+    std::optional<Affine> affine(std::uint32_t transform, const Place& place);
+};
+
+/// The affine part of a matrix.
+Affine affine_part(const Matrix4& m);
+
+/// The inverse of a map that is not singular.
+Affine inverse(const Affine& map);
+
+/// What stands in for a plugin that is not rendered yet, said in a warning.
+void warn_of_stand_in(SceneBuilder& b, const Plugin& plugin);
+
+void build_settings(SceneBuilder& b);  ///< film, filter, sampler, integrator
+void build_camera(SceneBuilder& b);    ///< needs the settings' resolution
+void build_textures(SceneBuilder& b);
+void build_materials(SceneBuilder& b);  ///< needs textures
+void build_lights(SceneBuilder& b);
+void build_shapes(SceneBuilder& b);  ///< needs materials
+
+}  // namespace etalon::pbrt

@@ -1,0 +1,109 @@
+// Film, sampler and integrator of a frame.
+#include "core/formats/pbrt/build/scene_builder.h"
+
+namespace etalon::pbrt {
+namespace {
+
+/// The largest image that can be asked for, as on the command line.
+constexpr int most_pixels = 65536;
+
+void build_film(SceneBuilder& b) {
+    const Plugin& film = b.frame.film;
+    const Parameters& p = film.parameters;
+    RenderSettings& to = b.result.settings;
+    to.resolution = {p.integer("xresolution"), p.integer("yresolution")};
+    for (int k = 0; k < 2; ++k) {
+        if (to.resolution[k] >= 1 && to.resolution[k] <= most_pixels) continue;
+        b.warn(film.where, "film", "resolution {}: expected 1 to {}; taken as 256",
+               to.resolution[k], most_pixels);
+        to.resolution[k] = 256;
+    }
+    to.film_scale = p.number("scale");
+    to.max_sample_luminance = p.number("maxsampleluminance");
+    const std::span<const float> crop = p.numbers("cropwindow");
+    if (!p.is_given("cropwindow") || crop.size() != 4) return;
+    const auto place = [](float part, int size) {
+        return static_cast<int>(std::ceil(static_cast<float>(size) * std::clamp(part, 0.0F, 1.0F)));
+    };
+    const Imath::V2i& size = to.resolution;
+    const Imath::Box2i window(
+        {place(std::min(crop[0], crop[1]), size.x), place(std::min(crop[2], crop[3]), size.y)},
+        {place(std::max(crop[0], crop[1]), size.x) - 1,
+         place(std::max(crop[2], crop[3]), size.y) - 1});
+    if (window.isEmpty()) {
+        b.warn(film.where, "film", "cropwindow left out: it has no pixels");
+    } else {
+        to.crop = window;
+    }
+}
+
+void build_filter(SceneBuilder& b) {
+    const Plugin& plugin = b.frame.filter;
+    const Parameters& p = plugin.parameters;
+    PixelFilter& filter = b.result.settings.filter;
+    filter.kind = std::ranges::find(filter_list, plugin.type->name, &FilterType::name)->kind;
+    const auto given = [&](std::string_view name, double& value) {
+        if (plugin.type->find(name) != nullptr) value = p.number(name);
+    };
+    given("xwidth", filter.radius.x);
+    given("ywidth", filter.radius.y);
+    given("alpha", filter.alpha);
+    given("B", filter.b);
+    given("C", filter.c);
+    given("tau", filter.tau);
+    for (int k = 0; k < 2; ++k) {
+        double& radius = filter.radius[k];
+        if (radius > 0 && radius <= max_filter_radius) continue;
+        b.warn(plugin.where, "filter",
+               "width {}: expected a number above 0, at most {}; taken as {}", radius,
+               max_filter_radius, 0.5);
+        radius = 0.5;
+    }
+}
+
+void build_sampler(SceneBuilder& b) {
+    const Plugin& sampler = b.frame.sampler;
+    const Parameters& p = sampler.parameters;
+    const bool stratified = sampler.type->name == "stratified";
+    const std::int64_t samples = stratified
+                                     ? std::int64_t{p.integer("xsamples")} * p.integer("ysamples")
+                                     : p.integer("pixelsamples");
+    constexpr std::int64_t most = 1 << 24;
+    b.result.settings.samples_per_pixel =
+        static_cast<int>(std::clamp<std::int64_t>(samples, 1, most));
+    if (sampler.type->name == "random") b.result.settings.sampler = Sampler::random;
+}
+
+/// The integrators that see no light from surfaces other than lights, but in mirrors and glass.
+bool is_direct(std::string_view name) {
+    return name == "directlighting" || name == "whitted";
+}
+
+void build_integrator(SceneBuilder& b) {
+    const Plugin& integrator = b.frame.integrator;
+    const Parameters& p = integrator.parameters;
+    RenderSettings& to = b.result.settings;
+    const std::string_view name = integrator.type->name;
+    if (name == "ambientocclusion") {
+        to.integrator = "ao";
+        return;
+    }
+    warn_of_stand_in(b, integrator);
+    to.integrator = "path";
+    to.direct_lighting = is_direct(name);
+    to.max_depth = std::clamp(p.integer("maxdepth"), 0, 1 << 20) + 1;
+    if (integrator.type->find("rrthreshold") != nullptr) {
+        to.roulette_threshold = p.number("rrthreshold");
+    }
+}
+
+}  // namespace
+
+void build_settings(SceneBuilder& b) {
+    build_film(b);
+    build_filter(b);
+    build_sampler(b);
+    build_integrator(b);
+}
+
+}  // namespace etalon::pbrt

@@ -1,0 +1,155 @@
+// Textures of a frame, each by one line of a table, for numbers and for colours.
+#include <array>
+#include <filesystem>
+
+#include "core/formats/pbrt/build/scene_builder.h"
+
+namespace etalon::pbrt {
+namespace {
+
+/// What the functions below are made for once for each type of value.
+template <class T>
+struct Values {
+    static etalon::Slot<T> slot(SceneBuilder& b, const Parameters& p, std::string_view name) {
+        if constexpr (std::is_same_v<T, float>) {
+            return b.number(p, name);
+        } else {
+            return b.color(p, name);
+        }
+    }
+    static T value(const Parameters& p, std::string_view name) {
+        if constexpr (std::is_same_v<T, float>) {
+            return p.number(name);
+        } else {
+            return p.color(name);
+        }
+    }
+};
+
+Affine to_texture(SceneBuilder& b, const pbrt::Texture& t) {
+    const std::optional<Affine> map = b.affine(t.to_world, t.plugin.where);
+    return map ? inverse(*map) : Affine{};
+}
+
+Mapping mapping(SceneBuilder& b, const pbrt::Texture& t) {
+    const Parameters& p = t.plugin.parameters;
+    const std::string_view name = p.string("mapping");
+    if (name == "spherical") return SphericalMapping{to_texture(b, t)};
+    if (name == "cylindrical") return CylindricalMapping{to_texture(b, t)};
+    if (name == "planar") {
+        return PlanarMapping{Vec3(p.vector("v1")), Vec3(p.vector("v2")), p.number("udelta"),
+                             p.number("vdelta")};
+    }
+    return UvMapping{p.number("uscale"), p.number("vscale"), p.number("udelta"),
+                     p.number("vdelta")};
+}
+
+template <class T>
+etalon::Texture<T> constant(SceneBuilder&, const pbrt::Texture& t) {
+    return ConstantTexture<T>{Values<T>::value(t.plugin.parameters, "value")};
+}
+
+template <class T>
+etalon::Texture<T> scale(SceneBuilder& b, const pbrt::Texture& t) {
+    const Parameters& p = t.plugin.parameters;
+    return ScaleTexture<T>{Values<T>::slot(b, p, "tex1"), Values<T>::slot(b, p, "tex2")};
+}
+
+template <class T>
+etalon::Texture<T> mix(SceneBuilder& b, const pbrt::Texture& t) {
+    const Parameters& p = t.plugin.parameters;
+    return MixTexture<T>{Values<T>::slot(b, p, "tex1"), Values<T>::slot(b, p, "tex2"),
+                         b.number(p, "amount")};
+}
+
+template <class T>
+etalon::Texture<T> bilerp(SceneBuilder& b, const pbrt::Texture& t) {
+    const Parameters& p = t.plugin.parameters;
+    return BilinearTexture<T>{mapping(b, t), Values<T>::value(p, "v00"), Values<T>::value(p, "v01"),
+                              Values<T>::value(p, "v10"), Values<T>::value(p, "v11")};
+}
+
+template <class T>
+etalon::Texture<T> checkerboard(SceneBuilder& b, const pbrt::Texture& t) {
+    const Parameters& p = t.plugin.parameters;
+    const etalon::Slot<T> even = Values<T>::slot(b, p, "tex1"), odd = Values<T>::slot(b, p, "tex2");
+    if (p.integer("dimension") == 3) return Checkerboard3<T>{to_texture(b, t), even, odd};
+    return Checkerboard2<T>{mapping(b, t), even, odd};
+}
+
+template <class T>
+etalon::Texture<T> uv(SceneBuilder& b, const pbrt::Texture& t) {
+    return UvTexture{mapping(b, t)};
+}
+
+Wrap wrap(std::string_view name) {
+    return name == "black" ? Wrap::black : name == "clamp" ? Wrap::clamp : Wrap::repeat;
+}
+
+/// Whether a file's values are those of a display if the scene says nothing of them.
+bool is_display_format(const std::string& file) {
+    const std::string extension = std::filesystem::path(file).extension().string();
+    return extension == ".png" || extension == ".tga" || extension == ".PNG" || extension == ".TGA";
+}
+
+template <class T>
+etalon::Texture<T> image_map(SceneBuilder& b, const pbrt::Texture& t) {
+    const Parameters& p = t.plugin.parameters;
+    const std::string file(p.string("filename"));
+    const bool decode = p.is_given("gamma") ? p.flag("gamma") : is_display_format(file);
+    auto& images = b.look().textures.images;
+    const TextureImage image{file, wrap(p.string("wrap")), decode, p.number("scale")};
+    const auto same = [&](const TextureImage& other) {
+        return other.file == image.file && other.wrap == image.wrap &&
+               other.decode_srgb == image.decode_srgb && other.scale == image.scale;
+    };
+    const auto found = std::ranges::find_if(images, same);
+    const auto number = static_cast<std::uint32_t>(found - images.begin());
+    if (found == images.end()) images.push_back(image);
+    return ImageTexture<T>{mapping(b, t), number};
+}
+
+template <class T>
+struct Entry {
+    std::string_view name;
+    etalon::Texture<T> (*build)(SceneBuilder&, const pbrt::Texture&);
+};
+
+// To add a texture: a function above and a line here.
+template <class T>
+constexpr std::array entries = {
+    Entry<T>{"constant", constant<T>},
+    Entry<T>{"scale", scale<T>},
+    Entry<T>{"mix", mix<T>},
+    Entry<T>{"bilerp", bilerp<T>},
+    Entry<T>{"imagemap", image_map<T>},
+    Entry<T>{"checkerboard", checkerboard<T>},
+    Entry<T>{"uv", uv<T>},
+};
+
+template <class T>
+etalon::Texture<T> build(SceneBuilder& b, const pbrt::Texture& t) {
+    const auto* const entry = std::ranges::find(entries<T>, t.plugin.type->name, &Entry<T>::name);
+    if (entry != entries<T>.end()) return entry->build(b, t);
+    warn_of_stand_in(b, t.plugin);
+    return ConstantTexture<T>{T(1.0F)};
+}
+
+template <class T>
+std::uint32_t append(std::vector<T>& list, T&& value) {
+    list.push_back(std::forward<T>(value));
+    return static_cast<std::uint32_t>(list.size() - 1);
+}
+
+}  // namespace
+
+void build_textures(SceneBuilder& b) {
+    Textures& textures = b.look().textures;
+    for (const pbrt::Texture& t : b.frame.textures) {
+        const bool is_number = t.plugin.type->category == Category::float_texture;
+        b.texture_numbers.push_back(is_number ? append(textures.numbers, build<float>(b, t))
+                                              : append(textures.colors, build<Color>(b, t)));
+    }
+}
+
+}  // namespace etalon::pbrt

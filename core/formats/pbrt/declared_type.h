@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/formats/pbrt/plugin_type.h"
+
+namespace etalon::pbrt {
+
+/// How the numbers or strings of a parameter become values.
+enum class Encoding : std::uint8_t { plain, flags, texture_name, xyz, blackbody, spectrum };
+
+/// What the type word of a parameter says.
+struct DeclaredType {
+    std::string_view word;
+    ValueType type;
+    Encoding encoding = Encoding::plain;
+    int numbers = 1;  ///< numbers that make one value; 0: all that there are
+
+    bool takes_strings() const { return type == ValueType::string || encoding == Encoding::flags; }
+};
+
+/// Returns nothing if there is no such type.
+const DeclaredType* find_declared_type(std::string_view word);
+
+struct Declaration {
+    std::string_view type, name;  ///< empty where missing
+};
+
+/// Splits "type name" at its blanks.
+Declaration split_declaration(std::string_view text);
+
+/// Returns the words that pbrt-v3 takes for types.
+std::string_view declared_type_words();
+
+}  // namespace etalon::pbrt

@@ -1,0 +1,103 @@
+// A frame of a PBRT v3 file: what lies between two WorldEnd statements, all names resolved. It is
+// what the file says, neither geometry nor scene.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/formats/pbrt/matrix4.h"
+#include "core/formats/pbrt/parameters.h"
+
+namespace etalon::pbrt {
+
+inline constexpr std::uint32_t none = 0xFFFFFFFFU;  ///< number of nothing
+
+/// Numbers, in Frame::transforms, of a transform at the two times of TransformTimes.
+struct TransformPair {
+    std::uint32_t start = 0, end = 0;
+
+    bool is_animated() const { return start != end; }
+    bool operator==(const TransformPair&) const = default;
+};
+
+/// A texture: its category tells float from spectrum.
+struct Texture {
+    Plugin plugin;
+    std::uint32_t to_world;  ///< number in Frame::transforms, for 3-D mappings
+};
+
+/// A material with the values that a shape may have given in place of its own.
+struct Material {
+    Plugin plugin;
+    std::array<std::uint32_t, 2> mixed = {none, none};  ///< materials of a "mix"
+};
+
+struct MediumInterface {
+    std::uint32_t inside = none, outside = none;  ///< numbers in Frame::media
+
+    bool operator==(const MediumInterface&) const = default;
+};
+
+struct Light {
+    Plugin plugin;
+    std::uint32_t to_world;       ///< number in Frame::transforms
+    std::uint32_t medium = none;  ///< number of the medium around it
+};
+
+struct Medium {
+    std::string name;
+    Plugin plugin;
+    std::uint32_t to_world;  ///< number in Frame::transforms
+};
+
+struct Shape {
+    Plugin plugin;
+    TransformPair to_world;
+    std::uint32_t material;           ///< "none" is a material too
+    std::uint32_t area_light = none;  ///< number in Frame::area_lights
+    MediumInterface media;
+    bool reverse_orientation = false;
+};
+
+/// Shapes that are seen only where instances put them. Their transforms are applied before the
+/// instance's.
+struct Object {
+    std::string name;  ///< not unique: a later object may have taken the name over
+    std::vector<Shape> shapes;
+};
+
+struct Instance {
+    std::uint32_t object;
+    TransformPair to_world;
+    Place where;
+};
+
+struct CameraTransform {
+    Matrix4 to_world, from_world;  ///< inverse of each other
+};
+
+struct Frame {
+    Plugin camera, sampler, film, filter, integrator, accelerator;  ///< defaults where absent
+    std::array<CameraTransform, 2> camera_transforms{};             ///< at the start and end time
+    std::uint32_t camera_medium = none;
+    std::array<double, 2> transform_times = {0, 1};
+
+    /// Transforms of the world block, each finite but not always invertible; 0 is the identity.
+    std::vector<Matrix4> transforms = {Matrix4{}};
+    std::vector<Texture> textures{};
+    std::vector<Material> materials{};  ///< no two are equal
+    std::vector<Light> lights{};
+    std::vector<Plugin> area_lights{};
+    std::vector<Medium> media{};
+    std::vector<Shape> shapes{};
+    std::vector<Object> objects{};
+    std::vector<Instance> instances{};
+    bool has_media = false;  ///< whether a MediumInterface statement was read
+
+    /// A frame of default options and an empty world.
+    Frame();
+};
+
+}  // namespace etalon::pbrt

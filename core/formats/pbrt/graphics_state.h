@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/formats/pbrt/frame.h"
+#include "core/formats/pbrt/parameter_list.h"
+
+namespace etalon::pbrt {
+
+/// The current transformation at both times, and the numbers it has in the frame once it was used.
+struct TransformState {
+    std::array<Matrix4, 2> matrices{};
+    std::optional<TransformPair> numbers{};
+
+    bool is_animated() const { return matrices[0] != matrices[1]; }
+};
+
+/// A material as it was stated, so that a shape can state it anew with values of its own.
+struct StatedMaterial {
+    const PluginType* type;
+    ParameterList parameters;
+    std::uint32_t number;  ///< of the material as stated
+    Place where;
+};
+
+/// What AttributeBegin saves and AttributeEnd brings back, but for the transformation.
+struct GraphicsState {
+    std::shared_ptr<const StatedMaterial> material;
+    std::uint32_t area_light = none;
+    std::shared_ptr<const std::array<std::string, 2>> media;  ///< inside, outside; null: no names
+    bool reverse_orientation = false;
+};
+
+/// What TransformBegin saves and TransformEnd brings back. The matrices are never changed in place.
+struct TransformScope {
+    std::shared_ptr<TransformState> current = std::make_shared<TransformState>();
+    std::array<bool, 2> active = {true, true};
+};
+
+}  // namespace etalon::pbrt

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace etalon::pbrt {
+
+enum class TokenKind : std::uint8_t {
+    end,
+    word,  ///< directive or number
+    string,
+    open,
+    close,
+    malformed,  ///< string that is none; the text says why
+};
+
+struct Token {
+    TokenKind kind;
+    std::string_view text;  ///< of a string what is between the quotes, escapes resolved
+    std::size_t offset;     ///< bytes before it
+};
+
+/// Returns a token as a message names it: "'x'", "the end of the file".
+std::string describe(const Token& token);
+
+/// Tokens of one text, which must outlive the lexer. A token is valid until the next call.
+class Lexer {
+  public:
+    explicit Lexer(std::string_view text)
+        : first_(text.data()), cursor_(first_), last_(first_ + text.size()) {}
+
+    Token next();
+
+    /// Appends the numbers that follow, up to the first token that is not simply a finite number.
+    void take_numbers(std::vector<float>& values);
+    void take_numbers(std::vector<std::int32_t>& values);
+
+  private:
+    std::size_t offset() const { return static_cast<std::size_t>(cursor_ - first_); }
+    void skip_blanks();
+    Token string();
+    Token malformed(const char* start, std::string_view why);
+
+    template <class T, class Scan>
+    void take(std::vector<T>& values, Scan scan);
+
+    const char *first_, *cursor_, *last_;
+    std::string unescaped_;  ///< text of the last string with escapes
+};
+
+}  // namespace etalon::pbrt

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <fmt/core.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/formats/diagnostic_list.h"
+#include "core/formats/pbrt/place.h"
+
+namespace etalon::pbrt {
+
+/// Gathers the diagnostics about a file and all that it includes.
+class Log {
+  public:
+    /// In a strict log warnings are errors.
+    explicit Log(bool strict) : strict_(strict) {}
+
+    /// Returns the number that stands for a file in places.
+    std::uint32_t add_file(const std::string& name);
+
+    template <class... T>
+    void warn(Place place, std::string_view kind, fmt::format_string<T...> text, T&&... values) {
+        add(strict_ ? Severity::error : Severity::warning, place, kind, text,
+            std::forward<T>(values)...);
+    }
+
+    template <class... T>
+    void error(Place place, std::string_view kind, fmt::format_string<T...> text, T&&... values) {
+        add(Severity::error, place, kind, text, std::forward<T>(values)...);
+    }
+
+    /// An error at which pbrt-v3 stops.
+    template <class... T>
+    void fatal(Place place, std::string_view kind, fmt::format_string<T...> text, T&&... values) {
+        is_fatal_ = true;
+        error(place, kind, text, std::forward<T>(values)...);
+    }
+
+    /// Returns the text that `make` makes, which may cost something, where a message of the kind
+    /// would be shown; else an empty one.
+    template <class Make>
+    std::string hint(std::string_view kind, Make make) const {
+        return list_.is_full(kind) ? std::string() : make();
+    }
+
+    /// Takes over what was found in a file that is not PBRT.
+    void append(DiagnosticList& other) { list_.append(other); }
+
+    bool is_strict() const { return strict_; }
+    bool is_fatal() const { return is_fatal_; }
+    std::vector<Diagnostic> take() { return list_.take(); }
+    std::vector<std::string> take_files() { return std::move(files_); }
+
+  private:
+    template <class... T>
+    void add(Severity severity, Place place, std::string_view kind, fmt::format_string<T...> text,
+             T&&... values) {
+        if (Diagnostic* d = list_.admit(severity, kind)) {
+            d->file = files_[place.file];
+            d->line = place.line;
+            d->column = place.column;
+            d->message = fmt::format(text, std::forward<T>(values)...);
+        }
+    }
+
+    DiagnosticList list_;
+    std::vector<std::string> files_;
+    bool strict_;
+    bool is_fatal_ = false;
+};
+
+}  // namespace etalon::pbrt

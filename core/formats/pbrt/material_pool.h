@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "core/formats/pbrt/frame.h"
+
+namespace etalon::pbrt {
+
+/// Adds materials to a frame, equal ones once.
+class MaterialPool {
+  public:
+    /// Returns the number of the material in `materials`, which is always the same vector.
+    std::uint32_t add(Material material, std::vector<Material>& materials);
+
+  private:
+    std::unordered_multimap<std::size_t, std::uint32_t> numbers_;  ///< by hash
+};
+
+}  // namespace etalon::pbrt

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/formats/pbrt/place.h"
+#include "core/formats/pbrt/plugin_type.h"
+
+namespace etalon::pbrt {
+
+/// A parameter as a file gives it, before it is known what it is for. Colours of every kind are
+/// RGB.
+struct GivenParameter {
+    std::string name;
+    ValueType type;           ///< never `file`
+    bool is_texture = false;  ///< the value is a texture's name
+    bool is_used = false;
+    std::variant<std::vector<float>, std::vector<std::int32_t>, std::vector<std::string>> values{};
+    Place where{};
+    Place not_finite{};  ///< place of the first number that is infinite or none; line 0: all are
+
+    /// Number of values: points, not coordinates.
+    std::size_t count() const;
+
+    /// Returns the type as written: "float", "texture".
+    std::string_view type_name() const;
+};
+
+/// Parameters of a statement. Of two of the same name and type the later one is kept.
+struct ParameterList {
+    std::vector<GivenParameter> parameters;
+
+    GivenParameter* find(std::string_view name, ValueType type);
+    GivenParameter* find_texture(std::string_view name);
+
+    /// Adds a parameter, in place of an earlier one. Returns whether there was one.
+    bool add(GivenParameter parameter);
+};
+
+}  // namespace etalon::pbrt

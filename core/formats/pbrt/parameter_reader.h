@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/formats/pbrt/declared_type.h"
+#include "core/formats/pbrt/number.h"
+#include "core/formats/pbrt/parameter_list.h"
+#include "core/formats/pbrt/spectrum_files.h"
+#include "core/formats/pbrt/token_stream.h"
+
+namespace etalon::pbrt {
+
+/// Reads the parameters of one statement: "type name" and a value, or values in brackets.
+class ParameterReader {
+  public:
+    ParameterReader(TokenStream& tokens, SpectrumFiles& spectra, Log& log,
+                    std::string_view directive)
+        : tokens_(tokens), spectra_(spectra), log_(log), directive_(directive) {}
+
+    /// Adds the parameter that is next, if it can be used. Returns false at what pbrt-v3 stops at.
+    bool read(ParameterList& list);
+
+  private:
+    bool read_values();
+    bool read_value();
+    bool read_string();
+    bool read_number_word();
+    void add_number(const LooseNumber& number, Place place);
+    bool fail(std::string_view expected);
+
+    /// Converts what was read to the parameter's type; false, said in words, if it cannot be.
+    bool convert();
+    bool convert_strings();
+    bool convert_numbers();
+    void convert_flags();
+    void convert_spectrum_files();
+
+    template <class... T>
+    bool refuse(fmt::format_string<T...> text, T&&... values) {
+        log_.error(given_.where, "type", text, std::forward<T>(values)...);
+        return false;
+    }
+
+    TokenStream& tokens_;
+    SpectrumFiles& spectra_;
+    Log& log_;
+    std::string_view directive_;
+
+    // The parameter being read.
+    const DeclaredType* declared_ = nullptr;
+    GivenParameter given_{};
+    std::vector<float> numbers_;
+    std::vector<std::int32_t> integers_;  ///< in place of numbers_ where these are declared
+    std::vector<std::string> strings_;
+};
+
+/// Warns that the end of a number is ignored.
+void warn_of_extra(const LooseNumber& number, std::string_view word, Place place, Log& log);
+
+}  // namespace etalon::pbrt

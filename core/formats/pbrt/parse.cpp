@@ -1,0 +1,109 @@
+#include "core/formats/pbrt/parse.h"
+
+#include <algorithm>
+
+#include "core/formats/diagnostic_log.h"
+#include "core/formats/nearest_name.h"
+#include "core/formats/pbrt/foreign_words.h"
+#include "core/formats/pbrt/parser.h"
+
+namespace etalon::pbrt {
+namespace {
+
+// Those that are frequent in large scenes come first.
+constexpr std::array directive_tables = {shape_directives, block_directives,  transform_directives,
+                                         look_directives,  medium_directives, option_directives};
+
+std::vector<std::string_view> directive_words() {
+    std::vector<std::string_view> words;
+    for (const auto& table : directive_tables) {
+        for (const Directive& directive : table()) words.push_back(directive.word);
+    }
+    return words;
+}
+
+/// Moves to the next directive.
+void skip_statement(Parser& p) {
+    while (p.tokens.peek().kind != TokenKind::end) {
+        const Token& token = p.tokens.peek();
+        if (token.kind == TokenKind::word && find_directive(token.text)) return;
+        p.tokens.next();
+    }
+}
+
+void reject(Parser& p, const Token& token) {
+    const Place place = p.tokens.place();
+    const std::string_view origin =
+        token.kind == TokenKind::word ? origin_of_directive(token.text) : std::string_view();
+    if (!origin.empty()) {
+        p.log.fatal(place, "version", "{} is of {}; Etalon reads version 3", in_quotes(token.text),
+                    origin);
+    } else {
+        p.log.fatal(
+            place, "syntax", "expected a directive, found {}{}", describe(token),
+            p.log.hint("syntax", [&] { return did_you_mean(token.text, directive_words()); }));
+    }
+}
+
+bool is_allowed(const Directive& directive, Block block) {
+    using enum Directive::Allowed;
+    return directive.allowed == anywhere ||
+           directive.allowed == (block == Block::options ? in_options : in_world);
+}
+
+void read_statement(Parser& p, const Directive& directive) {
+    p.in.begin();
+    if (is_allowed(directive, p.now.block)) {
+        directive.run(p);
+        if (!p.in.ok()) skip_statement(p);
+        return;
+    }
+    p.log.error(p.in.where(), "block", "'{}' is left out: it belongs {} WorldBegin", directive.word,
+                p.now.block == Block::options ? "after" : "before");
+    skip_statement(p);
+}
+
+void read_all(Parser& p) {
+    while (p.tokens.peek().kind != TokenKind::end) {
+        const Token& token = p.tokens.peek();
+        const Directive* const directive =
+            token.kind == TokenKind::word ? find_directive(token.text) : nullptr;
+        if (directive) {
+            read_statement(p, *directive);
+        } else {
+            reject(p, token);
+            skip_statement(p);
+        }
+    }
+}
+
+/// A file that ends before its world, as one does that was cut off, still gives what it has.
+void end_file(Parser& p) {
+    if (p.now.block == Block::world) {
+        p.log.error(p.tokens.place(), "end", "the file ends without WorldEnd");
+        end_frame(p);
+    } else if (p.frames.empty()) {
+        p.log.error(p.tokens.place(), "end", "the file has no WorldBegin: there is nothing to see");
+    }
+}
+
+}  // namespace
+
+const Directive* find_directive(std::string_view word) {
+    for (const auto& table : directive_tables) {
+        const std::span<const Directive> directives = table();
+        const auto found = std::ranges::find(directives, word, &Directive::word);
+        if (found != directives.end()) return &*found;
+    }
+    return nullptr;
+}
+
+ParsedFile parse(std::string_view text, const std::string& path, const ParseOptions& options) {
+    Log log(options.strict);
+    Parser parser(text, path, log);
+    read_all(parser);
+    end_file(parser);
+    return {std::move(parser.frames), log.take_files(), log.take(), log.is_fatal()};
+}
+
+}  // namespace etalon::pbrt

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/formats/diagnostic.h"
+#include "core/formats/pbrt/frame.h"
+
+namespace etalon::pbrt {
+
+struct ParseOptions {
+    bool strict = false;  ///< warnings are errors
+};
+
+struct ParsedFile {
+    std::vector<Frame> frames;
+    std::vector<std::string> files;  ///< names of the files read, for Place
+    std::vector<Diagnostic> diagnostics;
+    bool is_fatal = false;  ///< whether pbrt-v3 stops at one of the errors; it goes on after others
+};
+
+/// Reads PBRT v3, and the files it includes. `path` names the text in diagnostics; files that it
+/// names are looked for in the directory of `path`. Never throws but std::bad_alloc.
+ParsedFile parse(std::string_view text, const std::string& path, const ParseOptions& options = {});
+
+}  // namespace etalon::pbrt

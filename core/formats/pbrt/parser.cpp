@@ -1,0 +1,98 @@
+#include "core/formats/pbrt/parser.h"
+
+#include <fmt/ranges.h>
+
+#include "core/formats/diagnostic_log.h"
+#include "core/formats/nearest_name.h"
+#include "core/formats/pbrt/foreign_words.h"
+
+namespace etalon::pbrt {
+namespace {
+
+std::vector<std::string_view> names_of(Category category) {
+    std::vector<std::string_view> names;
+    for (const PluginType& type : plugin_types(category)) names.push_back(type.name);
+    return names;
+}
+
+/// Says what an unknown plugin may be: of another version, a misspelt one, one of a list.
+std::string explain(Category category, const std::string& name) {
+    if (const auto origin = origin_of_plugin(category, name); !origin.empty()) {
+        return fmt::format(", which is of {}", origin);
+    }
+    const auto names = names_of(category);
+    const std::string near = did_you_mean(name, names);
+    return near.empty() ? fmt::format("; there are: {}", fmt::join(names, " ")) : near;
+}
+
+std::uint32_t add_transform(const Matrix4& matrix, std::vector<Matrix4>& transforms) {
+    if (matrix == Matrix4{}) return 0;
+    transforms.push_back(matrix);
+    return static_cast<std::uint32_t>(transforms.size() - 1);
+}
+
+}  // namespace
+
+const PluginType* Parser::find_type(Category category, const std::string& name, Unknown unknown) {
+    if (const PluginType* type = find_plugin(category, name)) return type;
+    const std::string text = fmt::format(
+        "unknown {} {}{}; {}", to_string(category), in_quotes(name),
+        log.hint("unknown", [&] { return explain(category, name); }), unknown.consequence);
+    if (unknown.grade == Unknown::Grade::warning) log.warn(in.where(), "unknown", "{}", text);
+    if (unknown.grade == Unknown::Grade::error) log.error(in.where(), "unknown", "{}", text);
+    if (unknown.grade == Unknown::Grade::fatal) log.fatal(in.where(), "unknown", "{}", text);
+    return nullptr;
+}
+
+std::string Parser::take_type(ParameterList& list) {
+    GivenParameter* const type = list.find("type", ValueType::string);
+    if (type && type->count() == 1) {
+        type->is_used = true;
+        return std::get<std::vector<std::string>>(type->values).front();
+    }
+    log.error(in.where(), "missing", "'{}' has no \"string type\"", in.directive());
+    return {};
+}
+
+std::optional<Plugin> Parser::make_plugin(const PluginType& type, ParameterList& list) {
+    ParameterList* const lists[] = {&list};
+    std::optional<std::vector<Argument>> arguments = binder().bind(type, lists, in.where());
+    binder().report_unused(list, type);
+    if (!arguments) return std::nullopt;
+    return Plugin(type, std::move(*arguments), in.where());
+}
+
+TransformPair Parser::transform_pair() {
+    TransformState& t = *now.transform.current;
+    if (!t.numbers) {
+        const std::uint32_t start = add_transform(t.matrices[0], frame().transforms);
+        t.numbers = {start,
+                     t.is_animated() ? add_transform(t.matrices[1], frame().transforms) : start};
+    }
+    return *t.numbers;
+}
+
+std::uint32_t Parser::start_transform() {
+    if (now.transform.current->is_animated()) {
+        log.warn(in.where(), "animated", "'{}' cannot move: it stays where it is at the start",
+                 in.directive());
+    }
+    return transform_pair().start;
+}
+
+MediumInterface Parser::current_media(Place where) {
+    MediumInterface media;
+    if (!now.graphics.media) return media;
+    const auto number_of = [&](const std::string& name) {
+        if (name.empty()) return none;
+        const auto found = now.media.find(name);
+        if (found != now.media.end()) return found->second;
+        log.error(where, "undefined", "no medium {} is defined", in_quotes(name));
+        return none;
+    };
+    media.inside = number_of((*now.graphics.media)[0]);
+    media.outside = number_of((*now.graphics.media)[1]);
+    return media;
+}
+
+}  // namespace etalon::pbrt

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+
+namespace etalon::pbrt {
+
+/// Place of a statement or parameter in the files read.
+struct Place {
+    std::uint32_t file = 0;  ///< number in ParsedFile::files
+    int line = 0;            ///< number from 1; 0 where nothing was written: a default
+    int column = 0;          ///< number from 1, in bytes
+};
+
+}  // namespace etalon::pbrt

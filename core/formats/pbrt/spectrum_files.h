@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <unordered_map>
+
+#include "core/formats/pbrt/token_stream.h"
+#include "core/numerics/vec.h"
+
+namespace etalon::pbrt {
+
+/// Colours of the spectra that a scene names as files, each read once.
+class SpectrumFiles {
+  public:
+    SpectrumFiles(const TokenStream& tokens, Log& log) : tokens_(tokens), log_(log) {}
+
+    /// Returns black, with a warning, for a file that cannot be read.
+    Color color(const std::string& name, Place where);
+
+  private:
+    Color read(const std::string& path, Place where);
+
+    const TokenStream& tokens_;
+    Log& log_;
+    std::unordered_map<std::string, Color> colors_;
+};
+
+}  // namespace etalon::pbrt

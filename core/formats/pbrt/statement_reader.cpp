@@ -1,0 +1,87 @@
+#include "core/formats/pbrt/statement_reader.h"
+
+#include <cmath>
+
+#include "core/formats/diagnostic_log.h"
+#include "core/formats/pbrt/number.h"
+#include "core/formats/pbrt/parameter_reader.h"
+
+namespace etalon::pbrt {
+
+void StatementReader::begin() {
+    ok_ = true;
+    where_ = tokens_.place();
+    directive_ = tokens_.next().text;
+}
+
+void StatementReader::reject(std::string_view expected) {
+    if (!ok_) return;
+    ok_ = false;
+    const Place place = tokens_.place();
+    log_.fatal(place, "syntax", "expected {} for '{}', found {}", expected, directive_,
+               describe(tokens_.peek()));
+}
+
+bool StatementReader::take(TokenKind kind, std::string_view expected) {
+    if (!ok_) return false;
+    if (tokens_.peek().kind != kind) {
+        reject(expected);
+        return false;
+    }
+    return true;
+}
+
+std::string StatementReader::string(std::string_view what) {
+    if (!take(TokenKind::string, fmt::format("{} in quotes", what))) return {};
+    return std::string(tokens_.next().text);
+}
+
+std::optional<std::string> StatementReader::optional_string() {
+    if (!ok_ || tokens_.peek().kind != TokenKind::string) return std::nullopt;
+    return std::string(tokens_.next().text);
+}
+
+bool StatementReader::at_word(std::string_view word) {
+    return ok_ && tokens_.peek().kind == TokenKind::word && tokens_.peek().text == word;
+}
+
+std::string StatementReader::word(std::string_view expected) {
+    if (!take(TokenKind::word, expected)) return {};
+    return std::string(tokens_.next().text);
+}
+
+double StatementReader::number() {
+    if (!take(TokenKind::word, "a number")) return 0;
+    const std::optional<LooseNumber> read = read_number(tokens_.peek().text);
+    if (!read) {
+        reject("a number");
+        return 0;
+    }
+    const Place place = tokens_.place();
+    if (!read->extra.empty()) warn_of_extra(*read, tokens_.peek().text, place, log_);
+    tokens_.next();
+    return read->value;
+}
+
+void StatementReader::numbers(std::span<double> values, bool wants_brackets) {
+    if (!ok_) return;
+    const bool has_brackets = tokens_.peek().kind == TokenKind::open;
+    if (has_brackets != wants_brackets) {
+        log_.warn(tokens_.place(), "brackets", "pbrt-v3 stops here: it wants '{}' {} brackets",
+                  directive_, wants_brackets ? "with" : "without");
+    }
+    if (has_brackets) tokens_.next();
+    for (double& value : values) value = number();
+    if (has_brackets && take(TokenKind::close, "']'")) tokens_.next();
+}
+
+ParameterList StatementReader::parameters() {
+    ParameterList list;
+    ParameterReader reader(tokens_, spectra_, log_, directive_);
+    while (ok_ && tokens_.peek().kind == TokenKind::string) ok_ = reader.read(list);
+    // A string that is malformed was meant to be a parameter.
+    if (ok_ && tokens_.peek().kind == TokenKind::malformed) reject("a parameter");
+    return list;
+}
+
+}  // namespace etalon::pbrt

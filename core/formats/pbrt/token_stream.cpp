@@ -1,0 +1,94 @@
+#include "core/formats/pbrt/token_stream.h"
+
+#include <algorithm>
+
+#include "core/formats/diagnostic_log.h"
+
+namespace etalon::pbrt {
+namespace {
+
+// Files can include each other so often that no machine reads them all.
+constexpr std::size_t deepest = 100;
+constexpr std::size_t most_files = 100'000;
+constexpr std::size_t most_repeated_bytes = std::size_t{1} << 28;
+
+}  // namespace
+
+TokenStream::TokenStream(std::string_view text, const std::string& path, Log& log)
+    : log_(log), directory_(std::filesystem::path(path).parent_path()) {
+    enter(path, nullptr, text);
+}
+
+void TokenStream::enter(const std::string& path, std::unique_ptr<FileText> file,
+                        std::string_view text) {
+    sources_.push_back({path, number_of(path), std::move(file), Lexer(text), Locator(text)});
+}
+
+std::uint32_t TokenStream::number_of(const std::string& path) {
+    const auto [entry, is_new] = files_.try_emplace(path, 0);
+    if (is_new) entry->second = log_.add_file(path);
+    return entry->second;
+}
+
+const Token& TokenStream::peek() {
+    if (has_token_) return token_;
+    token_ = sources_.back().lexer.next();
+    while (token_.kind == TokenKind::end && sources_.size() > 1) {
+        sources_.pop_back();
+        token_ = sources_.back().lexer.next();
+    }
+    has_token_ = true;
+    return token_;
+}
+
+Token TokenStream::next() {
+    peek();
+    has_token_ = false;
+    return token_;
+}
+
+Place TokenStream::place() {
+    const std::size_t offset = peek().offset;
+    Source& source = sources_.back();
+    const TextPosition position = source.locator.locate(offset);
+    return {source.file, position.line, position.column};
+}
+
+std::string TokenStream::resolve(const std::string& name) const {
+    if (name.empty()) return name;
+    return (directory_ / name).lexically_normal().string();
+}
+
+std::string TokenStream::refusal(const std::string& path) const {
+    if (std::ranges::find(sources_, path, &Source::path) != sources_.end()) {
+        return "it would include itself without end";
+    }
+    if (sources_.size() > deepest) {
+        return fmt::format("files include each other {} deep, and no deeper", deepest);
+    }
+    if (included_files_ > most_files) {
+        return fmt::format("{} files were included, and no more are", most_files);
+    }
+    return repeated_bytes_ <= most_repeated_bytes
+               ? std::string()
+               : "the files included again and again are too large together";
+}
+
+void TokenStream::include(const std::string& name, Place where) {
+    const std::string path = resolve(name);
+    ++included_files_;
+    if (const std::string why = refusal(path); !why.empty()) {
+        log_.error(where, "include", "{} is not included: {}", in_quotes(path), why);
+        return;
+    }
+    auto file = std::make_unique<FileText>(read_file(path));
+    if (!file->error.empty()) {
+        log_.error(where, "include", "{} {}; it is left out", in_quotes(path), file->error);
+        return;
+    }
+    if (files_.contains(path)) repeated_bytes_ += file->size;
+    const std::string_view text = file->text();
+    enter(path, std::move(file), text);
+}
+
+}  // namespace etalon::pbrt

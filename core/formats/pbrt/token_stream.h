@@ -1,0 +1,66 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/formats/file_text.h"
+#include "core/formats/locator.h"
+#include "core/formats/pbrt/lexer.h"
+#include "core/formats/pbrt/log.h"
+
+namespace etalon::pbrt {
+
+/// The tokens of a file, and in their place those of the files that it includes: the end of an
+/// included file separates no more than a blank.
+class TokenStream {
+  public:
+    /// Both must outlive the stream. `path` names the text, and its directory is the one in which
+    /// files are looked for.
+    TokenStream(std::string_view text, const std::string& path, Log& log);
+
+    /// Returns the next token; its text is valid until the stream moves past it.
+    const Token& peek();
+    Token next();
+
+    /// Returns the place of the next token.
+    Place place();
+
+    /// Appends the simple numbers that follow. No token may have been peeked at.
+    template <class T>
+    void take_numbers(std::vector<T>& values) {
+        sources_.back().lexer.take_numbers(values);
+    }
+
+    /// Goes on with another file, up to its end. Says what is wrong if that cannot be.
+    void include(const std::string& name, Place where);
+
+    /// Returns the path of a file that the scene names.
+    std::string resolve(const std::string& name) const;
+
+  private:
+    struct Source {
+        std::string path;
+        std::uint32_t file;
+        std::unique_ptr<FileText> text;  ///< null for the text that the stream was made with
+        Lexer lexer;
+        Locator locator;
+    };
+
+    /// Returns why the file is not to be read; empty if it is.
+    std::string refusal(const std::string& path) const;
+    std::uint32_t number_of(const std::string& path);
+    void enter(const std::string& path, std::unique_ptr<FileText> file, std::string_view text);
+
+    Log& log_;
+    std::filesystem::path directory_;
+    std::vector<Source> sources_;  ///< the file being read is the last
+    std::unordered_map<std::string, std::uint32_t> files_;
+    std::size_t included_files_ = 0, repeated_bytes_ = 0;
+    Token token_{};
+    bool has_token_ = false;
+};
+
+}  // namespace etalon::pbrt

@@ -1,0 +1,124 @@
+// Shapes that shine, as seen from a point: directions to them and the densities of these.
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "core/numerics/affine.h"
+#include "core/scene/geometry.h"
+
+namespace etalon {
+
+/// A point of a shape, chosen to be seen from another point.
+struct AreaPoint {
+    Vec3 position;
+    Vec3 normal;  ///< unit, as the shape defines it
+    double pdf;   ///< per steradian at the point it is seen from; 0: not seen
+};
+
+/// Sphere around a shape.
+struct BoundingSphere {
+    Vec3 centre;
+    double radius;
+};
+
+/// A triangle, sampled by its solid angle where that is neither too small nor too large for the
+/// arithmetic (Arvo 1995, "Stratified Sampling of Spherical Triangles"), else by its area.
+class TriangleArea {
+  public:
+    TriangleArea(const Vec3& a, const Vec3& b, const Vec3& c);
+
+    AreaPoint sample(const Vec3& from, const Vec2& uv) const;
+    double pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const;
+    double area() const { return area_; }
+    BoundingSphere bounds() const;
+    std::optional<Vec3> flat_normal() const { return normal_; }
+
+    /// The solid angle in which it is seen.
+    double solid_angle(const Vec3& from) const;
+    /// A point at uv by solid angle, or by area.
+    AreaPoint by_solid_angle(const Vec3& from, double solid_angle, const Vec2& uv) const;
+    AreaPoint by_area(const Vec3& from, const Vec2& uv) const;
+
+  private:
+    Vec3 a_, b_, c_, normal_;
+    double area_;
+};
+
+/// Two triangles a b c and a c d of one plane, sampled like one.
+class TwoTrianglesArea {
+  public:
+    TwoTrianglesArea(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+    AreaPoint sample(const Vec3& from, const Vec2& uv) const;
+    double pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const;
+    double area() const { return first_.area() + second_.area(); }
+    BoundingSphere bounds() const;
+    std::optional<Vec3> flat_normal() const { return first_.flat_normal(); }
+
+  private:
+    TriangleArea first_, second_;
+};
+
+/// A sphere, sampled by the cone in which it is seen from outside, by its area from inside.
+class SphereArea {
+  public:
+    explicit SphereArea(const Sphere& sphere) : sphere_(sphere) {}
+
+    AreaPoint sample(const Vec3& from, const Vec2& uv) const;
+    double pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const;
+    double area() const;
+    BoundingSphere bounds() const { return {sphere_.centre, sphere_.radius}; }
+    std::optional<Vec3> flat_normal() const { return std::nullopt; }
+
+  private:
+    /// 1 - cosine of the half angle of the cone in which the sphere is seen; nothing from inside.
+    std::optional<double> cone(const Vec3& from) const;
+
+    Sphere sphere_;
+};
+
+/// A ring or a disk, sampled by its area.
+class RingArea {
+  public:
+    explicit RingArea(const Ring& ring);
+
+    AreaPoint sample(const Vec3& from, const Vec2& uv) const;
+    double pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const;
+    double area() const { return area_; }
+    BoundingSphere bounds() const { return {ring_.centre, ring_.outer}; }
+    std::optional<Vec3> flat_normal() const { return ring_.normal; }
+
+  private:
+    Ring ring_;
+    double area_;
+};
+
+/// The image of a sphere, sampled by the area of the sphere.
+class EllipsoidArea {
+  public:
+    explicit EllipsoidArea(const Affine& to_world);
+
+    AreaPoint sample(const Vec3& from, const Vec2& uv) const;
+    double pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const;
+    double area() const { return area_; }
+    BoundingSphere bounds() const;
+    std::optional<Vec3> flat_normal() const { return std::nullopt; }
+
+  private:
+    Vec3 stretched_normal(const Vec3& unit) const;
+
+    Affine to_world_;
+    Vec3 cofactors_[3];  ///< columns of the matrix that takes areas of the sphere to the image's
+    double area_;
+};
+
+using AreaShape = std::variant<TriangleArea, TwoTrianglesArea, SphereArea, RingArea, EllipsoidArea>;
+
+/// The primitive as a shape that shines; nothing for kinds that cannot be sampled.
+std::optional<AreaShape> area_shape(const Geometry& geometry, std::uint32_t primitive);
+
+/// A primitive and the one after it as one shape, where they are the halves of a quadrilateral.
+std::optional<TwoTrianglesArea> quadrilateral(const Geometry& geometry, std::uint32_t primitive);
+
+}  // namespace etalon

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/light/light_sample.h"
+#include "core/light/spherical_image.h"
+#include "core/scene/physical_light.h"
+
+namespace etalon {
+
+/// Light from all around, from an image by latitude and longitude or of one colour. Directions are
+/// sampled where the image is brighter than its mean (MIS compensation: Karlik et al. 2019); what
+/// is darker is left to the directions that surfaces choose. A light of one colour is left to them
+/// altogether.
+class InfiniteLight {
+  public:
+    /// `problems` gets the reason where the image cannot be read; the light has no image then.
+    InfiniteLight(const InfiniteSource& source, std::vector<std::string>& problems);
+
+    Color radiance(const Vec3& direction) const;
+
+    /// A direction to the light, of density 0 where it is left to surfaces.
+    LightSample sample(const Vec2& uv) const;
+
+    /// Density of sample() per steradian.
+    double pdf(const Vec3& direction) const;
+
+    /// Mean over all directions.
+    const Color& mean() const { return mean_; }
+
+    /// Whether sample() has any direction to offer.
+    bool can_be_sampled() const { return !row_sums_.empty(); }
+
+  private:
+    Color lookup(const Vec2& place) const { return image_.at(place) * source_.radiance; }
+    Vec2 place_of(const Vec3& direction) const;
+    void prepare_sampling();
+
+    InfiniteSource source_;
+    Affine to_world_;
+    SphericalImage image_;
+    Color mean_{0.0F};
+    std::vector<double> cells_;     ///< densities over the unit square, by rows
+    std::vector<double> sums_;      ///< of each row, up to and with each cell
+    std::vector<double> row_sums_;  ///< of rows, up to and with each
+};
+
+}  // namespace etalon

@@ -1,0 +1,103 @@
+// The lights of a physical look: which to ask at a point, and what reaches it from there.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/intersect/surface.h"
+#include "core/light/area_shape.h"
+#include "core/light/infinite_light.h"
+#include "core/light/light_sample.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+/// A point that lights shine on.
+struct Receiver {
+    Vec3 position;
+    Vec3 normal{0.0};  ///< unit, on the side that reflects; 0 where both sides scatter light
+    double total_importance = 0;  ///< set by Lights::pick, for pick_probability
+};
+
+struct LightPick {
+    std::uint32_t light;
+    double probability;
+};
+
+class Lights {
+  public:
+    /// `scene` must outlive the lights. `problems`: see InfiniteLight; primitives of kinds that
+    /// cannot be sampled are lit up by no more than the rays that meet them.
+    Lights(const Scene& scene, std::vector<std::string>& problems);
+
+    bool empty() const { return sources_.empty(); }
+
+    /// How many there are to pick from: the halves of a quadrilateral are one.
+    std::size_t size() const { return sources_.size(); }
+
+    /// The number among those of a light of the look.
+    std::uint32_t number_of(std::uint32_t light) const { return numbers_[light]; }
+
+    /// Chooses a light: where they are few, by what each would give the point if nothing were in
+    /// the way, else by its power. Nothing where none can shine there.
+    std::optional<LightPick> pick(Receiver& at, double choice) const;
+
+    /// The probability with which pick() chose the light for the same receiver.
+    double pick_probability(const Receiver& at, std::uint32_t light) const;
+
+    /// What the light may send to the point.
+    LightSample sample(std::uint32_t light, const Vec3& from, const Vec2& uv) const;
+
+    /// Density per steradian with which sample() gives a point of an area light, seen from `from`.
+    double pdf(std::uint32_t light, const Vec3& from, const SurfacePoint& at) const;
+
+    /// What an area light sends back along a ray that met it.
+    Color emitted(std::uint32_t light, const SurfacePoint& at, const Vec3& ray) const;
+
+    /// Numbers of the lights at infinity that rays meet.
+    const std::vector<std::uint32_t>& infinite() const { return infinite_; }
+    const InfiniteLight& infinite_light(std::uint32_t light) const {
+        return infinite_lights_[sources_[light].index];
+    }
+
+  private:
+    struct AreaLight {
+        AreaShape shape;
+        Color radiance;
+        BoundingSphere bounds;
+        std::optional<Vec3> flat_front;  ///< normal of the side that shines, of a flat one
+        bool flipped, two_sided;
+        double exitance;  ///< area times luminance
+
+        bool shines(const Vec3& normal, const Vec3& ray) const;
+        double facing(const Vec3& back) const;
+    };
+    struct Source {
+        const PhysicalLight* light;
+        std::uint32_t index;  ///< among the area or the infinite lights, or the images of others
+        double power;
+    };
+
+    static constexpr std::size_t most_by_importance = 16;
+
+    void add(const PhysicalLight& light, std::vector<std::string>& problems);
+    bool add_half(const PhysicalLight& light);
+    void add_area(const AreaSource& source, double& power);
+    LightSample sample_delta(const Source& source, const Vec3& from) const;
+    double importance(const Source& source, const Receiver& at) const;
+    std::optional<LightPick> pick_by_power(double choice) const;
+
+    const Scene& scene_;
+    double scene_radius_;
+    std::vector<Source> sources_;
+    std::vector<std::uint32_t> numbers_;
+    std::vector<AreaLight> area_lights_;
+    std::vector<InfiniteLight> infinite_lights_;
+    std::vector<SphericalImage> images_;
+    std::vector<std::uint32_t> infinite_;
+    std::vector<double> power_sums_;
+};
+
+}  // namespace etalon

@@ -1,0 +1,45 @@
+#include "core/light/spherical_image.h"
+
+#include <numbers>
+
+#include "core/image/io.h"
+
+namespace etalon {
+
+SphericalImage::SphericalImage(const std::string& file, std::vector<std::string>& problems) {
+    if (file.empty()) return;
+    const Result<Image> image = read_image(file);
+    if (!image) {
+        problems.push_back(image.error);
+        return;
+    }
+    width_ = image.value.width;
+    height_ = image.value.height;
+    texels_.reserve(static_cast<std::size_t>(width_) * height_);
+    for (int y = 0; y < height_; ++y) {
+        for (int x = 0; x < width_; ++x) texels_.push_back(image.value.color(x, y));
+    }
+}
+
+const Color& SphericalImage::texel(int x, int y) const {
+    x = (x % width_ + width_) % width_;
+    y = (y % height_ + height_) % height_;
+    return texels_[static_cast<std::size_t>(y) * width_ + x];
+}
+
+Color SphericalImage::at(const Vec2& place) const {
+    const double x = place.x * width_ - 0.5, y = place.y * height_ - 0.5;
+    const double left = std::floor(x), top = std::floor(y);
+    const auto i = static_cast<int>(left), j = static_cast<int>(top);
+    const auto u = static_cast<float>(x - left), v = static_cast<float>(y - top);
+    return (1 - v) * ((1 - u) * texel(i, j) + u * texel(i + 1, j)) +
+           v * ((1 - u) * texel(i, j + 1) + u * texel(i + 1, j + 1));
+}
+
+Vec2 SphericalImage::place_of(const Vec3& d) {
+    constexpr double pi = std::numbers::pi;
+    const double phi = std::atan2(d.y, d.x);
+    return {(phi < 0 ? phi + 2 * pi : phi) / (2 * pi), std::atan2(std::hypot(d.x, d.y), d.z) / pi};
+}
+
+}  // namespace etalon

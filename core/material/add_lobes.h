@@ -1,0 +1,17 @@
+// One function a material: adds the lobes that it has at a point.
+#pragma once
+
+#include "core/material/point_values.h"
+
+namespace etalon {
+
+void add_lobes(const MatteMaterial& material, const PointValues& values, Bsdf& bsdf);
+void add_lobes(const PlasticMaterial& material, const PointValues& values, Bsdf& bsdf);
+void add_lobes(const MirrorMaterial& material, const PointValues& values, Bsdf& bsdf);
+void add_lobes(const MetalMaterial& material, const PointValues& values, Bsdf& bsdf);
+void add_lobes(const SubstrateMaterial& material, const PointValues& values, Bsdf& bsdf);
+void add_lobes(const GlassMaterial& material, const PointValues& values, Bsdf& bsdf);
+void add_lobes(const TranslucentMaterial& material, const PointValues& values, Bsdf& bsdf);
+void add_lobes(const UberMaterial& material, const PointValues& values, Bsdf& bsdf);
+
+}  // namespace etalon

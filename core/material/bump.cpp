@@ -1,0 +1,25 @@
+#include "core/material/bump.h"
+
+namespace etalon {
+
+ShadingFrame bumped(const NumberSlot& bump, const PointValues& values, const MaterialPoint& point) {
+    constexpr double step = 0.0005;  // of u and v: PBRT version 3's where it knows no pixel's size
+    const auto height = [&](const Vec2& uv, const Vec3& position) {
+        return double(values.textures.number(bump, {uv, position}));
+    };
+    const double here = height(point.uv, point.position);
+    const double rise_u =
+        height(point.uv + Vec2(step, 0), point.position + step * point.dpdu) - here;
+    const double rise_v =
+        height(point.uv + Vec2(0, step), point.position + step * point.dpdv) - here;
+    const Vec3 dpdu = point.dpdu + rise_u / step * point.ns + here * point.dndu;
+    const Vec3 dpdv = point.dpdv + rise_v / step * point.ns + here * point.dndv;
+
+    const Vec3 across = dpdu.cross(dpdv);
+    const double length2 = across.dot(across);
+    if (!(length2 > 0) || !std::isfinite(length2)) return {point.ns, point.dpdu};
+    const Vec3 ns = across / std::sqrt(length2);
+    return {ns.dot(point.ng) < 0 ? -ns : ns, dpdu};
+}
+
+}  // namespace etalon

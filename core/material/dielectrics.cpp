@@ -1,0 +1,32 @@
+// Materials between which and the air there is a border of dielectrics, and nothing below it.
+#include "core/material/add_lobes.h"
+
+namespace etalon {
+
+void add_lobes(const GlassMaterial& material, const PointValues& values, Bsdf& bsdf) {
+    const Color kr = values.part(material.kr), kt = values.part(material.kt);
+    if (is_black(kr) && is_black(kt)) return;
+    const float eta = values.number(material.eta);
+    const Roughness& roughness = material.roughness;
+    if (values.number(roughness.u) == 0 && values.number(roughness.v) == 0) {
+        bsdf.add(FresnelSpecular{kr, kt, eta});
+        return;
+    }
+    const TrowbridgeReitz facets = values.facets(roughness);
+    if (!is_black(kr)) bsdf.add(MicrofacetReflection{kr, facets, DielectricFresnel{eta}});
+    if (!is_black(kt)) bsdf.add(MicrofacetTransmission{kt, facets, eta});
+}
+
+void add_lobes(const TranslucentMaterial& material, const PointValues& values, Bsdf& bsdf) {
+    constexpr float eta = 1.5F;
+    const Color r = values.part(material.reflect), t = values.part(material.transmit);
+    const Color kd = values.part(material.kd), ks = values.part(material.ks);
+    if (!is_black(r * kd)) bsdf.add(LambertReflection{r * kd});
+    if (!is_black(t * kd)) bsdf.add(LambertTransmission{t * kd});
+    if (is_black(r * ks) && is_black(t * ks)) return;
+    const TrowbridgeReitz facets = values.facets(material.roughness);
+    if (!is_black(r * ks)) bsdf.add(MicrofacetReflection{r * ks, facets, DielectricFresnel{eta}});
+    if (!is_black(t * ks)) bsdf.add(MicrofacetTransmission{t * ks, facets, eta});
+}
+
+}  // namespace etalon

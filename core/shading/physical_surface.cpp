@@ -1,0 +1,50 @@
+#include "core/shading/physical_surface.h"
+
+#include "core/intersect/kernels.h"
+
+namespace etalon {
+
+PhysicalSurface physical_surface(const Scene& scene, const Ray& ray, const Hit& hit) {
+    PhysicalSurface at{surface_at(scene.geometry, ray, hit), nullptr, Vec3(0), Vec3(0)};
+    const SurfacePoint& p = at.point;
+    at.binding = &scene.physical().bindings[p.material];
+    at.ng = at.binding->flipped ? -p.normal : p.normal;
+    at.ns = at.binding->flipped ? -p.shading_normal : p.shading_normal;
+    if (at.binding->corner_normals && at.ng.dot(at.ns) < 0) at.ng = -at.ng;
+    return at;
+}
+
+namespace {
+
+/// Replaces the coordinates (0, 0), (1, 0), (1, 1) of a triangle's corners by those of the mesh.
+/// Coordinates that do not span the triangle leave its own tangents.
+Parametrization with_coordinates(const std::array<std::array<float, 2>, 3>& corners,
+                                 const Parametrization& own) {
+    const auto at = [&](std::size_t k) { return Vec2(corners[k][0], corners[k][1]); };
+    const double second = own.uv.y, first = own.uv.x - own.uv.y;
+    // With p = p0 + first (p1 - p0) + second (p2 - p0): dpdu is p1 - p0, dpdv is p2 - p1.
+    const Vec2 to1 = at(1) - at(0), to2 = at(2) - at(0);
+    const Vec3 edge1 = own.dpdu, edge2 = own.dpdu + own.dpdv;
+    Parametrization result{at(0) + first * to1 + second * to2, own.dpdu, own.dpdv};
+    const double determinant = to1.x * to2.y - to1.y * to2.x;
+    if (!(std::abs(determinant) >= 1e-8)) return result;  // pbrt-v3's limit
+    result.dpdu = (to2.y * edge1 - to1.y * edge2) / determinant;
+    result.dpdv = (to1.x * edge2 - to2.x * edge1) / determinant;
+    return result;
+}
+
+}  // namespace
+
+Parametrization physical_parametrization(const Scene& scene, const PhysicalSurface& at) {
+    const Parametrization own = parametrization_at(scene.geometry, at.point);
+    if (at.binding->uv_offset == no_index) return own;
+    const Primitive p = scene.geometry.primitives[at.point.primitive];
+    const TriangleIndices vertices = scene.geometry.get<Triangle>(p).vertices;
+    std::array<std::array<float, 2>, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+        corners[k] = scene.physical().uvs[vertices[k] - at.binding->uv_offset];
+    }
+    return with_coordinates(corners, own);
+}
+
+}  // namespace etalon

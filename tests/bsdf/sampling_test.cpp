@@ -1,0 +1,86 @@
+#include "tests/bsdf/lobe_cases.h"
+#include "tests/catch.h"
+#include "tests/chi_square.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+std::optional<BsdfSample> draw(const Bsdf& bsdf, const Vec3& wo, Random& random) {
+    const auto choice = static_cast<float>(random.uniform());
+    const double u = random.uniform(), v = random.uniform();
+    return bsdf.sample(wo, std::min(choice, std::nextafter(1.0F, 0.0F)), {u, v});
+}
+
+/// Probability that samples of the smooth lobes are as likely as `density_factor` times the density
+/// that the surface says.
+double chi_square(const std::vector<Lobe>& lobes, const Vec3& eye, double density_factor = 1) {
+    const Bsdf bsdf = bsdf_of(lobes);
+    const Vec3 wo = world(bsdf, eye);
+    const SphereSampler sampler = [&](Random& random) -> std::optional<Vec3> {
+        const std::optional<BsdfSample> sample = draw(bsdf, wo, random);
+        if (!sample || sample->specular) return {};
+        return local(bsdf, sample->wi);
+    };
+    const SphereDensity density = [&](const Vec3& wi) {
+        if (shows_backs(lobes, eye, wi)) return 0.0;
+        return density_factor * bsdf.evaluate(wo, world(bsdf, wi)).pdf;
+    };
+    return chi_square_probability(sampler, density, 5);
+}
+
+}  // namespace
+
+TEST_CASE("Directions are drawn with the density that is said of them", "[bsdf]") {
+    const std::vector<LobeCase> cases = lobe_cases();
+    const double significance = sidak(0.01, cases.size() * eyes().size());
+    for (const LobeCase& item : cases) {
+        for (const Vec3& eye : eyes()) {
+            INFO(item.name << ", cosine to the eye " << eye.z);
+            CHECK(chi_square(item.lobes, eye) > significance);
+        }
+    }
+}
+
+TEST_CASE("The test of densities finds one that is off by a fiftieth", "[bsdf]") {
+    const std::vector<Lobe> white = {LambertReflection{Color(1)}};
+    CHECK(chi_square(white, {0, 0, 1}) > 1e-4);
+    CHECK(chi_square(white, {0, 0, 1}, 0.98) < 1e-4);
+}
+
+TEST_CASE("A sample says what evaluating its direction says", "[bsdf]") {
+    Random random(3);
+    for (const LobeCase& item : lobe_cases()) {
+        const Bsdf bsdf = bsdf_of(item.lobes);
+        for (const Vec3& eye : eyes()) {
+            INFO(item.name << ", cosine to the eye " << eye.z);
+            const Vec3 wo = world(bsdf, eye);
+            for (int k = 0; k < 200; ++k) {
+                const std::optional<BsdfSample> sample = draw(bsdf, wo, random);
+                if (!sample || sample->specular) continue;
+                const Evaluation e = bsdf.evaluate(wo, sample->wi);
+                CHECK(sample->wi.length() == Approx(1).epsilon(1e-12));
+                CHECK(sample->pdf == Approx(e.pdf).epsilon(1e-3));
+                CHECK(mean(sample->f) == Approx(mean(e.f)).epsilon(1e-3));
+                CHECK(sample->transmission == (eye.z * sample->wi.dot(bsdf.ns()) < 0));
+            }
+        }
+    }
+}
+
+TEST_CASE("The density's integral is the probability of smooth lobes", "[bsdf]") {
+    // A quarter of the light that is not lost goes to the mirror, whatever the direction.
+    const Bsdf bsdf =
+        bsdf_of({LambertReflection{Color(0.6F)}, SpecularReflection{Color(0.2F), NoFresnel{}}});
+    for (const Vec3& eye : eyes()) {
+        const Vec3 wo = world(bsdf, eye);
+        const double smooth = integral_over_sphere(
+            [&](const Vec3& wi) { return bsdf.evaluate(wo, world(bsdf, wi)).pdf; });
+        CHECK(smooth == Approx(0.75).epsilon(1e-4));
+        const std::optional<BsdfSample> mirrored = bsdf.sample(wo, 0.76F, {0.5, 0.5});
+        REQUIRE(mirrored);
+        CHECK(mirrored->specular);
+        CHECK(mirrored->pdf == Approx(0.25));
+    }
+}

@@ -1,0 +1,74 @@
+#include "core/light/infinite_light.h"
+
+#include <numbers>
+
+#include "core/image/io.h"
+#include "core/sampling/sobol.h"
+#include "tests/catch.h"
+#include "tests/temporary_folder.h"
+
+using namespace etalon;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A light whose image of 16 x 8 texels is dark but for one.
+InfiniteSource one_bright_texel(const test::TemporaryFolder& folder) {
+    RenderedImage image{16, 8, {{0, 0}, {15, 7}}, std::vector(16 * 8, Color(0.1F)), false, {}};
+    image.pixels[3 * 16 + 5] = Color(50, 100, 200);
+    const std::string file = folder / "sky.exr";
+    REQUIRE(write_image(file, image).empty());
+    // x, y and z of the light are y, z and x of the world.
+    return {Color(2, 1, 0.5F), file, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}};
+}
+
+Vec3 anywhere(const Vec2& uv) {
+    const double z = 1 - 2 * uv.x, r = std::sqrt(1 - z * z);
+    return {r * std::cos(2 * pi * uv.y), r * std::sin(2 * pi * uv.y), z};
+}
+
+}  // namespace
+
+TEST_CASE("A light of one colour is left to the directions that surfaces choose", "[light]") {
+    std::vector<std::string> problems;
+    const InfiniteLight light({Color(1, 2, 3)}, problems);
+    CHECK(light.radiance({0, 0, 1}) == Color(1, 2, 3));
+    CHECK_FALSE(light.can_be_sampled());
+    CHECK(light.sample({0.5, 0.5}).pdf == 0);
+    CHECK(light.pdf({0, 1, 0}) == 0);
+}
+
+TEST_CASE("Directions are sampled as often as their density says", "[light]") {
+    const test::TemporaryFolder folder;
+    std::vector<std::string> problems;
+    const InfiniteLight light(one_bright_texel(folder), problems);
+    REQUIRE(problems.empty());
+    REQUIRE(light.can_be_sampled());
+    const ScrambledSobol points(5);
+    constexpr std::uint32_t count = 1 << 16;
+    double integral = 0, mean_from_samples = 0, mean = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Vec3 d = anywhere(points(i));
+        integral += 4 * pi * light.pdf(d) / count;
+        // What the samples leave out, and all of it.
+        if (light.pdf(d) > 0) mean += light.radiance(d).y / count;
+        const LightSample s = light.sample(points(i));
+        REQUIRE(s.pdf > 0);
+        CHECK(s.at_infinity);
+        CHECK_THAT(light.pdf(s.wi), WithinRel(double{s.pdf}, 1e-4));
+        CHECK_THAT(light.radiance(s.wi).y, WithinRel(s.radiance.y, 1e-3F));
+        mean_from_samples += s.radiance.y / s.pdf / (4 * pi) / count;
+    }
+    CHECK_THAT(integral, WithinRel(1.0, 1e-2));
+    CHECK_THAT(mean_from_samples, WithinRel(mean, 1e-2));
+}
+
+TEST_CASE("An image that is missing is reported, and its light has one colour", "[light]") {
+    std::vector<std::string> problems;
+    const InfiniteLight light({Color(3), "no/such.exr"}, problems);
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0].find("no/such.exr") == 0);
+    CHECK(light.radiance({1, 0, 0}) == Color(3));
+}
