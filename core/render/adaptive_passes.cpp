@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/parallel/parallel.h"
-#include "core/render/error_factors.h"
+#include "core/render/filtered_errors.h"
 
 namespace etalon {
 namespace {
@@ -36,15 +36,21 @@ AdaptivePasses::AdaptivePasses(const ImageFilm& image, const RenderSettings& set
       samples_(samples) {}
 
 std::optional<SamplingGoal> AdaptivePasses::next(const Film& film) {
-    if (image_.is_filtered()) {
-        estimate_.look(film, error_factors(image_.filtered(), film.window(), settings_));
-    } else {
-        estimate_.look(film);
-    }
+    look(film);
     expected_ = estimate_.total();
     std::optional<SamplingGoal> goal = plan(film);
     is_complete_ = !goal;
     return goal;
+}
+
+void AdaptivePasses::look(const Film& film) {
+    if (!image_.is_filtered()) return estimate_.look(film);
+    const Film image = image_.filtered();
+    filtered_before_.resize(image.size(), Vec3(0));
+    const FilteredErrors errors =
+        filtered_errors(image, filtered_before_, film.window(), settings_);
+    estimate_.look(film, &errors);
+    for (std::size_t i = 0; i < image.size(); ++i) filtered_before_[i] = image.mean(i);
 }
 
 std::optional<SamplingGoal> AdaptivePasses::plan(const Film& film) {

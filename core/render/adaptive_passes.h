@@ -26,6 +26,7 @@ class AdaptivePasses : public SamplingPasses {
         std::uint32_t pixel;
     };
 
+    void look(const Film& film);
     std::optional<SamplingGoal> plan(const Film& film);
     bool is_enough() const;
     bool knows_too_little() const;
@@ -35,6 +36,7 @@ class AdaptivePasses : public SamplingPasses {
     const ImageFilm& image_;
     const RenderSettings& settings_;
     ErrorEstimate estimate_;
+    std::vector<Vec3> filtered_before_;  ///< filtered values when last looked at
     double error_, expected_ = 0;
     std::uint32_t samples_, of_all_ = 0;
     bool is_complete_ = false;

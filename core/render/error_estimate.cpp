@@ -1,7 +1,6 @@
 #include "core/render/error_estimate.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "core/image/srgb.h"
@@ -78,21 +77,32 @@ std::size_t ErrorEstimate::block(int x, int y) const {
     return static_cast<std::size_t>(y / block_size) * blocks(width_) + x / block_size;
 }
 
-void ErrorEstimate::look(const Film& film, const std::vector<Vec3>& factors) {
-    std::atomic<bool> any = false;
+void ErrorEstimate::look(const Film& film, const FilteredErrors* filtered) {
+    std::vector<std::uint8_t> doubled(sums_.size(), 0);
     parallel_for(sums_.size(), 1024, [&](std::size_t begin, std::size_t end) {
-        bool some = false;
-        for (std::size_t i = begin; i < end; ++i) some |= look_at_pixel(i, film, factors);
-        if (some) any = true;
+        for (std::size_t i = begin; i < end; ++i) doubled[i] = look_at_pixel(i, film, filtered);
     });
-    exists_ = exists_ || any;
+    exists_ = exists_ || std::find(doubled.begin(), doubled.end(), 1) != doubled.end();
+    if (filtered) match(filtered->change, doubled);
     learn_rates();
     compare_neighbours();
 }
 
+/// Scales the changes of the pixels that were doubled so that together they are the image's.
+/// Samples that are well distributed over a pixel are less so under a part of a filter, by how much
+/// depends on the scene.
+void ErrorEstimate::match(double change, const std::vector<std::uint8_t>& doubled) {
+    double sum = 0;
+    for (std::size_t i = 0; i < changes_.size(); ++i) sum += doubled[i] ? changes_[i] : 0;
+    if (sum == 0) return;
+    const double scale = change * static_cast<double>(changes_.size()) / sum;
+    for (std::size_t i = 0; i < changes_.size(); ++i) {
+        if (doubled[i]) changes_[i] *= scale;
+    }
+}
+
 /// Returns whether the pixel's samples were doubled.
-bool ErrorEstimate::look_at_pixel(std::size_t i, const Film& film,
-                                  const std::vector<Vec3>& factors) {
+bool ErrorEstimate::look_at_pixel(std::size_t i, const Film& film, const FilteredErrors* filtered) {
     const bool doubled = counts_[i] > 0 && film.counts()[i] == 2 * counts_[i];
     if (doubled) {
         const Vec3 half = sums_[i] / counts_[i];
@@ -100,8 +110,8 @@ bool ErrorEstimate::look_at_pixel(std::size_t i, const Film& film,
         changes_before_[i] = changes_[i];
         const Vec3 change = (half - other_half) / 2;
         const auto square = decodes_ ? decoded_relative_square : relative_square;
-        changes_[i] =
-            factors.empty() ? square(change, film.mean(i)) : (change * change).dot(factors[i]) / 3;
+        changes_[i] = filtered ? (change * change).dot(filtered->factors[i]) / 3
+                               : square(change, film.mean(i));
     }
     sums_[i] = film.sum(i);
     counts_[i] = film.counts()[i];

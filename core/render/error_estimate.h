@@ -6,6 +6,15 @@
 
 namespace etalon {
 
+/// What errors of pixels are to an image whose filter spreads samples over several.
+struct FilteredErrors {
+    /// What a squared error of a pixel's mean adds to the image's relMSE, by channels; their mean
+    /// over the pixels is that of the image.
+    std::vector<Vec3> factors;
+    /// relMSE of the image as it was when last looked at, had it come to be what it is now.
+    double change;
+};
+
 /// How far each pixel of a film still is from its limit, told from how much it changed when its
 /// samples were doubled.
 ///
@@ -19,9 +28,9 @@ class ErrorEstimate {
     ErrorEstimate(int width, int height, bool decodes);
 
     /// Looks at a film each of whose pixels has as many samples as when last looked at, or twice as
-    /// many; others tell nothing. `factors`, of each pixel and channel, are what a squared error of
-    /// the pixel adds to the image's relative one, where that is not the pixel's own.
-    void look(const Film& film, const std::vector<Vec3>& factors = {});
+    /// many; others tell nothing. With `filtered`, it is the error of the filtered image that is
+    /// estimated.
+    void look(const Film& film, const FilteredErrors* filtered = nullptr);
 
     /// Whether there is an estimate: some pixels were doubled.
     bool exists() const { return exists_; }
@@ -39,7 +48,8 @@ class ErrorEstimate {
     double rate(int x, int y) const { return rates_[block(x, y)]; }
 
   private:
-    bool look_at_pixel(std::size_t pixel, const Film& film, const std::vector<Vec3>& factors);
+    bool look_at_pixel(std::size_t pixel, const Film& film, const FilteredErrors* filtered);
+    void match(double change, const std::vector<std::uint8_t>& doubled);
     void learn_rates();
     void compare_neighbours();
 

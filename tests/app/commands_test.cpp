@@ -88,6 +88,33 @@ TEST_CASE("render takes size, crop, depth, seed and several outputs", "[app]") {
     CHECK(s["memory_bytes"]["peak_rss"].get<double>() > 0);
 }
 
+TEST_CASE("--filter says how samples make pixels; a box of half a pixel is the usual one",
+          "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto render = [&](const std::string& options) {
+        REQUIRE(f.etalon("render ball.p3f --spp 4 -q -o a.exr " + options).status == 0);
+        return pixels(f.path("a.exr"));
+    };
+    const auto plain = render("");
+    CHECK(render("--filter box") == plain);
+    CHECK(render("--filter box:0.5") == plain);
+    const auto gaussian = render("--filter gaussian");
+    CHECK(gaussian != plain);
+    CHECK(gaussian.size() == plain.size());
+    CHECK(render("--filter gaussian:2") == gaussian);
+    CHECK(render("--filter gaussian:1.5") != gaussian);
+    for (const char* wrong : {"gauss", "box:", "box:0", "box:-1", "box:1x", "box:65", "sinc:nan"}) {
+        INFO(wrong);
+        const auto r = f.etalon(std::string("render ball.p3f --filter ") + wrong);
+        CHECK(r.status == 2);
+        CHECK_THAT(r.err, ContainsSubstring(std::string(wrong) + ": expected"));
+    }
+    CHECK_THAT(f.etalon("render ball.p3f --filter gausian").err,
+               ContainsSubstring("did you mean 'gaussian'?"));
+    CHECK(f.etalon("render ball.p3f --spd --filter gaussian").status == 2);
+}
+
 TEST_CASE("a seed has 64 bits, all of which count", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);

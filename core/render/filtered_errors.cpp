@@ -1,4 +1,4 @@
-#include "core/render/error_factors.h"
+#include "core/render/filtered_errors.h"
 
 #include <algorithm>
 
@@ -59,20 +59,22 @@ Plane spread(const Plane& from, const Imath::Box2i& window, const std::vector<do
 
 }  // namespace
 
-std::vector<Vec3> error_factors(const Film& image, const Imath::Box2i& samples,
-                                const RenderSettings& settings) {
+FilteredErrors filtered_errors(const Film& image, const std::vector<Vec3>& before,
+                               const Imath::Box2i& samples, const RenderSettings& settings) {
     Plane own(image.window());
+    double change = 0;
     for (std::size_t i = 0; i < image.size(); ++i) {
         own.values[i] = relative_factor(image.mean(i), settings.decodes());
+        const Vec3 difference = image.mean(i) - before[i];
+        change += (difference * difference).dot(own.values[i]) / 3;
     }
     const Imath::Box2i rows({samples.min.x, image.window().min.y},
                             {samples.max.x, image.window().max.y});
     const Plane across = spread(own, rows, FilterAxis(settings.filter, 0).mean_squares(), 0);
     Plane both = spread(across, samples, FilterAxis(settings.filter, 1).mean_squares(), 1);
-    const double share =
-        static_cast<double>(both.values.size()) / static_cast<double>(image.size());
-    for (Vec3& factor : both.values) factor *= share;
-    return std::move(both.values);
+    const auto pixels = static_cast<double>(image.size());
+    for (Vec3& factor : both.values) factor *= static_cast<double>(both.values.size()) / pixels;
+    return {std::move(both.values), change / pixels};
 }
 
 }  // namespace etalon
