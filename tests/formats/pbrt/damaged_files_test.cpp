@@ -1,41 +1,12 @@
 // Files cut and with bytes flipped: whatever the damage, frames that hold together and diagnostics.
 #include "core/numerics/random.h"
 #include "tests/formats/pbrt/pbrt_text.h"
+#include "tests/formats/pbrt/whole_files.h"
 
 using namespace etalon;
 using namespace etalon::pbrt;
 
 namespace {
-
-const std::vector<std::string> scenes = {
-    R"(LookAt 3 4 1.5  .5 .5 0  0 0 1 # eye
-Camera "perspective" "float fov" [ 45 ]
-Sampler "stratified" "bool jitter" "false" "integer xsamples" 8
-Film "image" "string filename" "a.exr" "float cropwindow" [0 .5 0 .5]
-PixelFilter "mitchell" "float B" .3
-WorldBegin
-LightSource "infinite" "rgb L" [.4 .45 .5]
-LightSource "distant" "point from" [ -30 40 100 ] "blackbody L" [3000 1.5]
-AttributeBegin
-  Texture "checks" "spectrum" "checkerboard" "float uscale" [8] "rgb tex1" [.1 .1 .1]
-  Material "matte" "texture Kd" "checks"
-  Translate 0 0 -1
-  Shape "trianglemesh" "integer indices" [0 1 2 0 3 1]
-    "point P" [ -20 -20 0 20 -20 0 20 20 0 -20 20 0 ] "float st" [ 0 0 1 0 5 5 0 1 ]
-AttributeEnd
-WorldEnd)",
-    R"(TransformTimes 0 1 ActiveTransform EndTime Rotate 5 0 0 1 ActiveTransform All
-Camera "environment" Accelerator "kdtree" Integrator "volpath" "integer pixelbounds" [0 1 0 1]
-MakeNamedMedium "fog" "string type" "heterogeneous" "float density" [1 2] "integer nx" 2
-WorldBegin
-MakeNamedMaterial "a" "string type" "mix" "string namedmaterial1" "b"
-ObjectBegin "o" MediumInterface "fog" "" NamedMaterial "a" Shape "sphere" "rgb Kd" [1 0 0]
-TransformBegin ConcatTransform [ 1 0 0 0 0 1 0 0 0 0 1 0 0 0 5 1 ] Shape "disk" TransformEnd
-ObjectEnd
-CoordinateSystem "here" Scale 2 2 2 ObjectInstance "o" CoordSysTransform "here"
-ReverseOrientation AreaLightSource "diffuse" "spectrum L" [400 1 700 2] Shape "cylinder"
-WorldEnd
-WorldBegin Shape "sphere" WorldEnd)"};
 
 bool is_number(std::uint32_t number, std::size_t size) {
     return number == none || number < size;
@@ -93,14 +64,14 @@ void check_survives(const std::string& text) {
 }  // namespace
 
 TEST_CASE("the files to be damaged are whole") {
-    CHECK(messages(parse_text(scenes[0])) == Messages{});
-    CHECK_FALSE(parse_text(scenes[1]).is_fatal);
-    CHECK(parse_text(scenes[1]).frames.size() == 2);
-    for (const std::string& scene : scenes) check_survives(scene);
+    CHECK(messages(parse_text(whole_files()[0])) == Messages{});
+    CHECK_FALSE(parse_text(whole_files()[1]).is_fatal);
+    CHECK(parse_text(whole_files()[1]).frames.size() == 2);
+    for (const std::string& scene : whole_files()) check_survives(scene);
 }
 
 TEST_CASE("a PBRT file cut anywhere gives what is whole, and says so") {
-    for (const std::string& scene : scenes) {
+    for (const std::string& scene : whole_files()) {
         for (std::size_t size = 0; size < scene.size(); ++size) {
             const std::string text = scene.substr(0, size);
             check_survives(text);
@@ -113,7 +84,7 @@ TEST_CASE("a PBRT file cut anywhere gives what is whole, and says so") {
 
 TEST_CASE("a PBRT file with bytes flipped gives frames that hold together") {
     Random random(7);
-    for (const std::string& scene : scenes) {
+    for (const std::string& scene : whole_files()) {
         for (int i = 0; i < 2000; ++i) {
             std::string damaged = scene;
             for (std::size_t k = 0; k <= random.index(3); ++k) {
@@ -126,7 +97,7 @@ TEST_CASE("a PBRT file with bytes flipped gives frames that hold together") {
 
 TEST_CASE("a PBRT file with words exchanged gives frames that hold together") {
     Random random(8);
-    for (const std::string& scene : scenes) {
+    for (const std::string& scene : whole_files()) {
         std::vector<std::string> words;
         for (std::size_t at = 0; at < scene.size();) {
             const std::size_t end = std::min(scene.find_first_of(" \n", at), scene.size());

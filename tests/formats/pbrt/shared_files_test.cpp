@@ -2,7 +2,9 @@
 #include <filesystem>
 
 #include "core/formats/file_text.h"
+#include "core/formats/pbrt/write_frames.h"
 #include "tests/formats/pbrt/pbrt_text.h"
+#include "tests/formats/pbrt/same_frame.h"
 #include "tests/formats/shared_scenes.h"
 
 using namespace etalon;
@@ -46,5 +48,21 @@ TEST_CASE("public scenes are read without a complaint that they do not deserve")
             CHECK(is_known(path, d));
         }
         CHECK_FALSE(file.frames.at(0).shapes.empty());
+    }
+}
+
+TEST_CASE("public scenes are the same when written and read again") {
+    for (const std::string& path : pbrt_files()) {
+        CAPTURE(path);
+        const FileText text = read_file(path);
+        const ParsedFile file = parse(text.text(), path);
+        std::string anew;
+        const std::filesystem::path directory = std::filesystem::path(path).parent_path();
+        write_frames(file.frames, directory, [&](std::string_view piece) { anew += piece; });
+        const ParsedFile again = parse(anew, path);
+        if (file.frames.empty()) continue;
+        CHECK(messages(again) == Messages{});
+        REQUIRE(again.frames.size() == 1);
+        CHECK(difference(file.frames[0], again.frames[0]) == "");
     }
 }
