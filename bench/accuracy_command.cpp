@@ -28,8 +28,10 @@ struct AccuracyArguments {
     std::vector<std::string> backends = backend_names();
     double rays = 100'000;
     double seconds = infinity;
-    bool only_backends = false, list = false;
+    bool only_backends = false, list = false, wide = false;
     std::string json, markdown, plots;
+
+    table::Detail detail() const { return wide ? table::Detail::wide : table::Detail::narrow; }
 };
 
 /// "SPH" names all rows whose id begins so, "SPH-1" those of that id, "SPH-1/1e3" those of them
@@ -70,9 +72,11 @@ std::vector<Row> measure_all(const AccuracyArguments& a, const std::vector<HardC
         if (stop) break;
         print_message("etalon-bench: {}/{}\n", c.id, c.variant);
         const std::vector<Row> rows = accuracy::measure(c, backends, budget);
-        write_table(a.json, accuracy::table(rows, all.empty() ? "" : all.back().shape));
+        write_table(a.json,
+                    accuracy::table_of(rows, a.detail(), all.empty() ? "" : all.back().shape));
         all.insert(all.end(), rows.begin(), rows.end());
     }
+    write_table(a.json, fmt::format("\n{}", accuracy::legend(a.detail())));
     return all;
 }
 
@@ -155,6 +159,7 @@ Action declare_accuracy(Options& options) {
         .positive();
     options.add_flag("--only-backends", a->only_backends,
                      "Measure backends only, not kernels by themselves");
+    options.add_flag("--wide", a->wide, "Show all columns, not only those that fit 100 characters");
     options.add_flag("--list", a->list, "List the cases and exit");
     options.add("--json", a->json, "Write the results to this JSON file; - is standard output")
         .value("FILE");

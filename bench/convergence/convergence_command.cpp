@@ -11,6 +11,7 @@
 #include "app/common/integrators.h"
 #include "app/common/output.h"
 #include "app/common/progress.h"
+#include "app/common/progress_line.h"
 #include "app/common/reference_image.h"
 #include "app/common/signals.h"
 #include "bench/bench_subcommands.h"
@@ -56,12 +57,15 @@ nlohmann::ordered_json report_on(const ConvergenceArguments& a, const Imath::V2i
     json["reference"] = measured.reference;
     json["seeds"] = a.plan.seeds;
     json["curves"] = nlohmann::ordered_json::array();
-    write_table(a.json, fmt::format("{}, {} x {}; reference: {}; {} seeds\n\n", a.scene, size.x,
-                                    size.y, measured.reference, a.plan.seeds));
+    constexpr int name_width = 40;
+    write_table(a.json, fmt::format("{}, {} x {}; reference: {}; {} seeds\n\n",
+                                    shortened(a.scene, name_width), size.x, size.y,
+                                    shortened(measured.reference, name_width - 10), a.plan.seeds));
     for (const Curve& curve : measured.curves) {
-        write_table(a.json, table(curve) + "\n");
+        write_table(a.json, table_of(curve) + "\n");
         json["curves"].push_back(json_of(curve));
     }
+    write_table(a.json, legend());
     return json;
 }
 

@@ -10,6 +10,7 @@
 #include "app/common/backends.h"
 #include "app/common/console.h"
 #include "app/common/stopwatch.h"
+#include "bench/frames/process_start.h"
 #include "bench/frames/recorded_rays.h"
 #include "bench/scenes/bench_scene.h"
 #include "bench/speed/statistics.h"
@@ -63,6 +64,7 @@ class Frame {
             cameras.push_back(watch.lap().cpu - films.back());
             writes.push_back(written(first.film));
         }
+        figures_.start = seconds_before_main();
         figures_.build = median(builds);
         figures_.render = median(renders);
         figures_.camera = median(cameras);
