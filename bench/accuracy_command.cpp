@@ -15,6 +15,7 @@
 #include "bench/accuracy/report/cases.h"
 #include "bench/accuracy/report/markdown.h"
 #include "bench/accuracy/report/plot.h"
+#include "bench/accuracy/report/remarks.h"
 #include "bench/bench_subcommands.h"
 
 namespace etalon {
@@ -87,7 +88,21 @@ bool is_broken_promise(const Row& row) {
 
 const std::string partial = "Stopped by a signal: not all cases and rays.\n";
 
-bool write_reports(const AccuracyArguments& a, const std::vector<Row>& rows, bool stopped) {
+/// Writes a plot for each shape that was measured, with remarks on it.
+bool write_plots(const std::string& folder, const std::vector<HardCase>& cases,
+                 const std::vector<Row>& rows) {
+    bool written = true;
+    for (const std::string& shape : accuracy::shapes_of(rows)) {
+        const auto wanted = std::ranges::count(cases, shape, &HardCase::shape);
+        const std::string svg = accuracy::plot(
+            rows, shape, accuracy::remarks_on(rows, shape, static_cast<std::size_t>(wanted)));
+        if (!svg.empty()) written &= write_text(folder + '/' + shape + ".svg", svg);
+    }
+    return written;
+}
+
+bool write_reports(const AccuracyArguments& a, const std::vector<HardCase>& cases,
+                   const std::vector<Row>& rows, bool stopped) {
     using Json = nlohmann::ordered_json;
     bool written = true;
     if (!a.json.empty()) {
@@ -99,12 +114,7 @@ bool write_reports(const AccuracyArguments& a, const std::vector<Row>& rows, boo
         const std::string mark = stopped ? partial + "\n" : "";
         written &= write_text(a.markdown, mark + accuracy::markdown(rows));
     }
-    if (a.plots.empty()) return written;
-    for (const std::string& shape : accuracy::shapes_of(rows)) {
-        const std::string svg = accuracy::plot(rows, shape);
-        if (!svg.empty()) written &= write_text(a.plots + '/' + shape + ".svg", svg);
-    }
-    return written;
+    return (a.plots.empty() || write_plots(a.plots, cases, rows)) && written;
 }
 
 int measure_accuracy(const AccuracyArguments& a) {
@@ -128,7 +138,7 @@ int measure_accuracy(const AccuracyArguments& a) {
         write_table(a.json,
                     fmt::format("{} rows with errors that none of them may have\n", broken));
     }
-    const bool written = write_reports(a, rows, stopped);
+    const bool written = write_reports(a, cases, rows, stopped);
     if (stopped) return exit_signal + signals.signal();
     if (!written) return exit_not_written;
     return broken > 0 ? exit_differs : exit_done;
