@@ -49,6 +49,8 @@ int measure_frames(const FramesArguments& a) {
         figures.push_back(std::move(frame.value));
     }
     write_table(a.json, table_of(figures, a.detail()));
+    json["stopped"] = signals.signal() != 0 ? nlohmann::ordered_json("signal") : nullptr;
+    if (signals.signal() != 0) write_table(a.json, "Stopped by a signal: not all frames.\n");
     if (!a.json.empty() && !write_json(a.json, json)) return exit_not_written;
     return signals.signal() != 0 ? exit_signal + signals.signal() : exit_done;
 }
