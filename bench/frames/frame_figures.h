@@ -13,7 +13,7 @@ struct FrameFigures {
     double start = 0;         ///< the process until main
     double load = 0;          ///< reading the scene file, without its images
     double build = 0;         ///< the backend's structure
-    double images = 0;        ///< preparing the integrator, for which images of the scene are read
+    double images = 0;        ///< what the first rendering takes longer: images are read for it
     double camera = 0;        ///< making the camera rays
     double intersection = 0;  ///< finding the hits of the frame's rays, and nothing else
     double film = 0;          ///< adding the samples up

@@ -45,10 +45,10 @@ class Frame {
         const ThreadLimit one_thread(1);
         std::vector<double> builds, renders, cameras, intersections, films, writes;
         const std::unique_ptr<Intersector> intersector = built();
-        Stopwatch images;
+        Stopwatch cold;
         const std::unique_ptr<Integrator> integrator = made(*intersector);
-        figures_.images = images.lap().cpu;
         const Rendering first = rendered(*integrator);
+        const double first_seconds = cold.lap().cpu;
         RecordedRays recorded(*intersector, 1 + first.counts.total() / recorded_rays);
         rendered(*made(recorded));
         for (int i = 0; i < repeats; ++i) {
@@ -67,6 +67,7 @@ class Frame {
         figures_.start = seconds_before_main();
         figures_.build = median(builds);
         figures_.render = median(renders);
+        figures_.images = std::max(0.0, first_seconds - figures_.render);
         figures_.camera = median(cameras);
         figures_.intersection = median(intersections);
         figures_.film = median(films);

@@ -15,7 +15,8 @@ constexpr Stage all[] = {
      of<&F::start>},
     {"load", "load", 7, "reading the scene file, without its images", of<&F::load>},
     {"build", "build", 7, "the backend's structure", of<&F::build>},
-    {"images", "images", 7, "preparing the integrator, for which the scene's images are read",
+    {"images", "images", 7,
+     "what the first rendering takes longer than later ones: reading the scene's images",
      of<&F::images>},
     {"camera", "camera", 7, "making the camera rays", of<&F::camera>},
     {"intersection", "inters.", 8, "the frame's rays, asked again by the intersector alone",
@@ -25,7 +26,8 @@ constexpr Stage all[] = {
      [](const F& f) { return f.shading(); }},
     {"film", "film", 6, "adding the samples up", of<&F::film>},
     {"render", "render", 8, "the whole rendering, from camera rays to film", of<&F::render>},
-    {"write", "write", 7, "encoding and writing an EXR", of<&F::write>},
+    {"write", "write", 7, "encoding and writing an EXR, by code that is loaded already",
+     of<&F::write>},
 };
 
 }  // namespace

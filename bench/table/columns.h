@@ -32,7 +32,8 @@ using Columns = std::vector<Column<Line>>;
 
 std::string without_trailing_blanks(const std::string& text);
 
-/// Returns the two lines of the heading; `beginning` is that of the lower one.
+/// Returns the lines of the heading, one if there are no names above; `beginning` is that of the
+/// lower one.
 template <class Line>
 std::string heading(std::string beginning, const Columns<Line>& columns, Detail detail) {
     std::string above(beginning.size(), ' ');
@@ -41,7 +42,8 @@ std::string heading(std::string beginning, const Columns<Line>& columns, Detail 
         above += fmt::format("{:>{}}", c.above, c.width);
         beginning += fmt::format("{:>{}}", c.name, c.width);
     }
-    return without_trailing_blanks(above) + "\n" + without_trailing_blanks(beginning) + "\n";
+    above = without_trailing_blanks(above);
+    return (above.empty() ? "" : above + "\n") + without_trailing_blanks(beginning) + "\n";
 }
 
 template <class Line>
