@@ -176,7 +176,9 @@ double SphereArea::area() const {
 std::optional<double> SphereArea::cone(const Vec3& from) const {
     const Vec3 way = sphere_.centre - from;
     const double sine2 = sphere_.radius * sphere_.radius / way.dot(way);
-    if (!(sine2 < 1)) return std::nullopt;
+    // A point of the sphere itself is on either side of it by its roundings. Where the cone is as
+    // good as a hemisphere the area serves as well.
+    if (!(sine2 < 1 - 1e-9)) return std::nullopt;
     return sine2 / (1 + std::sqrt(1 - sine2));
 }
 

@@ -83,7 +83,8 @@ class SphereArea {
     std::optional<Vec3> flat_normal() const { return std::nullopt; }
 
   private:
-    /// 1 - cosine of the half angle of the cone in which the sphere is seen; nothing from inside.
+    /// 1 - cosine of the half angle of the cone in which the sphere is seen; nothing from inside
+    /// and from right above.
     std::optional<double> cone(const Vec3& from) const;
 
     Sphere sphere_;

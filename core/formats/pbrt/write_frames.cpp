@@ -56,8 +56,8 @@ class FrameWriter {
     /// Writes a plugin whose type is one of its parameters.
     void write_named(std::string_view directive, const std::string& name, const Plugin& plugin,
                      const std::string& more = {}) {
-        out_.line("{} {} \"string type\" {}{}{}", directive, quote(name),
-                  quote(plugin.type->name), parameters_text(plugin, directory_), more);
+        out_.line("{} {} \"string type\" {}{}{}", directive, quote(name), quote(plugin.type->name),
+                  parameters_text(plugin, directory_), more);
     }
 
     void write_options() {
