@@ -1,4 +1,5 @@
 // etalon-bench: measures accelerators.
+#include "app/common/provenance.h"
 #include "bench/bench_subcommands.h"
 
 namespace {
@@ -39,6 +40,7 @@ constexpr etalon::Command commands[] = {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return etalon::run_program("etalon-bench", "Etalon's accelerator laboratory", commands, argc,
-                               argv);
+    return etalon::run_program(
+        {"etalon-bench", "Etalon's accelerator laboratory", etalon::library_lines}, commands, argc,
+        argv);
 }

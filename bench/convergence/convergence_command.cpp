@@ -11,18 +11,20 @@
 #include "app/common/integrators.h"
 #include "app/common/output.h"
 #include "app/common/progress.h"
+#include "app/common/provenance.h"
 #include "app/common/reference_image.h"
 #include "app/common/signals.h"
 #include "bench/bench_subcommands.h"
 #include "bench/convergence/curve_report.h"
 #include "bench/convergence/measure_curves.h"
 #include "bench/scenes/bench_scene.h"
-#include "bench/speed/report/speed_json.h"
 
 namespace etalon {
 namespace {
 
 using namespace convergence;
+
+using Json = nlohmann::ordered_json;
 
 struct ConvergenceArguments {
     std::string scene, reference, json;
@@ -48,14 +50,13 @@ Result<ReferenceImage> read_reference_image(const std::string& path,
     return {{std::move(image.value), path}, image.error};
 }
 
-nlohmann::ordered_json report_on(const ConvergenceArguments& a, const Imath::V2i& size,
-                                 const Measured& measured) {
-    nlohmann::ordered_json json = speed::json_of_machine();
+Json report_on(const ConvergenceArguments& a, const Imath::V2i& size, const Measured& measured) {
+    Json json = provenance();
     json["scene"] = a.scene;
     json["image"] = {{"width", size.x}, {"height", size.y}};
     json["reference"] = measured.reference;
     json["seeds"] = a.plan.seeds;
-    json["curves"] = nlohmann::ordered_json::array();
+    json["curves"] = Json::array();
     write_table(a.json, fmt::format("{}, {} x {}; reference: {}; {} seeds\n\n", a.scene, size.x,
                                     size.y, measured.reference, a.plan.seeds));
     for (const Curve& curve : measured.curves) {
@@ -100,7 +101,8 @@ int measure_convergence(const ConvergenceArguments& a) {
         all.reference = one.value.reference;
         std::ranges::move(one.value.curves, std::back_inserter(all.curves));
     }
-    const auto json = report_on(a, named.settings.resolution, all);
+    auto json = report_on(a, named.settings.resolution, all);
+    json["stopped"] = signals.signal() != 0 ? Json("signal") : Json();
     if (!a.json.empty() && !write_json(a.json, json)) return exit_not_written;
     return signals.signal() != 0 ? exit_signal + signals.signal() : exit_done;
 }

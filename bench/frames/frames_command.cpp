@@ -8,14 +8,16 @@
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
+#include "app/common/provenance.h"
 #include "app/common/signals.h"
 #include "bench/bench_subcommands.h"
 #include "bench/frames/frame_report.h"
 #include "bench/frames/measure_frame.h"
-#include "bench/speed/report/speed_json.h"
 
 namespace etalon {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct FramesArguments {
     std::vector<std::string> scenes;
@@ -31,9 +33,9 @@ int measure_frames(const FramesArguments& a) {
     }
     const SignalGuard signals;
     std::vector<frames::FrameFigures> figures;
-    nlohmann::ordered_json json = speed::json_of_machine();
+    Json json = provenance();
     json["repeats"] = a.plan.repeats;
-    json["frames"] = nlohmann::ordered_json::array();
+    json["frames"] = Json::array();
     for (const std::string& scene : a.scenes) {
         if (signals.signal() != 0) break;
         Result<frames::FrameFigures> frame = frames::measure_frame(scene, a.plan);
@@ -45,6 +47,7 @@ int measure_frames(const FramesArguments& a) {
         json["frames"].push_back(json_of(frame.value));
         figures.push_back(std::move(frame.value));
     }
+    json["stopped"] = signals.signal() != 0 ? Json("signal") : Json();
     write_table(a.json, table(figures));
     if (!a.json.empty() && !write_json(a.json, json)) return exit_not_written;
     return signals.signal() != 0 ? exit_signal + signals.signal() : exit_done;
