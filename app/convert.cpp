@@ -14,11 +14,15 @@ namespace {
 
 struct ConvertArguments {
     SceneArguments scene;
-    std::string output;
+    std::string output, output_format;
 };
 
-SceneWriter writer_of(const std::string& path) {
-    return find_scene_writer(std::filesystem::path(path).extension().string());
+/// nullptr if the output's name tells no format that can be written.
+SceneWriter writer_of(const ConvertArguments& a) {
+    if (a.output != "-") {
+        return find_scene_writer(std::filesystem::path(a.output).extension().string());
+    }
+    return find_scene_writer("." + (a.output_format.empty() ? "p3f" : a.output_format));
 }
 
 /// Whether both name one file.
@@ -29,9 +33,15 @@ bool is_same_file(const std::string& a, const std::string& b) {
 
 /// Returns why the output cannot be had, and the exit status; an empty text if it can.
 std::pair<std::string, int> check_output(const ConvertArguments& a) {
-    if (!writer_of(a.output)) {
-        return {fmt::format("{}: expected a file ending in {}", a.output, writable_extensions()),
+    if (a.output == "-") return {};
+    if (!a.output_format.empty()) {
+        return {"--output-format: the output is not -; the names of files tell their formats",
                 exit_usage};
+    }
+    if (!writer_of(a)) {
+        return {
+            fmt::format("{}: expected a name ending in {}, or -", a.output, writable_extensions()),
+            exit_usage};
     }
     if (is_same_file(a.scene.path, a.output)) {
         return {a.output + ": is the scene itself; expected another file", exit_usage};
@@ -62,8 +72,7 @@ int convert(const ConvertArguments& a) {
         return exit_unusable;
     }
     const std::filesystem::path path = a.output;
-    const WrittenScene written =
-        writer_of(a.output)(*loaded.scene, loaded.settings, path.parent_path());
+    const WrittenScene written = writer_of(a)(*loaded.scene, loaded.settings, path.parent_path());
     if (!tolerates(a, written)) return exit_unusable;
     return write_text(a.output, written.text) ? exit_done : exit_not_written;
 }
@@ -75,9 +84,13 @@ Action declare_convert(Options& options) {
     declare_scene(options, a->scene);
     options
         .add("-o,--output", a->output,
-             "Output file; its extension, .p3f or .pbrt, gives the format")
+             "Output file; its extension, .p3f or .pbrt, gives the format; - is standard output")
         .value("FILE")
         .required();
+    options
+        .add("--output-format", a->output_format,
+             "Format of the scene on standard output, for -o - (default: p3f)")
+        .one_of(writable_formats());
     return [a] { return convert(*a); };
 }
 

@@ -17,6 +17,10 @@ namespace etalon {
 /// only. Returns the reason of a failure, beginning with the path, or an empty string.
 std::string write_image(const std::string& path, const RenderedImage& image, double exposure = 0);
 
+/// Returns the bytes of such a file; `name` tells its format.
+Result<std::string> encode_image(const std::string& name, const RenderedImage& image,
+                                 double exposure = 0);
+
 /// Whether write_image() knows the extension.
 bool can_write(const std::string& path);
 

@@ -146,7 +146,7 @@ TEST_CASE("a wrong value is shown with what was expected", "[app]") {
         {"--spp", "--spp: expected a value"},
         {"--spp 1 --spp 2", "--spp: given more than once"},
         {"--exposure nan", "--exposure nan: expected a number"},
-        {"--output a.gif", "--output a.gif: expected a name ending in .exr or .png"},
+        {"--output a.gif", "--output a.gif: expected a name ending in .exr or .png, or -"},
         {"--aov albdo",
          "--aov albdo: expected one of albedo, N, P, Z, uv, dpdu, dpdv, primitiveId, variance, "
          "sampleCount, cost.boxTests, cost.primitiveTests; did you mean 'albedo'?"},
