@@ -91,13 +91,14 @@ std::optional<Result<Image>> read_known(const std::string& path, Extent extent) 
     const std::size_t size = std::fread(bytes.data(), 1, bytes.size(), file.get());
     const std::string_view start(bytes.data(), size);
     std::rewind(file.get());
+    if (start.empty()) return Result<Image>{{}, "the file is empty"};
+    if (start.starts_with("\x76\x2f\x31\x01")) return read_exr(path, extent);
     if (start.starts_with("\x89PNG\r\n\x1a\n")) return read_png(file.get(), extent);
     if (start.starts_with("\xff\xd8")) return read_jpeg(file.get(), extent);
     return std::nullopt;
 }
 
 Result<Image> read_by_kind(const std::string& path, Extent extent) {
-    if (extension(path) == ".exr") return read_exr(path, extent);
     if (std::optional<Result<Image>> image = read_known(path, extent)) return std::move(*image);
     return read_oiio(path, extent);
 }

@@ -30,8 +30,9 @@ bool can_hold_channels(const std::string& path);
 /// Whether write_image() applies the exposure to a file of this extension.
 bool has_exposure(const std::string& path);
 
-/// Reads an image file: .exr by OpenEXR; PNG and JPEG, told by their first bytes, by libpng and
-/// libjpeg; anything else by OpenImageIO. A failure's reason begins with the path.
+/// Reads an image file, told by its first bytes: EXR by OpenEXR, PNG by libpng, JPEG by libjpeg;
+/// anything else by OpenImageIO. A failure's reason begins with the path, and is in no library's
+/// words.
 Result<Image> read_image(const std::string& path, Extent extent = Extent::whole);
 
 }  // namespace etalon
