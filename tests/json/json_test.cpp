@@ -103,11 +103,30 @@ class Comparison {
     std::set<std::string> documented_, seen_;
 };
 
+/// A scene with every light of PBRT.
+constexpr const char* pbrt_lights = R"(Film "image" "integer xresolution" 8 "integer yresolution" 8
+LookAt 0 1 5 0 0 0 0 1 0
+Camera "perspective"
+WorldBegin
+LightSource "point"
+LightSource "spot"
+LightSource "distant"
+LightSource "infinite"
+LightSource "goniometric"
+AttributeBegin
+AreaLightSource "diffuse"
+Shape "sphere" "float radius" 0.1
+AttributeEnd
+Shape "sphere"
+WorldEnd
+)";
+
 /// Runs programs in a folder that has scenes.
 class Programs {
   public:
     Programs() {
         f_.write("G", small_scene);
+        f_.write("lights.pbrt", pbrt_lights);
         f_.write("wrong.p3f", wrong_scene());
         f_.write("black.pfm", pixel(std::string(4, '\0')));
         f_.write("infinite.pfm", pixel(std::string("\x7f\x80\0\0", 4)));
@@ -155,6 +174,7 @@ void check_renders(Comparison& c, const Programs& run) {
 void check_info(Comparison& c, const Programs& run) {
     const std::string to = "etalon-info---json", scenes = ETALON_SOURCE_DIR "/scenes/features/";
     c.check(to, run("etalon info G --json", "-"));
+    c.check(to, run("etalon info lights.pbrt --json", "-"));
     c.check(to, run("etalon info wrong.p3f --json", "-"));
     c.check(to, run("etalon info black.pfm --json", "-", 3));
     c.check(to, run("etalon info '" + scenes + "skybox.p3f' --json", "-"));
