@@ -17,11 +17,15 @@ namespace {
 
 struct ConvertArguments {
     SceneArguments scene;
-    std::string output;
+    std::string output, output_format;
 };
 
-SceneWriter writer_of(const std::string& path) {
-    return find_scene_writer(std::filesystem::path(path).extension().string());
+/// nullptr if the output's name tells no format that can be written.
+SceneWriter writer_of(const ConvertArguments& a) {
+    if (a.output != "-") {
+        return find_scene_writer(std::filesystem::path(a.output).extension().string());
+    }
+    return find_scene_writer("." + (a.output_format.empty() ? "p3f" : a.output_format));
 }
 
 /// Whether both name one file.
@@ -32,9 +36,15 @@ bool is_same_file(const std::string& a, const std::string& b) {
 
 /// Returns why the output cannot be had, and the exit status; an empty text if it can.
 std::pair<std::string, int> check_output(const ConvertArguments& a) {
-    if (!writer_of(a.output)) {
-        return {fmt::format("{}: expected a file ending in {}", a.output, writable_extensions()),
+    if (a.output == "-") return {};
+    if (!a.output_format.empty()) {
+        return {"--output-format: the output is not -; the names of files tell their formats",
                 exit_usage};
+    }
+    if (!writer_of(a)) {
+        return {
+            fmt::format("{}: expected a name ending in {}, or -", a.output, writable_extensions()),
+            exit_usage};
     }
     if (is_same_file(a.scene.path, a.output)) {
         return {a.output + ": is the scene itself; expected another file", exit_usage};
@@ -58,7 +68,7 @@ std::filesystem::path output_directory(const ConvertArguments& a) {
 
 /// Whether the output is to be PBRT as the scene is: then it says all that the scene says.
 bool is_pbrt_to_pbrt(const ConvertArguments& a, std::string_view text) {
-    return writer_of(a.output) == write_pbrt && a.scene.legacy.empty() && !text.empty() &&
+    return writer_of(a) == write_pbrt && a.scene.legacy.empty() && !text.empty() &&
            format_of(text, a.scene.path, a.scene.options) == "pbrt";
 }
 
@@ -80,7 +90,7 @@ int convert_text(const ConvertArguments& a, std::optional<std::string_view> text
         return exit_unusable;
     }
     const WrittenScene written =
-        writer_of(a.output)(*loaded.scene, loaded.settings, output_directory(a));
+        writer_of(a)(*loaded.scene, loaded.settings, output_directory(a));
     if (!tolerates(a, written)) return exit_unusable;
     return write_text(a.output, written.text) ? exit_done : exit_not_written;
 }
@@ -106,9 +116,13 @@ Action declare_convert(Options& options) {
     declare_scene(options, a->scene);
     options
         .add("-o,--output", a->output,
-             "Output file; its extension, .p3f or .pbrt, gives the format")
+             "Output file; its extension, .p3f or .pbrt, gives the format; - is standard output")
         .value("FILE")
         .required();
+    options
+        .add("--output-format", a->output_format,
+             "Format of the scene on standard output, for -o - (default: p3f)")
+        .one_of(writable_formats());
     return [a] { return convert(*a); };
 }
 

@@ -3,6 +3,7 @@
 #include "app/common/backends.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
+#include "app/common/provenance.h"
 #include "app/scene_arguments.h"
 #include "app/stats.h"
 #include "app/subcommands.h"
@@ -94,7 +95,8 @@ Json describe(const InfoArguments& a, const LoadedScene& loaded) {
     const Camera& c = s.camera;
     const LookFacts look = facts_of(s, settings);
     const auto vec = [](const Vec3& v) { return Json{v.x, v.y, v.z}; };
-    return {{"scene", a.scene.path},
+    return {{"schema", json_schema},
+            {"scene", a.scene.path},
             {"format", s.format},
             {"primitives", primitive_counts(s)},
             {"vertices", s.geometry.vertices.size() + s.geometry.decimal_vertices.size()},
@@ -147,7 +149,9 @@ std::string as_text(const Json& j) {
 int inform(const InfoArguments& a) {
     const LoadedScene loaded = load(a.scene);
     if (!loaded.scene) {
-        const Json j{{"scene", a.scene.path}, {"diagnostics", diagnostics(loaded.diagnostics)}};
+        const Json j{{"schema", json_schema},
+                     {"scene", a.scene.path},
+                     {"diagnostics", diagnostics(loaded.diagnostics)}};
         if (a.json && loaded.status == exit_unusable) write_json("-", j);
         return loaded.status;
     }

@@ -1,4 +1,5 @@
 // etalon: renders scene files, and shows what it does with them.
+#include "app/common/provenance.h"
 #include "app/subcommands.h"
 
 namespace {
@@ -44,6 +45,7 @@ constexpr etalon::Command commands[] = {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return etalon::run_program("etalon", "A renderer and accelerator laboratory", commands, argc,
-                               argv);
+    return etalon::run_program(
+        {"etalon", "A renderer and accelerator laboratory", etalon::library_lines}, commands, argc,
+        argv);
 }

@@ -3,7 +3,6 @@
 #include <sys/resource.h>
 
 #include "app/common/provenance.h"
-#include "embree_backend/embree_backends.h"
 
 namespace etalon {
 namespace {
@@ -38,8 +37,6 @@ Json to_json(const RenderStats& s) {
     const double rate =
         s.render.wall > 0 ? static_cast<double>(s.rays.total()) / s.render.wall * 1e-6 : 0;
     Json json = provenance();
-    const EmbreeLibrary embree = embree_library();
-    json["embree"] = {{"version", embree.version}, {"isa", embree.isa}};
     json.update({{"scene", s.scene},
                  {"format", s.format},
                  {"backend", s.backend},

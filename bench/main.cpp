@@ -1,4 +1,5 @@
 // etalon-bench: measures accelerators.
+#include "app/common/provenance.h"
 #include "bench/bench_subcommands.h"
 #include "bench/frames/process_start.h"
 
@@ -41,6 +42,7 @@ constexpr etalon::Command commands[] = {
 
 int main(int argc, char** argv) {
     etalon::frames::note_begin_of_main();
-    return etalon::run_program("etalon-bench", "Etalon's accelerator laboratory", commands, argc,
-                               argv);
+    return etalon::run_program(
+        {"etalon-bench", "Etalon's accelerator laboratory", etalon::library_lines}, commands, argc,
+        argv);
 }

@@ -54,7 +54,7 @@ EmbreeLibrary embree_library() {
     const auto v = rtcGetDeviceProperty(device.handle(), RTC_DEVICE_PROPERTY_VERSION);
     const std::string version = std::to_string(v / 10000) + '.' + std::to_string(v / 100 % 100) +
                                 '.' + std::to_string(v % 100);
-    return {version, device.isa()};
+    return {version, RTC_VERSION_STRING, device.isa()};
 }
 
 }  // namespace etalon

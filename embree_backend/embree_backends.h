@@ -16,8 +16,9 @@ const Backend& embree_builtin_robust();
 
 /// The library that is loaded, which need not be the one whose header was compiled.
 struct EmbreeLibrary {
-    std::string version;  ///< "3.13.5"
-    std::string isa;      ///< that its devices are made for, "avx2"
+    std::string version;           ///< "3.13.5"
+    std::string compiled_version;  ///< of the header
+    std::string isa;               ///< that its devices are made for, "avx2"
 };
 
 /// Throws as EmbreeDevice does.

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "app/common/option_text.h"
-#include "app/common/provenance.h"
+#include "app/common/program_facts.h"
 
 namespace etalon {
 namespace {

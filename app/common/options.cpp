@@ -102,8 +102,7 @@ Option& Option::suggest(const std::vector<std::string>& values) {
 Option& Option::one_of(const std::vector<std::string>& values) {
     suggest(values);
     const std::string list = fmt::format("{}", fmt::join(values, ", "));
-    option_->description(option_->get_description() + ". One of " + list);
-    return check([values, list](const std::string& text) {
+    return explain("One of " + list).check([values, list](const std::string& text) {
         if (std::ranges::find(values, text) != values.end()) return std::string();
         const std::vector<std::string_view> names(values.begin(), values.end());
         return text + ": expected one of " + list + did_you_mean(text, names);
@@ -111,23 +110,36 @@ Option& Option::one_of(const std::vector<std::string>& values) {
 }
 
 Option& Option::within(int least, int most) {
-    return check(range_check(least, most));
+    return within_range(least, most);
 }
 
 Option& Option::within(std::size_t least, std::size_t most) {
-    return check(range_check(least, most));
+    return within_range(least, most);
 }
 
 Option& Option::within(double least, double most) {
-    return check(range_check(least, most));
+    return within_range(least, most);
 }
 
 Option& Option::positive() {
-    return check(number_check<double>("a number above 0", [](double x) { return x > 0; }));
+    return explain("Above 0").check(
+        number_check<double>("a number above 0", [](double x) { return x > 0; }));
 }
 
 Option& Option::not_negative() {
-    return check(number_check<double>("0 or a number above", [](double x) { return x >= 0; }));
+    return explain("0 or above").check(number_check<double>("0 or a number above", [](double x) {
+        return x >= 0;
+    }));
+}
+
+Option& Option::explain(const std::string& rule) {
+    option_->description(option_->get_description() + ". " + rule);
+    return *this;
+}
+
+template <class T>
+Option& Option::within_range(T least, T most) {
+    return explain(fmt::format("{} to {}", least, most)).check(range_check(least, most));
 }
 
 Option& Option::check(std::function<std::string(const std::string&)> find_fault) {

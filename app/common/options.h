@@ -35,7 +35,7 @@ class Option {
 
     /// Offers values where a command line is completed.
     Option& suggest(const std::vector<std::string>& values);
-    /// Allows these values alone.
+    /// Allows these values alone. The help names them, and the ranges below.
     Option& one_of(const std::vector<std::string>& values);
     Option& within(int least, int most);
     Option& within(std::size_t least, std::size_t most);
@@ -47,6 +47,11 @@ class Option {
     Option& check(std::function<std::string(const std::string&)> find_fault);
 
   private:
+    /// Adds a sentence to the help: what the values may be.
+    Option& explain(const std::string& rule);
+    template <class T>
+    Option& within_range(T least, T most);
+
     CLI::Option* option_;
     ValueChoices* choices_;
 };

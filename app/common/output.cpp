@@ -42,6 +42,11 @@ std::pair<std::string, int> check_outputs(const std::vector<std::string>& paths)
     return {};
 }
 
+std::string check_image_to_standard_output() {
+    if (::isatty(STDOUT_FILENO) == 0) return {};
+    return "-o -: standard output is a terminal, which shows no image; expected a pipe or a file";
+}
+
 bool write_text(const std::string& path, const std::string& text) {
     if (path == "-") return write_result(text);
     const std::string error = write_file_atomically(path, text);

@@ -16,6 +16,9 @@ std::string check_writable(const std::string& path);
 /// paths stand for outputs that nobody asked for.
 std::pair<std::string, int> check_outputs(const std::vector<std::string>& paths);
 
+/// Returns why standard output should get no bytes of an image: it is a terminal. Empty if it may.
+std::string check_image_to_standard_output();
+
 /// Writes text to a file, whole or not at all, or to standard output for "-". False, and a message
 /// on standard error, if it could not.
 bool write_text(const std::string& path, const std::string& text);

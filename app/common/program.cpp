@@ -16,7 +16,7 @@
 #include "app/common/documentation.h"
 #include "app/common/exit_status.h"
 #include "app/common/help.h"
-#include "app/common/provenance.h"
+#include "app/common/program_facts.h"
 #include "app/common/usage_error.h"
 
 namespace etalon {
@@ -93,49 +93,48 @@ int parse_and_run(CommandLine& line, std::span<const Command> commands, int argc
     return exit_usage;
 }
 
-std::string version_text(const char* name) {
+std::string version_text(const ProgramText& text) {
     const BuildFacts& build = build_facts();
-    return fmt::format("{} {}\ncommit {}\ncompiler {}\nflags {}", name, build.version, build.commit,
-                       build.compiler, build.flags);
+    const std::string libraries = text.libraries ? "\n" + text.libraries() : "";
+    return fmt::format("{} {}\ncommit {}\ncompiler {}\nflags {}{}", text.name, build.version,
+                       build.commit, build.compiler, build.flags, libraries);
 }
 
 /// Runs `task` with the parser of a program; what it throws becomes a message and a status.
 template <class Task>
-int guarded(const char* name, const char* description, const Task& task) {
+int guarded(const ProgramText& text, const Task& task) {
     try {
-        CommandLine line{CLI::App(description, name), {}};
+        CommandLine line{CLI::App(text.description, text.name), {}};
         line.program.formatter(help_formatter());
-        line.program.set_version_flag("--version", version_text(name));
+        line.program.set_version_flag("--version", [&] { return version_text(text); });
         return task(line);
     } catch (const std::bad_alloc&) {
-        print_message("{}: error: not enough memory for what was asked\n", name);
+        print_message("{}: error: not enough memory for what was asked\n", text.name);
     } catch (const std::exception& error) {
-        print_message("{}: error: {}\n", name, error.what());
+        print_message("{}: error: {}\n", text.name, error.what());
     }
     return exit_unusable;
 }
 
 /// Runs a program from its first line to its exit status.
 template <class Task>
-int run_prepared(const char* name, const char* description, int argc, char** argv,
-                 const Task& task) {
+int run_prepared(const ProgramText& text, int argc, char** argv, const Task& task) {
     note_command_line(argc, argv);
     prepare_standard_streams();
     keep_freed_memory();
-    return status_after_results(name, guarded(name, description, task));
+    return status_after_results(text.name, guarded(text, task));
 }
 
 }  // namespace
 
-int run_program(const char* name, const char* description, std::span<const Command> commands,
-                int argc, char** argv) {
-    return run_prepared(name, description, argc, argv, [&](CommandLine& line) {
+int run_program(const ProgramText& text, std::span<const Command> commands, int argc, char** argv) {
+    return run_prepared(text, argc, argv, [&](CommandLine& line) {
         return parse_and_run(line, commands, argc, argv);
     });
 }
 
 int run_program(const Command& command, int argc, char** argv) {
-    return run_prepared(command.name, command.summary, argc, argv, [&](CommandLine& line) {
+    return run_prepared({command.name, command.summary}, argc, argv, [&](CommandLine& line) {
         const Action run = declare(command, command.name, line.program, line.choices);
         const std::optional<int> status = parse(line, argc, argv);
         return status ? *status : run();

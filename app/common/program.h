@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <span>
+#include <string>
 
 #include "app/common/options.h"
 
@@ -25,9 +26,15 @@ struct Command {
     std::array<Example, 2> examples;
 };
 
+/// What a program says of itself.
+struct ProgramText {
+    const char* name;
+    const char* description;
+    std::string (*libraries)() = nullptr;  ///< lines of --version on the libraries that it loads
+};
+
 /// Parses the command line and runs what it asks for. No exception escapes.
-int run_program(const char* name, const char* description, std::span<const Command> commands,
-                int argc, char** argv);
+int run_program(const ProgramText& text, std::span<const Command> commands, int argc, char** argv);
 
 /// The same for a program that has no subcommands, but is one.
 int run_program(const Command& command, int argc, char** argv);

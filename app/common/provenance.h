@@ -1,28 +1,28 @@
-// What made a result: the program, how it was built, and how it was called.
+// What made a result: the program and how it was called, the machine, and Embree.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
 
 namespace etalon {
 
-/// The build of the programs.
-struct BuildFacts {
-    std::string_view version;
-    std::string_view commit;  ///< of Git, "unknown" where there was none
-    std::string_view compiler, flags;
+/// The number that changes when a key of a JSON is renamed or removed, or its meaning changes.
+inline constexpr int json_schema = 1;
+
+/// The machine on which the program runs.
+struct MachineFacts {
+    std::string processor;    ///< as the system names it, or "unknown"
+    int cores = 0;            ///< that this process may use
+    double load_average = 0;  ///< of the last minute, other processes included; 0 if unknown
+    std::string isa;          ///< the best that this machine has of those compiled, "avx2"
 };
-const BuildFacts& build_facts();
+MachineFacts machine_facts();
 
-/// Notes how the program was called. To be called once, before threads start.
-void note_command_line(int argc, char** argv);
-
-/// How the program was called, each word quoted as a POSIX shell needs it.
-const std::string& command_line();
-
-/// What every JSON of a measurement begins with: "schema", the number that changes when keys are
-/// renamed or removed, the build, and "command".
+/// Returns what every JSON of a measurement begins with: "schema", the build, "command", "machine"
+/// and "embree". Throws as embree_library() does.
 nlohmann::ordered_json provenance();
+
+/// Returns what --version says beside the build: Embree and the instruction set, a line each.
+std::string library_lines();
 
 }  // namespace etalon

@@ -15,13 +15,19 @@ void declare_image(Options& options, RenderArguments& a) {
     const char* group = "Image";
     options
         .add("-o,--output", a.outputs,
-             "Output file, FILE.exr or FILE.png; may be repeated "
+             "Output file, FILE.exr or FILE.png, or - for standard output; may be repeated "
              "(default: the scene's name with .exr, in this folder)")
         .value("FILE")
         .check([](const std::string& path) {
-            return can_write(path) ? "" : path + ": expected a name ending in .exr or .png";
+            if (path == "-" || can_write(path)) return std::string();
+            return path + ": expected a name ending in .exr or .png, or -";
         })
         .one_value_each()
+        .group(group);
+    options
+        .add("--output-format", a.output_format,
+             "Format of the image on standard output, for -o - (default: exr)")
+        .one_of({"exr", "png"})
         .group(group);
     options.add("--resolution", a.resolution, "Width and height in pixels (default: the scene's)")
         .value("WxH")

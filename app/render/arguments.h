@@ -14,8 +14,8 @@ namespace etalon {
 struct RenderArguments {
     SceneArguments scene;
     std::vector<std::string> outputs, aovs;
-    std::string backend, integrator{scene_integrator}, sampler = "sobol", resolution, crop, filter,
-                                                       stats, reference;
+    std::string output_format, backend, integrator{scene_integrator},
+        sampler = "sobol", resolution, crop, filter, stats, reference;
     int samples = -1, max_depth = 0, threads = 0;
     std::size_t seed = 0;
     double exposure = 0, target_error = 0, time_limit = 0, max_distance = 0;
@@ -23,6 +23,10 @@ struct RenderArguments {
 };
 
 void declare_render_options(Options& options, RenderArguments& a);
+
+/// Returns the name whose extension tells the format of an output: its own, or for "-", standard
+/// output, one with the extension of --output-format.
+std::string format_name(const RenderArguments& a, const std::string& output);
 
 /// Overrides the scene's own settings by those of the command line. Returns the reason why the
 /// image cannot be had, or nothing.

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "app/common/provenance.h"
+#include "app/common/program_facts.h"
 #include "core/render/camera_rays.h"
 
 namespace etalon {

@@ -99,21 +99,39 @@ std::string apply_integrator(const RenderArguments& a, const Scene& scene,
     return {};
 }
 
+/// Whether an output is of a format of which `test` holds.
+template <class Test>
+bool any_output(const RenderArguments& a, const Test& test) {
+    return std::ranges::any_of(
+        a.outputs, [&](const std::string& output) { return test(format_name(a, output)); });
+}
+
+/// Refuses a format that no output would have.
+std::string check_output_format(const RenderArguments& a) {
+    const bool is_used = a.output_format.empty() || std::ranges::count(a.outputs, "-") > 0;
+    return is_used ? "" : "--output-format: no output is -; the names of files tell their formats";
+}
+
 /// Refuses an exposure that no image would have.
 std::string check_exposure(const RenderArguments& a) {
-    const bool is_used = a.exposure == 0 || std::ranges::any_of(a.outputs, has_exposure);
+    const bool is_used = a.exposure == 0 || any_output(a, has_exposure);
     return is_used ? "" : "--exposure: no output is a PNG; expected -o FILE.png to have it";
 }
 
 std::string check_aovs(const RenderArguments& a, const RenderSettings& settings) {
     if (a.aovs.empty()) return {};
-    if (!a.outputs.empty() && std::none_of(a.outputs.begin(), a.outputs.end(), can_hold_channels)) {
+    if (!a.outputs.empty() && !any_output(a, can_hold_channels)) {
         return "--aov: no output is an EXR; expected -o FILE.exr to hold the channels";
     }
     return check_aovs(a.aovs, chosen_backend(settings));
 }
 
 }  // namespace
+
+std::string format_name(const RenderArguments& a, const std::string& output) {
+    if (output != "-") return output;
+    return "image." + (a.output_format.empty() ? "exr" : a.output_format);
+}
 
 std::string apply_overrides(const RenderArguments& a, const Scene& scene,
                             RenderSettings& settings) {
@@ -127,6 +145,7 @@ std::string apply_overrides(const RenderArguments& a, const Scene& scene,
     }
     std::string error = apply_integrator(a, scene, settings);
     if (error.empty()) error = check_aovs(a, settings);
+    if (error.empty()) error = check_output_format(a);
     if (error.empty()) error = check_exposure(a);
     if (error.empty()) error = apply_resolution(a.resolution, settings);
     return error.empty() ? apply_crop(a.crop, settings) : error;

@@ -52,7 +52,7 @@ class Render {
         if (const std::string missing = check_memory(settings_); !missing.empty()) {
             return complain(missing), exit_unusable;
         }
-        if (!outputs_are_writable()) return exit_not_written;
+        if (const int status = check_outputs(); status != exit_done) return status;
         if (!open_reference() || !build()) return exit_unusable;
         const Rendering rendering = render_image();
         const bool usable = tolerates(integrator_->late_problems());
@@ -70,12 +70,16 @@ class Render {
         return error.empty() || complain(error);
     }
 
-    bool outputs_are_writable() const {
-        for (const std::string& path : a_.outputs) {
-            const std::string error = check_writable(path);
-            if (!error.empty()) return complain(error);
+    /// Returns the exit status for outputs that cannot be had, as far as can be told before.
+    int check_outputs() const {
+        std::vector<std::string> paths = a_.outputs;
+        if (a_.stats == "-") paths.push_back(a_.stats);
+        auto [error, status] = etalon::check_outputs(paths);
+        if (error.empty() && std::ranges::count(a_.outputs, "-") > 0) {
+            error = check_image_to_standard_output();
+            status = exit_usage;
         }
-        return true;
+        return error.empty() ? exit_done : (complain(error), status);
     }
 
     /// Warns of what the background's colour stands in for; false if that is an error.
@@ -130,14 +134,21 @@ class Render {
         RenderedImage image = make_output_image(scene_, settings_, rendering, stats_);
         image.channels = std::move(channels);
         bool written = true;
-        for (const std::string& path : a_.outputs) {
-            const std::string error = write_image(path, image, a_.exposure);
-            if (!error.empty()) written = complain(error);
-        }
+        for (const std::string& path : a_.outputs) written = write_output(path, image) && written;
         stats_.write = watch_.lap();
         if (!a_.stats.empty()) written = write_json(a_.stats, stats_json(rendering)) && written;
         if (!a_.quiet && written) summarise(rendering);
         return written;
+    }
+
+    bool write_output(const std::string& path, const RenderedImage& image) const {
+        if (path != "-") {
+            const std::string error = write_image(path, image, a_.exposure);
+            return error.empty() || complain(error);
+        }
+        const auto file = encode_image(format_name(a_, path), image, a_.exposure);
+        if (!file) return complain("standard output: cannot be written: " + file.error);
+        return write_result(file.value);  // the end of the program says why it could not
     }
 
     void fill_stats(const Rendering& rendering) {
@@ -197,7 +208,15 @@ class Render {
                       stats_.stopped.empty() ? "" : fmt::format(" (stopped: {})", stats_.stopped),
                       scene_.geometry.primitives.size(), stats_.backend,
                       rays_text(rendering.counts.total()), seconds_text(stats_.render.wall),
-                      error_reached(rendering), fmt::join(a_.outputs, ", "));
+                      error_reached(rendering), output_names());
+    }
+
+    std::string output_names() const {
+        std::string names;
+        for (const std::string& path : a_.outputs) {
+            names += (names.empty() ? "" : ", ") + (path == "-" ? "standard output" : path);
+        }
+        return names;
     }
 
     RenderArguments a_;

@@ -12,18 +12,20 @@
 #include "app/common/output.h"
 #include "app/common/progress.h"
 #include "app/common/progress_line.h"
+#include "app/common/provenance.h"
 #include "app/common/reference_image.h"
 #include "app/common/signals.h"
 #include "bench/bench_subcommands.h"
 #include "bench/convergence/curve_report.h"
 #include "bench/convergence/measure_curves.h"
 #include "bench/scenes/bench_scene.h"
-#include "bench/speed/report/speed_json.h"
 
 namespace etalon {
 namespace {
 
 using namespace convergence;
+
+using Json = nlohmann::ordered_json;
 
 struct ConvergenceArguments {
     std::string scene, reference, json;
@@ -49,10 +51,9 @@ Result<ReferenceImage> read_reference_image(const std::string& path,
     return {{std::move(image.value), path}, image.error};
 }
 
-nlohmann::ordered_json report_on(const ConvergenceArguments& a, const Imath::V2i& size,
-                                 const Measured& measured, bool stopped) {
-    using Json = nlohmann::ordered_json;
-    Json json = speed::json_of_machine();
+Json report_on(const ConvergenceArguments& a, const Imath::V2i& size, const Measured& measured,
+               bool stopped) {
+    Json json = provenance();
     json["stopped"] = stopped ? Json("signal") : Json();
     json["scene"] = a.scene;
     json["image"] = {{"width", size.x}, {"height", size.y}};

@@ -8,14 +8,16 @@
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
+#include "app/common/provenance.h"
 #include "app/common/signals.h"
 #include "bench/bench_subcommands.h"
 #include "bench/frames/frame_report.h"
 #include "bench/frames/measure_frame.h"
-#include "bench/speed/report/speed_json.h"
 
 namespace etalon {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct FramesArguments {
     std::vector<std::string> scenes;
@@ -34,9 +36,9 @@ int measure_frames(const FramesArguments& a) {
     }
     const SignalGuard signals;
     std::vector<frames::FrameFigures> figures;
-    nlohmann::ordered_json json = speed::json_of_machine();
+    Json json = provenance();
     json["repeats"] = a.plan.repeats;
-    json["frames"] = nlohmann::ordered_json::array();
+    json["frames"] = Json::array();
     for (const std::string& scene : a.scenes) {
         if (signals.signal() != 0) break;
         Result<frames::FrameFigures> frame = frames::measure_frame(scene, a.plan);
@@ -49,7 +51,7 @@ int measure_frames(const FramesArguments& a) {
         figures.push_back(std::move(frame.value));
     }
     write_table(a.json, table_of(figures, a.detail()));
-    json["stopped"] = signals.signal() != 0 ? nlohmann::ordered_json("signal") : nullptr;
+    json["stopped"] = signals.signal() != 0 ? Json("signal") : Json();
     if (signals.signal() != 0) write_table(a.json, "Stopped by a signal: not all frames.\n");
     if (!a.json.empty() && !write_json(a.json, json)) return exit_not_written;
     return signals.signal() != 0 ? exit_signal + signals.signal() : exit_done;

@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/base/link_target.h"
+
 namespace etalon {
 namespace {
 
@@ -67,16 +69,6 @@ Errno write_and_rename(const std::string& path, std::string_view content,
     if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
     if (error != 0) ::unlink(temporary.c_str());
     return error;
-}
-
-/// The place where a file named by `path` would come to be: what links to nothing yet lead to.
-fs::path link_target(fs::path path) {
-    constexpr int most_links = 40;  // as Linux follows
-    std::error_code none;
-    for (int i = 0; i < most_links && fs::is_symlink(path, none); ++i) {
-        path = path.parent_path() / fs::read_symlink(path);
-    }
-    return path;
 }
 
 Errno write_file(const std::string& path, std::string_view content) {

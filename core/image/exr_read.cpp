@@ -3,10 +3,12 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfTestFile.h>
 
 #include <algorithm>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 
 #include "core/image/exr.h"
 
@@ -15,12 +17,19 @@ namespace {
 
 constexpr int max_side = 65536;
 
-/// OpenEXR's reason without the name of the file it puts in front.
+/// Thrown where a file is whole, but none that can be read; says why.
+struct Refused : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A sentence for a failure; OpenEXR's own words are about its steps.
 std::string reason(const std::exception& e, const std::string& path) {
     if (dynamic_cast<const std::bad_alloc*>(&e)) return "not enough memory";
-    const std::string text = e.what(), name = "\"" + path + "\". ";
-    const std::size_t at = text.find(name);
-    return at == std::string::npos ? text : text.substr(at + name.size());
+    if (dynamic_cast<const Refused*>(&e)) return e.what();
+    const std::string_view text = e.what();
+    if (text.find("exceeds the maximum") != text.npos) return "larger than 65536 pixels";
+    if (Imf::isDeepOpenExrFile(path.c_str())) return "deep images are not supported";
+    return "the EXR is damaged or cut short";
 }
 
 /// The file's channels that make the image.
@@ -30,7 +39,7 @@ std::vector<std::string> image_channels(const Imf::ChannelList& stored) {
     if (has("Y") && !has("RY") && !has("BY")) return {"Y"};
     std::string names;
     for (auto c = stored.begin(); c != stored.end(); ++c) names += std::string(" ") + c.name();
-    throw std::runtime_error("expected channels R G B, or Y alone; it has" + names);
+    throw Refused("expected channels R G B, or Y alone; it has" + names);
 }
 
 /// A few rows at a time: memory grows with what the file really holds, whatever its header claims.

@@ -71,16 +71,6 @@ PngFacts png_facts(const RenderedImage& image) {
     return facts;
 }
 
-Result<std::string> encode(const std::string& kind, const RenderedImage& image, double exposure) {
-    if (!is_consistent(image)) return {{}, "its window and its pixels do not agree"};
-    if (kind == ".exr") return encode_exr(image);
-    if (kind == ".png") {
-        const Imath::V2i size = image.window.size() + Imath::V2i(1);
-        return encode_png(display_bytes(image, exposure), size.x, size.y, png_facts(image));
-    }
-    return {{}, "expected a name ending in .exr or .png"};
-}
-
 /// Returns why no file can be read there, as far as the file system knows; libraries say it worse.
 std::string check_readable(const std::string& path) {
     if (::access(path.c_str(), R_OK) != 0) return std::generic_category().message(errno);
@@ -101,13 +91,14 @@ std::optional<Result<Image>> read_known(const std::string& path, Extent extent) 
     const std::size_t size = std::fread(bytes.data(), 1, bytes.size(), file.get());
     const std::string_view start(bytes.data(), size);
     std::rewind(file.get());
+    if (start.empty()) return Result<Image>{{}, "the file is empty"};
+    if (start.starts_with("\x76\x2f\x31\x01")) return read_exr(path, extent);
     if (start.starts_with("\x89PNG\r\n\x1a\n")) return read_png(file.get(), extent);
     if (start.starts_with("\xff\xd8")) return read_jpeg(file.get(), extent);
     return std::nullopt;
 }
 
 Result<Image> read_by_kind(const std::string& path, Extent extent) {
-    if (extension(path) == ".exr") return read_exr(path, extent);
     if (std::optional<Result<Image>> image = read_known(path, extent)) return std::move(*image);
     return read_oiio(path, extent);
 }
@@ -137,8 +128,20 @@ bool has_exposure(const std::string& path) {
     return extension(path) == ".png";
 }
 
+Result<std::string> encode_image(const std::string& name, const RenderedImage& image,
+                                 double exposure) {
+    const std::string kind = extension(name);
+    if (!is_consistent(image)) return {{}, "its window and its pixels do not agree"};
+    if (kind == ".exr") return encode_exr(image);
+    if (kind == ".png") {
+        const Imath::V2i size = image.window.size() + Imath::V2i(1);
+        return encode_png(display_bytes(image, exposure), size.x, size.y, png_facts(image));
+    }
+    return {{}, "expected a name ending in .exr or .png"};
+}
+
 std::string write_image(const std::string& path, const RenderedImage& image, double exposure) {
-    const Result<std::string> file = encode(extension(path), image, exposure);
+    const Result<std::string> file = encode_image(path, image, exposure);
     if (!file) return path + ": cannot be written: " + file.error;
     return write_file_atomically(path, file.value);
 }

@@ -17,6 +17,10 @@ namespace etalon {
 /// only. Returns the reason of a failure, beginning with the path, or an empty string.
 std::string write_image(const std::string& path, const RenderedImage& image, double exposure = 0);
 
+/// Returns the bytes of such a file; `name` tells its format.
+Result<std::string> encode_image(const std::string& name, const RenderedImage& image,
+                                 double exposure = 0);
+
 /// Whether write_image() knows the extension.
 bool can_write(const std::string& path);
 
@@ -26,8 +30,9 @@ bool can_hold_channels(const std::string& path);
 /// Whether write_image() applies the exposure to a file of this extension.
 bool has_exposure(const std::string& path);
 
-/// Reads an image file: .exr by OpenEXR; PNG and JPEG, told by their first bytes, by libpng and
-/// libjpeg; anything else by OpenImageIO. A failure's reason begins with the path.
+/// Reads an image file, told by its first bytes: EXR by OpenEXR, PNG by libpng, JPEG by libjpeg;
+/// anything else by OpenImageIO. A failure's reason begins with the path, and is in no library's
+/// words.
 Result<Image> read_image(const std::string& path, Extent extent = Extent::whole);
 
 }  // namespace etalon

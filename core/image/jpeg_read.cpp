@@ -11,15 +11,32 @@
 namespace etalon {
 namespace {
 
-static_assert(JMSG_LENGTH_MAX <= LibraryJump::capacity);
-
 LibraryJump& jump_of(j_common_ptr info) {
     return *static_cast<LibraryJump*>(info->client_data);
 }
 
+/// A sentence for an error of libjpeg, whose own words are about its steps.
+const char* reason_of(int error) {
+    switch (error) {
+        case JERR_OUT_OF_MEMORY:
+            return "not enough memory";
+        case JERR_IMAGE_TOO_BIG:
+            return "larger than 65500 pixels";
+        case JERR_BAD_PRECISION:
+        case JERR_SOF_UNSUPPORTED:
+        case JERR_ARITH_NOTIMPL:
+        case JERR_CONVERSION_NOTIMPL:
+        case JERR_FRACT_SAMPLE_NOTIMPL:
+        case JERR_NOTIMPL:
+            return "JPEGs of this kind are not supported";
+        default:
+            return "the JPEG is damaged or cut short";
+    }
+}
+
 void fail(j_common_ptr info) {
     LibraryJump& jump = jump_of(info);
-    info->err->format_message(info, jump.reason);
+    std::snprintf(jump.reason, LibraryJump::capacity, "%s", reason_of(info->err->msg_code));
     jump.leave();
 }
 
@@ -80,7 +97,7 @@ class JpegReader {
         const J_COLOR_SPACE stored = info_.jpeg_color_space;
         return stored == JCS_GRAYSCALE || stored == JCS_YCbCr || stored == JCS_RGB;
     }
-    std::string reason() const { return std::string("JPEG error: ") + jump_.reason; }
+    std::string reason() const { return jump_.reason; }
 
   private:
     LibraryJump jump_;

@@ -3,9 +3,11 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/image/oiio_abi.h"
@@ -18,10 +20,31 @@ constexpr int max_channels = 4;
 /// Thrown when the sink gives up; it knows why.
 struct Refused {};
 
-/// Throws the first of OpenImageIO's messages, which pile up, a line each: it is the cause.
-[[noreturn]] void fail(const std::string& messages) {
-    const std::string cause = messages.substr(0, messages.find('\n'));
-    throw std::runtime_error(cause.empty() ? "unknown reason" : cause);
+[[noreturn]] void fail(const std::string& reason) {
+    throw std::runtime_error(reason);
+}
+
+/// What files of a format begin with.
+struct Signature {
+    std::string_view start, name;
+};
+constexpr Signature signatures[] = {{"#?", "HDR"},         {"PF\n", "PFM"},        {"Pf\n", "PFM"},
+                                    {"\xff\xd8", "JPEG"},  {"BM", "BMP"},          {"GIF8", "GIF"},
+                                    {"RIFF", "WebP"},      {{"II*\0", 4}, "TIFF"}, {"8BPS", "PSD"},
+                                    {{"MM\0*", 4}, "TIFF"}};
+
+/// Throws why OpenImageIO gives a file up, whose own words are about its steps: `otherwise` for a
+/// format that cannot be told.
+[[noreturn]] void fail_by_content(const char* path, const char* otherwise) {
+    char bytes[4] = {};
+    std::ifstream file(path, std::ios::binary);
+    file.read(bytes, sizeof bytes);
+    const std::string_view start(bytes, static_cast<std::size_t>(file.gcount()));
+    for (const Signature& s : signatures) {
+        if (start.substr(0, s.start.size()) != s.start) continue;
+        fail("the " + std::string(s.name) + " is damaged, cut short or of a kind not supported");
+    }
+    fail(otherwise);
 }
 
 /// Runs `task`; whatever it throws ends here.
@@ -45,11 +68,10 @@ std::unique_ptr<OIIO::ImageInput> open(const char* path) {
     OIIO::ImageSpec options;
     options["oiio:UnassociatedAlpha"] = 1;  // colours as stored, not multiplied by alpha
     auto input = OIIO::ImageInput::open(path, &options);
-    const std::string reason = input ? "" : OIIO::geterror();
-    if (reason.find("could not find a format reader") != std::string::npos) {
-        fail("is no image; expected EXR, PNG, JPEG, HDR or PFM");
+    if (!input) {
+        static_cast<void>(OIIO::geterror());  // or it is printed at the end
+        fail_by_content(path, "is no image; expected EXR, PNG, JPEG, HDR or PFM");
     }
-    if (!input) fail(reason);
     const OIIO::ImageSpec& spec = input->spec();
     if (spec.depth != 1 || spec.deep) fail("volumes and deep pictures are not supported");
     if (std::max(spec.width, spec.height) > max_side) fail("larger than 65536 pixels");
@@ -57,7 +79,8 @@ std::unique_ptr<OIIO::ImageInput> open(const char* path) {
 }
 
 /// Reads rows of the image into `rows`, a few at a time: memory grows with what the file holds.
-void read_rows(OIIO::ImageInput& input, const EtalonImageFormat& format, const EtalonSink& sink) {
+/// False if some are missing.
+bool read_rows(OIIO::ImageInput& input, const EtalonImageFormat& format, const EtalonSink& sink) {
     const OIIO::ImageSpec& spec = input.spec();
     const OIIO::TypeDesc type = format.is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
     const int step = spec.tile_height > 0 ? spec.tile_height : 64;
@@ -71,12 +94,12 @@ void read_rows(OIIO::ImageInput& input, const EtalonImageFormat& format, const E
                 ? input.read_tiles(0, 0, spec.x, x1, y0, y1, spec.z, spec.z + 1, 0, format.channels,
                                    type, rows.data())
                 : input.read_scanlines(0, 0, y0, y1, spec.z, 0, format.channels, type, rows.data());
-        if (!read) fail(input.geterror());
+        if (!read) return false;
         append(sink, rows.data(), row * static_cast<std::size_t>(count));
     }
     // A JPEG that ends early is read as grey from there on, with no more than a remark.
     const std::string remark = input.geterror();
-    if (remark.find("Premature end") != std::string::npos) fail(remark);
+    return remark.find("Premature end") == std::string::npos;
 }
 
 int read(const char* path, int header_only, const EtalonSink* sink) {
@@ -87,7 +110,9 @@ int read(const char* path, int header_only, const EtalonSink* sink) {
             spec.width, spec.height, std::min(spec.nchannels, max_channels),
             spec.format != OIIO::TypeDesc::UINT8, !spec.format.is_floating_point()};
         if (sink->begin(sink->context, &format) == 0) throw Refused();
-        if (header_only == 0) read_rows(*input, format, *sink);
+        if (header_only == 0 && !read_rows(*input, format, *sink)) {
+            fail_by_content(path, "the image is damaged or cut short");
+        }
     });
 }
 

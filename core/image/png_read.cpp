@@ -7,7 +7,8 @@ namespace {
 
 constexpr int max_side = 65536;
 
-/// Decoder of one file. Its functions return false on failure, for which reason() gives the cause.
+/// Decoder of one file. Its functions return false on failure, for which reason() has a sentence:
+/// libpng's own words are about its steps.
 class PngReader {
   public:
     explicit PngReader(std::FILE* file) {
@@ -66,7 +67,7 @@ class PngReader {
     std::size_t row_bytes() const { return png_get_rowbytes(png_, info_); }
 
     std::string reason() const {
-        return info_ ? std::string("PNG read error: ") + jump_.reason : "not enough memory";
+        return info_ ? "the PNG is damaged or cut short" : "not enough memory";
     }
 
   private:

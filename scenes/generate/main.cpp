@@ -74,7 +74,7 @@ int run(const Arguments& a) {
         return fail(exit_usage, fmt::format("{} takes sizes from {} to {}, not {}", a.family,
                                             family->min_size, family->max_size, size));
     }
-    return write_scene(*family, size, a.path);
+    return write_scene(*family, size, a.path == "-" ? "" : a.path);
 }
 
 Action declare(Options& options) {
@@ -83,7 +83,7 @@ Action declare(Options& options) {
         .required()
         .suggest(family_names());
     options.add("-n,--size", a->size, "Size of the scene (default and range: see below)");
-    options.add("-o,--output", a->path, "Output file (default: standard output)").value("FILE");
+    options.add("-o,--output", a->path, "Output file (default: -, standard output)").value("FILE");
     options.add_notes(list_of_families() + "\n");
     return [a] { return run(*a); };
 }

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "app/common/console.h"
+#include "core/base/link_target.h"
 
 namespace etalon::generate {
 namespace {
@@ -23,8 +24,8 @@ void require(bool success) {
 }  // namespace
 
 Output::Output(const std::string& path)
-    : path_(path),
-      written_(written_in_place(path) ? path : path + ".part"),
+    : path_(link_target(path).string()),
+      written_(written_in_place(path_) ? path_ : path_ + ".part"),
       file_(path.empty() ? nullptr : std::fopen(written_.c_str(), "wb")) {
     require(path.empty() || file_ != nullptr);
 }

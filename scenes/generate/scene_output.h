@@ -8,8 +8,8 @@ namespace etalon::generate {
 
 /// A file that appears whole or not at all: written beside its place, renamed by commit(). An empty
 /// path is standard output; what exists and is no regular file (a pipe, /dev/null) is written in
-/// place. Throws std::system_error where the file cannot be opened, written or finished: a full
-/// disk ends the work at once.
+/// place. A symbolic link stays one: what it leads to is written. Throws std::system_error where
+/// the file cannot be opened, written or finished: a full disk ends the work at once.
 class Output {
   public:
     explicit Output(const std::string& path);

@@ -1,6 +1,7 @@
 // What the programs say of their command lines: the help, and what is wrong with one.
 #include <algorithm>
 #include <sstream>
+#include <tuple>
 
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
@@ -29,6 +30,14 @@ std::vector<std::string> lines_of(const std::string& text) {
     std::istringstream stream(text);
     for (std::string line; std::getline(stream, line);) lines.push_back(line);
     return lines;
+}
+
+/// Returns the words of a text with single blanks between them.
+std::string words_of(const std::string& text) {
+    std::string words;
+    std::istringstream stream(text);
+    for (std::string word; stream >> word;) words += (words.empty() ? "" : " ") + word;
+    return words;
 }
 
 /// Returns the command lines below "Examples:".
@@ -81,6 +90,28 @@ TEST_CASE("help names each value by what it is and fits 80 columns", "[app]") {
     const auto render = run(f, "etalon render --help").out;
     for (const char* shown : {"--output FILE", "--resolution WxH", "--time-limit SECONDS"}) {
         CHECK_THAT(render, ContainsSubstring(shown));
+    }
+}
+
+TEST_CASE("help says the range of a number that a wrong one is answered with", "[app]") {
+    const Folder f;
+    const std::tuple<std::string, std::string, std::string> cases[] = {
+        {"etalon render s.p3f --spp -1", "from 0 to 16777216", "0 to 16777216"},
+        {"etalon render s.p3f --threads 0", "from 1 to 4096", "1 to 4096"},
+        {"etalon render s.p3f --time-limit 0", "a number above 0", "Above 0"},
+        {"etalon crosscheck s.p3f --rays 0", "from 1 to 16777216", "1 to 16777216"},
+        {"etalon-bench accuracy --rays 0", "from 1 to 1000000000000", "1 to 1000000000000"},
+        {"etalon-bench speed --oracle -1", "0 or a number above", "0 or above"}};
+    for (const auto& [command, error, shown] : cases) {
+        CHECK_THAT(error_of(f, command), ContainsSubstring(error));
+        const std::string name = command.substr(command.find("--"));
+        const std::string option = name.substr(0, name.find(' '));
+        const std::string to_command = command.substr(0, command.find(' ', command.find(' ') + 1));
+        const std::string help = run(f, to_command + " --help").out;
+        const std::size_t at = help.find(option + " ");
+        REQUIRE(at != std::string::npos);
+        const std::string entry = help.substr(at, help.find("\n  -", at) - at);
+        CHECK_THAT(words_of(entry), ContainsSubstring(shown));
     }
 }
 
@@ -146,7 +177,7 @@ TEST_CASE("a wrong value is shown with what was expected", "[app]") {
         {"--spp", "--spp: expected a value"},
         {"--spp 1 --spp 2", "--spp: given more than once"},
         {"--exposure nan", "--exposure nan: expected a number"},
-        {"--output a.gif", "--output a.gif: expected a name ending in .exr or .png"},
+        {"--output a.gif", "--output a.gif: expected a name ending in .exr or .png, or -"},
         {"--aov albdo",
          "--aov albdo: expected one of albedo, N, P, Z, uv, dpdu, dpdv, primitiveId, variance, "
          "sampleCount, cost.boxTests, cost.primitiveTests; did you mean 'albedo'?"},

@@ -8,24 +8,6 @@ using namespace etalon::test;
 
 using nlohmann::json;
 
-namespace {
-
-/// Runs a program and interrupts it as soon as `until`, a shell command, succeeds; "$pid" is its
-/// process, "out" and "err" are what it has written.
-ProgramResult interrupted(const Folder& f, const std::string& command, const std::string& until) {
-    const auto r = f.shell("'" ETALON_BINARY_DIR "/bin/'" + command +
-                           " >out 2>err & pid=$!; while kill -0 $pid && ! { " + until +
-                           "; }; do sleep 0.02; done 2>loop; kill -INT $pid; wait $pid");
-    return {r.status, f.read("out"), f.read("err"), r.peak_bytes};
-}
-
-/// It has used so many hundredths of a second of processor time.
-std::string has_worked(int hundredths) {
-    return "test $(cut -d ' ' -f 14 /proc/$pid/stat) -ge " + std::to_string(hundredths);
-}
-
-}  // namespace
-
 TEST_CASE("An interrupted crosscheck gives what the oracle has answered", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);

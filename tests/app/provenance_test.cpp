@@ -14,9 +14,14 @@ void check_provenance(const json& j, const std::string& command) {
     CHECK(j["schema"] == 1);
     CHECK(j["version"].get<std::string>().find('.') != std::string::npos);
     CHECK_FALSE(j["commit"].get<std::string>().empty());
-    CHECK_FALSE(j["compiler"].get<std::string>().empty());
+    CHECK(j["compiler"].get<std::string>().find_first_of("0123456789") != std::string::npos);
+    CHECK_THAT(j["flags"].get<std::string>(), ContainsSubstring("-ffp-contract=off"));
     CHECK_THAT(j["command"].get<std::string>(), ContainsSubstring(command));
     CHECK_FALSE(j["embree"]["version"].get<std::string>().empty());
+    CHECK(j["embree"]["compiled_version"].get<std::string>().find('.') != std::string::npos);
+    CHECK_FALSE(j["machine"]["cpu"].get<std::string>().empty());
+    CHECK(j["machine"]["cores"] >= 1);
+    CHECK_FALSE(j["machine"]["isa"].get<std::string>().empty());
 }
 
 }  // namespace
@@ -54,11 +59,26 @@ TEST_CASE("stats and measurements say which program made them, and how it was ca
                 .status == 0);
     check_provenance(json::parse(f.read("f.json")),
                      "etalon-bench frames 'a scene.p3f' --repeat 1 --json f.json");
+    REQUIRE(f.shell("exec '" ETALON_BINARY_DIR "/bin/etalon-bench' accuracy --case SPH-1 --rays 10 "
+                    "--only-backends --json a.json")
+                .status == 0);
+    check_provenance(json::parse(f.read("a.json")), "etalon-bench accuracy --case SPH-1 --rays 10");
 }
 
-TEST_CASE("--version says the commit and the compiler", "[app]") {
+TEST_CASE("--version says the commit, the compiler, Embree and the instruction set", "[app]") {
     const Folder f;
-    const std::string out = f.etalon("--version").out;
-    CHECK_THAT(out, ContainsSubstring("etalon ") && ContainsSubstring("\ncommit ") &&
-                        ContainsSubstring("\ncompiler ") && ContainsSubstring("\nflags "));
+    f.write("a.p3f", small_scene);
+    const auto stats = json::parse(f.etalon("render a.p3f -q -b bvh -o a.png --stats -").out);
+    const std::string isa = stats["isa"];
+    CHECK(stats["machine"]["isa"] == isa);
+    for (const std::string program : {"etalon", "etalon-bench", "etalon-scenes"}) {
+        const auto r = f.shell("exec '" ETALON_BINARY_DIR "/bin/" + program + "' --version");
+        INFO(r.out << r.err);
+        CHECK(r.status == 0);
+        CHECK_THAT(r.out, ContainsSubstring(program + " ") && ContainsSubstring("\ncommit ") &&
+                              ContainsSubstring("\ncompiler ") && ContainsSubstring("\nflags "));
+        if (program == "etalon-scenes") continue;  // it has neither
+        CHECK_THAT(r.out, ContainsSubstring("\nembree ") && ContainsSubstring(", compiled for "));
+        CHECK_THAT(r.out, ContainsSubstring("\ninstruction set " + isa));
+    }
 }

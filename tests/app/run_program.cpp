@@ -62,4 +62,15 @@ ProgramResult Folder::shell(const std::string& command, const std::string& input
             io.read("err"), static_cast<std::size_t>(usage.ru_maxrss) * 1024};
 }
 
+ProgramResult interrupted(const Folder& f, const std::string& command, const std::string& until) {
+    const auto r = f.shell("'" ETALON_BINARY_DIR "/bin/'" + command +
+                           " >out 2>err & pid=$!; while kill -0 $pid && ! { " + until +
+                           "; }; do sleep 0.02; done 2>loop; kill -INT $pid; wait $pid");
+    return {r.status, f.read("out"), f.read("err"), r.peak_bytes};
+}
+
+std::string has_worked(int hundredths) {
+    return "test $(cut -d ' ' -f 14 /proc/$pid/stat) -ge " + std::to_string(hundredths);
+}
+
 }  // namespace etalon::test

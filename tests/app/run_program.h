@@ -31,6 +31,13 @@ class Folder {
     TemporaryFolder folder_;
 };
 
+/// Runs a program and interrupts it as soon as `until`, a shell command, succeeds; "$pid" is its
+/// process, "out" and "err" are what it has written.
+ProgramResult interrupted(const Folder& f, const std::string& command, const std::string& until);
+
+/// For interrupted(): the program has used so many hundredths of a second of processor time.
+std::string has_worked(int hundredths);
+
 /// A small complete P3F scene with a sphere, a plane, a light.
 extern const std::string small_scene;
 

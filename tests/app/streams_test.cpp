@@ -29,6 +29,8 @@ const std::string result_commands[] = {
     "etalon crosscheck ball.p3f -b bvh --rays 20",
     "etalon crosscheck ball.p3f -b bvh --rays 20 --json -",
     "etalon render ball.p3f -q --stats -",
+    "etalon render ball.p3f -q -o -",
+    "etalon convert ball.p3f -o -",
     "etalon-bench --help",
     "etalon-bench speed --list",
     "etalon-bench speed --scene spheres:20 --only-build --repeat 1",
@@ -85,6 +87,48 @@ TEST_CASE("Results that standard output cannot take end with status 4 and the re
                    ContainsSubstring("error: standard output: cannot be written: Bad file"));
         CHECK(f.shell(line + " >/dev/full 2>/dev/full").status == 4);
     }
+}
+
+TEST_CASE("An image or a scene goes to standard output as it goes to a file", "[app]") {
+    const Used f;
+    const auto exr = f.etalon("render ball.p3f -o -");
+    CHECK(exr.status == 0);
+    CHECK(exr.out == f.read("whole.exr"));
+    CHECK_THAT(exr.err, ContainsSubstring("-> standard output"));
+    REQUIRE(f.etalon("render ball.p3f -q -o whole.png").status == 0);
+    CHECK(f.etalon("render ball.p3f -o - --output-format png -o b.exr --stats s.json").out ==
+          f.read("whole.png"));
+    CHECK(f.read("b.exr") == exr.out);
+    for (const std::string format : {"p3f", "pbrt"}) {
+        const std::string option = format == "p3f" ? "" : " --output-format pbrt";
+        REQUIRE(f.etalon("convert ball.p3f -o again." + format).status == 0);
+        const auto text = f.etalon("convert - -o -" + option, small_scene);
+        CHECK(text.status == 0);
+        CHECK(text.out == f.read("again." + format));
+    }
+}
+
+TEST_CASE("Standard output takes one result, in a format that it can have", "[app]") {
+    const Used f;
+    const std::pair<std::string, std::string> cases[] = {
+        {"render ball.p3f -o - --stats -", "only one output can be -, standard output"},
+        {"render ball.p3f -o - -o -", "only one output can be -, standard output"},
+        {"render ball.p3f -o a.exr --output-format png", "--output-format: no output is -"},
+        {"render ball.p3f -o - --output-format gif", "expected one of exr, png"},
+        {"render ball.p3f -o - --exposure 1", "--exposure: no output is a PNG"},
+        {"render ball.p3f -o - --output-format png --aov N", "--aov: no output is an EXR"},
+        {"convert ball.p3f -o a.p3f --output-format p3f", "--output-format: the output is not -"},
+        {"convert ball.p3f -o a.obj", "expected a name ending in .pbrt or .p3f, or -"}};
+    for (const auto& [command, error] : cases) {
+        INFO(command);
+        const auto r = f.etalon(command);
+        CHECK(r.status == 2);
+        CHECK(r.out == "");
+        CHECK_THAT(r.err, ContainsSubstring(error));
+    }
+    CHECK_FALSE(f.has("a.exr"));
+    CHECK(f.etalon("render ball.p3f -o - --output-format png --exposure 1").status == 0);
+    CHECK(f.etalon("render ball.p3f -o - --aov N").status == 0);
 }
 
 TEST_CASE("The picture is written even if the figures about it cannot be", "[app]") {

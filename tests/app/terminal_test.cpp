@@ -48,6 +48,16 @@ std::vector<std::string> bars_in(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("A terminal gets no bytes of an image, but a sentence", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const std::string command = "cd '" + f.path("") + "'; '" ETALON_BINARY_DIR "/bin/etalon' ";
+    const std::string shown = shown_on_terminal(command + "render ball.p3f -o -; echo $?", 80);
+    CHECK(shown ==
+          "etalon: error: -o -: standard output is a terminal, which shows no image; "
+          "expected a pipe or a file\r\n2\r\n");
+}
+
 TEST_CASE("A long text is shortened in its middle, between characters", "[app]") {
     CHECK(shortened("scene.p3f", 9) == "scene.p3f");
     CHECK(shortened("a/long/way/to/scene.p3f", 15) == "a/lo...cene.p3f");

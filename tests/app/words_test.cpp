@@ -3,6 +3,7 @@
 
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
+#include "tests/image/encoded_files.h"
 
 using namespace etalon::test;
 
@@ -51,6 +52,35 @@ TEST_CASE("an input that cannot be read is named with the system's reason", "[ap
     folder().write("text.txt", "no image\n");
     CHECK_THAT(error_of("compare text.txt text.txt", 3),
                ContainsSubstring("is no image; expected EXR, PNG, JPEG, HDR or PFM\n"));
+}
+
+TEST_CASE("a damaged image is named with its format, in no library's words", "[app]") {
+    const Folder& f = folder();
+    REQUIRE(f.etalon("render ball.p3f -q -o whole.exr -o whole.png").status == 0);
+    f.write("whole.jpg", encoded_jpeg({}, 40, 40));
+    f.write("whole.hdr",
+            "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 24 +X 32\n" + std::string(4 * 24 * 32, 'x'));
+    const std::pair<std::string, std::string> formats[] = {
+        {"exr", "the EXR is damaged or cut short\n"},
+        {"png", "the PNG is damaged or cut short\n"},
+        {"jpg", "the JPEG is damaged or cut short\n"},
+        {"hdr", "the HDR is damaged, cut short or of a kind not supported\n"}};
+    for (const auto& [extension, reason] : formats) {
+        const std::string whole = f.read("whole." + extension), name = "damaged." + extension;
+        CHECK(f.etalon("compare whole." + extension + " whole." + extension).status == 0);
+        const auto says = [&](const std::string& content, const std::string& expected) {
+            INFO(name << " of " << content.size() << " bytes");
+            f.write(name, content);
+            CHECK(error_of("compare " + name + " whole.exr", 3) ==
+                  "etalon: error: " + name + ": cannot be read: " + expected);
+        };
+        for (const std::size_t percent : {20, 50, 95}) {
+            says(whole.substr(0, whole.size() * percent / 100), reason);
+        }
+        says(whole.substr(0, 12) + std::string(whole.size(), '\x5a'), reason);
+        says("", "the file is empty\n");
+        says(std::string(5000, '\x5a'), "is no image; expected EXR, PNG, JPEG, HDR or PFM\n");
+    }
 }
 
 TEST_CASE("an output that cannot be written is named with the reason", "[app]") {

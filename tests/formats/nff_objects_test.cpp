@@ -22,8 +22,8 @@ Material material_of(const std::string& statement) {
     const LoadResult r = load_nff_text(statement);
     CAPTURE(statement);
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->look.materials.size() == 1);
-    return r.scene->look.materials[0];
+    REQUIRE(r.scene->whitted().materials.size() == 1);
+    return r.scene->whitted().materials[0];
 }
 
 /// A star of `points` points about the origin: concave.
@@ -72,7 +72,7 @@ TEST_CASE("an NFF surface that cannot be is left out") {
         const LoadResult r = load_nff_text(matt + "f " + numbers + "\ns 0 0 0 1");
         REQUIRE(r.diagnostics.size() == 1);
         CHECK(r.diagnostics[0].line == 2);
-        CHECK(r.scene->look.materials.size() == 1);
+        CHECK(r.scene->whitted().materials.size() == 1);
         return r.diagnostics[0].message;
     };
     CHECK(kept("1 1 1 1 1 1 1 0") == "the index of refraction of glass is 0; expected more than 0");
@@ -86,7 +86,7 @@ TEST_CASE("an NFF object before any surface gets a grey one, with a warning") {
     const LoadResult r = load_nff_text("s 0 0 0 1");
     CHECK(messages(r) ==
           Messages{"a.nff:1:1: warning: 's' before any material; it gets a default one"});
-    CHECK(r.scene->look.materials[0].diffuse == Color(0.5F));
+    CHECK(r.scene->whitted().materials[0].diffuse == Color(0.5F));
 }
 
 TEST_CASE("an NFF cone may stand on one line or on three") {

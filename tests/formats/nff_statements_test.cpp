@@ -35,11 +35,11 @@ TEST_CASE("an NFF camera has no lens, and needs its lines by their names") {
 }
 
 TEST_CASE("an NFF background may stand before the camera and after it") {
-    CHECK(load_nff_text("b 0.25 0.5 1").scene->look.environment.background ==
+    CHECK(load_nff_text("b 0.25 0.5 1").scene->whitted().environment.background ==
           Color(0.25F, 0.5F, 1));
     const LoadResult r = load_text("nff", good_view + "b 0.25 0.5 1");
     CHECK(messages(r).empty());
-    CHECK(r.scene->look.environment.background == Color(0.25F, 0.5F, 1));
+    CHECK(r.scene->whitted().environment.background == Color(0.25F, 0.5F, 1));
 }
 
 TEST_CASE("NFF lights without colour are white and share their strength") {
@@ -48,8 +48,8 @@ TEST_CASE("NFF lights without colour are white and share their strength") {
         for (int i = 0; i < n; ++i) text += "l 1 2 " + std::to_string(i) + "\n";
         const LoadResult r = load_nff_text(text);
         CHECK(messages(r).empty());
-        REQUIRE(r.scene->look.lights.size() == static_cast<std::size_t>(n));
-        const auto& last = std::get<PointLight>(r.scene->look.lights.back());
+        REQUIRE(r.scene->whitted().lights.size() == static_cast<std::size_t>(n));
+        const auto& last = std::get<PointLight>(r.scene->whitted().lights.back());
         CHECK(last.position == Vec3(1, 2, n - 1));
         CHECK(last.color.x == Approx(1 / std::sqrt(n)));
         CHECK(last.color.y == last.color.x);
@@ -60,8 +60,8 @@ TEST_CASE("NFF lights without colour are white and share their strength") {
 TEST_CASE("an NFF light with a colour has that colour, and counts among the lights") {
     const LoadResult r = load_nff_text("l 1 2 3 0.5 2 1\nl 0 0 1\nl 0 0 2 1 1 1\nl 0 0 3");
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->look.lights.size() == 4);
-    const auto color = [&](int i) { return std::get<PointLight>(r.scene->look.lights[i]).color; };
+    REQUIRE(r.scene->whitted().lights.size() == 4);
+    const auto color = [&](int i) { return std::get<PointLight>(r.scene->whitted().lights[i]).color; };
     CHECK(color(0) == Color(0.5F, 2, 1));
     CHECK(color(1) == Color(0.5F));
     CHECK(color(2) == Color(1.0F));

@@ -9,8 +9,8 @@ TEST_CASE("point lights of both dialects are read") {
     for (const std::string keyword : {"light punctual", "l"}) {
         const LoadResult r = load_statements(keyword + " 1 2 3 0.25 0.5 1");
         CHECK(messages(r).empty());
-        REQUIRE(r.scene->look.lights.size() == 1);
-        const auto& light = std::get<PointLight>(r.scene->look.lights[0]);
+        REQUIRE(r.scene->whitted().lights.size() == 1);
+        const auto& light = std::get<PointLight>(r.scene->whitted().lights[0]);
         CHECK(light.position == Vec3(1, 2, 3));
         CHECK(light.color == Color(0.25F, 0.5F, 1));
     }
@@ -19,8 +19,8 @@ TEST_CASE("point lights of both dialects are read") {
 TEST_CASE("a quad light is a corner and the ends of two edges") {
     const LoadResult r = load_statements("light quad 4 3 2 1 0.5 0.25 4 2 2 3 3 2 16");
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->look.lights.size() == 1);
-    const auto& light = std::get<QuadLight>(r.scene->look.lights[0]);
+    REQUIRE(r.scene->whitted().lights.size() == 1);
+    const auto& light = std::get<QuadLight>(r.scene->whitted().lights[0]);
     CHECK(light.corner == Vec3(4, 3, 2));
     CHECK(light.edge1 == Vec3(0, -1, 0));
     CHECK(light.edge2 == Vec3(-1, 0, 0));
@@ -34,9 +34,9 @@ TEST_CASE("a quad light takes at least one sample and not absurdly many") {
     CHECK(messages(none) ==
           Messages{"a.p3f:1:36: warning: expected 1 to 65536 light samples, found 0; "
                    "taken as 1"});
-    CHECK(std::get<QuadLight>(none.scene->look.lights[0]).samples == 1);
+    CHECK(std::get<QuadLight>(none.scene->whitted().lights[0]).samples == 1);
     const LoadResult many = load_statements(quad + "999999999999");
-    CHECK(std::get<QuadLight>(many.scene->look.lights[0]).samples == 65536);
+    CHECK(std::get<QuadLight>(many.scene->whitted().lights[0]).samples == 65536);
 }
 
 TEST_CASE("an unknown kind of light is named with what it may have been") {
@@ -44,14 +44,14 @@ TEST_CASE("an unknown kind of light is named with what it may have been") {
     CHECK(messages(r) ==
           Messages{"a.p3f:1:7: warning: expected punctual or quad after 'light', found "
                    "'punctal'; did you mean 'punctual'?"});
-    CHECK(r.scene->look.lights.size() == 1);
+    CHECK(r.scene->whitted().lights.size() == 1);
 }
 
 TEST_CASE("a light that breaks off is left out") {
     const LoadResult r = load_statements("l 1 2 3 1\nl 0 0 0 1 1 1");
     CHECK(messages(r) ==
           Messages{"a.p3f:2:1: warning: expected a number for the colour of 'l', found 'l'"});
-    CHECK(r.scene->look.lights.size() == 1);
+    CHECK(r.scene->whitted().lights.size() == 1);
 }
 
 TEST_CASE("a light at no place is left out") {
@@ -61,6 +61,6 @@ TEST_CASE("a light at no place is left out") {
         CHECK(r.diagnostics[0].line == 1);
         CHECK(r.diagnostics[0].column == 5);
         CHECK(r.diagnostics[0].kind == "range");
-        CHECK(r.scene->look.lights.size() == 1);
+        CHECK(r.scene->whitted().lights.size() == 1);
     }
 }

@@ -9,8 +9,8 @@ Material material_of(const std::string& statement, const LoadOptions& options = 
     const LoadResult r = load_statements(statement, options);
     CAPTURE(statement);
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->look.materials.size() == 1);
-    return r.scene->look.materials[0];
+    REQUIRE(r.scene->whitted().materials.size() == 1);
+    return r.scene->whitted().materials[0];
 }
 
 }  // namespace
@@ -67,11 +67,11 @@ TEST_CASE("objects before any material get the default one, with one warning") {
     const LoadResult r = load_statements("s 0 0 0 1\ns 1 0 0 1\n" + good_material + "s 2 0 0 1");
     CHECK(messages(r) ==
           Messages{"a.p3f:1:1: warning: 's' before any material; it gets a default one"});
-    REQUIRE(r.scene->look.materials.size() == 2);
+    REQUIRE(r.scene->whitted().materials.size() == 2);
     CHECK(r.scene->geometry.primitives[0].material == 0);
     CHECK(r.scene->geometry.primitives[1].material == 0);
     CHECK(r.scene->geometry.primitives[2].material == 1);
-    const Material& m = r.scene->look.materials[0];
+    const Material& m = r.scene->whitted().materials[0];
     CHECK(m.diffuse == Color(0.2F * 0.2F));
     CHECK(m.specular == Color(0.8F));
     CHECK(m.reflection == Color(0.8F));
@@ -88,7 +88,7 @@ TEST_CASE("the 12- and 14-number materials of single programs are read as far as
     };
     const LoadResult rough = load_statements("mat " + eleven + " 0.3\ns 0 0 0 1");
     CHECK(messages(rough) == warning("30", "mat", "12 numbers (roughness)"));
-    CHECK(rough.scene->look.materials[0].diffuse == Color(0.5F));
+    CHECK(rough.scene->whitted().materials[0].diffuse == Color(0.5F));
     CHECK(rough.scene->geometry.primitives.size() == 1);
     const LoadResult glow = load_statements("f " + eleven + " 1 0 0\ns 0 0 0 1");
     CHECK(messages(glow) == warning("28", "f", "14 numbers (emission)"));
@@ -98,7 +98,7 @@ TEST_CASE("the 12- and 14-number materials of single programs are read as far as
 TEST_CASE("any other number of numbers too many is told") {
     const LoadResult r = load_statements("f 1 1 1 0.5 1 1 1 0 10 0 1 7 7\ns 0 0 0 1");
     CHECK(messages(r) == Messages{"a.p3f:1:28: warning: expected 11 numbers after 'f', found 13"});
-    CHECK(r.scene->look.materials.size() == 1);
+    CHECK(r.scene->whitted().materials.size() == 1);
 }
 
 TEST_CASE("a material that cannot be is left out") {
@@ -106,7 +106,7 @@ TEST_CASE("a material that cannot be is left out") {
         const LoadResult r = load_statements(good_material + "mat " + numbers + "\ns 0 0 0 1");
         REQUIRE(r.diagnostics.size() == 1);
         CHECK(r.diagnostics[0].line == 2);
-        CHECK(r.scene->look.materials.size() == 1);
+        CHECK(r.scene->whitted().materials.size() == 1);
         return r.diagnostics[0].message;
     };
     CHECK(kept("1 1 1 1 1 1 1 1 10 1 0") ==

@@ -34,16 +34,16 @@ TEST_CASE("legacy shades as the course's programs of 2021 did") {
     CHECK(r.settings.whitted.clamp_each_ray);
     CHECK(r.settings.whitted.fixed_bias == 1e-3);
     CHECK(r.settings.max_depth == 6);
-    CHECK(r.scene->look.materials[0].specular.x == Approx(0.5 / 2.5));
-    CHECK(r.scene->look.materials[0].specular.y == Approx(0.25 / 2.5));
-    CHECK(r.scene->look.materials[0].reflection == Color(0.5F, 0.25F, 0.5F));
-    CHECK(r.scene->look.materials[1].absorption == Color(0.0F));
-    CHECK(load_statements(text).scene->look.materials[1].absorption == Color(1.0F));
+    CHECK(r.scene->whitted().materials[0].specular.x == Approx(0.5 / 2.5));
+    CHECK(r.scene->whitted().materials[0].specular.y == Approx(0.25 / 2.5));
+    CHECK(r.scene->whitted().materials[0].reflection == Color(0.5F, 0.25F, 0.5F));
+    CHECK(r.scene->whitted().materials[1].absorption == Color(0.0F));
+    CHECK(load_statements(text).scene->whitted().materials[1].absorption == Color(1.0F));
 }
 
 TEST_CASE("legacy without lights leaves the highlights alone") {
     const LoadResult r = load_statements("mat 0 0 0 1 1 1 1 0.5 10 0 1", legacy());
-    CHECK(r.scene->look.materials[0].specular == Color(0.5F));
+    CHECK(r.scene->whitted().materials[0].specular == Color(0.5F));
 }
 
 TEST_CASE("one-sided shows the front of every shape but those of negative radius") {

@@ -33,8 +33,8 @@ TEST_CASE("stray numbers after a statement are one warning") {
     CHECK(messages(r) ==
           Messages{"a.p3f:1:29: warning: expected a keyword after 'light', found '0' (words "
                    "skipped: 6)"});
-    CHECK(r.scene->look.lights.size() == 1);
-    CHECK(r.scene->look.materials.size() == 1);
+    CHECK(r.scene->whitted().lights.size() == 1);
+    CHECK(r.scene->whitted().materials.size() == 1);
     CHECK(r.scene->geometry.primitives.size() == 1);
 }
 

@@ -46,8 +46,8 @@ TEST_CASE("a scene with nothing but a camera has the format's defaults") {
     CHECK(r.scene->format == "p3f");
     CHECK(r.settings.backend.empty());
     CHECK(r.settings.samples_per_pixel == 0);
-    CHECK(r.scene->look.environment.background == Color(0.0F));
-    CHECK_FALSE(r.scene->look.environment.skybox);
+    CHECK(r.scene->whitted().environment.background == Color(0.0F));
+    CHECK_FALSE(r.scene->whitted().environment.skybox);
     CHECK(r.settings.display_colors);
     CHECK(r.settings.max_depth == 5);
     CHECK_FALSE(r.settings.whitted.schlick);
@@ -88,12 +88,12 @@ TEST_CASE("spp is a count of samples") {
 }
 
 TEST_CASE("bclr is the background") {
-    CHECK(load_statements("bclr 0.25 0.5 2").scene->look.environment.background ==
+    CHECK(load_statements("bclr 0.25 0.5 2").scene->whitted().environment.background ==
           Color(0.25F, 0.5F, 2));
     const LoadResult r = load_statements("bclr 0 1e300 0");
     CHECK(messages(r) ==
           Messages{"a.p3f:1:8: warning: the colour of 'bclr' is beyond every colour"});
-    CHECK(r.scene->look.environment.background == Color(0.0F));
+    CHECK(r.scene->whitted().environment.background == Color(0.0F));
 }
 
 TEST_CASE("env is found beside the scene file, in any of four kinds of file") {
@@ -103,12 +103,12 @@ TEST_CASE("env is found beside the scene file, in any of four kinds of file") {
         make_faces(sky, faces(extension));
         const LoadResult r = load_beside(scratch.path, "env " + sky.filename().string());
         CHECK(messages(r).empty());
-        REQUIRE(r.scene->look.environment.skybox);
-        CHECK(r.scene->look.environment.skybox->faces[0] ==
+        REQUIRE(r.scene->whitted().environment.skybox);
+        CHECK(r.scene->whitted().environment.skybox->faces[0] ==
               (sky / ("right" + std::string(extension))).string());
-        CHECK(r.scene->look.environment.skybox->faces[5] ==
+        CHECK(r.scene->whitted().environment.skybox->faces[5] ==
               (sky / ("back" + std::string(extension))).string());
-        CHECK_FALSE(r.scene->look.environment.skybox->nearest);
+        CHECK_FALSE(r.scene->whitted().environment.skybox->nearest);
     }
 }
 
@@ -119,8 +119,8 @@ TEST_CASE("env is found in the working directory where the scene file has none b
     fs::current_path(scratch.path);
     const LoadResult r = load_beside("/nowhere", "env sky");
     fs::current_path(before);
-    REQUIRE(r.scene->look.environment.skybox);
-    CHECK(r.scene->look.environment.skybox->faces[1] == "sky/left.png");
+    REQUIRE(r.scene->whitted().environment.skybox);
+    CHECK(r.scene->whitted().environment.skybox->faces[1] == "sky/left.png");
 }
 
 TEST_CASE("env without its files is a warning, and the scene keeps its background") {
@@ -132,15 +132,15 @@ TEST_CASE("env without its files is a warning, and the scene keeps its backgroun
     CHECK(r.diagnostics[0].column == 5);
     CHECK(r.diagnostics[0].message ==
           "no skybox in 'sky': nothing found for bottom, as .jpg, .png, .exr or .hdr");
-    CHECK_FALSE(r.scene->look.environment.skybox);
-    CHECK(r.scene->look.environment.background == Color(1, 0, 0));
+    CHECK_FALSE(r.scene->whitted().environment.skybox);
+    CHECK(r.scene->whitted().environment.background == Color(1, 0, 0));
 }
 
 TEST_CASE("a directory is not a face of a skybox") {
     const Scratch scratch("etalon_env_directory");
     make_faces(scratch.path / "sky", {"right.jpg", "left.png", "top.jpg", "front.jpg", "back.hdr"});
     fs::create_directories(scratch.path / "sky/bottom.jpg");
-    CHECK_FALSE(load_beside(scratch.path, "env sky").scene->look.environment.skybox);
+    CHECK_FALSE(load_beside(scratch.path, "env sky").scene->whitted().environment.skybox);
 }
 
 TEST_CASE("legacy looks a skybox up as the old programs did") {
@@ -148,5 +148,5 @@ TEST_CASE("legacy looks a skybox up as the old programs did") {
     make_faces(scratch.path / "sky", faces(".jpg"));
     LoadOptions legacy;
     legacy.legacy = true;
-    CHECK(load_beside(scratch.path, "env sky", legacy).scene->look.environment.skybox->nearest);
+    CHECK(load_beside(scratch.path, "env sky", legacy).scene->whitted().environment.skybox->nearest);
 }

@@ -10,7 +10,7 @@ namespace {
 std::string colors(const LoadResult& r) {
     std::string letters;
     for (const Primitive p : r.scene->geometry.primitives) {
-        const Color& c = r.scene->look.materials[p.material].diffuse;
+        const Color& c = r.scene->whitted().materials[p.material].diffuse;
         letters += c.x == 1 ? 'r' : c.y == 1 ? 'g' : '?';
     }
     return letters;
@@ -71,7 +71,7 @@ TEST_CASE("an instance that is never referred to leaves nothing behind") {
     CHECK(messages(r).empty());
     CHECK(r.scene->geometry.primitives.empty());
     CHECK(r.scene->geometry.vertices.empty());
-    CHECK(r.scene->look.materials.empty());
+    CHECK(r.scene->whitted().materials.empty());
     CHECK(r.scene->geometry.all<Polygon>().empty());
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("a hollow in an instance is one in the surface of the reference") {
                                        "instance_of a 0 0 0\n" + red + "instance_of a 0 0 0\n");
     CHECK(messages(r).empty());
     const auto ior = [&](int i) {
-        return r.scene->look.materials[r.scene->geometry.primitives[i].material].ior;
+        return r.scene->whitted().materials[r.scene->geometry.primitives[i].material].ior;
     };
     CHECK(ior(0) == 1.5);
     CHECK(ior(1) == 1 / 1.5);
@@ -120,9 +120,9 @@ TEST_CASE("camera, lights and background in an instance count at once, and once"
     CHECK(messages(r) == Messages{"a.prt:9:1: warning: 'angle' after lights; PRT's document has it "
                                   "before them",
                                   "a.prt:9:1: warning: a second 'angle'; it replaces the first"});
-    CHECK(r.scene->look.lights.size() == 1);
+    CHECK(r.scene->whitted().lights.size() == 1);
     CHECK(r.scene->camera.fov_degrees == 50);
-    CHECK(r.scene->look.environment.background == Color(0, 0, 1));
+    CHECK(r.scene->whitted().environment.background == Color(0, 0, 1));
 }
 
 TEST_CASE("errors in an instance are told once, where it is defined") {

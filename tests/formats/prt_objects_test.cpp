@@ -10,8 +10,8 @@ Material material_of(const std::string& statement) {
     const LoadResult r = load_prt_text(statement);
     CAPTURE(statement);
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->look.materials.size() == 1);
-    return r.scene->look.materials[0];
+    REQUIRE(r.scene->whitted().materials.size() == 1);
+    return r.scene->whitted().materials[0];
 }
 
 /// The message about an object in line 7, which is left out.
@@ -60,7 +60,7 @@ TEST_CASE("a PRT object before any surface gets a grey one, with a warning") {
     const LoadResult r = load_prt_text("sphere 0 0 0 1\n");
     CHECK(messages(r) ==
           Messages{"a.prt:6:1: warning: 'sphere' before any material; it gets a default one"});
-    CHECK(r.scene->look.materials[0].diffuse == Color(0.5F));
+    CHECK(r.scene->whitted().materials[0].diffuse == Color(0.5F));
 }
 
 TEST_CASE("PRT spheres, cones and polygons are read") {
@@ -97,7 +97,7 @@ TEST_CASE("an hsphere is a sphere of matter about one of nothing") {
     CHECK(inner.centre == Vec3(1, 2, 3));
     CHECK(inner.radius == 0.375);
     const auto material = [&](int i) {
-        return r.scene->look.materials[r.scene->geometry.primitives[i].material];
+        return r.scene->whitted().materials[r.scene->geometry.primitives[i].material];
     };
     CHECK(material(0).ior == 1.5);
     CHECK(material(1).ior == 1 / 1.5);

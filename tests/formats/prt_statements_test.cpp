@@ -67,15 +67,15 @@ TEST_CASE("PRT statements may come in any order, with a warning") {
           "a.prt:3:1: warning: 'light' after objects; PRT's document has it before them");
     CHECK(messages(r)[1] ==
           "a.prt:4:1: warning: 'from' after objects; PRT's document has it before them");
-    CHECK(r.scene->look.lights.size() == 1);
+    CHECK(r.scene->whitted().lights.size() == 1);
 }
 
 TEST_CASE("a PRT background has a letter or none") {
     for (const std::string letter : {"", " n", " y", " x", "\tz"}) {
         const LoadResult r = load_prt_text("background 0.25 0.5 1" + letter + "\nlight 0 0 1");
         CHECK(messages(r).empty());
-        CHECK(r.scene->look.environment.background == Color(0.25F, 0.5F, 1));
-        CHECK(r.scene->look.lights.size() == 1);
+        CHECK(r.scene->whitted().environment.background == Color(0.25F, 0.5F, 1));
+        CHECK(r.scene->whitted().lights.size() == 1);
     }
     CHECK(load_prt_text("background 0 0 0 no").diagnostics.size() == 1);
     CHECK(load_prt_text("background 0 0 0 1").diagnostics.size() == 1);
@@ -84,11 +84,11 @@ TEST_CASE("a PRT background has a letter or none") {
 TEST_CASE("PRT lights are white and share their strength") {
     const LoadResult r = load_prt_text("light 1 2 3\nlight 4 5 6\nlight 7 8 9\nlight 0 0 0");
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->look.lights.size() == 4);
-    for (const Light& light : r.scene->look.lights) {
+    REQUIRE(r.scene->whitted().lights.size() == 4);
+    for (const Light& light : r.scene->whitted().lights) {
         CHECK(std::get<PointLight>(light).color == Color(0.5F));
     }
-    CHECK(std::get<PointLight>(r.scene->look.lights[1]).position == Vec3(4, 5, 6));
+    CHECK(std::get<PointLight>(r.scene->whitted().lights[1]).position == Vec3(4, 5, 6));
 }
 
 TEST_CASE("tabs and comments may stand anywhere in PRT") {

@@ -51,7 +51,7 @@ TEST_CASE("a wrong number of values costs the line, of a state command too") {
         CAPTURE(line);
         REQUIRE(r.diagnostics.size() == 1);
         REQUIRE(r.scene->geometry.primitives.size() == 1);
-        CHECK(r.scene->look.materials[0].diffuse == Color(1.0F));
+        CHECK(r.scene->whitted().materials[0].diffuse == Color(1.0F));
         CHECK(corners_of(*r.scene, 0)[1] == Vec3(1, 0, 0));
         return messages(r)[0];
     };

@@ -21,7 +21,7 @@ TEST_CASE("camera and picture are plain assignments that no matrix and no block 
     CHECK(c.aperture == 0);
     CHECK(r.settings.max_depth == 5);
     CHECK(r.settings.samples_per_pixel == 9);
-    CHECK(r.scene->look.environment.background == Color(0.25F, 0.5F, 1));
+    CHECK(r.scene->whitted().environment.background == Color(0.25F, 0.5F, 1));
 }
 
 TEST_CASE("a direction keeps its digits however far the eye is from the origin") {
@@ -60,8 +60,8 @@ TEST_CASE("a camera that cannot see is an error at the line that makes it so") {
 
 TEST_CASE("a point light is moved by the matrix, its colour is not") {
     const LoadResult r = load_sce_text("translate 1 0 0\nscale 2 2 2\npointlight 1 2 3 .25 .5 1\n");
-    REQUIRE(r.scene->look.lights.size() == 1);
-    const auto& light = std::get<PointLight>(r.scene->look.lights[0]);
+    REQUIRE(r.scene->whitted().lights.size() == 1);
+    const auto& light = std::get<PointLight>(r.scene->whitted().lights[0]);
     CHECK(light.position == Vec3(3, 4, 6));
     CHECK(light.color == Color(0.25F, 0.5F, 1));
 }
@@ -70,8 +70,8 @@ TEST_CASE("an area light of half side w is a square that takes one point of each
     const LoadResult r =
         load_sce_text("translate 1 0 5\nscale 2 4 1\narealight 0.25 .25 .5 1\n" + unit_triangle);
     CHECK(messages(r).empty());
-    REQUIRE(r.scene->look.lights.size() == 1);
-    const auto& light = std::get<QuadLight>(r.scene->look.lights[0]);
+    REQUIRE(r.scene->whitted().lights.size() == 1);
+    const auto& light = std::get<QuadLight>(r.scene->whitted().lights[0]);
     CHECK(light.corner == Vec3(0.5, -1, 5));
     CHECK(light.edge1 == Vec3(1, 0, 0));
     CHECK(light.edge2 == Vec3(0, 2, 0));

@@ -17,7 +17,7 @@ std::vector<Vec3> moved(const std::string& lines, const LoadOptions& options = {
     CAPTURE(lines, messages(r));
     REQUIRE(r.scene);
     std::vector<Vec3> places;
-    for (const Light& light : r.scene->look.lights) {
+    for (const Light& light : r.scene->whitted().lights) {
         places.push_back(std::get<PointLight>(light).position);
     }
     REQUIRE(places.size() == 3);
@@ -82,7 +82,7 @@ TEST_CASE("shapes of one surface share a material") {
     const LoadResult r =
         load_sce_text("cr 1 0 0\n" + unit_triangle + unit_triangle + "{\ntranslate 1 0 0\n" +
                       unit_triangle + "}\n" + unit_triangle + "shininess 2\n" + unit_triangle);
-    CHECK(r.scene->look.materials.size() == 2);
+    CHECK(r.scene->whitted().materials.size() == 2);
     CHECK(r.scene->geometry.primitives[3].material == 0);
     CHECK(r.scene->geometry.primitives[4].material == 1);
 }
@@ -115,7 +115,7 @@ TEST_CASE("a block that is never closed is reported where it opens") {
 TEST_CASE("a surface is a material with the ambient light of its own") {
     const LoadResult r =
         load_sce_text("ca .5 .25 1\ncr .5 1 .25\ncp .125 .25 .5\nshininess 30\n" + unit_triangle);
-    const Material& m = r.scene->look.materials[0];
+    const Material& m = r.scene->whitted().materials[0];
     CHECK(m.ambient == Color(0.25F, 0.25F, 0.25F));
     CHECK(m.diffuse == Color(0.5F, 1, 0.25F));
     CHECK(m.specular == Color(0.125F, 0.25F, 0.5F));
@@ -123,7 +123,7 @@ TEST_CASE("a surface is a material with the ambient light of its own") {
     CHECK(m.shininess == 30);
     CHECK(m.highlight == Highlight::blinn);
     CHECK(m.transmission == Color(0.0F));
-    const Material plain = load_sce_text(unit_triangle).scene->look.materials[0];
+    const Material plain = load_sce_text(unit_triangle).scene->whitted().materials[0];
     CHECK(plain.ambient == Color(0.1F));
     CHECK(plain.diffuse == Color(1.0F));
     CHECK(plain.specular == Color(0.0F));

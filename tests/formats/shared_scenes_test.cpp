@@ -53,7 +53,7 @@ TEST_CASE("every real P3F scene is read without a warning, but for the one with 
         CHECK(r.diagnostics[0].column == 29);
         CHECK(r.scene->geometry.all<Triangle>().size() == 100000);
         CHECK(vertex_count(*r.scene) == 50000);
-        CHECK(r.scene->look.lights.size() == 2);
+        CHECK(r.scene->whitted().lights.size() == 2);
     }
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("every real SCE scene is read without a warning", "[needs_shared_scene
         CHECK(r.scene->format == "sce");
         CHECK(insanity(r) == "");
         CHECK(r.scene->geometry.primitives.size() >= 5);
-        CHECK_FALSE(r.scene->look.lights.empty());
+        CHECK_FALSE(r.scene->whitted().lights.empty());
     }
 }
 

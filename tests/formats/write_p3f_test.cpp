@@ -235,12 +235,12 @@ TEST_CASE("a ring becomes flat polygons that face where its normal points") {
 
 TEST_CASE("glass of constant weights becomes Fresnel's, and a Phong highlight Blinn's") {
     LoadResult r = load_objects("s 0 0 0 1\n");
-    Material& m = r.scene->look.materials[0];
+    Material& m = r.scene->whitted().materials[0];
     m.transmission = Color(0.5F);
     m.ior = 1.3;
     m.specular = Color(0.5F);
     m.highlight = Highlight::phong;
     const std::string fresnel = "constant weights of mirrored and refracted rays, now Fresnel's 1";
     CHECK(lost(r) == std::vector<std::string>{"Phong highlight, now Blinn's 1", fresnel});
-    CHECK(load_p3f_text(text_of(r)).scene->look.materials[0].ior == 1.3);
+    CHECK(load_p3f_text(text_of(r)).scene->whitted().materials[0].ior == 1.3);
 }

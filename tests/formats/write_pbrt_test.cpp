@@ -189,7 +189,7 @@ TEST_CASE("shapes become what PBRT has for them") {
     CHECK(shape_types(solids) == Strings{"sphere", "cylinder", "disk", "disk"});
 
     LoadResult ring = load_objects("");
-    ring.scene->look.materials.emplace_back();
+    ring.scene->whitted().materials.emplace_back();
     ring.scene->geometry.add(Ring{{1, 2, 3}, {0, 0, 4}, 0.5, 2}, 0);
     const auto disk = converted(ring);
     CHECK(number(find(disk, "Shape"), "float radius") == 2);

@@ -1,6 +1,5 @@
 #include "bench/accuracy/report/accuracy_json.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/common/provenance.h"
@@ -46,30 +45,12 @@ Json json_of(const Row& row) {
             {"cost", row.cost}};
 }
 
-/// Returns the processor's name as Linux reports it, or "unknown".
-std::string processor() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);) {
-        const auto colon = line.find(": ");
-        if (line.starts_with("model name") && colon != std::string::npos)
-            return line.substr(colon + 2);
-    }
-    return "unknown";
-}
-
 }  // namespace
-
-RunEnvironment run_environment() {
-    const BuildFacts& build = build_facts();
-    return {processor(), std::string(build.compiler), std::string(build.flags),
-            std::string(build.version)};
-}
 
 nlohmann::ordered_json json(const std::vector<Row>& rows) {
     Json list = Json::array();
     for (const Row& row : rows) list.push_back(json_of(row));
     Json json = provenance();
-    json["machine"] = processor();
     json["rows"] = std::move(list);
     return json;
 }

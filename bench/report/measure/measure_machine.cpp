@@ -2,11 +2,9 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
-#include <cstdlib>
-
-#include "bench/accuracy/report/accuracy_json.h"
+#include "app/common/program_facts.h"
+#include "app/common/provenance.h"
 #include "bench/report/tasks.h"
-#include "bench/speed/pinned.h"
 #include "embree_backend/embree_backends.h"
 
 namespace etalon::bench_report {
@@ -23,19 +21,22 @@ double memory_bytes() {
            static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-double load_average() {
-    double load = 0;
-    getloadavg(&load, 1);
-    return load;
-}
-
 }  // namespace
 
 Machine this_machine() {
-    const accuracy::RunEnvironment here = accuracy::run_environment();
+    const BuildFacts& build = build_facts();
+    const MachineFacts here = machine_facts();
     const EmbreeLibrary embree = embree_library();
-    return {here.machine,   system_name(), here.compiler,         here.flags,     here.version,
-            embree.version, embree.isa,    speed::usable_cores(), memory_bytes(), load_average()};
+    return {here.processor,
+            system_name(),
+            std::string(build.compiler),
+            std::string(build.flags),
+            std::string(build.version),
+            embree.version,
+            embree.isa,
+            here.cores,
+            memory_bytes(),
+            here.load_average};
 }
 
 }  // namespace etalon::bench_report

@@ -1,24 +1,13 @@
 #include "bench/speed/report/speed_json.h"
 
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "app/common/provenance.h"
-#include "bench/accuracy/report/accuracy_json.h"
-#include "bench/speed/pinned.h"
-#include "embree_backend/embree_backends.h"
 
 namespace etalon::speed {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Returns the load average of the last minute, that of other processes included; 0 if unknown.
-double load_average() {
-    double load = 0;
-    getloadavg(&load, 1);
-    return load;
-}
 
 /// Alike for builds and rays.
 Json json_of(const Runs& runs) {
@@ -89,18 +78,8 @@ Json json_of(const KindFigures& kind) {
 
 }  // namespace
 
-Json json_of_machine() {
-    const accuracy::RunEnvironment here = accuracy::run_environment();
-    const EmbreeLibrary embree = embree_library();
-    Json json = provenance();
-    json["machine"] = {
-        {"cpu", here.machine}, {"cores", usable_cores()}, {"load_average", load_average()}};
-    json["embree"] = {{"version", embree.version}, {"isa", embree.isa}};
-    return json;
-}
-
 Json json_of_environment(const Plan& plan) {
-    Json json = json_of_machine();
+    Json json = provenance();
     json["baselines"] = {baseline, robust_baseline};
     json["repeats"] = plan.repeats;
     json["threads"] = plan.threads;

@@ -8,10 +8,7 @@
 
 namespace etalon::speed {
 
-/// Returns the machine, compiler and versions of the measurement.
-nlohmann::ordered_json json_of_machine();
-
-/// The same and the plan. The scenes are for the caller to add.
+/// Returns the provenance and the plan of a measurement. The scenes are for the caller to add.
 nlohmann::ordered_json json_of_environment(const Plan& plan);
 
 nlohmann::ordered_json json_of(const SceneFigures& scene);

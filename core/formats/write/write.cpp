@@ -24,6 +24,12 @@ SceneWriter find_scene_writer(std::string_view extension) {
     return found != writers.end() ? found->write : nullptr;
 }
 
+std::vector<std::string> writable_formats() {
+    std::vector<std::string> names;
+    for (const Entry& entry : writers) names.emplace_back(entry.extension.substr(1));
+    return names;
+}
+
 std::string writable_extensions() {
     std::string list;
     for (const Entry& entry : writers) {

@@ -34,6 +34,9 @@ using SceneWriter = WrittenScene (*)(const Scene&, const RenderSettings&,
 /// Returns the writer of files with this extension (".p3f"); null if there is none.
 SceneWriter find_scene_writer(std::string_view extension);
 
+/// Returns the names of the formats that can be written: their extensions without the dot.
+std::vector<std::string> writable_formats();
+
 /// Returns the extensions that can be written: ".p3f or ..."
 std::string writable_extensions();
 

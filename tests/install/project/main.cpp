@@ -8,6 +8,7 @@
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "app/common/program.h"
+#include "app/common/provenance.h"
 #include "app/subcommands.h"
 #include "balls.h"
 #include "core/formats/write/write.h"
@@ -62,6 +63,7 @@ constexpr etalon::Command commands[] = {
 
 int main(int argc, char** argv) {
     etalon::add_backend({"median", "binary tree split at medians", true, laboratory::build_median});
-    return etalon::run_program("laboratory", "A backend and a loader of our own",
-                               laboratory::commands, argc, argv);
+    return etalon::run_program(
+        {"laboratory", "A backend and a loader of our own", etalon::library_lines},
+        laboratory::commands, argc, argv);
 }

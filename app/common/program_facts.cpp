@@ -1,0 +1,47 @@
+#include "app/common/program_facts.h"
+
+namespace etalon {
+
+extern const char* const etalon_commit;
+
+namespace {
+
+std::string& noted_command_line() {
+    static std::string text;
+    return text;
+}
+
+std::string quoted(std::string_view word) {
+    constexpr std::string_view plain =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_@%+=:,./-";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string_view::npos) {
+        return std::string(word);
+    }
+    std::string text(1, '\'');
+    for (const char c : word) {
+        if (c == '\'') text += "'\\'";
+        text += c;
+    }
+    return text += '\'';
+}
+
+}  // namespace
+
+const BuildFacts& build_facts() {
+    static const BuildFacts facts{ETALON_VERSION, etalon_commit, ETALON_COMPILER, ETALON_FLAGS};
+    return facts;
+}
+
+void note_command_line(int argc, char** argv) {
+    std::string& text = noted_command_line();
+    for (int i = 0; i < argc; ++i) {
+        if (i > 0) text += ' ';
+        text += quoted(argv[i]);
+    }
+}
+
+const std::string& command_line() {
+    return noted_command_line();
+}
+
+}  // namespace etalon
