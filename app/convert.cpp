@@ -1,12 +1,15 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <new>
 
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
 #include "app/scene_arguments.h"
 #include "app/subcommands.h"
+#include "core/formats/file_text.h"
+#include "core/formats/pbrt/normalize.h"
 #include "core/formats/write/write.h"
 
 namespace etalon {
@@ -49,23 +52,51 @@ bool tolerates(const ConvertArguments& a, const WrittenScene& written) {
     return written.lost.empty() || !strict;
 }
 
-int convert(const ConvertArguments& a) {
-    if (const auto [error, status] = check_output(a); !error.empty()) {
-        print_message("etalon: error: {}\n", error);
-        return status;
-    }
-    const LoadedScene loaded = load(a.scene);
+std::filesystem::path output_directory(const ConvertArguments& a) {
+    return std::filesystem::path(a.output).parent_path();
+}
+
+/// Whether the output is to be PBRT as the scene is: then it says all that the scene says.
+bool is_pbrt_to_pbrt(const ConvertArguments& a, std::string_view text) {
+    return writer_of(a.output) == write_pbrt && a.scene.legacy.empty() && !text.empty() &&
+           format_of(text, a.scene.path, a.scene.options) == "pbrt";
+}
+
+int normalize_pbrt(const ConvertArguments& a, std::string_view text) {
+    const pbrt::NormalizedFile file =
+        pbrt::normalize(text, a.scene.path, output_directory(a), a.scene.options.strict);
+    write_message(report(file.diagnostics));
+    if (!file.text) return exit_unusable;
+    return write_text(a.output, *file.text) ? exit_done : exit_not_written;
+}
+
+int convert_text(const ConvertArguments& a, std::optional<std::string_view> text) {
+    if (text && is_pbrt_to_pbrt(a, *text)) return normalize_pbrt(a, *text);
+    const LoadedScene loaded = load(a.scene, text);
     if (!loaded.scene) return loaded.status;
     if (loaded.scene->is_physical()) {
         print_message("{}: a scene of {} cannot be converted yet; expected one of {}\n",
                       a.scene.path, loaded.scene->format, "P3F, NFF, PRT or SCE");
         return exit_unusable;
     }
-    const std::filesystem::path path = a.output;
     const WrittenScene written =
-        writer_of(a.output)(*loaded.scene, loaded.settings, path.parent_path());
+        writer_of(a.output)(*loaded.scene, loaded.settings, output_directory(a));
     if (!tolerates(a, written)) return exit_unusable;
     return write_text(a.output, written.text) ? exit_done : exit_not_written;
+}
+
+int convert(const ConvertArguments& a) {
+    if (const auto [error, status] = check_output(a); !error.empty()) {
+        print_message("etalon: error: {}\n", error);
+        return status;
+    }
+    try {
+        const FileText file = read_file(a.scene.path);
+        return convert_text(a, file.error.empty() ? std::optional(file.text()) : std::nullopt);
+    } catch (const std::bad_alloc&) {
+        print_message("{}: error: does not fit into memory\n", a.scene.path);
+        return exit_unusable;
+    }
 }
 
 }  // namespace

@@ -43,9 +43,10 @@ void declare_scene(Options& options, SceneArguments& a) {
         .group(group);
 }
 
-LoadedScene load(SceneArguments a) {
+LoadedScene load(SceneArguments a, std::optional<std::string_view> text) {
     a.options.legacy = !a.legacy.empty();
-    LoadResult result = load_scene(a.path, a.options);
+    LoadResult result =
+        text ? load_scene_text(*text, a.path, a.options) : load_scene(a.path, a.options);
     note_no_shapes(result, a);
     write_message(report(result.diagnostics));
     if (!result.scene) return {std::nullopt, {}, exit_unusable, std::move(result.diagnostics)};

@@ -26,7 +26,8 @@ struct LoadedScene {
     std::vector<Diagnostic> diagnostics;
 };
 
-/// Loads the scene and prints its diagnostics on standard error.
-LoadedScene load(SceneArguments arguments);
+/// Loads the scene and prints its diagnostics on standard error. `text` is that of the file where
+/// it was read already.
+LoadedScene load(SceneArguments arguments, std::optional<std::string_view> text = {});
 
 }  // namespace etalon

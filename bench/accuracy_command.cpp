@@ -15,6 +15,7 @@
 #include "bench/accuracy/report/cases.h"
 #include "bench/accuracy/report/markdown.h"
 #include "bench/accuracy/report/plot.h"
+#include "bench/accuracy/report/remarks.h"
 #include "bench/bench_subcommands.h"
 
 namespace etalon {
@@ -28,8 +29,10 @@ struct AccuracyArguments {
     std::vector<std::string> backends = backend_names();
     double rays = 100'000;
     double seconds = infinity;
-    bool only_backends = false, list = false;
+    bool only_backends = false, list = false, wide = false;
     std::string json, markdown, plots;
+
+    table::Detail detail() const { return wide ? table::Detail::wide : table::Detail::narrow; }
 };
 
 /// "SPH" names all rows whose id begins so, "SPH-1" those of that id, "SPH-1/1e3" those of them
@@ -70,9 +73,11 @@ std::vector<Row> measure_all(const AccuracyArguments& a, const std::vector<HardC
         if (stop) break;
         print_message("etalon-bench: {}/{}\n", c.id, c.variant);
         const std::vector<Row> rows = accuracy::measure(c, backends, budget);
-        write_table(a.json, accuracy::table(rows, all.empty() ? "" : all.back().shape));
+        write_table(a.json,
+                    accuracy::table_of(rows, a.detail(), all.empty() ? "" : all.back().shape));
         all.insert(all.end(), rows.begin(), rows.end());
     }
+    write_table(a.json, fmt::format("\n{}", accuracy::legend(a.detail())));
     return all;
 }
 
@@ -83,7 +88,21 @@ bool is_broken_promise(const Row& row) {
 
 const std::string partial = "Stopped by a signal: not all cases and rays.\n";
 
-bool write_reports(const AccuracyArguments& a, const std::vector<Row>& rows, bool stopped) {
+/// Writes a plot for each shape that was measured, with remarks on it.
+bool write_plots(const std::string& folder, const std::vector<HardCase>& cases,
+                 const std::vector<Row>& rows) {
+    bool written = true;
+    for (const std::string& shape : accuracy::shapes_of(rows)) {
+        const auto wanted = std::ranges::count(cases, shape, &HardCase::shape);
+        const std::string svg = accuracy::plot(
+            rows, shape, accuracy::remarks_on(rows, shape, static_cast<std::size_t>(wanted)));
+        if (!svg.empty()) written &= write_text(folder + '/' + shape + ".svg", svg);
+    }
+    return written;
+}
+
+bool write_reports(const AccuracyArguments& a, const std::vector<HardCase>& cases,
+                   const std::vector<Row>& rows, bool stopped) {
     using Json = nlohmann::ordered_json;
     bool written = true;
     if (!a.json.empty()) {
@@ -95,12 +114,7 @@ bool write_reports(const AccuracyArguments& a, const std::vector<Row>& rows, boo
         const std::string mark = stopped ? partial + "\n" : "";
         written &= write_text(a.markdown, mark + accuracy::markdown(rows));
     }
-    if (a.plots.empty()) return written;
-    for (const std::string& shape : accuracy::shapes_of(rows)) {
-        const std::string svg = accuracy::plot(rows, shape);
-        if (!svg.empty()) written &= write_text(a.plots + '/' + shape + ".svg", svg);
-    }
-    return written;
+    return (a.plots.empty() || write_plots(a.plots, cases, rows)) && written;
 }
 
 int measure_accuracy(const AccuracyArguments& a) {
@@ -124,7 +138,7 @@ int measure_accuracy(const AccuracyArguments& a) {
         write_table(a.json,
                     fmt::format("{} rows with errors that none of them may have\n", broken));
     }
-    const bool written = write_reports(a, rows, stopped);
+    const bool written = write_reports(a, cases, rows, stopped);
     if (stopped) return exit_signal + signals.signal();
     if (!written) return exit_not_written;
     return broken > 0 ? exit_differs : exit_done;
@@ -155,6 +169,7 @@ Action declare_accuracy(Options& options) {
         .positive();
     options.add_flag("--only-backends", a->only_backends,
                      "Measure backends only, not kernels by themselves");
+    options.add_flag("--wide", a->wide, "Show all columns, not only those that fit 100 characters");
     options.add_flag("--list", a->list, "List the cases and exit");
     options.add("--json", a->json, "Write the results to this JSON file; - is standard output")
         .value("FILE");

@@ -1,5 +1,6 @@
 // etalon-bench: measures accelerators.
 #include "bench/bench_subcommands.h"
+#include "bench/frames/process_start.h"
 
 namespace {
 
@@ -39,6 +40,7 @@ constexpr etalon::Command commands[] = {
 }  // namespace
 
 int main(int argc, char** argv) {
+    etalon::frames::note_begin_of_main();
     return etalon::run_program("etalon-bench", "Etalon's accelerator laboratory", commands, argc,
                                argv);
 }

@@ -61,6 +61,7 @@ struct Row {
     ErrorStats stats;
     double nanoseconds = 0;  ///< a ray, median over blocks of rays, CPU time
     double cost = 0;         ///< relative to the first textbook kernel on the same rays; 0 if none
+    bool partial = false;    ///< fewer rays than asked for: stopped, or its time was up
 };
 
 }  // namespace etalon::accuracy

@@ -76,7 +76,9 @@ class Measurement {
         const std::uint64_t blocks = (budget_.rays + block_size - 1) / block_size;
         parallel_for(blocks, 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t block = begin; block < end; ++block) {
-                if (block == 0 || !is_over()) shoot(block);
+                const bool is_cut = block > 0 && is_over();
+                if (is_cut) partial_ = true;
+                if (!is_cut) shoot(block);
             }
         });
         return rows();
@@ -230,7 +232,7 @@ class Measurement {
             if (unit == 0 && !e.refined) unit = ns;
             rows.push_back({case_.id, case_.variant, case_.shape,
                             criteria[static_cast<int>(case_.criterion)], e.tracer->name(), e.exact,
-                            results_[k].stats, ns, 0});
+                            results_[k].stats, ns, 0, partial_});
         }
         for (Row& row : rows) row.cost = unit > 0 ? row.nanoseconds / unit : 0;
         return rows;
@@ -244,6 +246,7 @@ class Measurement {
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::vector<TracerEntry> entries_;
     std::mutex mutex_;
+    std::atomic<bool> partial_ = false;  ///< blocks were left out
     std::vector<Result> results_;
 };
 

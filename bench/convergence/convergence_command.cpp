@@ -11,6 +11,7 @@
 #include "app/common/integrators.h"
 #include "app/common/output.h"
 #include "app/common/progress.h"
+#include "app/common/progress_line.h"
 #include "app/common/reference_image.h"
 #include "app/common/signals.h"
 #include "bench/bench_subcommands.h"
@@ -49,19 +50,25 @@ Result<ReferenceImage> read_reference_image(const std::string& path,
 }
 
 nlohmann::ordered_json report_on(const ConvergenceArguments& a, const Imath::V2i& size,
-                                 const Measured& measured) {
-    nlohmann::ordered_json json = speed::json_of_machine();
+                                 const Measured& measured, bool stopped) {
+    using Json = nlohmann::ordered_json;
+    Json json = speed::json_of_machine();
+    json["stopped"] = stopped ? Json("signal") : Json();
     json["scene"] = a.scene;
     json["image"] = {{"width", size.x}, {"height", size.y}};
     json["reference"] = measured.reference;
     json["seeds"] = a.plan.seeds;
-    json["curves"] = nlohmann::ordered_json::array();
-    write_table(a.json, fmt::format("{}, {} x {}; reference: {}; {} seeds\n\n", a.scene, size.x,
-                                    size.y, measured.reference, a.plan.seeds));
+    json["curves"] = Json::array();
+    constexpr int name_width = 40;
+    write_table(a.json, fmt::format("{}, {} x {}; reference: {}; {} seeds\n\n",
+                                    shortened(a.scene, name_width), size.x, size.y,
+                                    shortened(measured.reference, name_width - 10), a.plan.seeds));
     for (const Curve& curve : measured.curves) {
-        write_table(a.json, table(curve) + "\n");
+        write_table(a.json, table_of(curve) + "\n");
         json["curves"].push_back(json_of(curve));
     }
+    if (stopped) write_table(a.json, "Stopped by a signal: not all curves.\n");
+    write_table(a.json, legend());
     return json;
 }
 
@@ -100,7 +107,7 @@ int measure_convergence(const ConvergenceArguments& a) {
         all.reference = one.value.reference;
         std::ranges::move(one.value.curves, std::back_inserter(all.curves));
     }
-    const auto json = report_on(a, named.settings.resolution, all);
+    const auto json = report_on(a, named.settings.resolution, all, signals.signal() != 0);
     if (!a.json.empty() && !write_json(a.json, json)) return exit_not_written;
     return signals.signal() != 0 ? exit_signal + signals.signal() : exit_done;
 }

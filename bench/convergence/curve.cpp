@@ -54,14 +54,14 @@ double Curve::efficiency() const {
     return 1 / (points.back().mse * points.back().cpu_seconds);
 }
 
-Fit fit(const std::vector<Point>& points) {
+std::optional<Fit> fit(const std::vector<Point>& points) {
     std::vector<Point> used;
     std::copy_if(points.begin(), points.end(), std::back_inserter(used), [](const Point& p) {
         return p.samples >= fewest_samples && p.mse > 0 && p.cpu_seconds > 0;
     });
-    if (used.size() < 3) return {};
+    if (used.size() < 3) return std::nullopt;
     const auto count = std::min<std::ptrdiff_t>(last_points, std::ssize(used));
-    return {slope_of(used), std::max(0.0, floor_of({used.end() - count, used.end()}))};
+    return Fit{slope_of(used), std::max(0.0, floor_of({used.end() - count, used.end()}))};
 }
 
 }  // namespace etalon::convergence

@@ -1,6 +1,7 @@
 // Errors of an image against the time that it has taken so far.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,14 +26,15 @@ struct Curve {
     std::string name;  ///< "whitted, sobol, bvh"
     std::string sampler, integrator, backend;
     std::vector<Point> points;
-    Fit fit;
+    std::optional<Fit> fit;  ///< nothing where there are too few points for it
 
     /// 1 / (MSE * CPU seconds) of the last point: as much again is twice the machines.
     double efficiency() const;
 };
 
 /// The slope is that of the points from 4 samples on. The floor is what the last of them have above
-/// c / seconds, the slowest that an image without bias comes closer; 0 if they do not.
-Fit fit(const std::vector<Point>& points);
+/// c / seconds, the slowest that an image without bias comes closer; 0 if they do not. Nothing for
+/// fewer than three points.
+std::optional<Fit> fit(const std::vector<Point>& points);
 
 }  // namespace etalon::convergence

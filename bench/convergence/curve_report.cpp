@@ -2,10 +2,47 @@
 
 #include <fmt/format.h>
 
+#include "bench/table/columns.h"
+
 namespace etalon::convergence {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Null for what is not known.
+Json json_of(const std::optional<Fit>& fit, double Fit::*value) {
+    return fit ? Json((*fit).*value) : Json();
+}
+
+template <double Point::*Value>
+std::string scientific(const Point& p) {
+    return fmt::format("{:.3e}", p.*Value);
+}
+
+const table::Columns<Point>& columns() {
+    static const table::Columns<Point> all = {
+        {"", "spp", 10, [](const Point& p) { return fmt::format("{:.2f}", p.samples); },
+         "samples per pixel"},
+        {"", "CPU s", 11, [](const Point& p) { return fmt::format("{:.4f}", p.cpu_seconds); },
+         "CPU seconds of rendering until then, one thread"},
+        {"", "relMSE", 12, scientific<&Point::relmse>,
+         "mean of the squared errors, each over the reference's square plus 0.01"},
+        {"", "MSE", 12, scientific<&Point::mse>, "mean squared error, the mean of all seeds"},
+        {"MSE", "least", 12, scientific<&Point::mse_least>, "that of the best seed"},
+        {"MSE", "most", 12, scientific<&Point::mse_most>, "that of the worst seed"},
+    };
+    return all;
+}
+
+std::string law_of(const std::optional<Fit>& fit) {
+    if (!fit) return "too few points for a law";
+    return fmt::format("MSE falls as time^{:.2f}, floor {:.1e}", fit->slope, fit->floor);
+}
+
+}  // namespace
 
 nlohmann::ordered_json json_of(const Curve& curve) {
-    nlohmann::ordered_json points = nlohmann::ordered_json::array();
+    Json points = Json::array();
     for (const Point& p : curve.points) {
         points.push_back({{"spp", p.samples},
                           {"cpu_seconds", p.cpu_seconds},
@@ -14,21 +51,30 @@ nlohmann::ordered_json json_of(const Curve& curve) {
                           {"mse_most", p.mse_most},
                           {"relmse", p.relmse}});
     }
-    return {{"name", curve.name},       {"sampler", curve.sampler},
-            {"backend", curve.backend}, {"integrator", curve.integrator},
-            {"slope", curve.fit.slope}, {"floor", curve.fit.floor},
-            {"points", points},         {"efficiency", curve.efficiency()}};
+    return {{"name", curve.name},
+            {"sampler", curve.sampler},
+            {"backend", curve.backend},
+            {"integrator", curve.integrator},
+            {"slope", json_of(curve.fit, &Fit::slope)},
+            {"floor", json_of(curve.fit, &Fit::floor)},
+            {"points", points},
+            {"efficiency", curve.efficiency()}};
 }
 
-std::string table(const Curve& curve) {
-    std::string text = fmt::format("{}\n{:>10} {:>10} {:>11} {:>11}  seeds' MSE\n", curve.name,
-                                   "spp", "CPU s", "relMSE", "MSE");
+std::string table_of(const Curve& curve) {
+    std::string text = curve.name + "\n" + table::heading("", columns(), table::Detail::narrow);
     for (const Point& p : curve.points) {
-        text += fmt::format("{:10.2f} {:10.4f} {:11.3e} {:11.3e}  {:.3e} to {:.3e}\n", p.samples,
-                            p.cpu_seconds, p.relmse, p.mse, p.mse_least, p.mse_most);
+        text += table::line_of("", p, columns(), table::Detail::narrow);
     }
-    return text + fmt::format("  MSE falls as time^{:.2f}, floor {:.1e}; 1/(MSE s) {:.3e}\n",
-                              curve.fit.slope, curve.fit.floor, curve.efficiency());
+    return text + fmt::format("  {}; 1/(MSE s) {:.3e}\n", law_of(curve.fit), curve.efficiency());
+}
+
+std::string legend() {
+    table::Legend legend;
+    table::explain(columns(), table::Detail::narrow, legend);
+    legend.add("floor", "MSE that no time takes away: bias, or the noise of the reference");
+    legend.add("1/(MSE s)", "efficiency at the curve's end: twice as high is worth twice the time");
+    return legend.text();
 }
 
 }  // namespace etalon::convergence

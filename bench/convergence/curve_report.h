@@ -9,6 +9,9 @@ namespace etalon::convergence {
 nlohmann::ordered_json json_of(const Curve& curve);
 
 /// Returns a table for people: the points of a curve, its slope, floor and efficiency.
-std::string table(const Curve& curve);
+std::string table_of(const Curve& curve);
+
+/// Returns what the names of the table mean.
+std::string legend();
 
 }  // namespace etalon::convergence

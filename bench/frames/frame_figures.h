@@ -10,9 +10,10 @@ struct FrameFigures {
     std::string scene, backend;
     int width = 0, height = 0, samples = 0;
     std::uint64_t rays = 0;
+    double start = 0;         ///< the process until main
     double load = 0;          ///< reading the scene file, without its images
     double build = 0;         ///< the backend's structure
-    double images = 0;        ///< preparing the integrator, for which images of the scene are read
+    double images = 0;        ///< what the first rendering takes longer: images are read for it
     double camera = 0;        ///< making the camera rays
     double intersection = 0;  ///< finding the hits of the frame's rays, and nothing else
     double film = 0;          ///< adding the samples up
@@ -25,6 +26,9 @@ struct FrameFigures {
 
     /// How many times as long as its intersections the rendering takes.
     double overhead() const { return render / intersection; }
+
+    /// Nanoseconds of the rendering for each of its rays.
+    double nanoseconds() const { return 1e9 * render / static_cast<double>(rays); }
 };
 
 }  // namespace etalon::frames

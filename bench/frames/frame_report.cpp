@@ -4,48 +4,55 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/common/progress_line.h"
+#include "bench/frames/stages.h"
+
 namespace etalon::frames {
 namespace {
 
-/// A column of the table, and a key of the JSON.
-struct Column {
-    const char *heading, *key;
-    double (*value)(const FrameFigures&);
-};
+using table::Detail;
 
-constexpr Column seconds[] = {
-    {"load", "load", [](const FrameFigures& f) { return f.load; }},
-    {"build", "build", [](const FrameFigures& f) { return f.build; }},
-    {"images", "images", [](const FrameFigures& f) { return f.images; }},
-    {"camera", "camera", [](const FrameFigures& f) { return f.camera; }},
-    {"inters.", "intersection", [](const FrameFigures& f) { return f.intersection; }},
-    {"shading", "shading", [](const FrameFigures& f) { return f.shading(); }},
-    {"film", "film", [](const FrameFigures& f) { return f.film; }},
-    {"render", "render", [](const FrameFigures& f) { return f.render; }},
-    {"write", "write", [](const FrameFigures& f) { return f.write; }},
-};
+constexpr int name_width = 20;
+
+table::Columns<FrameFigures> columns() {
+    table::Columns<FrameFigures> all = {
+        {"", "backend", 24, [](const FrameFigures& f) { return f.backend; }, "", Detail::wide},
+    };
+    for (const Stage& stage : stages()) {
+        all.push_back(
+            {"", stage.heading, stage.width,
+             [&stage](const FrameFigures& f) { return fmt::format("{:.3f}", stage.seconds(f)); },
+             stage.meaning});
+    }
+    all.push_back({"", "overhead", 9,
+                   [](const FrameFigures& f) { return fmt::format("{:.2f}", f.overhead()); },
+                   "render / inters."});
+    all.push_back({"", "ns/ray", 8,
+                   [](const FrameFigures& f) { return fmt::format("{:.1f}", f.nanoseconds()); },
+                   "nanoseconds of render for each ray of the frame", Detail::wide});
+    return all;
+}
+
+std::string beginning(const std::string& text) {
+    return fmt::format("{:{}}", shortened(text, name_width - 1), name_width);
+}
 
 }  // namespace
 
-std::string table(std::span<const FrameFigures> frames) {
-    std::string text = fmt::format("{:20} {:11}", "CPU s of one thread", "backend");
-    for (const Column& c : seconds) text += fmt::format(" {:>7}", c.heading);
-    text += "  ns/ray  overhead\n";
+std::string table_of(std::span<const FrameFigures> frames, Detail detail) {
+    const table::Columns<FrameFigures> all = columns();
+    std::string text = table::heading(beginning("CPU seconds"), all, detail);
     for (const FrameFigures& f : frames) {
-        text += fmt::format("{:20} {:11}", f.scene, f.backend);
-        for (const Column& c : seconds) text += fmt::format(" {:7.3f}", c.value(f));
-        const double nanoseconds = 1e9 * f.render / static_cast<double>(f.rays);
-        text += fmt::format(" {:7.1f} {:9.2f}\n", nanoseconds, f.overhead());
+        text += table::line_of(beginning(f.scene), f, all, detail);
     }
-    text +=
-        "inters.: the same rays by the intersector alone; shading: render less camera, inters. "
-        "and film;\noverhead: render / inters.\n";
-    return text;
+    table::Legend legend;
+    table::explain(all, detail, legend);
+    return text + "\n" + legend.text();
 }
 
 nlohmann::ordered_json json_of(const FrameFigures& f) {
     nlohmann::ordered_json cpu;
-    for (const Column& c : seconds) cpu[c.key] = c.value(f);
+    for (const Stage& stage : stages()) cpu[stage.key] = stage.seconds(f);
     return {{"scene", f.scene},   {"backend", f.backend},    {"width", f.width},
             {"height", f.height}, {"spp", f.samples},        {"rays", f.rays},
             {"cpu_seconds", cpu}, {"overhead", f.overhead()}};

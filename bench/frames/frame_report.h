@@ -5,10 +5,12 @@
 #include <span>
 
 #include "bench/frames/frame_figures.h"
+#include "bench/table/columns.h"
 
 namespace etalon::frames {
 
-std::string table(std::span<const FrameFigures> frames);
+/// Returns a heading, a line for each frame, and what the names of the columns mean.
+std::string table_of(std::span<const FrameFigures> frames, table::Detail detail);
 
 nlohmann::ordered_json json_of(const FrameFigures& frame);
 

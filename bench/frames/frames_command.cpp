@@ -20,7 +20,10 @@ namespace {
 struct FramesArguments {
     std::vector<std::string> scenes;
     std::string json;
+    bool wide = false;
     frames::Plan plan;
+
+    table::Detail detail() const { return wide ? table::Detail::wide : table::Detail::narrow; }
 };
 
 int measure_frames(const FramesArguments& a) {
@@ -45,7 +48,9 @@ int measure_frames(const FramesArguments& a) {
         json["frames"].push_back(json_of(frame.value));
         figures.push_back(std::move(frame.value));
     }
-    write_table(a.json, table(figures));
+    write_table(a.json, table_of(figures, a.detail()));
+    json["stopped"] = signals.signal() != 0 ? nlohmann::ordered_json("signal") : nullptr;
+    if (signals.signal() != 0) write_table(a.json, "Stopped by a signal: not all frames.\n");
     if (!a.json.empty() && !write_json(a.json, json)) return exit_not_written;
     return signals.signal() != 0 ? exit_signal + signals.signal() : exit_done;
 }
@@ -67,6 +72,7 @@ Action declare_frames(Options& options) {
     options.add("--repeat", a->plan.repeats, "Number of times each stage is measured")
         .within(1, 1000)
         .show_default();
+    options.add_flag("--wide", a->wide, "Show all columns, not only those that fit 100 characters");
     options.add("--json", a->json, "Write the results to this JSON file; - is standard output")
         .value("FILE");
     return [a] { return measure_frames(*a); };

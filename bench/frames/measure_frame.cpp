@@ -10,6 +10,7 @@
 #include "app/common/backends.h"
 #include "app/common/console.h"
 #include "app/common/stopwatch.h"
+#include "bench/frames/process_start.h"
 #include "bench/frames/recorded_rays.h"
 #include "bench/scenes/bench_scene.h"
 #include "bench/speed/statistics.h"
@@ -44,10 +45,10 @@ class Frame {
         const ThreadLimit one_thread(1);
         std::vector<double> builds, renders, cameras, intersections, films, writes;
         const std::unique_ptr<Intersector> intersector = built();
-        Stopwatch images;
+        Stopwatch cold;
         const std::unique_ptr<Integrator> integrator = made(*intersector);
-        figures_.images = images.lap().cpu;
         const Rendering first = rendered(*integrator);
+        const double first_seconds = cold.lap().cpu;
         RecordedRays recorded(*intersector, 1 + first.counts.total() / recorded_rays);
         rendered(*made(recorded));
         for (int i = 0; i < repeats; ++i) {
@@ -63,8 +64,10 @@ class Frame {
             cameras.push_back(watch.lap().cpu - films.back());
             writes.push_back(written(first.film));
         }
+        figures_.start = seconds_before_main();
         figures_.build = median(builds);
         figures_.render = median(renders);
+        figures_.images = std::max(0.0, first_seconds - figures_.render);
         figures_.camera = median(cameras);
         figures_.intersection = median(intersections);
         figures_.film = median(films);

@@ -22,8 +22,12 @@ std::vector<std::string> asked(const speed::Plan& plan) {
 }  // namespace
 
 std::string command_of(const Settings& settings) {
-    return fmt::format("build/bin/etalon-bench report{} -o report",
-                       settings.name == "quick" ? " --quick" : "");
+    std::string scenes;
+    for (const FrameRequest& f : settings.frames) {
+        if (f.origin == FrameOrigin::given) scenes += " " + f.scene;
+    }
+    return fmt::format("build/bin/etalon-bench report{}{} -o report",
+                       settings.name == "quick" ? " --quick" : "", scenes);
 }
 
 std::string speed_command(const Settings& settings, const std::string& scene) {
@@ -74,11 +78,22 @@ std::string spd_command(const Settings& settings) {
         scenes.substr(0, scenes.size() - 1));
 }
 
-std::string frames_command(const Settings& settings) {
-    std::string scenes;
-    for (const std::string& scene : settings.frame_scenes) scenes += " scenes/" + scene;
-    return fmt::format("build/bin/etalon-bench frames{} --width {} --spp {} --repeat {}", scenes,
-                       settings.frame_width, settings.frame_samples, settings.frame_repeats);
+std::string frames_command(const Settings& settings, FrameOrigin origin) {
+    std::string made, scenes, size;
+    for (const FrameRequest& f : settings.frames) {
+        if (f.origin != origin) continue;
+        const bool is_family = origin == FrameOrigin::family;
+        if (is_family) {
+            made += fmt::format("build/bin/etalon-scenes {0} --size {1} -o {0}.p3f && ", f.scene,
+                                f.size);
+        }
+        scenes += fmt::format(" {}{}{}", origin == FrameOrigin::shipped ? "scenes/" : "", f.scene,
+                              is_family ? ".p3f" : "");
+        size = (f.width > 0 ? fmt::format(" --width {}", f.width) : "") +
+               (f.samples > 0 ? fmt::format(" --spp {}", f.samples) : "");
+    }
+    return fmt::format("{}build/bin/etalon-bench frames{}{} --repeat {}", made, scenes, size,
+                       settings.frame_repeats);
 }
 
 std::string image_command(const ImageRequest& request) {

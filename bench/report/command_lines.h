@@ -25,7 +25,8 @@ std::string accuracy_command(const Settings& settings, const std::vector<accurac
 /// All classic scenes.
 std::string spd_command(const Settings& settings);
 
-std::string frames_command(const Settings& settings);
+/// All frames of an origin.
+std::string frames_command(const Settings& settings, FrameOrigin origin);
 
 std::string image_command(const ImageRequest& request);
 

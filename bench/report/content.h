@@ -46,6 +46,7 @@ struct Bars {
 
 struct Chart {
     std::string title, svg;
+    std::vector<std::string> remarks{};  ///< sentences below it
 };
 
 struct KeyEntry {

@@ -37,6 +37,13 @@ Json json_of(const SpdFigures& spd) {
     return json;
 }
 
+Json json_of(const MeasuredFrame& frame) {
+    constexpr const char* origins[] = {"shipped", "family", "given"};
+    Json json = frames::json_of(frame.figures);
+    json["origin"] = origins[static_cast<int>(frame.origin)];
+    return json;
+}
+
 Json json_of(const ConvergenceFigures& figures) {
     Json json = {{"scene", figures.request.scene}, {"reference", figures.reference}};
     for (const convergence::Curve& curve : figures.curves) {
@@ -67,8 +74,7 @@ Json data_of(const Results& results, const Page& page) {
                  {"speed", list_of(results.scenes.list,
                                    [](const auto& scene) { return speed::json_of(scene); })},
                  {"accuracy", accuracy::json(results.rows.list)["rows"]},
-                 {"frames", list_of(results.frames.list,
-                                    [](const auto& frame) { return frames::json_of(frame); })},
+                 {"frames", list_of(results.frames.list, own)},
                  {"spd", list_of(results.spd.list, own)},
                  {"convergence", list_of(results.convergence.list, own)}});
     return json;

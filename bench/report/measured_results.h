@@ -71,6 +71,12 @@ struct ImageFigures {
     std::vector<Layer> layers;  ///< the image, and what there is to know of each pixel
 };
 
+/// A whole frame.
+struct MeasuredFrame {
+    FrameOrigin origin;
+    frames::FrameFigures figures;
+};
+
 struct Results {
     Settings settings;
     std::string begun;
@@ -79,7 +85,7 @@ struct Results {
     Measured<ImageFigures> images;
     Measured<speed::SceneFigures> scenes;
     Measured<accuracy::Row> rows;
-    Measured<frames::FrameFigures> frames;
+    Measured<MeasuredFrame> frames;
     Measured<SpdFigures> spd;
     Measured<ConvergenceFigures> convergence;
 };

@@ -22,6 +22,7 @@ using namespace bench_report;
 
 struct ReportArguments {
     std::string folder = "report";
+    std::vector<std::string> scenes;
     bool quick = false;
 };
 
@@ -43,10 +44,10 @@ Results nothing_yet(const Settings& settings) {
 /// is, whatever ends the run.
 class Report {
   public:
-    explicit Report(const ReportArguments& a)
-        : folder_(a.folder),
-          path_((std::filesystem::path(a.folder) / "index.html").string()),
-          results_(nothing_yet(a.quick ? quick_settings() : full_settings())),
+    Report(const std::string& folder, const Settings& settings)
+        : folder_(folder),
+          path_((std::filesystem::path(folder) / "index.html").string()),
+          results_(nothing_yet(settings)),
           deadline_(results_.settings.seconds_limit),
           tasks_(all_tasks(results_.settings)),
           seconds_(total(tasks_)) {}
@@ -119,19 +120,26 @@ class Report {
 };
 
 int write_report(const ReportArguments& a) {
+    Settings settings = a.quick ? quick_settings() : full_settings();
+    if (const std::string complaint = add_frames(a.scenes, settings); !complaint.empty()) {
+        print_message("etalon-bench: error: {}\n", complaint);
+        return exit_unusable;
+    }
     std::error_code error;
     std::filesystem::create_directories(a.folder, error);
     if (error) {
         print_message("etalon-bench: error: {}: {}\n", a.folder, error.message());
         return exit_not_written;
     }
-    return Report(a).run();
+    return Report(a.folder, settings).run();
 }
 
 }  // namespace
 
 Action declare_report(Options& options) {
     auto a = std::make_shared<ReportArguments>();
+    options.add("SCENE", a->scenes,
+                "Scene files, and folders of them, whose frames are measured too");
     options
         .add("-o,--output", a->folder,
              "Directory of index.html, data.json and a CSV of each table; created if necessary")

@@ -1,10 +1,14 @@
 #include "bench/report/settings.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <string_view>
 
 #include "app/common/backends.h"
+#include "bench/scenes/bench_scene.h"
 #include "bench/speed/pinned.h"
 #include "bench/speed/timed_tracer.h"
 
@@ -23,11 +27,51 @@ struct Cost {
     double microseconds;
 };
 
+constexpr std::string_view scene_extensions[] = {".nff", ".p3f", ".pbrt", ".prt", ".sce"};
+
 constexpr Cost costs[] = {{"showcase.p3f", 7.7},
                           {"features/glass.p3f", 2.7},
                           {"features/soft_shadows.p3f", 0.7},
                           {"features/depth_of_field.p3f", 0.8},
                           {"features/glossy.p3f", 0.9}};
+
+/// Scenes of which whole frames are measured.
+constexpr const char* framed[] = {"showcase.p3f", "features/glass.p3f", "features/meshes.p3f",
+                                  "features/mirrors.p3f", "features/soft_shadows.p3f"};
+
+constexpr int quick_frame_width = 160;
+
+/// Of a frame; 0: the scene's.
+struct FrameSize {
+    int width, samples;
+};
+
+/// The frames of this project's scenes and of the classic families.
+void add_usual_frames(FrameSize shipped, FrameSize family, Settings& s) {
+    s.frames.clear();
+    for (const char* scene : framed) {
+        s.frames.push_back({FrameOrigin::shipped, scene, 0, shipped.width, shipped.samples});
+    }
+    for (const SpdScene& scene : s.spd_scenes) {
+        s.frames.push_back(
+            {FrameOrigin::family, scene.family, scene.size, family.width, family.samples});
+    }
+}
+
+/// The file, or the scene files that a folder has, by name.
+std::vector<std::string> files_at(const std::string& path) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(path, error)) return {path};
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
+        const std::string extension = entry.path().extension().string();
+        const bool is_scene =
+            std::ranges::find(scene_extensions, extension) != std::end(scene_extensions);
+        if (is_scene) files.push_back(entry.path().string());
+    }
+    std::ranges::sort(files);
+    return files;
+}
 
 /// Scenes in which well placed samples show their worth: in light, lens and highlight.
 constexpr const char* converging[] = {"features/soft_shadows.p3f", "features/depth_of_field.p3f",
@@ -52,13 +96,10 @@ Settings quick_settings() {
     s.accuracy_backends = all_but_reference();
     s.case_rays = 1024;
     s.case_seconds = 0.1;
-    s.frame_scenes = {"showcase.p3f", "features/glass.p3f", "features/meshes.p3f",
-                      "features/mirrors.p3f", "features/soft_shadows.p3f"};
-    s.frame_width = 160;
-    s.frame_samples = 4;
-    s.frame_repeats = 1;
     s.spd_scenes = {{"sphereflake", 4}, {"gears", 4}, {"mountain", 6},
                     {"rings", 7},       {"tetra", 6}, {"tree", 11}};
+    add_usual_frames({quick_frame_width, 4}, {quick_frame_width, 0}, s);
+    s.frame_repeats = 1;
     s.spd_backends = all_but_reference();
     s.images = {{"showcase.p3f", 320, 180, 16, 1},
                 {"features/glass.p3f", 320, 213, 16, 1},
@@ -79,7 +120,7 @@ Settings full_settings() {
     s.plan.repeats = 5;
     s.plan.oracle_seconds = 1;
     s.plan.max_rays = 1 << 18;
-    s.frame_width = 480;
+    add_usual_frames({480, 4}, {0, 0}, s);
     s.frame_repeats = 5;
     s.case_rays = 100'000;
     s.case_seconds = 5;
@@ -93,6 +134,20 @@ Settings full_settings() {
     for (const char* scene : converging) s.convergence.push_back({scene, 240, 160, 64});
     s.convergence_seeds = 5;
     return s;
+}
+
+std::string add_frames(const std::vector<std::string>& paths, Settings& settings) {
+    const int width = settings.name == "quick" ? quick_frame_width : 0;
+    for (const std::string& path : paths) {
+        const std::vector<std::string> files = files_at(path);
+        if (files.empty()) return fmt::format("{}: holds no scene files", path);
+        for (const std::string& file : files) {
+            const std::string complaint = bench::complaint_about(file);
+            if (!complaint.empty()) return complaint;
+            settings.frames.push_back({FrameOrigin::given, file, 0, width, 0});
+        }
+    }
+    return {};
 }
 
 }  // namespace etalon::bench_report

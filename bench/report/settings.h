@@ -14,6 +14,18 @@ struct SpdScene {
     std::int64_t size;
 };
 
+/// Where the scene of a frame comes from: one of this project's, one of its families, or a file
+/// that the command line named.
+enum class FrameOrigin { shipped, family, given };
+
+struct FrameRequest {
+    FrameOrigin origin;
+    std::string scene;      ///< below the folder of scenes; a family; a file
+    std::int64_t size = 0;  ///< of a family
+    int width = 0;          ///< in pixels; 0: the scene's
+    int samples = 0;        ///< per pixel; 0: the scene's
+};
+
 struct ImageRequest {
     std::string scene;  ///< below the folder of scenes
     int width, height;
@@ -41,9 +53,7 @@ struct Settings {
     std::uint64_t case_rays;
     double case_seconds;  ///< on the wall; a case then gets fewer rays
 
-    std::vector<std::string> frame_scenes;  ///< below the folder of scenes
-    int frame_width = 0;                    ///< in pixels
-    int frame_samples = 0;                  ///< per pixel
+    std::vector<FrameRequest> frames;
     int frame_repeats = 0;
 
     std::vector<SpdScene> spd_scenes;
@@ -57,5 +67,9 @@ struct Settings {
 
 Settings quick_settings();
 Settings full_settings();
+
+/// Adds scene files, and those in folders, to the frames that are measured. Returns why one cannot
+/// be, or nothing.
+std::string add_frames(const std::vector<std::string>& paths, Settings& settings);
 
 }  // namespace etalon::bench_report

@@ -9,6 +9,7 @@
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
+#include "app/common/progress_line.h"
 #include "app/common/signals.h"
 #include "bench/bench_subcommands.h"
 #include "bench/scenes/bench_scene.h"
@@ -40,8 +41,10 @@ struct SpeedArguments {
     int repeats = 5;
     std::size_t max_rays = 1 << 18;
     double oracle_seconds = 1;
-    bool only_build = false, list = false;
+    bool only_build = false, list = false, wide = false;
     std::string json;
+
+    Detail detail() const { return wide ? Detail::wide : Detail::narrow; }
 
     Plan plan() const {
         std::set<int> counts(threads.begin(), threads.end());
@@ -55,22 +58,36 @@ struct SpeedArguments {
     }
 };
 
-/// Returns the table of what was measured last.
-std::string table_of(const SceneFigures& figures) {
-    return figures.kinds.empty() ? table(figures.builds) : table(figures.kinds.back());
+/// Returns the table of what was measured last, the first one of rays with its heading.
+std::string table_of(const SceneFigures& figures, Detail detail) {
+    if (figures.kinds.empty()) return table_of(figures.builds, detail);
+    return (figures.kinds.size() == 1 ? heading_of_rays(detail) : "") +
+           table_of(figures.kinds.back(), detail);
+}
+
+/// Returns what the columns of all tables mean.
+std::string legend_of(const SpeedArguments& a) {
+    table::Legend legend;
+    explain_builds(a.detail(), legend);
+    if (!a.only_build) {
+        explain_rays(a.detail(), legend);
+        explain_means(legend);
+    }
+    return legend.text();
 }
 
 SceneFigures measure(const SpeedArguments& a, const std::string& name, Scene scene,
                      const Imath::V2i& resolution, const std::atomic<bool>& stop) {
-    write_table(a.json, fmt::format("{}: {} primitives\n", name, scene.geometry.primitives.size()));
+    constexpr int name_width = 70;
+    write_table(a.json, fmt::format("{}: {} primitives\n", shortened(name, name_width),
+                                    scene.geometry.primitives.size()));
     const auto show = [&](const SceneFigures& figures) {
-        if (figures.kinds.size() == 1) write_table(a.json, heading_of_rays());
-        write_table(a.json, table_of(figures));
+        write_table(a.json, table_of(figures, a.detail()));
     };
     const auto is_over = [&] { return stop.load(); };
     SceneFigures figures =
         measure_scene(name, std::move(scene), resolution, a.plan(), {show, is_over});
-    write_table(a.json, (figures.kinds.empty() ? "" : summary(figures)) + "\n");
+    write_table(a.json, (figures.kinds.empty() ? "" : table_of_means(figures)) + "\n");
     return figures;
 }
 
@@ -99,7 +116,7 @@ bool save(const SpeedArguments& a, const nlohmann::ordered_json& json, bool is_c
 int stop_at(const std::string& scene, const SpeedArguments& a, nlohmann::ordered_json& json,
             int signal) {
     json["stopped"] = "signal";
-    write_table(a.json, fmt::format("Stopped by a signal in {}.\n", scene));
+    write_table(a.json, fmt::format("Stopped by a signal in {}.\n", shortened(scene, 70)));
     save(a, json, true);
     return exit_signal + signal;
 }
@@ -118,8 +135,10 @@ int measure_speed(const SpeedArguments& a) {
         const SceneFigures figures =
             measure(a, name, std::move(*named.scene), named.settings.resolution, signals.raised());
         if (!figures.builds.empty()) json["scenes"].push_back(json_of(figures));
+        const bool is_last = signals.raised() || &name == &a.scenes.back();
+        if (is_last) write_table(a.json, legend_of(a));
         if (signals.raised()) return stop_at(name, a, json, signals.signal());
-        if (!save(a, json, &name == &a.scenes.back())) return exit_not_written;
+        if (!save(a, json, is_last)) return exit_not_written;
     }
     return exit_done;
 }
@@ -165,6 +184,7 @@ void declare_how(Options& options, SpeedArguments& a) {
         .value("SECONDS")
         .not_negative()
         .show_default();
+    options.add_flag("--wide", a.wide, "Show all columns, not only those that fit 100 characters");
     options.add("--json", a.json, "Write the results to this JSON file; - is standard output")
         .value("FILE");
 }

@@ -108,6 +108,13 @@ std::span<const std::string_view> legacy_names() {
     return list;
 }
 
+std::string_view format_of(std::string_view text, const std::string& path,
+                           const LoadOptions& options) {
+    const Format* const format =
+        options.format.empty() ? detect_format(text, path) : find(options.format);
+    return format && format->load ? format->name : std::string_view();
+}
+
 LoadResult load_scene_text(std::string_view text, const std::string& path,
                            const LoadOptions& options) {
     if (text.empty()) return refuse(path, "file", "the file is empty");

@@ -34,6 +34,11 @@ LoadResult load_scene(const std::string& path, const LoadOptions& options = {});
 LoadResult load_scene_text(std::string_view text, const std::string& path,
                            const LoadOptions& options = {});
 
+/// Returns the name of the format in which a text would be loaded: as asked for, else as detected.
+/// Empty if there is none.
+std::string_view format_of(std::string_view text, const std::string& path,
+                           const LoadOptions& options = {});
+
 /// Names of the formats that can be read.
 std::span<const std::string_view> format_names();
 

@@ -85,15 +85,20 @@ struct SphericalTriangle {
     Vec3 a, b, c;
 };
 
-/// Solid angles for which a spherical triangle's angles are good to a few digits, as in pbrt-v4.
-bool is_sampled_by_angle(double solid_angle) {
+/// Whether a shape is so near for its size that sampling its solid angle instead of its area pays.
+bool is_near(const Vec3& from, const BoundingSphere& bounds, double area) {
+    return area > 0.1 * (bounds.centre - from).length2();
+}
+
+/// Whether the angles of spherical triangles of that solid angle are good to a few digits, as in
+/// pbrt-v4.
+bool is_accurate(double solid_angle) {
     return solid_angle > 3e-4 && solid_angle < 6.22;
 }
 
-/// Density of a point that was sampled by its solid angle, if that is fit for it, or by its area.
-double pdf_of(const Vec3& from, const AreaPoint& p, double solid_angle, double area) {
-    return is_sampled_by_angle(solid_angle) ? 1 / solid_angle
-                                            : per_steradian(1 / area, from, p.position, p.normal);
+/// Density of a point sampled by its solid angle, or by its area where that is 0.
+double density(const Vec3& from, const AreaPoint& p, double solid_angle, double area) {
+    return solid_angle > 0 ? 1 / solid_angle : per_steradian(1 / area, from, p.position, p.normal);
 }
 
 }  // namespace
@@ -117,42 +122,51 @@ AreaPoint TriangleArea::by_area(const Vec3& from, const Vec2& uv) const {
     return chosen_by_area(from, position, normal_, area_);
 }
 
-AreaPoint TriangleArea::sample(const Vec3& from, const Vec2& uv) const {
+double TriangleArea::sampled_angle(const Vec3& from) const {
+    if (!is_near(from, bounds(), area_)) return 0;
     const double angle = solid_angle(from);
-    return is_sampled_by_angle(angle) ? by_solid_angle(from, angle, uv) : by_area(from, uv);
+    return is_accurate(angle) ? angle : 0;
+}
+
+AreaPoint TriangleArea::sample(const Vec3& from, const Vec2& uv) const {
+    const double angle = sampled_angle(from);
+    return angle > 0 ? by_solid_angle(from, angle, uv) : by_area(from, uv);
 }
 
 double TriangleArea::pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const {
-    return pdf_of(from, {position, normal, 1}, solid_angle(from), area_);
+    return density(from, {position, normal, 1}, sampled_angle(from), area_);
 }
 
 TwoTrianglesArea::TwoTrianglesArea(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
-    : first_(a, b, c), second_(a, c, d) {}
-
-BoundingSphere TwoTrianglesArea::bounds() const {
+    : first_(a, b, c), second_(a, c, d) {
     const BoundingSphere p = first_.bounds(), q = second_.bounds();
     const double distance = (p.centre - q.centre).length();
-    return {(p.centre + q.centre) / 2, distance / 2 + std::max(p.radius, q.radius)};
+    bounds_ = {(p.centre + q.centre) / 2, distance / 2 + std::max(p.radius, q.radius)};
+}
+
+TwoTrianglesArea::Angles TwoTrianglesArea::sampled_angles(const Vec3& from) const {
+    if (!is_near(from, bounds_, area())) return {};
+    const Angles angles{first_.solid_angle(from), second_.solid_angle(from)};
+    return is_accurate(angles.first) && is_accurate(angles.second) ? angles : Angles{};
 }
 
 AreaPoint TwoTrianglesArea::sample(const Vec3& from, const Vec2& uv) const {
-    const double angle1 = first_.solid_angle(from), angle = angle1 + second_.solid_angle(from);
-    const bool by_angle = is_sampled_by_angle(angle);
-    const double share = by_angle ? angle1 / angle : first_.area() / area();
+    const Angles angles = sampled_angles(from);
+    const bool by_angle = angles.sum() > 0;
+    const double share = by_angle ? angles.first / angles.sum() : first_.area() / area();
     const bool in_first = uv.x < share;
-    const TriangleArea& triangle = in_first ? first_ : second_;
+    const TriangleArea& half = in_first ? first_ : second_;
     const Vec2 place(in_first ? uv.x / share : (uv.x - share) / (1 - share), uv.y);
-    AreaPoint point = by_angle
-                          ? triangle.by_solid_angle(from, in_first ? angle1 : angle - angle1, place)
-                          : triangle.by_area(from, place);
+    AreaPoint point =
+        by_angle ? half.by_solid_angle(from, in_first ? angles.first : angles.second, place)
+                 : half.by_area(from, place);
     point.normal = *first_.flat_normal();
-    if (point.pdf > 0) point.pdf = pdf_of(from, point, angle, area());
+    if (point.pdf > 0) point.pdf = density(from, point, angles.sum(), area());
     return point;
 }
 
 double TwoTrianglesArea::pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const {
-    const double angle = first_.solid_angle(from) + second_.solid_angle(from);
-    return pdf_of(from, {position, normal, 1}, angle, area());
+    return density(from, {position, normal, 1}, sampled_angles(from).sum(), area());
 }
 
 double SphereArea::area() const {
@@ -162,7 +176,9 @@ double SphereArea::area() const {
 std::optional<double> SphereArea::cone(const Vec3& from) const {
     const Vec3 way = sphere_.centre - from;
     const double sine2 = sphere_.radius * sphere_.radius / way.dot(way);
-    if (!(sine2 < 1)) return std::nullopt;
+    // A point of the sphere itself is on either side of it by its roundings. Where the cone is as
+    // good as a hemisphere the area serves as well.
+    if (!(sine2 < 1 - 1e-9)) return std::nullopt;
     return sine2 / (1 + std::sqrt(1 - sine2));
 }
 
@@ -259,7 +275,10 @@ std::optional<AreaShape> area_shape(const Geometry& geometry, std::uint32_t prim
         } else if constexpr (std::is_same_v<Shape, Ring>) {
             return RingArea(geometry.get<Ring>(p));
         } else if constexpr (std::is_same_v<Shape, Ellipsoid>) {
-            return EllipsoidArea(geometry.get<Ellipsoid>(p).to_world);
+            const Affine& map = geometry.get<Ellipsoid>(p).to_world;
+            const std::optional<double> radius = scale_of(map);
+            if (radius) return SphereArea(Sphere{map.origin, *radius});
+            return EllipsoidArea(map);
         } else {
             return std::nullopt;
         }

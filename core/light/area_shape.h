@@ -41,6 +41,9 @@ class TriangleArea {
     AreaPoint by_area(const Vec3& from, const Vec2& uv) const;
 
   private:
+    /// The solid angle, if a point is sampled by it, else 0.
+    double sampled_angle(const Vec3& from) const;
+
     Vec3 a_, b_, c_, normal_;
     double area_;
 };
@@ -53,11 +56,19 @@ class TwoTrianglesArea {
     AreaPoint sample(const Vec3& from, const Vec2& uv) const;
     double pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const;
     double area() const { return first_.area() + second_.area(); }
-    BoundingSphere bounds() const;
+    const BoundingSphere& bounds() const { return bounds_; }
     std::optional<Vec3> flat_normal() const { return first_.flat_normal(); }
 
   private:
+    /// Solid angles of the halves, if points are sampled by them, else 0.
+    struct Angles {
+        double first = 0, second = 0;
+        double sum() const { return first + second; }
+    };
+    Angles sampled_angles(const Vec3& from) const;
+
     TriangleArea first_, second_;
+    BoundingSphere bounds_;
 };
 
 /// A sphere, sampled by the cone in which it is seen from outside, by its area from inside.
@@ -72,7 +83,8 @@ class SphereArea {
     std::optional<Vec3> flat_normal() const { return std::nullopt; }
 
   private:
-    /// 1 - cosine of the half angle of the cone in which the sphere is seen; nothing from inside.
+    /// 1 - cosine of the half angle of the cone in which the sphere is seen; nothing from inside
+    /// and from right above.
     std::optional<double> cone(const Vec3& from) const;
 
     Sphere sphere_;

@@ -149,10 +149,12 @@ void Lights::add(const PhysicalLight& light, std::vector<std::string>& problems)
         infinite_lights_.emplace_back(*infinite, problems);
         infinite_.push_back(static_cast<std::uint32_t>(sources_.size()));
         const InfiniteLight& made = infinite_lights_.back();
+        source.samples = infinite->samples;
         source.power = made.can_be_sampled() ? pi * disk * luminance(made.mean()) : 0;
     } else {
         source.index = static_cast<std::uint32_t>(area_lights_.size());
         add_area(std::get<AreaSource>(light), source.power);
+        source.samples = std::get<AreaSource>(light).samples;
     }
     sources_.push_back(source);
 }

@@ -47,6 +47,9 @@ class Lights {
     /// The probability with which pick() chose the light for the same receiver.
     double pick_probability(const Receiver& at, std::uint32_t light) const;
 
+    /// How many samples a vertex takes of the light where it asks every one.
+    int samples(std::uint32_t light) const { return sources_[light].samples; }
+
     /// What the light may send to the point.
     LightSample sample(std::uint32_t light, const Vec3& from, const Vec2& uv) const;
 
@@ -78,6 +81,7 @@ class Lights {
         const PhysicalLight* light;
         std::uint32_t index;  ///< among the area or the infinite lights, or the images of others
         double power;
+        int samples = 1;
     };
 
     static constexpr std::size_t most_by_importance = 16;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/numerics/vec.h"
 
 namespace etalon {
@@ -14,6 +16,17 @@ struct Affine {
     /// How it scales volumes; negative for one that mirrors.
     double determinant() const { return x.dot(y.cross(z)); }
 };
+
+/// How far lengths grow, where they grow alike in all directions, up to what floats leave of it.
+inline std::optional<double> scale_of(const Affine& map) {
+    const auto& [x, y, z, origin] = map;
+    const double xx = x.dot(x), tolerance = 1e-5 * xx;
+    const auto is_small = [&](double difference) { return std::abs(difference) <= tolerance; };
+    const bool alike = is_small(y.dot(y) - xx) && is_small(z.dot(z) - xx);
+    const bool square = is_small(x.dot(y)) && is_small(y.dot(z)) && is_small(z.dot(x));
+    if (!alike || !square) return std::nullopt;
+    return std::cbrt(std::abs(map.determinant()));
+}
 
 inline bool is_finite(const Affine& map) {
     return is_finite(map.x) && is_finite(map.y) && is_finite(map.z) && is_finite(map.origin);

@@ -42,6 +42,7 @@ struct InfiniteSource {
     Color radiance;
     std::string image{};
     Affine to_light{};  ///< from the world's directions to the light's
+    int samples = 1;    ///< how many a vertex takes where every light is asked
 };
 
 /// A primitive that shines from its front, or from both sides.
@@ -49,6 +50,7 @@ struct AreaSource {
     std::uint32_t primitive;
     Color radiance;
     bool two_sided;
+    int samples = 1;  ///< how many a vertex takes where every light is asked
 };
 
 using PhysicalLight = std::variant<PointSource, SpotSource, GoniometricSource, DistantSource,

@@ -59,6 +59,7 @@ struct RenderSettings {
     int max_depth = 5;                   ///< maximum path length, including the camera ray
     double max_distance = infinity;      ///< range of occluders, for ambient occlusion
     bool direct_lighting = false;        ///< light from lights alone, and in mirrors and glass
+    bool ask_all_lights = false;         ///< at each vertex, instead of one
     /// What a path must expect to carry lest it may be ended by chance.
     float roulette_threshold = 1;
     WhittedRules whitted;

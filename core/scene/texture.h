@@ -95,6 +95,44 @@ struct Checkerboard3 {
     Slot<T> even, odd;
 };
 
+/// Dots of about a third of the texture's area; as pbrt-v3's.
+template <class T>
+struct DotsTexture {
+    Mapping mapping;
+    Slot<T> dot, ground;
+};
+
+/// A sum of octaves of noise, each of about twice the frequency of the one before.
+struct FractalNoise {
+    int octaves = 8;
+    float roughness = 0.5F;  ///< amplitude of an octave divided by that of the one before
+};
+
+/// Fractional Brownian motion: noise about 0.
+struct FbmTexture {
+    Affine to_texture;
+    FractalNoise noise;
+};
+
+/// Turbulence: sharp valleys between round hills, above 0.
+struct WrinkledTexture {
+    Affine to_texture;
+    FractalNoise noise;
+};
+
+/// Waves of water where a wind blows that is not the same everywhere.
+struct WindyTexture {
+    Affine to_texture;
+};
+
+/// Veins across the y axis. A texture of numbers has the colours' luminance.
+struct MarbleTexture {
+    Affine to_texture;
+    FractalNoise noise;
+    float scale = 1;         ///< factor of the point's coordinates
+    float variation = 0.2F;  ///< factor of the noise, which moves the veins
+};
+
 /// Red is u, green is v, both modulo 1.
 struct UvTexture {
     Mapping mapping;
@@ -102,7 +140,8 @@ struct UvTexture {
 
 template <class T>
 using Texture = std::variant<ConstantTexture<T>, ScaleTexture<T>, MixTexture<T>, BilinearTexture<T>,
-                             ImageTexture<T>, Checkerboard2<T>, Checkerboard3<T>, UvTexture>;
+                             ImageTexture<T>, Checkerboard2<T>, Checkerboard3<T>, DotsTexture<T>,
+                             FbmTexture, WrinkledTexture, WindyTexture, MarbleTexture, UvTexture>;
 
 /// All textures of a scene. One may refer to those before it only.
 struct Textures {

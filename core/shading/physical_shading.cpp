@@ -25,12 +25,29 @@ bool needs_coordinates(const PhysicalLook& look) {
            std::ranges::any_of(look.materials, is_anisotropic);
 }
 
+bool can_be_zero(const NumberSlot& slot) {
+    return slot.texture != no_index || slot.value == 0;
+}
+
+bool has_cut_out(const SurfaceBinding& binding) {
+    return can_be_zero(binding.alpha) || can_be_zero(binding.shadow_alpha);
+}
+
 }  // namespace
 
 PhysicalShading::PhysicalShading(const Scene& scene, std::vector<std::string>& problems)
     : scene_(scene),
       textures_(scene.physical().textures, problems),
+      has_cut_outs_(std::ranges::any_of(scene.physical().bindings, has_cut_out)),
       uses_coordinates_(needs_coordinates(scene.physical())) {}
+
+bool PhysicalShading::is_cut_out(const PhysicalSurface& at, RayKind kind) const {
+    const SurfaceBinding& binding = *at.binding;
+    if (!has_cut_out(binding)) return false;
+    const TexturePoint place{physical_parametrization(scene_, at).uv, at.point.position};
+    return textures_.number(binding.alpha, place) == 0 ||
+           (kind == RayKind::shadow && textures_.number(binding.shadow_alpha, place) == 0);
+}
 
 bool PhysicalShading::is_passed(const PhysicalSurface& at) const {
     const PhysicalMaterial& material = scene_.physical().materials[at.binding->material];

@@ -4,6 +4,7 @@
 
 #include "core/numerics/luminance.h"
 #include "core/texture/mapping.h"
+#include "core/texture/procedural.h"
 
 namespace etalon {
 namespace {
@@ -25,6 +26,16 @@ Color shown(const TextureImages& images, const ImageTexture<Color>& texture, con
 /// Whether the fields with these coordinates' whole parts are of the first kind.
 bool is_even(double sum_of_floors) {
     return std::floor(sum_of_floors / 2) == sum_of_floors / 2;
+}
+
+/// A colour as the value of a texture of type T.
+template <class T>
+T as(const Color& color) {
+    if constexpr (std::is_same_v<T, float>) {
+        return luminance(color);
+    } else {
+        return color;
+    }
 }
 
 /// Evaluates one texture of type T at a point.
@@ -65,15 +76,21 @@ struct Evaluation {
         return of(is_even(std::floor(p.x) + std::floor(p.y) + std::floor(p.z)) ? t.even : t.odd);
     }
 
+    T operator()(const DotsTexture<T>& t) const {
+        return of(is_in_dot(texture_coordinates(t.mapping, point)) ? t.dot : t.ground);
+    }
+
+    T operator()(const FbmTexture& t) const { return T(procedural_value(t, point.position)); }
+    T operator()(const WrinkledTexture& t) const { return T(procedural_value(t, point.position)); }
+    T operator()(const WindyTexture& t) const { return T(procedural_value(t, point.position)); }
+    T operator()(const MarbleTexture& t) const {
+        return as<T>(procedural_value(t, point.position));
+    }
+
     T operator()(const UvTexture& t) const {
         const Vec2 st = texture_coordinates(t.mapping, point);
-        const Color c(static_cast<float>(st.x - std::floor(st.x)),
-                      static_cast<float>(st.y - std::floor(st.y)), 0);
-        if constexpr (std::is_same_v<T, float>) {
-            return luminance(c);
-        } else {
-            return c;
-        }
+        return as<T>({static_cast<float>(st.x - std::floor(st.x)),
+                      static_cast<float>(st.y - std::floor(st.y)), 0});
     }
 };
 

@@ -70,14 +70,15 @@ TEST_CASE("An error without bound has its place on the plot") {
 
 TEST_CASE("A plot is well-formed XML that names every tracer") {
     for (const char* shape : {"sphere", "scene"}) {
-        const std::string svg = plot(sample_rows(), shape);
+        const std::string svg = plot(sample_rows(), shape, {});
         CHECK(is_well_formed(svg));
         for (const Row& r : sample_rows()) {
             if (r.shape == shape) CHECK_THAT(svg, ContainsSubstring(">" + r.tracer + "</text>"));
         }
     }
-    CHECK_THAT(plot(sample_rows(), "sphere"), ContainsSubstring("1e3 &lt;radii&gt; &amp; more"));
-    CHECK(plot(sample_rows(), "cone").empty());
+    CHECK_THAT(plot(sample_rows(), "sphere", {}),
+               ContainsSubstring("1e3 &lt;radii&gt; &amp; more"));
+    CHECK(plot(sample_rows(), "cone", {}).empty());
 }
 
 TEST_CASE("There are ticks on both axes, however narrow the range, and the points are between") {

@@ -69,6 +69,38 @@ TEST_CASE("convert says what is lost, each kind once with a count", "[app]") {
     CHECK_FALSE(f.has("b.p3f"));
 }
 
+TEST_CASE("PBRT is written again as PBRT with all that it says", "[app]") {
+    const Folder f;
+    f.shell("mkdir in out");
+    f.write("in/part.pbrt", "Shape \"plymesh\" \"string filename\" \"m.ply\"\n");
+    f.write("in/a.pbrt",
+            "Integrator \"bdpt\" WorldBegin AttributeBegin Material \"hair\" Include \"part.pbrt\" "
+            "AttributeEnd WorldEnd");
+    const auto r = f.etalon("convert in/a.pbrt -o out/b.pbrt");
+    CHECK(r.err == "");
+    CHECK(r.status == 0);
+    CHECK_THAT(f.read("out/b.pbrt"), ContainsSubstring("Integrator \"bdpt\""));
+    CHECK_THAT(f.read("out/b.pbrt"), ContainsSubstring("\"string type\" \"hair\""));
+    CHECK_THAT(f.read("out/b.pbrt"), ContainsSubstring("\"../in/m.ply\""));
+    CHECK(f.etalon("convert out/b.pbrt -o out/c.pbrt").status == 0);
+    CHECK(f.read("out/c.pbrt") == f.read("out/b.pbrt"));
+    CHECK(f.etalon("convert - -o out/d.pbrt", f.read("out/b.pbrt")).status == 0);
+    CHECK_THAT(f.read("out/d.pbrt"), ContainsSubstring("\"hair\""));
+}
+
+TEST_CASE("PBRT at which pbrt-v3 stops is not written again", "[app]") {
+    const Folder f;
+    f.write("fatal.pbrt", "WorldBegin Shpae \"sphere\" WorldEnd");
+    f.write("odd.pbrt", "WorldBegin Shape \"sphere\" \"float radios\" 3 WorldEnd");
+    const auto fatal = f.etalon("convert fatal.pbrt -o a.pbrt");
+    CHECK(fatal.status == 3);
+    CHECK_THAT(fatal.err, ContainsSubstring("fatal.pbrt:1:12: error: expected a directive"));
+    CHECK(f.etalon("convert odd.pbrt --strict -o a.pbrt").status == 3);
+    CHECK_FALSE(f.has("a.pbrt"));
+    CHECK(f.etalon("convert odd.pbrt -o a.pbrt").status == 0);
+    CHECK_THAT(f.read("a.pbrt"), ContainsSubstring("Shape \"sphere\"\n"));
+}
+
 TEST_CASE("convert refuses to overwrite its source", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);

@@ -86,7 +86,8 @@ TEST_CASE("data.json holds what the key figures are worked out from") {
     }
     CHECK(std::exp(logs / count) == Approx(1 / 0.75).epsilon(0.01));
     CHECK(data["key_figures"].size() == page_of(results).summary.size());
-    CHECK(data["frames"].size() == 1);
+    CHECK(data["frames"].size() == 3);
+    CHECK(data["frames"][2]["origin"] == "given");
     CHECK(data["spd"][0]["backends"]["bvh"]["rays"].is_number());
     CHECK(data["convergence"][0]["curves"].size() == 2);
 }

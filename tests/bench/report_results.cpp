@@ -84,7 +84,10 @@ Results sample_results() {
     results.machine.flags = "-O3 " + std::string(200, 'x');
     results.scenes.add(scene());
     for (accuracy::Row& row : accuracy::sample_rows()) results.rows.add(std::move(row));
-    results.frames.add(frame());
+    for (const FrameOrigin origin :
+         {FrameOrigin::shipped, FrameOrigin::family, FrameOrigin::given}) {
+        results.frames.add({origin, frame()});
+    }
     results.spd.add(spd());
     ConvergenceFigures convergence;
     convergence.request.scene = convergence.reference = adversarial;

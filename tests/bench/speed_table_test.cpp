@@ -49,11 +49,11 @@ TEST_CASE("Given rays of both kinds of query, the columns line up with their hea
             100'000,
             occlusion,
             {{"bvh", runs_of({1}, 0.125), errors}, {robust_baseline, runs_of({1}, 2.5), errors}}};
-        std::vector<std::string> lines = lines_with("camera  ", table(kind));
+        std::vector<std::string> lines = lines_with("camera ", table_of(kind, Detail::narrow));
         REQUIRE(lines.size() == 2);
-        CHECK_THAT(lines[0], ContainsSubstring("camera  bvh "));
-        CHECK_THAT(lines[1], ContainsSubstring(std::string("camera  ") + robust_baseline));
-        for (const std::string& line : lines_with("rays ", heading_of_rays()))
+        CHECK_THAT(lines[0], ContainsSubstring("camera bvh "));
+        CHECK_THAT(lines[1], ContainsSubstring(std::string("camera ") + robust_baseline));
+        for (const std::string& line : lines_with("rays ", heading_of_rays(Detail::narrow)))
             lines.push_back(line);
         CHECK(lines.size() == 3);
         check_alike_in_length(lines);
@@ -64,7 +64,7 @@ TEST_CASE("Given two numbers of threads, errors stand in the line of the first")
     Errors errors;
     errors.reference = "embree-user";
     const KindFigures kind{"camera", 100'000, false, {{"bvh", runs_of({1, 2}, 0.125), errors}}};
-    const std::vector<std::string> lines = lines_with("camera  ", table(kind));
+    const std::vector<std::string> lines = lines_with("camera ", table_of(kind, Detail::wide));
     REQUIRE(lines.size() == 2);
     CHECK_THAT(lines[0], ContainsSubstring("embree-user"));
     CHECK_THAT(lines[1], !ContainsSubstring("embree-user"));
@@ -73,7 +73,7 @@ TEST_CASE("Given two numbers of threads, errors stand in the line of the first")
 TEST_CASE("Given builds, the columns line up with their heading") {
     const std::vector<BuildFigures> builds{{"bvh", "avx2", 64.25, runs_of({1, 2}, 0.125)},
                                            {robust_baseline, "avx2", 1234.5, runs_of({1, 2}, 2.5)}};
-    const std::vector<std::string> lines = lines_with("build", table(builds));
+    const std::vector<std::string> lines = lines_with("build", table_of(builds, Detail::narrow));
     CHECK(lines.size() == 5);  // with the heading
     check_alike_in_length(lines);
 }

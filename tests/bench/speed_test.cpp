@@ -81,11 +81,11 @@ TEST_CASE("speed shows a line for each kind of ray, tracer and number of threads
     const Folder f;
     const auto r = speed(f, quick + "--backends bvh --rays camera --threads 1");
     REQUIRE(r.status == 0);
-    CHECK_THAT(r.out, ContainsSubstring("\ncamera  bvh  ") &&
-                          ContainsSubstring("\ncamera  embree-builtin-robust  ") &&
-                          ContainsSubstring("\nspheres:200, to builtin"));
+    CHECK_THAT(r.out, ContainsSubstring("\ncamera bvh  ") &&
+                          ContainsSubstring("\ncamera embree-builtin-robust  ") &&
+                          ContainsSubstring("\nmean   bvh "));
     CHECK_THAT(r.out, !ContainsSubstring("\nshadow"));
-    CHECK_THAT(r.out, ContainsSubstring("\nrays ") && ContainsSubstring("\nbuild   bvh "));
+    CHECK_THAT(r.out, ContainsSubstring("\nrays ") && ContainsSubstring("\nbuild  bvh "));
 }
 
 TEST_CASE("speed compares two threads with one", "[needs_two_cores]") {
@@ -105,7 +105,7 @@ TEST_CASE("speed leaves standard output to JSON where that is asked for") {
     const Folder f;
     const auto r = speed(f, quick + "--backends bvh --rays camera --json -");
     CHECK(json::parse(r.out)["scenes"].size() == 1);
-    CHECK_THAT(r.err, ContainsSubstring("camera  bvh"));
+    CHECK_THAT(r.err, ContainsSubstring("camera bvh"));
 }
 
 TEST_CASE("speed says what is wrong before it measures anything") {

@@ -85,6 +85,18 @@ TEST_CASE("A sphere is all around a point in it", "[light]") {
     check_densities(sphere, Vec3(0.5, 0.3, -1));
 }
 
+TEST_CASE("From points of a sphere itself the whole sphere is sampled", "[light]") {
+    const SphereArea sphere(Sphere{Vec3(0.1, 0.2, 0.3), 20});
+    const ScrambledSobol points(13);
+    for (std::uint32_t i = 0; i < 200; ++i) {
+        const Vec3 from =
+            sphere.sample(Vec3(0), points(i)).position;  // on either side by roundings
+        const AreaPoint p = sphere.sample(from, points(i + 1000));
+        CHECK((p.position - from).length() > 1e-3);
+        CHECK_THAT(sphere.pdf(from, p.position, p.normal), WithinRel(p.pdf, 1e-9));
+    }
+}
+
 TEST_CASE("A disk and a ring are seen under the angles between their circles", "[light]") {
     const auto cap = [](double radius, double height) {
         return 2 * pi * (1 - height / std::hypot(radius, height));

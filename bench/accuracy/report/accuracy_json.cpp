@@ -25,6 +25,7 @@ Json json_of(const Row& row) {
             {"judge", row.criterion},
             {"tracer", row.tracer},
             {"exact", row.exact},
+            {"partial", row.partial},
             {"rays", t.rays},
             {"undecidable", t.undecidable},
             {"errors", t.errors()},

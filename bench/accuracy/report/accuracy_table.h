@@ -4,12 +4,17 @@
 #include <vector>
 
 #include "bench/accuracy/error_stats.h"
+#include "bench/table/columns.h"
 
 namespace etalon::accuracy {
 
-/// The rows as a table for the terminal, some 160 columns wide, by shape and case. A "." is a zero,
-/// so that errors stand out; a "-" is what the case's criterion does not look at. The shape that
-/// already has its heading gets none.
-std::string table(const std::vector<Row>& rows, const std::string& heading_above = {});
+/// The rows as a table for the terminal, by shape and case. A "." is a zero, so that errors stand
+/// out; a "-" is what the case's criterion does not look at. The shape that already has its heading
+/// gets none.
+std::string table_of(const std::vector<Row>& rows, table::Detail detail,
+                     const std::string& heading_above = {});
+
+/// Returns what the columns of the table mean.
+std::string legend(table::Detail detail);
 
 }  // namespace etalon::accuracy

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 
 #include "bench/accuracy/report/axes.h"
 #include "bench/accuracy/report/cases.h"
@@ -21,6 +22,8 @@ using plot::Svg;
 using plot::Tick;
 
 constexpr double margin = 24;
+constexpr double line_height = 16;
+constexpr std::size_t line_width = 118;  ///< in characters, of small text
 constexpr PlotArea large{760, 500, 72, 728, 120, 426};
 constexpr PlotArea small{360, 280, 34, 348, 30, 228};
 
@@ -65,6 +68,20 @@ void draw_key(Svg& svg, const Scatter& scatter) {
                  fmt::format("small name {}", colours[kind]));
         x += 6.2 * static_cast<double>(kinds[kind].size()) + 16;
     }
+}
+
+/// The remarks, each from a new line on, wrapped at words.
+std::vector<std::string> lines_of(const std::vector<std::string>& remarks) {
+    std::vector<std::string> lines;
+    for (const std::string& remark : remarks) {
+        lines.emplace_back();
+        std::istringstream words(remark);
+        for (std::string word; words >> word;) {
+            if (lines.back().size() + 1 + word.size() > line_width) lines.emplace_back();
+            lines.back() += (lines.back().empty() ? "" : " ") + word;
+        }
+    }
+    return lines;
 }
 
 void draw_ticks(Svg& svg, const Axes& axes) {
@@ -187,13 +204,20 @@ std::string draw_small(const Scatter& scatter, const PlotTexts& texts,
 
 }  // namespace
 
-std::string plot(const std::vector<Row>& rows, const std::string& shape) {
+std::string plot(const std::vector<Row>& rows, const std::string& shape,
+                 const std::vector<std::string>& remarks) {
     const Scatter scatter = scatter_of(rows, shape);
     if (scatter.points.empty()) return {};
     const PlotTexts texts = texts_of(scatter, shape);
-    Svg svg(large.width, large.height, texts.title, description_of(scatter, texts));
+    const std::vector<std::string> lines = lines_of(remarks);
+    Svg svg(large.width, large.height + line_height * static_cast<double>(lines.size()),
+            texts.title, description_of(scatter, texts));
     draw_titles(svg, shape, scatter);
     draw_key(svg, scatter);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const double y = large.height + line_height * static_cast<double>(i);
+        svg.text({margin, y}, Anchor::start, lines[i], "small");
+    }
     draw(svg, scatter, Axes(scatter, large), [](const Point&) { return true; });
     return svg.standalone();
 }

@@ -9,9 +9,10 @@
 
 namespace etalon::accuracy {
 
-/// An image by itself, with titles and a key, where everybody has a label. Empty if nobody has a
-/// cost.
-std::string plot(const std::vector<Row>& rows, const std::string& shape);
+/// An image by itself, with titles, a key and remarks, where everybody has a label. Empty if nobody
+/// has a cost.
+std::string plot(const std::vector<Row>& rows, const std::string& shape,
+                 const std::vector<std::string>& remarks);
 
 /// A part of a page, which has the titles and the key: small enough for a phone, so that only who
 /// is in the Pareto set has a label. Empty if nobody has a cost.

@@ -64,7 +64,7 @@ bool dominates(const Point& a, const Point& b) {
 }  // namespace
 
 double error_of(const ErrorStats& stats) {
-    return std::min(stats.float_ulps.max(), 0x1p24) + errors_per_million(stats);
+    return std::min(stats.float_ulps.max(), most_ulps) + errors_per_million(stats);
 }
 
 void mark_efficient(std::vector<Point>& points) {

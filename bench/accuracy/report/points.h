@@ -23,8 +23,11 @@ struct Scatter {
     std::vector<Point> points;  ///< by cost
 };
 
-/// The largest error of t in ulp of a float, plus all that went wrong in a million rays. An ulp
-/// count is taken as 2^24 at most: there no digit of a float is right.
+/// An error of t in ulp of a float from which on no digit of a float is right.
+inline constexpr double most_ulps = 0x1p24;
+
+/// The largest error of t in ulp of a float, taken as `most_ulps` at most, plus all that went wrong
+/// in a million rays.
 double error_of(const ErrorStats& stats);
 
 /// Cost is relative to the first textbook kernel where rows are, else to `baseline`, else in

@@ -16,7 +16,7 @@ std::string html(const Charts& charts);
 std::string html(const Images& images);
 
 /// The page's CSS, without that of its plots.
-std::string_view style_sheet();
+std::string style_sheet();
 
 /// RFC 4648.
 std::string base64(std::string_view bytes);

@@ -27,8 +27,11 @@ std::string html(const Charts& charts) {
     }
     text += "<div class=\"charts\">\n";
     for (const Chart& chart : charts.charts) {
-        text += fmt::format("<div class=\"plot\"><h4>{}</h4>\n{}</div>\n", escaped(chart.title),
-                            chart.svg);
+        text += fmt::format("<div class=\"plot\"><h4>{}</h4>\n{}", escaped(chart.title), chart.svg);
+        for (const std::string& remark : chart.remarks) {
+            text += fmt::format("<p class=\"remark\">{}</p>\n", escaped(remark));
+        }
+        text += "</div>\n";
     }
     return text + "</div>\n";
 }

@@ -1,11 +1,15 @@
+#include <fmt/format.h>
+
 #include "bench/report/html/html.h"
 
 namespace etalon::bench_report {
+namespace {
 
-/// Light, and dark where a screen asks for it; paper is always light. The colours that tell things
-/// apart are Okabe & Ito's, darker on white and lighter on black, as they have to be read as text.
-std::string_view style_sheet() {
-    return R"(
+namespace rules {
+
+/// The colours that tell things apart are Okabe & Ito's, darker on white and lighter on black, as
+/// they have to be read as text. Light, and dark where a screen asks for it; paper is always light.
+constexpr std::string_view palette = R"(
 :root{color-scheme:light dark;
 --paper:#fff;--card:#f6f7f9;--ink:#1c232b;--quiet:#57626d;--rule:#dfe3e8;--edge:#aebac7;
 --link:#005a9c;--good:#00684b;--bad:#b3400f;--warn:#fff3dc;
@@ -16,6 +20,10 @@ std::string_view style_sheet() {
 --link:#7cc0f4;--good:#4ecfa3;--bad:#ff9a62;--warn:#3a2d12;
 --colour-1:#4aa3e0;--colour-2:#f08040;--colour-3:#2fc08f;--colour-4:#dd8fbb;--colour-5:#e8ac2e;
 --colour-6:#8fd0f5;--colour-7:#98a4b0}}
+)";
+
+/// Text of the page, from its width to its headings.
+constexpr std::string_view text = R"(
 *{box-sizing:border-box}
 html{-webkit-text-size-adjust:100%;text-size-adjust:100%;scroll-behavior:smooth}
 body{margin:0;background:var(--paper);color:var(--ink);
@@ -31,6 +39,10 @@ p{margin:0 0 .8rem;max-width:70ch}
 a{color:var(--link)}
 small,.quiet,figcaption,time{color:var(--quiet)}
 section{margin-top:3rem;padding-top:1.6rem;border-top:1px solid var(--rule)}
+)";
+
+/// What is wrong with the page, its key figures and its contents.
+constexpr std::string_view first_screen = R"(
 .missing{background:var(--warn);border-left:4px solid var(--colour-5);padding:.5rem .8rem;
 max-width:none}
 .facts{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,10rem),1fr));gap:.7rem;
@@ -41,6 +53,10 @@ margin:1.4rem 0}
 .fact small{display:block;line-height:1.35;font-size:.82rem}
 nav ul{display:flex;flex-wrap:wrap;gap:.2rem 1.2rem;list-style:none;margin:0;padding:0}
 nav a{display:inline-block;padding:.25rem 0}
+)";
+
+/// Figures and what stands below them.
+constexpr std::string_view figures = R"(
 figure{margin:1.8rem 0 2.4rem}
 figure.folded{margin:0 0 .4rem}
 figure.folded details[open]{margin-bottom:1.6rem}
@@ -51,6 +67,10 @@ figcaption p{margin:0 0 .2rem;max-width:none}
 code{font:.95em/1.4 ui-monospace,SFMono-Regular,Consolas,"DejaVu Sans Mono",monospace;
 overflow-wrap:anywhere}
 time{white-space:nowrap;margin-right:.6em}
+)";
+
+/// Tables, which scroll in themselves where they are wider than the page.
+constexpr std::string_view tables = R"(
 .scroll{overflow-x:auto;border:1px solid var(--rule);border-radius:.4rem}
 table{border-collapse:collapse;font-size:.86rem;line-height:1.4}
 .scroll table{width:100%}
@@ -67,6 +87,10 @@ td:not(.number):not(.name){min-width:8rem}
 .good::before{content:"✓ "}
 .bad::before{content:"✗ "}
 summary{cursor:pointer;padding:.35rem 0;font-weight:600}
+)";
+
+/// Bars as rows of a table; where a group is narrow, their numbers stand above and below them.
+constexpr std::string_view bars = R"(
 .groups{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,32rem),1fr));
 gap:1.4rem 2.4rem}
 .group{container-type:inline-size;min-width:0}
@@ -94,20 +118,33 @@ gap:1.4rem 2.4rem}
 .bars .ratio{text-align:left}
 .bars thead .length,.bars thead .ratio,.bars thead .note{display:none}
 .bars tbody .note:not(:empty)::after{content:" " attr(data-name);font-weight:400}}
+)";
+
+/// Plots and images.
+constexpr std::string_view plots = R"(
 .key{display:flex;flex-wrap:wrap;gap:.2rem 1.4rem;list-style:none;margin:0 0 .8rem;padding:0;
 font-size:.86rem}
 .charts{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,20.5rem),1fr));
 gap:1.6rem 2rem}
 .plot{min-width:0}
+.remark{font-size:.82rem;margin:.2rem 0 0;color:var(--quiet);max-width:30rem}
 .chart{display:block;width:100%;height:auto;max-width:30rem}
 .images{display:flex;flex-wrap:wrap;gap:1rem}
 .image{flex:1 1 16rem;max-width:24rem}
 .image p{margin:.2rem 0 0;font-size:.82rem;color:var(--quiet)}
 img{display:block;width:100%;height:auto;border-radius:.3rem}
+)";
+
+/// The foot of the page, and what else is different on a phone.
+constexpr std::string_view phone = R"(
 footer{margin-top:3rem;padding-top:1rem;padding-bottom:3rem;border-top:1px solid var(--rule);
 font-size:.85rem;color:var(--quiet)}
 @media (max-width:30rem){th,td{padding-left:.4rem;padding-right:.4rem}h1{font-size:1.7rem}header{padding-top:1.5rem}
 header,main,footer{padding-left:1rem;padding-right:1rem}section{margin-top:2rem}}
+)";
+
+/// The page as it is printed.
+constexpr std::string_view paper = R"(
 @media print{
 @page{margin:14mm}
 body{font-size:9.5pt}
@@ -121,6 +158,16 @@ h2,h3,h4,summary{break-after:avoid}
 details::details-content{content-visibility:visible;block-size:auto;opacity:1}
 *{print-color-adjust:exact;-webkit-print-color-adjust:exact}}
 )";
+
+}  // namespace rules
+
+}  // namespace
+
+std::string style_sheet() {
+    using namespace rules;
+    return fmt::format(
+        "{}",
+        fmt::join({palette, text, first_screen, figures, tables, bars, plots, phone, paper}, ""));
 }
 
 }  // namespace etalon::bench_report

@@ -3,21 +3,13 @@
 #include "bench/report/measure/rendered.h"
 #include "core/formats/load.h"
 #include "core/render/spd_rules.h"
-#include "scenes/generate/generator_families.h"
+#include "scenes/generate/scene_text.h"
 
 namespace etalon::bench_report {
 namespace {
 
-std::string text_of(const SpdScene& wanted) {
-    std::string text;
-    generate::Writer writer([&](std::string_view part) { text += part; });
-    generate::find_family(wanted.family)->generate(writer, wanted.size);
-    writer.flush();
-    return text;
-}
-
 void measure(const SpdScene& wanted, Results& results, const TaskProgress& task_progress) {
-    const std::string text = text_of(wanted);
+    const std::string text = generate::scene_text(wanted.family, wanted.size);
     Stopwatch watch;
     LoadResult loaded = load_scene_text(text, wanted.family + ".p3f");
     if (!loaded.scene) return;

@@ -25,8 +25,12 @@ fs::path scenes_folder() {
 
 }  // namespace
 
+std::string shipped_path(const std::string& name) {
+    return (scenes_folder() / name).string();
+}
+
 std::optional<ShippedScene> shipped_scene(const std::string& name) {
-    LoadResult loaded = load_scene((scenes_folder() / name).string());
+    LoadResult loaded = load_scene(shipped_path(name));
     write_message(report(loaded.diagnostics));
     if (!loaded.scene) return std::nullopt;
     return ShippedScene{std::move(*loaded.scene), std::move(loaded.settings)};

@@ -14,8 +14,11 @@ struct ShippedScene {
     RenderSettings settings;
 };
 
-/// A scene below the project's folder of scenes, which is looked for here and where the program was
-/// built. Nothing, and the reason on standard error, if it cannot be read.
+/// Path of a scene below the project's folder of scenes, which is looked for here and where the
+/// program was built.
+std::string shipped_path(const std::string& name);
+
+/// That scene. Nothing, and the reason on standard error, if it cannot be read.
 std::optional<ShippedScene> shipped_scene(const std::string& name);
 
 /// The same, to be rendered at that size.

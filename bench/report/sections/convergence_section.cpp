@@ -47,8 +47,8 @@ Table curves_of(const std::vector<ConvergenceFigures>& all) {
                                   {curve.name},
                                   {three_digits(last.cpu_seconds)},
                                   {scientific(last.mse)},
-                                  {fmt::format("{:.2f}", curve.fit.slope)},
-                                  {scientific(curve.fit.floor)},
+                                  {curve.fit ? fmt::format("{:.2f}", curve.fit->slope) : "–"},
+                                  {curve.fit ? scientific(curve.fit->floor) : "–"},
                                   {three_digits(curve.efficiency())}});
         }
     }

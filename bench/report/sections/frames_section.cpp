@@ -1,6 +1,7 @@
 // Where the time of whole frames goes.
 #include <fmt/format.h>
 
+#include "bench/frames/stages.h"
 #include "bench/report/command_lines.h"
 #include "bench/report/formatting.h"
 #include "bench/report/sections/sections.h"
@@ -8,36 +9,54 @@
 namespace etalon::bench_report {
 namespace {
 
-Table parts(const std::vector<frames::FrameFigures>& all) {
-    Table table{{{"scene", false},
-                 {"backend", false},
-                 {"size"},
-                 {"spp"},
-                 {"load"},
-                 {"build"},
-                 {"images"},
-                 {"camera"},
-                 {"intersection"},
-                 {"shading"},
-                 {"film"},
-                 {"write"},
-                 {"ns a ray"},
-                 {"overhead"}},
-                {}};
-    for (const frames::FrameFigures& f : all) {
-        std::vector<Cell> row{{f.scene},
-                              {f.backend},
-                              {fmt::format("{} × {}", f.width, f.height)},
-                              {std::to_string(f.samples)}};
-        for (const double seconds :
-             {f.load, f.build, f.images, f.camera, f.intersection, f.shading(), f.film, f.write}) {
-            row.push_back({three_digits(seconds)});
-        }
-        row.push_back({three_digits(1e9 * f.render / static_cast<double>(f.rays))});
-        row.push_back({three_digits(f.overhead())});
-        table.rows.push_back(std::move(row));
+using frames::FrameFigures;
+using frames::Stage;
+
+struct Group {
+    FrameOrigin origin;
+    const char *title, *about;
+};
+
+constexpr Group groups[] = {
+    {FrameOrigin::given, "The scenes of the command line", "Scene files that were asked for."},
+    {FrameOrigin::shipped, "Scenes of this project", "Scenes that come with Etalon."},
+    {FrameOrigin::family, "The classic scenes", "Scenes that etalon-scenes makes."},
+};
+
+std::vector<Column> columns() {
+    std::vector<Column> all = {{"scene", false}, {"backend", false}, {"size"}, {"spp"}};
+    for (const Stage& stage : frames::stages()) all.push_back({stage.key});
+    all.push_back({"overhead"});
+    all.push_back({"ns a ray"});
+    return all;
+}
+
+std::vector<Cell> row_of(const FrameFigures& f) {
+    std::vector<Cell> row{{f.scene},
+                          {f.backend},
+                          {fmt::format("{} × {}", f.width, f.height)},
+                          {std::to_string(f.samples)}};
+    for (const Stage& stage : frames::stages()) row.push_back({three_digits(stage.seconds(f))});
+    row.push_back({three_digits(f.overhead())});
+    row.push_back({three_digits(f.nanoseconds())});
+    return row;
+}
+
+Table table_of(const std::vector<MeasuredFrame>& all, FrameOrigin origin) {
+    Table table{columns(), {}};
+    for (const MeasuredFrame& frame : all) {
+        if (frame.origin == origin) table.rows.push_back(row_of(frame.figures));
     }
     return table;
+}
+
+/// "start is ...; load is ...", of all stages.
+std::string legend() {
+    std::string text;
+    for (const Stage& stage : frames::stages()) {
+        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", stage.key, stage.meaning);
+    }
+    return text + ".";
 }
 
 }  // namespace
@@ -45,17 +64,19 @@ Table parts(const std::vector<frames::FrameFigures>& all) {
 Section frames_section(const Results& results) {
     Section section{"frames", "Whole frames", {}, {}};
     section.prose = {
-        "A picture is more than its intersections: camera rays have to be made, surfaces and "
-        "lights "
+        "An image is more than its intersections: camera rays have to be made, surfaces and lights "
         "evaluated, samples added up. The overhead is the time of the rendering over the time that "
         "the intersector alone takes for the same rays; 1 would be a renderer that does nothing "
-        "else."};
-    const std::vector<frames::FrameFigures>& all = results.frames.list;
-    if (all.empty()) return section;
-    section.figures = {{"Parts of a frame",
-                        "Seconds of processor time on one thread. Shading is what is left of the "
-                        "rendering: surfaces, lights, and the rays that they send.",
-                        frames_command(results.settings), results.frames.date, parts(all)}};
+        "else.",
+        "Columns: " + legend()};
+    for (const Group& group : groups) {
+        Table table = table_of(results.frames.list, group.origin);
+        if (table.rows.empty()) continue;
+        section.figures.push_back({group.title,
+                                   fmt::format("{} CPU seconds of one thread.", group.about),
+                                   frames_command(results.settings, group.origin),
+                                   results.frames.date, std::move(table)});
+    }
     return section;
 }
 

@@ -1,10 +1,14 @@
 // Cost against error, shape by shape.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bench/accuracy/report/cases.h"
 #include "bench/accuracy/report/numbers.h"
 #include "bench/accuracy/report/plot.h"
 #include "bench/accuracy/report/points.h"
+#include "bench/accuracy/report/remarks.h"
+#include "bench/hard_cases/hard_case.h"
 #include "bench/report/command_lines.h"
 #include "bench/report/formatting.h"
 #include "bench/report/sections/sections.h"
@@ -36,6 +40,12 @@ Table points_of(const std::vector<Row>& rows) {
     return table;
 }
 
+/// Number of the hard cases that a shape has.
+std::size_t cases_of_shape(const std::string& shape) {
+    const std::vector<hard::HardCase> all = hard::hard_cases();
+    return static_cast<std::size_t>(std::ranges::count(all, shape, &hard::HardCase::shape));
+}
+
 }  // namespace
 
 Section pareto_section(const Results& results) {
@@ -45,7 +55,9 @@ Section pareto_section(const Results& results) {
         "relative to the kernel of the textbooks in float; upwards its error in the worst case, "
         "the error of t in ulp of a float plus wrong answers in a million rays. Best is the "
         "lower left. Filled marks are the Pareto set, which nothing beats in both, and have their "
-        "names; the others say theirs where a pointer rests on them and in the table."};
+        "names; the others say theirs where a pointer rests on them and in the table.",
+        fmt::format("An error of t counts as {} ulp at most, where no digit of a float is right.",
+                    brief(accuracy::most_ulps))};
     const std::vector<Row>& rows = results.rows.list;
     Charts charts{{}, {{1, "promises to be right"}, {7, "textbook kernel"}, {2, "float backend"}}};
     for (const std::string& shape : accuracy::shapes_of(rows)) {
@@ -53,7 +65,7 @@ Section pareto_section(const Results& results) {
         if (svg.empty()) continue;
         charts.charts.push_back(
             {fmt::format("{}, {}", shape, count_of(accuracy::cases_of(rows, shape).size(), "case")),
-             std::move(svg)});
+             std::move(svg), accuracy::remarks_on(rows, shape, cases_of_shape(shape))});
     }
     if (charts.charts.empty()) return section;
     const std::string command = accuracy_command(results.settings);

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "app/common/backends.h"
 #include "bench/accuracy/report/numbers.h"
@@ -10,6 +9,7 @@
 #include "bench/report/command_lines.h"
 #include "bench/report/formatting.h"
 #include "bench/report/sections/sections.h"
+#include "bench/speed/totals.h"
 
 namespace etalon::bench_report {
 namespace {
@@ -20,20 +20,16 @@ double rate(const KindFigures& kind, const std::vector<double>& seconds) {
     return 1e-6 * static_cast<double>(kind.rays) / median(seconds);
 }
 
-/// Errors among the rays that the oracle was asked about: a sample and those in dispute.
-struct Wrong {
-    Wrong& operator+=(const Errors& e) {
-        wrong += e.sample.errors() + e.disputed.errors();
-        judged += e.sample.rays + e.disputed.rays;
-        return *this;
-    }
-    std::uint64_t wrong = 0, judged = 0;
-};
+/// Wrong answers to the rays that the oracle was asked about: a sample and those in dispute.
+Cell wrong_of(const Judged& sampled, const Judged& disputed) {
+    return bench_report::wrong_of(sampled.wrong + disputed.wrong, sampled.rays + disputed.rays);
+}
 
 Bar bar_of(const KindFigures& kind, const RayFigures& r) {
     const Runs& runs = r.by_threads.front();
-    Wrong wrong;
-    wrong += r.errors;
+    Judged sampled, disputed;
+    sampled.add(r.errors.sample);
+    disputed.add(r.errors.disputed);
     std::vector<double> rates;
     for (const double seconds : runs.cpu()) rates.push_back(rate(kind, {seconds}));
     const Estimate speed = estimate(rates);
@@ -43,7 +39,7 @@ Bar bar_of(const KindFigures& kind, const RayFigures& r) {
             speed.spread,
             three_digits(speed.median),
             times(runs.ratio),
-            wrong_of(wrong.wrong, wrong.judged)};
+            wrong_of(sampled, disputed)};
 }
 
 Figure figure_of(const Results& results, const SceneFigures& scene) {
@@ -60,30 +56,8 @@ Figure figure_of(const Results& results, const SceneFigures& scene) {
         speed_command(results.settings, scene.scene), results.scenes.date, std::move(bars)};
 }
 
-/// One tracer over all scenes and kinds of rays.
-struct Sum {
-    std::vector<double> ratios;
-    Wrong wrong;
-    Wrong sample;  ///< of rays spread evenly over all
-};
-
-std::map<std::string, Sum> sums_of(const Results& results) {
-    std::map<std::string, Sum> sums;
-    for (const SceneFigures& scene : results.scenes.list) {
-        for (const KindFigures& kind : scene.kinds) {
-            for (const RayFigures& r : kind.tracers) {
-                sums[r.tracer].ratios.push_back(r.by_threads.front().ratio.median);
-                sums[r.tracer].wrong += r.errors;
-                sums[r.tracer].sample.wrong += r.errors.sample.errors();
-                sums[r.tracer].sample.judged += r.errors.sample.rays;
-            }
-        }
-    }
-    return sums;
-}
-
-double per_million(const Wrong& w) {
-    return w.judged == 0 ? 0 : 1e6 * static_cast<double>(w.wrong) / static_cast<double>(w.judged);
+double per_million(const Judged& j) {
+    return j.rays == 0 ? 0 : 1e6 * static_cast<double>(j.wrong) / static_cast<double>(j.rays);
 }
 
 bool is_exact(std::string_view tracer) {
@@ -92,21 +66,11 @@ bool is_exact(std::string_view tracer) {
 }
 
 Figure overview(const Results& results) {
-    std::map<std::string, Sum> sums = sums_of(results);
-    std::vector<std::string> names;
-    for (const SceneFigures& scene : results.scenes.list) {
-        for (const KindFigures& kind : scene.kinds) {
-            for (const RayFigures& r : kind.tracers) {
-                if (std::ranges::find(names, r.tracer) == names.end()) names.push_back(r.tracer);
-            }
-        }
-    }
     BarGroup group{"backend", "× builtin", "", "wrong", {}};
-    for (const std::string& name : names) {
-        const Sum& sum = sums[name];
-        const double mean = geometric_mean(sum.ratios);
-        group.bars.push_back({name, colour_of(name), mean, 0, three_digits(mean), "",
-                              wrong_of(sum.wrong.wrong, sum.wrong.judged)});
+    for (const Totals& totals : totals_of(results.scenes.list)) {
+        const double mean = geometric_mean(totals.ratios);
+        group.bars.push_back({totals.tracer, colour_of(totals.tracer), mean, 0, three_digits(mean),
+                              "", wrong_of(totals.sampled, totals.disputed)});
     }
     return {"All together",
             fmt::format("Times as fast as embree-builtin: geometric means over {} and all kinds of "
@@ -116,14 +80,14 @@ Figure overview(const Results& results) {
 }
 
 /// The scenes' geometric mean of what a ray costs, against the share of wrong answers.
-accuracy::Scatter scatter_of(const std::map<std::string, Sum>& sums) {
+accuracy::Scatter scatter_of(const std::vector<Totals>& all) {
     accuracy::Scatter scatter{baseline, 0, {}};
-    for (const auto& [name, sum] : sums) {
+    for (const Totals& totals : all) {
         accuracy::Point point;
-        point.tracer = name;
-        point.exact = is_exact(name);
-        point.cost = 1 / geometric_mean(sum.ratios);
-        point.error = per_million(sum.sample);
+        point.tracer = totals.tracer;
+        point.exact = is_exact(totals.tracer);
+        point.cost = 1 / geometric_mean(totals.ratios);
+        point.error = per_million(totals.sampled);
         point.worst_case = "all scenes";
         scatter.points.push_back(point);
     }
@@ -134,7 +98,7 @@ accuracy::Scatter scatter_of(const std::map<std::string, Sum>& sums) {
 
 Figure one_picture(const Results& results) {
     const std::string svg = accuracy::small_plot(
-        scatter_of(sums_of(results)),
+        scatter_of(totals_of(results.scenes.list)),
         {"Errors against cost", "cost of a ray, relative to embree-builtin", "wrong in 10⁶ rays"});
     Charts charts{{{"All scenes and kinds of rays", svg}},
                   {{1, "promises to be right"}, {2, "float backend"}}};

@@ -7,37 +7,32 @@
 #include "bench/accuracy/report/cases.h"
 #include "bench/report/formatting.h"
 #include "bench/report/sections/sections.h"
+#include "bench/speed/totals.h"
 
 namespace etalon::bench_report {
 namespace {
 
 using namespace speed;
 
-/// The ratios of the default backend to a baseline, of all kinds of rays, by the scenes' shapes.
-std::map<std::string, std::vector<double>> ratios_by_shape(
-    const std::vector<SceneFigures>& scenes) {
-    std::map<std::string, std::vector<double>> ratios;
-    for (const SceneFigures& scene : scenes) {
-        for (const KindFigures& kind : scene.kinds) {
-            for (const RayFigures& r : kind.tracers) {
-                if (r.tracer != default_backend) continue;
-                ratios[scene.shape].push_back(r.by_threads.front().ratio.median);
-            }
-        }
-    }
-    return ratios;
+/// Scenes by the shape of nearly all of their primitives.
+std::map<std::string, std::vector<SceneFigures>> by_shape(const std::vector<SceneFigures>& scenes) {
+    std::map<std::string, std::vector<SceneFigures>> groups;
+    for (const SceneFigures& scene : scenes) groups[scene.shape].push_back(scene);
+    return groups;
 }
 
 /// A figure for each kind of scene: one mean of all would hide that they differ.
-void add_speed(const std::vector<SceneFigures>& scenes, std::vector<KeyFigure>& key_figures) {
-    for (const auto& [shape, ratios] : ratios_by_shape(scenes)) {
-        const auto [least, most] = std::ranges::minmax(ratios);
-        const auto count = std::ranges::count(scenes, shape, &SceneFigures::shape);
-        key_figures.push_back(
-            {"×" + three_digits(geometric_mean(ratios)), shape + " scenes, ray speed",
-             fmt::format("{} to {}: ×{} to ×{} over {} and the kinds of rays", default_backend,
-                         baseline_backend, three_digits(least), three_digits(most),
-                         count_of(static_cast<std::uint64_t>(count), "scene"))});
+void add_speed(const std::vector<SceneFigures>& all, std::vector<KeyFigure>& key_figures) {
+    for (const auto& [shape, scenes] : by_shape(all)) {
+        for (const Totals& totals : totals_of(scenes)) {
+            if (totals.tracer != default_backend) continue;
+            const auto [least, most] = std::ranges::minmax(totals.ratios);
+            key_figures.push_back(
+                {"×" + three_digits(geometric_mean(totals.ratios)), shape + " scenes, ray speed",
+                 fmt::format("{} to {}: ×{} to ×{} over {} and the kinds of rays", default_backend,
+                             baseline_backend, three_digits(least), three_digits(most),
+                             count_of(scenes.size(), "scene"))});
+        }
     }
 }
 
@@ -57,7 +52,7 @@ void add_builds(const std::vector<SceneFigures>& scenes, std::vector<KeyFigure>&
 }
 
 /// Wrong answers of a group of tracers, to rays that are counted once however many answer them.
-struct Judged {
+struct WrongAnswers {
     void add(const accuracy::CaseRows& c, const std::function<bool(const accuracy::Row&)>& counts) {
         std::uint64_t most_rays = 0, most_errors = 0;
         for (const accuracy::Row* row : c.rows) {
@@ -73,7 +68,7 @@ struct Judged {
 };
 
 void add_errors(const std::vector<accuracy::Row>& rows, std::vector<KeyFigure>& key_figures) {
-    Judged exact, baseline;
+    WrongAnswers exact, baseline;
     for (const std::string& shape : accuracy::shapes_of(rows)) {
         for (const accuracy::CaseRows& c : accuracy::cases_of(rows, shape)) {
             exact.add(c, [](const accuracy::Row& row) { return row.exact; });

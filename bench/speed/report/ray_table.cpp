@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "bench/speed/report/columns.h"
+#include "bench/speed/report/cells.h"
 #include "bench/speed/report/speed_table.h"
 
 namespace etalon::speed {
@@ -42,10 +42,6 @@ std::string reference(const Errors& e) {
     return e.reference;
 }
 
-std::string count(std::uint64_t n) {
-    return n == 0 ? "." : accuracy::brief_count(n);
-}
-
 template <std::size_t Disagreement::*Count>
 std::string disagreement(const Errors& e) {
     return count(e.disagreement.*Count);
@@ -68,44 +64,72 @@ std::string ulps(const Errors& e) {
     return accuracy::brief(std::max(e.sample.t_ulps, e.disputed.t_ulps));
 }
 
-constexpr Column<RayLine> columns[] = {
-    {"", "threads", 8, threads<RayLine>},
-    {"Mrays/s", "CPU", 9, cpu_rate},
-    {"", "wall", 9, wall_rate},
-    {"to", "builtin", 9, ratio<RayLine, &Runs::ratio>},
-    {"", "+-", 7, spread<RayLine>},
-    {"to", "robust", 8, ratio<RayLine, &Runs::ratio_robust>},
-    {"of one:", "CPU", 9, scaling<RayLine, &Runs::cpu_scaling>},
-    {"", "wall", 7, scaling<RayLine, &Runs::wall_scaling>},
-    {"differs", "from", 13, any_query<reference>},
-    {"of", "rays", 8, any_query<disagreement<&Disagreement::rays>>},
-    {"hit or", "miss", 7, any_query<disagreement<&Disagreement::hit_or_miss>>},
-    {"", "prim", 7, nearest_hit<disagreement<&Disagreement::primitive>>},
-    {"bits", "of t", 8, nearest_hit<disagreement<&Disagreement::distance>>},
-    {"oracle:", "rays", 9, any_query<sample<&OracleCheck::rays>>},
-    {"false", "hits", 7, any_query<sample<&OracleCheck::false_hits>>},
-    {"false", "misses", 7, any_query<sample<&OracleCheck::false_misses>>},
-    {"wrong", "prim", 7, nearest_hit<sample<&OracleCheck::wrong_primitives>>},
-    {"t, in", "ulp max", 8, nearest_hit<ulps>},
-    {"in", "dispute", 9, any_query<disputed_rays>},
-    {"", "wrong", 7, any_query<disputed_errors>},
-};
+std::string sampled_errors(const Errors& e) {
+    return count(e.sample.errors());
+}
+
+/// Narrow: the speed, and how often its answers are wrong; wide: how, and how far from another's.
+const table::Columns<RayLine>& ray_columns() {
+    static const table::Columns<RayLine> all = {
+        {"", "threads", 7, threads<RayLine>},
+        {"Mrays/s", "CPU", 8, cpu_rate, "million rays a second of CPU time"},
+        {"Mrays/s", "wall", 8, wall_rate, "million rays a second"},
+        {"to", "builtin", 8, ratio<RayLine, &Runs::ratio>, meaning::builtin},
+        {"", "+-", 6, spread<RayLine>, meaning::spread},
+        {"to", "robust", 8, ratio<RayLine, &Runs::ratio_robust>, meaning::robust, Detail::wide},
+        {"of one:", "CPU", 8, scaling<RayLine, &Runs::cpu_scaling>, meaning::cpu_scaling,
+         Detail::wide},
+        {"of one:", "wall", 8, scaling<RayLine, &Runs::wall_scaling>, meaning::wall_scaling,
+         Detail::wide},
+        {"differs", "from", 13, any_query<reference>, "the exact backend it is compared with",
+         Detail::wide},
+        {"of", "rays", 8, any_query<disagreement<&Disagreement::rays>>, "rays compared with it",
+         Detail::wide},
+        {"hit or", "miss", 7, any_query<disagreement<&Disagreement::hit_or_miss>>,
+         "of these, one hits something and the other nothing", Detail::wide},
+        {"other", "prim", 7, nearest_hit<disagreement<&Disagreement::primitive>>,
+         "both hit, but different primitives", Detail::wide},
+        {"bits", "of t", 8, nearest_hit<disagreement<&Disagreement::distance>>,
+         "the same primitive at another distance, if only by the last bit", Detail::wide},
+        {"sampled", "rays", 8, any_query<sample<&OracleCheck::rays>>, meaning::sampled},
+        {"sampled", "wrong", 8, any_query<sampled_errors>, meaning::wrong_of_sampled},
+        {"false", "hits", 7, any_query<sample<&OracleCheck::false_hits>>,
+         "of the sampled rays: a hit where there is nothing", Detail::wide},
+        {"false", "misses", 7, any_query<sample<&OracleCheck::false_misses>>,
+         "of the sampled rays: a miss where there is something", Detail::wide},
+        {"wrong", "prim", 7, nearest_hit<sample<&OracleCheck::wrong_primitives>>,
+         "of the sampled rays: another primitive than the nearest", Detail::wide},
+        {"t, in", "ulp max", 8, nearest_hit<ulps>,
+         "largest error of the distance t among checked rays, in units in the last place of a "
+         "float",
+         Detail::wide},
+        {"disputed", "rays", 9, any_query<disputed_rays>, meaning::disputed},
+        {"disputed", "wrong", 9, any_query<disputed_errors>, meaning::wrong_of_disputed},
+    };
+    return all;
+}
 
 }  // namespace
 
-std::string heading_of_rays() {
-    return heading("rays", std::span<const Column<RayLine>>(columns));
+std::string heading_of_rays(Detail detail) {
+    return table::heading(beginning("rays", ""), ray_columns(), detail);
 }
 
-std::string table(const KindFigures& kind) {
-    const std::span<const Column<RayLine>> all(columns);
+std::string table_of(const KindFigures& kind, Detail detail) {
     std::string text;
     for (const RayFigures& r : kind.tracers) {
         for (const Runs& runs : r.by_threads) {
-            text += text_of(beginning(kind.kind, r.tracer), RayLine{kind, r, runs}, all);
+            text += table::line_of(beginning(kind.kind, r.tracer), {kind, r, runs}, ray_columns(),
+                                   detail);
         }
     }
     return text;
+}
+
+void explain_rays(Detail detail, table::Legend& legend) {
+    table::explain(ray_columns(), detail, legend);
+    legend.add(".", "none");
+    legend.add("-", "does not apply");
 }
 
 }  // namespace etalon::speed

@@ -4,22 +4,29 @@
 #include <string>
 
 #include "bench/speed/figures.h"
+#include "bench/table/columns.h"
 
 namespace etalon::speed {
 
-/// A heading, and a line for each tracer and number of threads.
-std::string table(const std::vector<BuildFigures>& builds);
+using table::Detail;
 
-/// Returns the heading of the tables of all kinds of rays. Mrays are per CPU second and per wall
-/// second; "of one" compares the rate of several threads with that of one.
-std::string heading_of_rays();
+/// A heading, and a line for each tracer and number of threads.
+std::string table_of(const std::vector<BuildFigures>& builds, Detail detail);
+
+/// Returns the heading of the tables of all kinds of rays.
+std::string heading_of_rays(Detail detail);
 
 /// A line for each tracer and number of threads; errors, which do not depend on threads, in the
 /// first one only. A "." is a zero.
-std::string table(const KindFigures& kind);
+std::string table_of(const KindFigures& kind, Detail detail);
 
-/// One line: geometric means over the kinds of rays of every tracer's ratios on one thread, and
-/// how often it was wrong.
-std::string summary(const SceneFigures& scene);
+/// A heading, and a line for each tracer: geometric means of its ratios on one thread over the
+/// kinds of rays, and how often it was wrong.
+std::string table_of_means(const SceneFigures& scene);
+
+/// Adds what the columns of these tables mean.
+void explain_builds(Detail detail, table::Legend& legend);
+void explain_rays(Detail detail, table::Legend& legend);
+void explain_means(table::Legend& legend);
 
 }  // namespace etalon::speed

@@ -66,16 +66,22 @@ bool ParameterReader::read_values() {
     if (tokens_.peek().kind != TokenKind::open) return read_value();
     tokens_.next();
     while (true) {
-        if (declared_ && declared_->type == ValueType::integer) {
-            tokens_.take_numbers(integers_);
-        } else {
-            tokens_.take_numbers(numbers_);
-        }
+        take_numbers();
         if (tokens_.peek().kind == TokenKind::close) break;
         if (!read_value()) return false;
     }
     tokens_.next();
     return true;
+}
+
+/// Takes numbers in bulk, unless they would be mixed with strings.
+void ParameterReader::take_numbers() {
+    if (!strings_.empty()) return;
+    if (declared_ && declared_->type == ValueType::integer) {
+        tokens_.take_numbers(integers_);
+    } else {
+        tokens_.take_numbers(numbers_);
+    }
 }
 
 bool ParameterReader::read_value() {

@@ -24,6 +24,7 @@ class ParameterReader {
 
   private:
     bool read_values();
+    void take_numbers();
     bool read_value();
     bool read_string();
     bool read_number_word();

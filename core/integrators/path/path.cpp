@@ -53,6 +53,19 @@ class PathTracer::Batch {
     }
 
   private:
+    /// A direction to a light that a vertex asks for.
+    struct Question {
+        std::size_t vertex;
+        std::uint32_t light;
+        float expected_samples;  ///< see PathTracer::expected_samples
+    };
+
+    /// What a light gives if nothing is in the way.
+    struct Answer {
+        std::size_t sample;
+        Color color;
+    };
+
     /// Adds what shines at the end of each ray. Collects the vertices that scatter.
     void find_vertices(bool from_camera);
     void add_escaped(const Path& path, const Vec3& direction);
@@ -63,12 +76,14 @@ class PathTracer::Batch {
     void make_points();
 
     void ask_lights();
-    void ask_light(const Vertex& v, std::size_t number);
+    void choose_lights(const Vertex& v, std::size_t number);
+    void ask_light(const Question& q, const Vec2& uv);
+    void pass_cut_outs();
 
     /// Replaces rays and paths by those that go on.
     void go_on();
     void scatter(const Vertex& v, std::size_t number);
-    bool survives(Path& path, double choice) const;
+    bool survives(Path& path) const;
 
     void add(const Path& path, const Color& color) {
         colors_[path.sample] += path.throughput * color;
@@ -84,14 +99,11 @@ class PathTracer::Batch {
     std::vector<Hit> hits_;
     std::vector<Vertex> vertices_;
     PointBatch light_and_lobe_, light_points_, directions_;
-    std::span<const Vec2> choices_, points_on_lights_, in_lobes_;
+    std::span<const Vec2> choices_, in_lobes_;
 
-    struct Asked {
-        std::size_t sample;
-        Color color;
-    };
+    std::vector<Question> questions_;
     std::vector<Ray> shadow_rays_;
-    std::vector<Asked> asked_;
+    std::vector<Answer> answers_;
     std::vector<std::uint8_t> blocked_;
 };
 
@@ -119,8 +131,7 @@ void PathTracer::Batch::add_escaped(const Path& path, const Vec3& direction) {
         const Color radiance = infinite.radiance(direction);
         float weight = 1;
         if (!path.specular && infinite.can_be_sampled()) {
-            const double asked =
-                t_.lights_.pick_probability(path.last, light) * infinite.pdf(direction);
+            const double asked = t_.expected_samples(path.last, light) * infinite.pdf(direction);
             weight = balance_weight(path.pdf, static_cast<float>(asked));
         }
         add(path, weight * radiance);
@@ -137,7 +148,7 @@ void PathTracer::Batch::add_emitted(const Path& path, const PhysicalSurface& at,
     if (radiance == Color(0.0F)) return;
     float weight = 1;
     if (!path.specular) {
-        const double asked = t_.lights_.pick_probability(path.last, light) *
+        const double asked = t_.expected_samples(path.last, light) *
                              t_.lights_.pdf(light, path.last.position, at.point);
         weight = power_weight(path.pdf, static_cast<float>(asked));
     }
@@ -162,8 +173,9 @@ void PathTracer::Batch::find_vertices(bool from_camera) {
         }
         (from_camera ? counts_.camera_hits : counts_.secondary_hits) += 1;
         const PhysicalSurface at = physical_surface(t_.scene_, rays_[i], hits_[i]);
-        add_emitted(path, at, direction);
-        if (t_.shading_.is_passed(at)) {
+        const bool cut_out = t_.shading_.is_cut_out(at, PhysicalShading::RayKind::seeing);
+        if (!cut_out) add_emitted(path, at, direction);
+        if (cut_out || t_.shading_.is_passed(at)) {
             next_rays_.push_back(spawn_ray(at.point, direction));
             next_paths_.push_back(path);
             ++counts_.refracted;
@@ -176,7 +188,6 @@ void PathTracer::Batch::find_vertices(bool from_camera) {
 
 void PathTracer::Batch::make_points() {
     light_and_lobe_.clear();
-    light_points_.clear();
     directions_.clear();
     for (const Vertex& v : vertices_) {
         const Path& path = paths_[v.path];
@@ -185,64 +196,106 @@ void PathTracer::Batch::make_points() {
             source.add_stratified(vertex_dimension(path.name, choice), 0, 1, to);
         };
         add(light_and_lobe, light_and_lobe_);
-        add(light_point, light_points_);
         add(scattered_direction, directions_);
     }
     choices_ = light_and_lobe_.make();
-    points_on_lights_ = light_points_.make();
     in_lobes_ = directions_.make();
 }
 
-void PathTracer::Batch::ask_light(const Vertex& v, std::size_t number) {
+void PathTracer::Batch::choose_lights(const Vertex& v, std::size_t number) {
     Path& path = paths_[v.path];
     path.last.position = v.surface.point.position;
-    const std::optional<LightPick> pick = t_.lights_.pick(path.last, choices_[number].x);
-    if (!pick) return;
-    const LightSample light =
-        t_.lights_.sample(pick->light, path.last.position, points_on_lights_[number]);
+    const SampleSource& source = samples_.sources[path.sample];
+    if (!t_.asks_all_) {
+        const auto pick = t_.lights_.pick(path.last, choices_[number].x);
+        if (!pick) return;
+        questions_.push_back({number, pick->light, static_cast<float>(pick->probability)});
+        source.add_stratified(vertex_dimension(path.name, light_point), 0, 1, light_points_);
+        return;
+    }
+    for (std::uint32_t light = 0; light < t_.lights_.size(); ++light) {
+        const auto samples = static_cast<std::uint32_t>(t_.lights_.samples(light));
+        for (std::uint32_t k = 0; k < samples; ++k) {
+            questions_.push_back({number, light, static_cast<float>(samples)});
+            source.add_stratified(light_dimension(path.name, light), k, samples, light_points_);
+        }
+    }
+}
+
+void PathTracer::Batch::ask_light(const Question& q, const Vec2& uv) {
+    const Vertex& v = vertices_[q.vertex];
+    const Path& path = paths_[v.path];
+    const LightSample light = t_.lights_.sample(q.light, path.last.position, uv);
     if (!(light.pdf > 0)) return;
     const Evaluation scattered = v.bsdf.evaluate(v.wo, light.wi);
     if (scattered.f == Color(0.0F)) return;
 
-    const auto chosen = static_cast<float>(pick->probability) * light.pdf;
+    const float asked = q.expected_samples * light.pdf;
     float weight = 1;
     if (!light.is_delta) {
-        weight = light.at_infinity ? balance_weight(chosen, scattered.pdf)
-                                   : power_weight(chosen, scattered.pdf);
+        weight = light.at_infinity ? balance_weight(asked, scattered.pdf)
+                                   : power_weight(asked, scattered.pdf);
     }
     const auto cosine = static_cast<float>(std::abs(v.bsdf.ns().dot(light.wi)));
-    const Color color = scattered.f * light.radiance * (cosine * weight / chosen);
+    const Color color = scattered.f * light.radiance * (cosine * weight / asked);
     Ray ray = light.at_infinity ? spawn_ray(v.surface.point, light.wi)
                                 : spawn_ray_to(v.surface.point, light.target);
     if (!light.at_infinity) ray.tmax = shadow_end;
     shadow_rays_.push_back(ray);
-    asked_.push_back({path.sample, path.throughput * color});
+    answers_.push_back({path.sample, path.throughput * color});
+}
+
+/// Asks again for rays that met nothing but holes in surfaces.
+void PathTracer::Batch::pass_cut_outs() {
+    for (std::size_t i = 0; i < shadow_rays_.size(); ++i) {
+        Ray ray = shadow_rays_[i];
+        const Vec3 target = ray.origin + ray.direction;
+        while (blocked_[i] != 0) {
+            Hit hit;
+            t_.intersector_.closest({&ray, 1}, {&hit, 1});
+            blocked_[i] = hit.primitive != no_index ? 1 : 0;
+            if (blocked_[i] == 0) break;
+            const PhysicalSurface at = physical_surface(t_.scene_, ray, hit);
+            if (!t_.shading_.is_cut_out(at, PhysicalShading::RayKind::shadow)) break;
+            const double end = ray.tmax;
+            ray = end < infinity ? spawn_ray_to(at.point, target)
+                                 : spawn_ray(at.point, ray.direction);
+            ray.tmax = end;
+            ++counts_.shadow;
+        }
+    }
 }
 
 void PathTracer::Batch::ask_lights() {
+    questions_.clear();
+    light_points_.clear();
     shadow_rays_.clear();
-    asked_.clear();
+    answers_.clear();
     if (!t_.lights_.empty()) {
         for (std::size_t i = 0; i < vertices_.size(); ++i) {
-            if (vertices_[i].bsdf.is_smooth()) ask_light(vertices_[i], i);
+            if (vertices_[i].bsdf.is_smooth()) choose_lights(vertices_[i], i);
         }
     }
+    const std::span<const Vec2> points = light_points_.make();
+    for (std::size_t i = 0; i < questions_.size(); ++i) ask_light(questions_[i], points[i]);
     blocked_.resize(shadow_rays_.size());
     t_.intersector_.occluded(shadow_rays_, blocked_);
     counts_.shadow += shadow_rays_.size();
-    for (std::size_t i = 0; i < asked_.size(); ++i) {
+    if (t_.shading_.has_cut_outs()) pass_cut_outs();
+    for (std::size_t i = 0; i < answers_.size(); ++i) {
         counts_.shadow_blocked += blocked_[i];
-        if (blocked_[i] == 0) colors_[asked_[i].sample] += asked_[i].color;
+        if (blocked_[i] == 0) colors_[answers_[i].sample] += answers_[i].color;
     }
 }
 
 /// Russian roulette by throughput, as pbrt-v3 plays it.
-bool PathTracer::Batch::survives(Path& path, double choice) const {
+bool PathTracer::Batch::survives(Path& path) const {
     const Color expected = path.throughput * path.eta_scale;
     const float most = std::max({expected.x, expected.y, expected.z});
     if (!(most < t_.roulette_threshold_) || path.depth <= 4) return true;
     const float end = std::max(0.05F, 1 - most);
-    if (choice < end) return false;
+    const SampleSource& source = samples_.sources[path.sample];
+    if (source.point(vertex_dimension(path.name, survival)).x < end) return false;
     path.throughput /= 1 - end;
     return true;
 }
@@ -259,8 +312,7 @@ void PathTracer::Batch::scatter(const Vertex& v, std::size_t number) {
     path.last_ray = t_.direct_only_ && !s->specular;
     path.eta_scale *= s->eta * s->eta;
     ++path.depth;
-    const SampleSource& source = samples_.sources[path.sample];
-    if (!survives(path, source.point(vertex_dimension(path.name, survival)).x)) return;
+    if (!survives(path)) return;
     path.name = ray_name(path.name, false);
     next_rays_.push_back(spawn_ray(v.surface.point, s->wi));
     next_paths_.push_back(path);
@@ -273,6 +325,10 @@ void PathTracer::Batch::go_on() {
     std::swap(paths_, next_paths_);
 }
 
+double PathTracer::expected_samples(const Receiver& at, std::uint32_t light) const {
+    return asks_all_ ? lights_.samples(light) : lights_.pick_probability(at, light);
+}
+
 PathTracer::PathTracer(const Scene& scene, const BatchIntersector& intersector,
                        const RenderSettings& settings, std::vector<std::string>& problems)
     : scene_(scene),
@@ -281,6 +337,7 @@ PathTracer::PathTracer(const Scene& scene, const BatchIntersector& intersector,
       shading_(scene, problems),
       most_vertices_(settings.max_depth - 1),
       roulette_threshold_(settings.roulette_threshold),
+      asks_all_(settings.ask_all_lights),
       direct_only_(settings.direct_lighting) {}
 
 void PathTracer::radiance(const CameraSamples& samples, std::span<Color> colors,

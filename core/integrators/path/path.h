@@ -26,6 +26,9 @@ class PathTracer final : public Integrator {
                   RayCounts& counts) const override;
 
   private:
+    /// How many samples of the light a vertex takes, on average.
+    double expected_samples(const Receiver& at, std::uint32_t light) const;
+
     struct Path;
     struct Vertex;
     class Batch;
@@ -36,6 +39,7 @@ class PathTracer final : public Integrator {
     PhysicalShading shading_;
     int most_vertices_;  ///< that scatter
     float roulette_threshold_;
+    bool asks_all_;     ///< all lights at each vertex
     bool direct_only_;  ///< no light from surfaces that are not mirrors or glass
 };
 

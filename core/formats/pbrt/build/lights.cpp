@@ -81,6 +81,9 @@ void build_lights(SceneBuilder& b) {
         if (entry == entries.end() || !to_world) continue;
         Lights& lights = b.look().lights;
         entry->add(light.plugin.parameters, *to_world, lights);
+        if (auto* source = std::get_if<InfiniteSource>(&lights.back())) {
+            source->samples = light_samples(b, light.plugin.parameters);
+        }
         if (is_finite(lights.back())) continue;
         lights.pop_back();
         b.warn(light.plugin.where, "light", "light left out: not all its numbers are finite");

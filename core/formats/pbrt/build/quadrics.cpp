@@ -11,8 +11,8 @@ bool is_whole_turn(const Parameters& p) {
 /// The factor of lengths of a whole turn whose surface coordinates nobody asks for: primitives have
 /// their own. Nothing where circles do not stay circles.
 std::optional<double> scale_of_circles(const ShapeBuilder& s) {
-    if (!is_whole_turn(s.parameters()) || !s.b.frame.textures.empty()) return std::nullopt;
-    return s.scale();
+    if (!is_whole_turn(s.parameters()) || s.has_texture()) return std::nullopt;
+    return scale_of(s.to_world);
 }
 
 void begin_curved(ShapeBuilder& s) {

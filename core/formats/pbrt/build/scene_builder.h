@@ -57,6 +57,9 @@ Affine inverse(const Affine& map);
 /// What stands in for a plugin that is not rendered yet, said in a warning.
 void warn_of_stand_in(SceneBuilder& b, const Plugin& plugin);
 
+/// How many samples a vertex takes of a light: what it asks for, if the integrator looks at it.
+int light_samples(const SceneBuilder& b, const Parameters& light);
+
 void build_settings(SceneBuilder& b);  ///< film, filter, sampler, integrator
 void build_camera(SceneBuilder& b);    ///< needs the settings' resolution
 void build_textures(SceneBuilder& b);

@@ -79,6 +79,11 @@ bool is_direct(std::string_view name) {
     return name == "directlighting" || name == "whitted";
 }
 
+bool asks_all_lights(const Plugin& integrator) {
+    return is_direct(integrator.type->name) && !(integrator.type->find("strategy") &&
+                                                 integrator.parameters.string("strategy") == "one");
+}
+
 void build_integrator(SceneBuilder& b) {
     const Plugin& integrator = b.frame.integrator;
     const Parameters& p = integrator.parameters;
@@ -91,6 +96,7 @@ void build_integrator(SceneBuilder& b) {
     warn_of_stand_in(b, integrator);
     to.integrator = "path";
     to.direct_lighting = is_direct(name);
+    to.ask_all_lights = asks_all_lights(integrator);
     to.max_depth = std::clamp(p.integer("maxdepth"), 0, 1 << 20) + 1;
     if (integrator.type->find("rrthreshold") != nullptr) {
         to.roulette_threshold = p.number("rrthreshold");
@@ -98,6 +104,13 @@ void build_integrator(SceneBuilder& b) {
 }
 
 }  // namespace
+
+int light_samples(const SceneBuilder& b, const Parameters& light) {
+    constexpr int most = 1024;
+    return b.frame.integrator.type->name == "directlighting"
+               ? std::clamp(light.integer("samples"), 1, most)
+               : 1;
+}
 
 void build_settings(SceneBuilder& b) {
     build_film(b);

@@ -1,5 +1,7 @@
 #include "core/formats/pbrt/build/shape_builder.h"
 
+#include <algorithm>
+
 namespace etalon::pbrt {
 namespace {
 
@@ -14,6 +16,20 @@ bool same(const SurfaceBinding& a, const SurfaceBinding& b) {
            same(a.shadow_alpha, b.shadow_alpha);
 }
 
+/// Whether a material, or one that it mixes, has a texture. Deep nests are taken to have one.
+bool shows_texture(const Frame& frame, const Material& m, int depth) {
+    constexpr int deepest = 8;
+    const auto is_texture = [](const Argument& a) {
+        return std::holds_alternative<TextureNumber>(a.values);
+    };
+    if (depth > deepest || std::ranges::any_of(m.plugin.parameters.arguments(), is_texture)) {
+        return true;
+    }
+    return std::ranges::any_of(m.mixed, [&](std::uint32_t part) {
+        return part != none && shows_texture(frame, frame.materials[part], depth + 1);
+    });
+}
+
 }  // namespace
 
 Vec3 ShapeBuilder::normal(const Vec3& n) const {
@@ -22,14 +38,8 @@ Vec3 ShapeBuilder::normal(const Vec3& n) const {
     return std::copysign(1.0, to_world.determinant()) * across;
 }
 
-std::optional<double> ShapeBuilder::scale() const {
-    const auto& [x, y, z, origin] = to_world;
-    const double xx = x.dot(x), tolerance = 1e-5 * xx;  // what floats of a file leave of it
-    const bool alike = std::abs(y.dot(y) - xx) <= tolerance && std::abs(z.dot(z) - xx) <= tolerance;
-    const bool square = std::abs(x.dot(y)) <= tolerance && std::abs(y.dot(z)) <= tolerance &&
-                        std::abs(z.dot(x)) <= tolerance;
-    if (!alike || !square) return std::nullopt;
-    return std::cbrt(std::abs(to_world.determinant()));
+bool ShapeBuilder::has_texture() const {
+    return shows_texture(b.frame, b.frame.materials[shape.material], 0);
 }
 
 void ShapeBuilder::begin(SurfaceBinding binding) {
@@ -54,7 +64,7 @@ void ShapeBuilder::add_light() {
     const Parameters& p = b.frame.area_lights[shape.area_light].parameters;
     b.look().lights.emplace_back(
         AreaSource{static_cast<std::uint32_t>(geometry().primitives.size()),
-                   p.color("L") * p.color("scale"), p.flag("twosided")});
+                   p.color("L") * p.color("scale"), p.flag("twosided"), light_samples(b, p)});
 }
 
 void ShapeBuilder::leave_out(std::string_view why) const {

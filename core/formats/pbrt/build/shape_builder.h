@@ -35,8 +35,8 @@ class ShapeBuilder {
     /// The same for normals that the winding of corners in the world gives.
     bool flips_winding() const { return flips_outward() != mirrored_; }
 
-    /// How far lengths grow, where they grow alike in all directions.
-    std::optional<double> scale() const;
+    /// Whether its material shows a texture, and so asks for surface coordinates.
+    bool has_texture() const;
 
     /// Begins a run of primitives: makes their binding, or takes that of the shape before.
     void begin(SurfaceBinding binding);

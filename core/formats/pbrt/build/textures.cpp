@@ -31,6 +31,12 @@ Affine to_texture(SceneBuilder& b, const pbrt::Texture& t) {
     return map ? inverse(*map) : Affine{};
 }
 
+/// The map from the world to a texture in space. pbrt-v3 takes the transformation at the texture's
+/// directive itself there, not its inverse as for the mappings of surfaces.
+Affine to_texture_3d(SceneBuilder& b, const pbrt::Texture& t) {
+    return b.affine(t.to_world, t.plugin.where).value_or(Affine{});
+}
+
 Mapping mapping(SceneBuilder& b, const pbrt::Texture& t) {
     const Parameters& p = t.plugin.parameters;
     const std::string_view name = p.string("mapping");
@@ -73,8 +79,42 @@ template <class T>
 etalon::Texture<T> checkerboard(SceneBuilder& b, const pbrt::Texture& t) {
     const Parameters& p = t.plugin.parameters;
     const etalon::Slot<T> even = Values<T>::slot(b, p, "tex1"), odd = Values<T>::slot(b, p, "tex2");
-    if (p.integer("dimension") == 3) return Checkerboard3<T>{to_texture(b, t), even, odd};
+    if (p.integer("dimension") == 3) return Checkerboard3<T>{to_texture_3d(b, t), even, odd};
     return Checkerboard2<T>{mapping(b, t), even, odd};
+}
+
+/// What pbrt-v3 calls "inside" is around the dots: it takes the two in the other order.
+template <class T>
+etalon::Texture<T> dots(SceneBuilder& b, const pbrt::Texture& t) {
+    const Parameters& p = t.plugin.parameters;
+    return DotsTexture<T>{mapping(b, t), Values<T>::slot(b, p, "outside"),
+                          Values<T>::slot(b, p, "inside")};
+}
+
+FractalNoise fractal_noise(const Parameters& p) {
+    return {p.integer("octaves"), p.number("roughness")};
+}
+
+template <class T>
+etalon::Texture<T> fbm(SceneBuilder& b, const pbrt::Texture& t) {
+    return FbmTexture{to_texture_3d(b, t), fractal_noise(t.plugin.parameters)};
+}
+
+template <class T>
+etalon::Texture<T> wrinkled(SceneBuilder& b, const pbrt::Texture& t) {
+    return WrinkledTexture{to_texture_3d(b, t), fractal_noise(t.plugin.parameters)};
+}
+
+template <class T>
+etalon::Texture<T> windy(SceneBuilder& b, const pbrt::Texture& t) {
+    return WindyTexture{to_texture_3d(b, t)};
+}
+
+template <class T>
+etalon::Texture<T> marble(SceneBuilder& b, const pbrt::Texture& t) {
+    const Parameters& p = t.plugin.parameters;
+    return MarbleTexture{to_texture_3d(b, t), fractal_noise(p), p.number("scale"),
+                         p.number("variation")};
 }
 
 template <class T>
@@ -124,6 +164,11 @@ constexpr std::array entries = {
     Entry<T>{"bilerp", bilerp<T>},
     Entry<T>{"imagemap", image_map<T>},
     Entry<T>{"checkerboard", checkerboard<T>},
+    Entry<T>{"dots", dots<T>},
+    Entry<T>{"fbm", fbm<T>},
+    Entry<T>{"wrinkled", wrinkled<T>},
+    Entry<T>{"windy", windy<T>},
+    Entry<T>{"marble", marble<T>},
     Entry<T>{"uv", uv<T>},
 };
 

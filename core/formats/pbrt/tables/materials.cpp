@@ -30,10 +30,10 @@ constexpr std::array translucent = {color_texture("Kd", 0.25F),
 constexpr std::array glass = {reflected, transmitted, eta_or_index, smooth_u,
                               smooth_v,  remap,       bump_map};
 constexpr std::array mirror = {color_texture("Kr", 0.9F), bump_map};
-// The defaults are copper.
+// The defaults are copper, as pbrt-v3 sums its spectra.
 constexpr std::array metal = {
-    color_texture("eta", values(0.200438F, 0.924033F, 1.102212F)),
-    color_texture("k", values(3.912949F, 2.452848F, 2.142188F)),
+    color_texture("eta", values(0.19999F, 0.92209F, 1.09988F)),
+    color_texture("k", values(3.90464F, 2.44763F, 2.13765F)),
     number_texture("roughness", 0.01F),
     optional_u,
     optional_v,

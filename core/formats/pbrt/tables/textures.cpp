@@ -65,8 +65,6 @@ constexpr std::array marble = {integer("octaves", 8), number("roughness", 0.5F),
                                number("variation", 0.2F)};
 constexpr std::array ptex = {file("filename"), number("gamma", 2.2F)};
 
-constexpr std::string_view as_one = "the constant 1";
-
 template <Category category, ValueType type>
 constexpr std::array shared_types = {
     PluginType{category, "constant", Of<type>::constant},
@@ -75,11 +73,11 @@ constexpr std::array shared_types = {
     PluginType{category, "bilerp", Of<type>::bilerp},
     PluginType{category, "imagemap", image_map},
     PluginType{category, "checkerboard", Of<type>::checkerboard},
-    PluginType{category, "dots", Of<type>::dots, {}, as_one},
-    PluginType{category, "fbm", fbm, {}, as_one},
-    PluginType{category, "wrinkled", fbm, {}, as_one},
-    PluginType{category, "windy", {}, {}, as_one},
-    PluginType{category, "ptex", ptex, {}, as_one},
+    PluginType{category, "dots", Of<type>::dots},
+    PluginType{category, "fbm", fbm},
+    PluginType{category, "wrinkled", fbm},
+    PluginType{category, "windy", {}},
+    PluginType{category, "ptex", ptex, {}, "the constant 1"},
 };
 
 constexpr auto float_types = shared_types<Category::float_texture, ValueType::number>;
@@ -90,7 +88,7 @@ constexpr auto spectrum_types = [] {
     std::array<PluginType, shared.size() + 2> all_types{};
     auto end = std::ranges::copy(shared, all_types.begin()).out;
     *end++ = {Category::spectrum_texture, "uv", mapping_2d};
-    *end = {Category::spectrum_texture, "marble", marble, {}, as_one};
+    *end = {Category::spectrum_texture, "marble", marble};
     return all_types;
 }();
 

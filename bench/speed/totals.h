@@ -1,0 +1,31 @@
+// One tracer over several scenes and kinds of rays.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "bench/speed/figures.h"
+
+namespace etalon::speed {
+
+/// Wrong answers among those that the oracle judged.
+struct Judged {
+    void add(const OracleCheck& check) {
+        rays += check.rays;
+        wrong += check.errors();
+    }
+
+    std::uint64_t rays = 0, wrong = 0;
+};
+
+struct Totals {
+    std::string tracer;
+    std::vector<double> ratios, robust_ratios;  ///< on one thread, of each scene and kind of rays
+    Judged sampled;                             ///< rays spread evenly over all
+    Judged disputed;                            ///< rays about which tracers differ
+};
+
+/// Returns the totals of every tracer, in order of appearance.
+std::vector<Totals> totals_of(std::span<const SceneFigures> scenes);
+
+}  // namespace etalon::speed

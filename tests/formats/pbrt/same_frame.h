@@ -1,0 +1,14 @@
+// Frames of the same content: numbers of transforms and area lights, which are a matter of order,
+// and names of objects and media aside.
+#pragma once
+
+#include <string>
+
+#include "core/formats/pbrt/frame.h"
+
+namespace etalon::pbrt {
+
+/// Returns what is different; empty if nothing is.
+std::string difference(const Frame& a, const Frame& b);
+
+}  // namespace etalon::pbrt

@@ -1,0 +1,168 @@
+// The path tracer against what is known of small scenes.
+#include "core/formats/load.h"
+#include "core/scene/transformed.h"
+#include "tests/catch.h"
+#include "tests/render/test_images.h"
+
+using namespace etalon;
+using namespace etalon::test;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+/// A scene of PBRT's statements, 8 x 8 pixels through a narrow camera at (0, 0, -5) that looks
+/// along z. `options` may replace the integrator and the samples.
+TestScene pbrt_scene(const std::string& world, const std::string& options = "") {
+    const std::string text =
+        "LookAt 0 0 -5  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 4\n"
+        "Film \"image\" \"integer xresolution\" 8 \"integer yresolution\" 8\n"
+        "Sampler \"sobol\" \"integer pixelsamples\" 64\n" +
+        options + "\nWorldBegin\n" + world + "\nWorldEnd\n";
+    LoadResult loaded = load_scene_text(text, "test.pbrt");
+    INFO(report(loaded.diagnostics));
+    REQUIRE(loaded.scene);
+    REQUIRE(loaded.diagnostics.empty());
+    TestScene scene;
+    static_cast<Scene&>(scene) = std::move(*loaded.scene);
+    scene.settings = loaded.settings;
+    return scene;
+}
+
+/// Mean of the green values of an image.
+double mean(const std::vector<Color>& pixels) {
+    double sum = 0;
+    for (const Color& c : pixels) sum += c.y;
+    return sum / static_cast<double>(pixels.size());
+}
+
+double brightness(const std::string& world, const std::string& options = "") {
+    return mean(image(pbrt_scene(world, options)));
+}
+
+const std::string sky = "LightSource \"infinite\" \"color L\" [1 1 1]\n";
+const std::string deep = "Integrator \"path\" \"integer maxdepth\" 100";
+
+/// One of all that scatters, lit by all kinds of light.
+const std::string room =
+    "LightSource \"point\" \"color I\" [8 9 7] \"point from\" [-2 3 -3]\n"
+    "LightSource \"distant\" \"point from\" [3 2 -1] \"point to\" [0 0 0] \"color L\" [.5 .4 .3]\n"
+    "LightSource \"infinite\" \"color L\" [.2 .3 .4]\n"
+    "AttributeBegin AreaLightSource \"diffuse\" \"color L\" [9 9 8] Translate 0 3 0\n"
+    "Rotate 90 1 0 0 Shape \"disk\" \"float radius\" .5 AttributeEnd\n"
+    "Texture \"checks\" \"color\" \"checkerboard\" \"float uscale\" 4 \"float vscale\" 4\n"
+    "Material \"matte\" \"texture Kd\" \"checks\"\n"
+    "Shape \"trianglemesh\" \"point P\" [-4 -1 -4 4 -1 -4 4 -1 4 -4 -1 4]\n"
+    "\"integer indices\" [0 1 2 0 2 3] \"float uv\" [0 0 1 0 1 1 0 1]\n"
+    "Material \"glass\" AttributeBegin Translate -1 0 0 Shape \"sphere\" \"float radius\" .7\n"
+    "AttributeEnd Material \"metal\" \"float roughness\" .1\n"
+    "AttributeBegin Translate 1 0 0 Shape \"sphere\" \"float radius\" .8 AttributeEnd\n"
+    "Material \"plastic\" AttributeBegin Translate 0 -.5 -1 Shape \"sphere\" \"float radius\" .4\n"
+    "AttributeEnd\n";
+
+TestScene lit_room() {
+    TestScene scene = pbrt_scene(room,
+                                 "Camera \"perspective\" \"float fov\" 50\n"
+                                 "Sampler \"sobol\" \"integer pixelsamples\" 4");
+    scene.settings.resolution = {40, 30};
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("A ball in an even sky reflects its albedo, without noise", "[path]") {
+    const std::string ball = "Material \"matte\" \"color Kd\" [.25 .5 .75] Shape \"sphere\"";
+    for (const Color& c : image(pbrt_scene(sky + ball))) {
+        CHECK_THAT(c.x, WithinRel(0.25F, 1e-4F));
+        CHECK_THAT(c.y, WithinRel(0.5F, 1e-4F));
+        CHECK_THAT(c.z, WithinRel(0.75F, 1e-4F));
+    }
+}
+
+TEST_CASE("In a glowing ball light adds up to a geometric series", "[path]") {
+    const std::string ball =
+        "AreaLightSource \"diffuse\" \"color L\" [1 1 1] Material \"matte\" \"color Kd\" [.5 .5 "
+        ".5]\n"
+        "ReverseOrientation Shape \"sphere\" \"float radius\" 20";
+    CHECK_THAT(brightness(ball, deep), WithinRel(2.0, 5e-3));
+    for (const int bounces : {0, 1, 2}) {  // 1, 1.5, 1.75
+        const std::string options =
+            "Integrator \"path\" \"integer maxdepth\" " + std::to_string(bounces);
+        CHECK_THAT(brightness(ball, options), WithinRel(2 - std::pow(0.5, bounces), 5e-3));
+    }
+}
+
+TEST_CASE("A point light gives intensity times cosine over the square of the distance", "[path]") {
+    const std::string plane =
+        "LightSource \"point\" \"color I\" [10 10 10] \"point from\" [0 3 -4]\n"
+        "Material \"matte\" \"color Kd\" [.5 .5 .5]\n"
+        "Shape \"trianglemesh\" \"point P\" [-9 -9 0 9 -9 0 9 9 0 -9 9 0]\n"
+        "\"integer indices\" [0 1 2 0 2 3]";
+    TestScene scene = pbrt_scene(plane, "Camera \"perspective\" \"float fov\" .01");
+    const double expected = 0.5 / std::numbers::pi * 10 * (4.0 / 5) / 25;
+    CHECK_THAT(mean(image(scene)), WithinRel(expected, 1e-4));
+}
+
+TEST_CASE("Glass and mirrors that lose nothing are not seen in an even sky", "[path]") {
+    for (const char* material : {"Material \"glass\"", "Material \"mirror\" \"color Kr\" [1 1 1]",
+                                 "Material \"glass\" \"float uroughness\" 0 \"float eta\" 2.4"}) {
+        INFO(material);
+        CHECK_THAT(brightness(sky + material + " Shape \"sphere\"", deep), WithinRel(1.0, 2e-3));
+    }
+}
+
+TEST_CASE("Direct lighting is a path of one bounce", "[path]") {
+    const std::string world =
+        "AttributeBegin AreaLightSource \"diffuse\" \"color L\" [5 5 5] \"integer nsamples\" 4\n"
+        "Translate 0 2 -2 Shape \"sphere\" \"float radius\" .5 AttributeEnd\n"
+        "LightSource \"point\" \"color I\" [3 3 3] \"point from\" [3 0 -3] Shape \"sphere\"";
+    const double expected = brightness(world, "Integrator \"path\" \"integer maxdepth\" 1");
+    for (const char* name : {"directlighting", "whitted"}) {
+        CHECK_THAT(brightness(world, fmt::format("Integrator \"{}\"", name)),
+                   WithinRel(expected, 5e-3));
+    }
+    CHECK_THAT(brightness(world, "Integrator \"directlighting\" \"string strategy\" \"one\""),
+               WithinRel(expected, 1e-2));
+}
+
+TEST_CASE("A surface without material, and one cut out, are passed by all rays", "[path]") {
+    const std::string plane =
+        "LightSource \"point\" \"color I\" [10 10 10] \"point from\" [0 0 -4]\n"
+        "Material \"matte\" Shape \"trianglemesh\" \"point P\" [-9 -9 0 9 -9 0 9 9 0 -9 9 0]\n"
+        "\"integer indices\" [0 1 2 0 2 3]\n";
+    const std::string veil =
+        "Shape \"trianglemesh\" \"point P\" [-9 -9 -2 9 -9 -2 9 9 -2 -9 9 -2]\n"
+        "\"integer indices\" [0 1 2 0 2 3]\n";
+    const double open = brightness(plane);
+    CHECK(open > 0.05);
+    CHECK_THAT(brightness(plane + veil + "\"float alpha\" 0"), WithinRel(open, 1e-6));
+    // Rays to the light are blocked by what has no material, as pbrt-v3's path tracer has it.
+    CHECK(brightness(plane + "Material \"\" " + veil) == 0);
+    CHECK_THAT(brightness(sky + "Shape \"sphere\" Material \"\" " + veil),
+               WithinRel(brightness(sky + "Shape \"sphere\""), 1e-6));
+    const double shadowless = brightness(plane + veil + "\"float shadowalpha\" 0");
+    CHECK(shadowless > 0);  // the veil itself, lit
+}
+
+TEST_CASE("Paths have the same bits with every exact backend", "[path]") {
+    const TestScene scene = lit_room();
+    const std::vector<Color> expected = image(scene, reference_backend);
+    CHECK(mean(expected) > 0.1);
+    for (const Backend& backend : all_backends()) {
+        if (backend.exact) CHECK(image(scene, backend.name) == expected);
+    }
+}
+
+TEST_CASE("A scene of paths has the same bits at another scale", "[path]") {
+    const TestScene scene = lit_room();
+    for (const double factor : {0x1p-9, 0x1p7}) {
+        CHECK(image(transformed(scene, factor)) == image(scene));
+    }
+}
+
+TEST_CASE("An adaptive image of paths comes to the same mean", "[path]") {
+    TestScene scene = lit_room();
+    scene.settings.samples_per_pixel = 64;
+    const double expected = mean(image(scene));
+    scene.settings.target_error = 2e-3;
+    CHECK_THAT(mean(image(scene)), WithinRel(expected, 2e-2));
+}
