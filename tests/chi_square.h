@@ -2,11 +2,11 @@
 // on the sphere, as Mitsuba and PBRT test their sampling.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/numerics/random.h"

@@ -30,22 +30,16 @@ float albedo_of(const Lobe& lobe, const Vec3f& wo) {
 
 }  // namespace
 
-/// Probabilities with which lobes are chosen.
-struct Bsdf::Picks {
-    std::array<float, capacity> of;
-
-    /// The lobe for `choice` in [0, 1); one with a probability above 0 if there is any.
-    std::size_t chosen(float choice, std::size_t count) const {
-        std::size_t last = 0;
-        for (std::size_t k = 0; k < count; ++k) {
-            if (of[k] == 0) continue;
-            last = k;
-            choice -= of[k];
-            if (choice < 0) break;
-        }
-        return last;
+std::size_t Bsdf::Picks::chosen(float choice, std::size_t count) const {
+    std::size_t last = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        if (of[k] == 0) continue;
+        last = k;
+        choice -= of[k];
+        if (choice < 0) break;
     }
-};
+    return last;
+}
 
 Bsdf::Bsdf(const Vec3& ng, const Vec3& ns, const Vec3& tangent)
     : ng_(ng), ns_(ns), x_(orthonormal_tangent(ns, tangent)), y_(ns_.cross(x_)) {}
@@ -58,6 +52,7 @@ void Bsdf::scale_lobes(std::size_t first, const Color& by) {
     for (std::size_t k = first; k < count_; ++k) {
         std::visit([&](auto& lobe) { lobe.scale(by); }, lobes_[k]);
     }
+    picked_for_ = Vec3f(0);
 }
 
 Vec3 Bsdf::to_local(const Vec3& w) const {
@@ -70,17 +65,16 @@ Vec3 Bsdf::to_world(const Vec3& w) const {
     return sum * (1.5 - 0.5 * sum.dot(sum));
 }
 
-Bsdf::Picks Bsdf::picks(const Vec3f& wo) const {
-    Picks picks;
-    if (count_ == 1) {
-        picks.of[0] = 1;
-        return picks;
-    }
+const Bsdf::Picks& Bsdf::picks(const Vec3f& wo) const {
+    static constexpr Picks the_only_one{{1}};
+    if (count_ == 1) return the_only_one;
+    if (wo == picked_for_) return picks_;
+    picked_for_ = wo;
     float total = 0;
-    for (std::size_t k = 0; k < count_; ++k) total += picks.of[k] = albedo_of(lobes_[k], wo);
+    for (std::size_t k = 0; k < count_; ++k) total += picks_.of[k] = albedo_of(lobes_[k], wo);
     const float scale = total > 0 ? 1 / total : 0;
-    for (std::size_t k = 0; k < count_; ++k) picks.of[k] *= scale;
-    return picks;
+    for (std::size_t k = 0; k < count_; ++k) picks_.of[k] *= scale;
+    return picks_;
 }
 
 Evaluation Bsdf::evaluate_local(const Picks& picks, const Vec3f& wo, const Vec3f& wi,
@@ -134,7 +128,7 @@ std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, float lobe_choice, const 
     const Vec3 exact_wo = to_local(wo);
     const Vec3f local_wo(exact_wo);
     if (local_wo.z == 0 || count_ == 0) return {};
-    const Picks picks = this->picks(local_wo);
+    const Picks& picks = this->picks(local_wo);
     const std::size_t chosen = picks.chosen(lobe_choice, count_);
     return std::visit(
         [&](const auto& lobe) -> std::optional<BsdfSample> {

@@ -22,6 +22,8 @@ struct BsdfSample {
 /// How one point scatters light: up to eight lobes, whose values are added. All directions are unit
 /// vectors of the world that point away from the surface; `wo` is that to the eye. Whether light is
 /// reflected or transmitted is decided by the geometric normal, cosines are to the shading normal.
+///
+/// Remembers how its lobes are chosen for the last `wo`: not for two threads at a time.
 class Bsdf {
   public:
     static constexpr std::size_t capacity = 8;
@@ -37,6 +39,7 @@ class Bsdf {
     /// Adds a lobe; one beyond the capacity is left out.
     void add(const Lobe& lobe) {
         if (count_ < capacity) std::construct_at(lobes_.data() + count_++, lobe);
+        picked_for_ = Vec3f(0);
     }
 
     /// Multiplies the lobes from number `first` on.
@@ -60,11 +63,17 @@ class Bsdf {
     std::span<const Lobe> lobes() const { return {lobes_.data(), count_}; }
 
   private:
-    struct Picks;
+    /// Probabilities with which lobes are chosen.
+    struct Picks {
+        std::array<float, capacity> of;
+
+        /// The lobe for `choice` in [0, 1); one with a probability above 0 if there is any.
+        std::size_t chosen(float choice, std::size_t count) const;
+    };
 
     Vec3 to_local(const Vec3& w) const;
     Vec3 to_world(const Vec3& w) const;
-    Picks picks(const Vec3f& wo) const;
+    const Picks& picks(const Vec3f& wo) const;
     LobeKind side(const Vec3& wo, const Vec3& wi) const;
     Evaluation evaluate_local(const Picks& picks, const Vec3f& wo, const Vec3f& wi,
                               LobeKind side) const;
@@ -76,6 +85,8 @@ class Bsdf {
 
     Vec3 ng_, ns_, x_, y_;
     std::size_t count_ = 0;
+    mutable Vec3f picked_for_{0};  // local wo of picks_; 0 for none
+    mutable Picks picks_;
     union {
         std::array<Lobe, capacity> lobes_;  // the first count_ live
     };

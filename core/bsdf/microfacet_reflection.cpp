@@ -1,5 +1,7 @@
 #include "core/bsdf/microfacet_reflection.h"
 
+#include "core/bsdf/rough_fresnel.h"
+
 namespace etalon {
 
 Evaluation MicrofacetReflection::evaluate(const Vec3f& wo, const Vec3f& wi) const {
@@ -16,6 +18,13 @@ Evaluation MicrofacetReflection::evaluate(const Vec3f& wo, const Vec3f& wi) cons
 std::optional<Vec3f> MicrofacetReflection::sample(const Vec3f& wo, const Vec2& uv) const {
     const Vec3f wi = facets.sample_reflected(wo, uv);
     return same_side(wo, wi) ? std::optional(wi) : std::nullopt;
+}
+
+Color MicrofacetReflection::albedo(const Vec3f& wo) const {
+    // What facets keep from each other is lost; fitted by eye to integrals for white facets.
+    const float alpha = facets.mean_alpha();
+    const float kept = 1 / (1 + 2 * alpha * alpha * std::abs(wo.z));
+    return reflectance * (kept * mean_reflectance(fresnel, facets, wo));
 }
 
 }  // namespace etalon

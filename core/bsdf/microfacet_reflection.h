@@ -17,7 +17,7 @@ struct MicrofacetReflection {
 
     Evaluation evaluate(const Vec3f& wo, const Vec3f& wi) const;
     std::optional<Vec3f> sample(const Vec3f& wo, const Vec2& uv) const;
-    Color albedo(const Vec3f& wo) const { return reflectance * etalon::reflectance(fresnel, wo.z); }
+    Color albedo(const Vec3f& wo) const;
     void scale(const Color& by) { reflectance *= by; }
 };
 

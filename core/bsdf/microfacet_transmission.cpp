@@ -1,6 +1,6 @@
 #include "core/bsdf/microfacet_transmission.h"
 
-#include "core/bsdf/fresnel.h"
+#include "core/bsdf/rough_fresnel.h"
 
 namespace etalon {
 
@@ -32,9 +32,9 @@ std::optional<Vec3f> MicrofacetTransmission::sample(const Vec3f& wo, const Vec2&
 }
 
 Color MicrofacetTransmission::albedo(const Vec3f& wo) const {
-    // Where the surface as a whole reflects totally, some facets do not.
-    constexpr float least = 0.05F;
-    return transmittance * std::max(least, 1 - dielectric_reflectance(wo.z, eta));
+    constexpr float least = 0.05F;  // some facets let light through wherever others reflect totally
+    return transmittance *
+           std::max(least, 1 - mean_reflectance(DielectricFresnel{eta}, facets, wo).x);
 }
 
 }  // namespace etalon

@@ -13,6 +13,8 @@ class TrowbridgeReitz {
     TrowbridgeReitz(float alpha_x, float alpha_y)
         : alpha_x_(std::max(0.001F, alpha_x)), alpha_y_(std::max(0.001F, alpha_y)) {}
 
+    float mean_alpha() const { return (alpha_x_ + alpha_y_) / 2; }
+
     /// Density of the facets with the unit normal `m`, by solid angle, over their area.
     float density(const Vec3f& m) const {
         const float x = m.x / alpha_x_, y = m.y / alpha_y_;

@@ -1,5 +1,7 @@
 #include "core/material/material.h"
 
+#include <typeinfo>
+
 #include "tests/catch.h"
 #include "tests/material/material_cases.h"
 

@@ -93,3 +93,10 @@ TEST_CASE("Values of materials that let light through are PBRT's", "[material]")
         {Color(0.0524063F, 0.0506348F, 0.0372675F), Color(0.347946F, 0.579911F, 0.463928F),
          Color(0.0532777F, 0.0510221F, 0.0373643F), Color(0.00760994F, 0.0126832F, 0.0101466F)});
 }
+
+TEST_CASE("Rough diffuse surfaces look brighter towards the light, as PBRT's do", "[material]") {
+    const Bsdf bsdf = flat_scattering({matte()});
+    const Vec3 wo(0.48, 0.36, 0.8);
+    CHECK(bsdf.evaluate(wo, {0.6, 0, 0.8}).f.x == Approx(0.2279278).epsilon(1e-5));
+    CHECK(bsdf.evaluate(wo, {0.48, 0.64, 0.6}).f.z == Approx(0.06164058).epsilon(1e-5));
+}
