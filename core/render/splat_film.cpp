@@ -34,8 +34,10 @@ Imath::V2i block_size(int side, const FilterAxis& across, const FilterAxis& down
 
 /// Weights of one sample for consecutive pixels of one axis.
 struct Weights {
+    static constexpr std::size_t most = 2 * static_cast<int>(max_filter_radius) + 2;
+
     int first, count;
-    std::array<double, 2 * static_cast<int>(max_filter_radius) + 2> values;
+    std::array<double, most> values;
 
     Weights(const FilterAxis& axis, double place)
         : first(axis.first(place)), count(axis.last(place) - first + 1) {
@@ -67,20 +69,26 @@ std::size_t SplatFilm::cell_of(const Imath::V2i& pixel) const {
     return static_cast<std::size_t>(offset.y / side_) * cells_.x + offset.x / side_;
 }
 
-/// Distances are those from the cell's corner: rounded alike, they stay within the block.
+/// Distances are those from the cell's corner: rounded alike, they stay within the block. The sums
+/// of a row lie one after the other, so that several are added to at a time.
 void SplatFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& sample) {
     const Imath::V2i offset = pixel - corner_;
     const Imath::V2i corner = pixel - Imath::V2i(offset.x % side_, offset.y % side_);
     const Weights x(across_, place.x - corner.x), y(down_, place.y - corner.y);
-    const Vec3 value(sample);
+    const std::array<double, Splat::size> value{sample.x, sample.y, sample.z, 1};
+    std::array<double, Splat::size * Weights::most> weighted;
+    for (int u = 0; u < x.count; ++u) {
+        for (int k = 0; k < Splat::size; ++k) {
+            weighted[Splat::size * u + k] = x.values[u] * value[k];
+        }
+    }
+    const int size = Splat::size * x.count;
     Splat* row = &splats_[cell_of(pixel) * block_.x * block_.y];
     row += (y.first + before_.y) * block_.x + (x.first + before_.x);
     for (int v = 0; v < y.count; ++v, row += block_.x) {
-        for (int u = 0; u < x.count; ++u) {
-            const double weight = x.values[u] * y.values[v];
-            row[u].sum += weight * value;
-            row[u].weight += weight;
-        }
+        double* const sums = row->values.data();
+        const double weight = y.values[v];
+        for (int i = 0; i < size; ++i) sums[i] += weight * weighted[i];
     }
 }
 
@@ -124,8 +132,10 @@ void SplatFilm::add_row(int y, const Imath::Box2i& window, const std::vector<dou
             const int corner = corner_.x + cx * side_ - before_.x;
             const int last = std::min(window.max.x, corner + block_.x - 1);
             for (int x = std::max(window.min.x, corner); x <= last; ++x) {
-                row[x - window.min.x].sum += cell_weights[cell] * from[x - corner].sum;
-                row[x - window.min.x].weight += cell_weights[cell] * from[x - corner].weight;
+                for (int k = 0; k < Splat::size; ++k) {
+                    row[x - window.min.x].values[k] +=
+                        cell_weights[cell] * from[x - corner].values[k];
+                }
             }
         }
     }
@@ -140,8 +150,9 @@ std::vector<Vec3> SplatFilm::means(const Imath::Box2i& window, const Film& sampl
             std::vector<Splat> splats(width);
             add_row(window.min.y + static_cast<int>(row), window, weights, splats);
             for (std::size_t i = 0; i < width; ++i) {
-                if (splats[i].weight == 0) continue;
-                const Vec3 mean = splats[i].sum / splats[i].weight;
+                const auto& [r, g, b, weight] = splats[i].values;
+                if (weight == 0) continue;
+                const Vec3 mean = Vec3(r, g, b) / weight;
                 for (int k = 0; k < 3; ++k) result[row * width + i][k] = std::max(0.0, mean[k]);
             }
         }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -35,10 +36,10 @@ class SplatFilm {
     static double bytes_per_pixel(int cell_side, const PixelFilter& filter);
 
   private:
-    /// Sum of weighted samples, and of their weights.
+    /// Sums of weighted samples, by channels, and of their weights.
     struct Splat {
-        Vec3 sum{0, 0, 0};
-        double weight = 0;
+        static constexpr int size = 4;
+        std::array<double, size> values{};
     };
 
     /// Range of cells, or of pixels, along one axis.
