@@ -125,7 +125,7 @@ class Frame {
         figures_.backend = chosen_backend(settings_).name;
         figures_.width = settings_.resolution.x;
         figures_.height = settings_.resolution.y;
-        figures_.samples = settings_.samples_per_pixel;
+        figures_.samples = static_cast<int>(rendering.film.total_count() / rendering.film.size());
         figures_.rays = rendering.counts.total();
     }
 

@@ -94,11 +94,11 @@ class Report {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
 
-    /// Returns why the report is incomplete, or nothing. An interrupted task counts as done.
+    /// Returns why the report is incomplete, or nothing. The last task may be interrupted.
     std::string missing() const {
         if (signals_.signal() == 0 && done_ == tasks_.size()) return {};
         const char* why = signals_.signal() != 0 ? "It was interrupted" : "Its time was up";
-        return fmt::format("{} after {}, when {} of {} parts had been measured.", why,
+        return fmt::format("{} after {}, when {} of {} parts had been begun.", why,
                            duration(elapsed()), done_, tasks_.size());
     }
 

@@ -45,6 +45,7 @@ TEST_CASE("frames: given scenes, then each has its parts, and the rendering hold
         CAPTURE(frame.dump());
         CHECK(frame["rays"] > 60 * 30);
         CHECK(frame["width"] == 60);
+        CHECK(frame["spp"] == 1);  // one ray through each pixel
         const json& cpu = frame["cpu_seconds"];
         for (const char* part : {"load", "build", "camera", "intersection", "render", "write"}) {
             CHECK(cpu[part] > 0);

@@ -60,6 +60,18 @@ TEST_CASE("A report has a speed for each kind of scene, and what it lies between
     }
 }
 
+TEST_CASE("The time of a build on several threads is short, and its heading says on how many") {
+    Results results = sample_results();
+    for (speed::BuildFigures& b : results.scenes.list[0].builds) {
+        b.by_threads.push_back(b.by_threads.front());
+        b.by_threads.back().threads = 2;
+    }
+    const Section section = builds_section(results);
+    const BarGroup& times = std::get<Bars>(section.figures.at(0).content).groups.at(0);
+    CHECK(times.note == "on 2 threads");
+    for (const Bar& bar : times.bars) CHECK(bar.note.text.ends_with(" ms"));
+}
+
 TEST_CASE("A report says when the machine was busy") {
     Results results = sample_results();
     results.machine.cores = 2;

@@ -10,19 +10,22 @@ namespace {
 
 using namespace speed;
 
+/// Wall time with the largest number of threads, which the group's heading says; empty for one.
+Cell with_most_threads(const BuildFigures& b, BarGroup& group) {
+    const Runs& most = b.by_threads.back();
+    if (most.threads == 1) return {};
+    group.note = fmt::format("on {} threads", most.threads);
+    return {three_digits(1e3 * median(most.wall())) + " ms"};
+}
+
 BarGroup times_of(const SceneFigures& scene) {
     BarGroup group{"time to build", "CPU ms", "× builtin", "", {}};
     for (const BuildFigures& b : scene.builds) {
         const Runs& runs = b.by_threads.front();
         const Estimate seconds = estimate(runs.cpu());
-        const Runs& most = b.by_threads.back();
-        const Cell note = {most.threads == 1 ? ""
-                                             : fmt::format("{} ms with {} threads",
-                                                           three_digits(1e3 * median(most.wall())),
-                                                           most.threads)};
         group.bars.push_back({b.tracer, colour_of(b.tracer), 1e3 * seconds.median,
                               1e3 * seconds.spread, three_digits(1e3 * seconds.median),
-                              times(runs.ratio), note});
+                              times(runs.ratio), with_most_threads(b, group)});
     }
     return group;
 }
@@ -53,7 +56,9 @@ Section builds_section(const Results& results) {
     for (const SceneFigures& scene : results.scenes.list) {
         section.figures.push_back(
             {fmt::format("{}, {}", scene.scene, count_of(scene.primitives, "primitive")),
-             "CPU time to build on one thread, times as fast as embree-builtin; bytes a primitive.",
+             "CPU time to build on one thread, times as fast as embree-builtin; the time on "
+             "several "
+             "threads; bytes a primitive.",
              builds_command(results.settings, scene.scene), results.scenes.date,
              Bars{{times_of(scene), memory_of(scene)}}});
     }

@@ -25,9 +25,9 @@ constexpr Group groups[] = {
 
 std::vector<Column> columns() {
     std::vector<Column> all = {{"scene", false}, {"backend", false}, {"size"}, {"spp"}};
-    for (const Stage& stage : frames::stages()) all.push_back({stage.key});
     all.push_back({"overhead"});
     all.push_back({"ns a ray"});
+    for (const Stage& stage : frames::stages()) all.push_back({stage.key});
     return all;
 }
 
@@ -36,9 +36,11 @@ std::vector<Cell> row_of(const FrameFigures& f) {
                           {f.backend},
                           {fmt::format("{} × {}", f.width, f.height)},
                           {std::to_string(f.samples)}};
-    for (const Stage& stage : frames::stages()) row.push_back({three_digits(stage.seconds(f))});
     row.push_back({three_digits(f.overhead())});
     row.push_back({three_digits(f.nanoseconds())});
+    for (const Stage& stage : frames::stages()) {
+        row.push_back({three_digits(1e3 * stage.seconds(f))});
+    }
     return row;
 }
 
@@ -68,12 +70,12 @@ Section frames_section(const Results& results) {
         "evaluated, samples added up. The overhead is the time of the rendering over the time that "
         "the intersector alone takes for the same rays; 1 would be a renderer that does nothing "
         "else.",
-        "Columns: " + legend()};
+        "The columns of the tables: " + legend()};
     for (const Group& group : groups) {
         Table table = table_of(results.frames.list, group.origin);
         if (table.rows.empty()) continue;
         section.figures.push_back({group.title,
-                                   fmt::format("{} CPU seconds of one thread.", group.about),
+                                   fmt::format("{} CPU milliseconds of one thread.", group.about),
                                    frames_command(results.settings, group.origin),
                                    results.frames.date, std::move(table)});
     }
