@@ -28,9 +28,6 @@ class Binder {
     std::optional<std::vector<Argument>> bind(const PluginType& type,
                                               std::span<ParameterList* const> lists, Place where);
 
-    /// Warns of the parameters of a list that nothing has used.
-    void report_unused(const ParameterList& list, const PluginType& type);
-
   private:
     std::optional<Values> find(const ParameterSpec& spec, std::span<ParameterList* const> lists);
     std::optional<Values> find(const ParameterSpec& spec, const Spelling& spelling,

@@ -5,6 +5,7 @@
 #include "core/formats/diagnostic_log.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/pbrt/foreign_words.h"
+#include "core/formats/pbrt/unused_parameters.h"
 
 namespace etalon::pbrt {
 namespace {
@@ -57,7 +58,7 @@ std::string Parser::take_type(ParameterList& list) {
 std::optional<Plugin> Parser::make_plugin(const PluginType& type, ParameterList& list) {
     ParameterList* const lists[] = {&list};
     std::optional<std::vector<Argument>> arguments = binder().bind(type, lists, in.where());
-    binder().report_unused(list, type);
+    report_unused(list, type, log);
     if (!arguments) return std::nullopt;
     return Plugin(type, std::move(*arguments), in.where());
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/formats/pbrt/parser.h"
+#include "core/formats/pbrt/unused_parameters.h"
 
 namespace etalon::pbrt {
 namespace {
@@ -75,7 +76,7 @@ void read_shape(Parser& p) {
     if (!arguments) return;
     const std::uint32_t material =
         restates_material ? restated_material(p, list) : current_material(p).number;
-    p.binder().report_unused(list, *type);
+    report_unused(list, *type, p.log);
     Shape shape{Plugin(*type, std::move(*arguments), p.in.where()),
                 p.transform_pair(),
                 material,
