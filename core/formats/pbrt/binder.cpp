@@ -154,15 +154,18 @@ Values Binder::convert(const ParameterSpec& spec, GivenParameter& given) {
     return values;
 }
 
-bool Binder::is_accepted(const ParameterSpec& spec, const Values& values, Place where) {
+bool Binder::is_accepted(const ParameterSpec& spec, Values& values, Place where) {
     if (spec.choices.empty()) return true;
-    const std::string& text = std::get<std::vector<std::string>>(values).front();
+    std::string& text = std::get<std::vector<std::string>>(values).front();
     if (contains(spec.choices, text)) return true;
     std::string list(spec.choices);
     std::ranges::replace(list, '|', ' ');
+    const bool has_own = !spec.if_unknown.empty();
+    const std::string_view instead = has_own ? spec.if_unknown : spec.default_value.text;
     log_.error(where, "choice", "unknown '{}' {}; it is '{}' instead; there are: {}", spec.name,
-               in_quotes(text), spec.default_value.text, list);
-    return false;
+               in_quotes(text), instead, list);
+    text = instead;
+    return has_own;
 }
 
 }  // namespace etalon::pbrt

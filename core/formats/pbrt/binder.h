@@ -35,7 +35,7 @@ class Binder {
     std::optional<Values> texture(const ParameterSpec& spec, GivenParameter& given);
     bool is_usable(const ParameterSpec& spec, const GivenParameter& given);
     bool has_right_count(const ParameterSpec& spec, const GivenParameter& given);
-    bool is_accepted(const ParameterSpec& spec, const Values& values, Place where);
+    bool is_accepted(const ParameterSpec& spec, Values& values, Place where);
     Values convert(const ParameterSpec& spec, GivenParameter& given);
 
     const TextureNames& textures_;

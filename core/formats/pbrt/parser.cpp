@@ -60,7 +60,21 @@ std::optional<Plugin> Parser::make_plugin(const PluginType& type, ParameterList&
     std::optional<std::vector<Argument>> arguments = binder().bind(type, lists, in.where());
     report_unused(list, type, log);
     if (!arguments) return std::nullopt;
-    return Plugin(type, std::move(*arguments), in.where());
+    Plugin plugin(type, std::move(*arguments), in.where());
+    return check(plugin) ? std::optional(std::move(plugin)) : std::nullopt;
+}
+
+bool Parser::check(const Plugin& plugin) {
+    const auto objection =
+        plugin.type->check ? plugin.type->check(plugin.parameters) : std::nullopt;
+    if (!objection) return true;
+    if (objection->leaves_out) {
+        log.error(plugin.where, "unfit", "the {} '{}' is left out: {}",
+                  to_string(plugin.type->category), plugin.type->name, objection->text);
+    } else {
+        log.warn(plugin.where, "unfit", "{}", objection->text);
+    }
+    return !objection->leaves_out;
 }
 
 TransformPair Parser::transform_pair() {
