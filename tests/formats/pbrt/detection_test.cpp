@@ -18,6 +18,12 @@ TEST_CASE("a text that starts with any directive of PBRT is PBRT") {
     }
 }
 
+TEST_CASE("what is more frequent in version 4 does not make a text one of version 4") {
+    CHECK(format_of("WorldBegin\nTexture \"checks\" \"spectrum\" \"checkerboard\"\n"
+                    "Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0]\nWorldEnd\n",
+                    "f") == "pbrt");
+}
+
 TEST_CASE("a text of other words is not PBRT") {
     CHECK(format_of("b 0 0 0\nv\nfrom 0 0 5\n", "scene") != "pbrt");
     CHECK(format_of("camera\neye 0 0 5\n", "scene") == "p3f");
