@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "core/formats/pbrt/parse.h"
 #include "core/formats/tokenizer.h"
 
 namespace etalon {
@@ -80,16 +81,7 @@ bool is_pbrt_v4(const FormatProbe& o) {
 }
 
 bool is_pbrt(const FormatProbe& o) {
-    return shows(o, {{"LookAt"},
-                     {"Camera"},
-                     {"Film"},
-                     {"Sampler"},
-                     {"Integrator"},
-                     {"WorldBegin"},
-                     {"AttributeBegin"},
-                     {"Shape"},
-                     {"Material"},
-                     {"LightSource"}});
+    return std::ranges::any_of(o.statements, pbrt::is_directive, &Statement::word);
 }
 
 bool is_obj(const FormatProbe& o) {

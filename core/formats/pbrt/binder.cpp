@@ -1,7 +1,5 @@
 #include "core/formats/pbrt/binder.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -46,28 +44,6 @@ struct Copied {
         return values;
     }
 };
-
-const ParameterSpec* find_by_any_name(const PluginType& type, std::string_view name) {
-    const auto has = [&](const ParameterSpec& spec) {
-        const auto others = spec.other_spellings();
-        return spec.name == name ||
-               std::ranges::find(others, name, &Spelling::name) != others.end();
-    };
-    const auto found = std::ranges::find_if(type.parameters, has);
-    return found != type.parameters.end() ? &*found : nullptr;
-}
-
-/// Returns the types that a parameter takes, in words: "float or texture".
-std::string accepted_types(const ParameterSpec& spec) {
-    const std::string_view own = to_string(spec.type);
-    return spec.slot == Slot::texture ? fmt::format("{} or texture", own) : std::string(own);
-}
-
-std::vector<std::string_view> names(const PluginType& type) {
-    std::vector<std::string_view> list;
-    for (const ParameterSpec& spec : type.parameters) list.push_back(spec.name);
-    return list;
-}
 
 }  // namespace
 
@@ -178,30 +154,18 @@ Values Binder::convert(const ParameterSpec& spec, GivenParameter& given) {
     return values;
 }
 
-bool Binder::is_accepted(const ParameterSpec& spec, const Values& values, Place where) {
+bool Binder::is_accepted(const ParameterSpec& spec, Values& values, Place where) {
     if (spec.choices.empty()) return true;
-    const std::string& text = std::get<std::vector<std::string>>(values).front();
+    std::string& text = std::get<std::vector<std::string>>(values).front();
     if (contains(spec.choices, text)) return true;
     std::string list(spec.choices);
     std::ranges::replace(list, '|', ' ');
+    const bool has_own = !spec.if_unknown.empty();
+    const std::string_view instead = has_own ? spec.if_unknown : spec.default_value.text;
     log_.error(where, "choice", "unknown '{}' {}; it is '{}' instead; there are: {}", spec.name,
-               in_quotes(text), spec.default_value.text, list);
-    return false;
-}
-
-void Binder::report_unused(const ParameterList& list, const PluginType& type) {
-    for (const GivenParameter& given : list.parameters) {
-        if (given.is_used) continue;
-        if (const ParameterSpec* spec = find_by_any_name(type, given.name)) {
-            log_.warn(given.where, "unused", "'{} {}' is not used: in the {} '{}' it is a {}",
-                      given.type_name(), given.name, to_string(type.category), type.name,
-                      accepted_types(*spec));
-        } else {
-            log_.warn(given.where, "unused", "{} is not used: the {} '{}' has no such parameter{}",
-                      in_quotes(given.name), to_string(type.category), type.name,
-                      log_.hint("unused", [&] { return did_you_mean(given.name, names(type)); }));
-        }
-    }
+               in_quotes(text), instead, list);
+    text = instead;
+    return has_own;
 }
 
 }  // namespace etalon::pbrt

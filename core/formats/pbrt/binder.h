@@ -28,9 +28,6 @@ class Binder {
     std::optional<std::vector<Argument>> bind(const PluginType& type,
                                               std::span<ParameterList* const> lists, Place where);
 
-    /// Warns of the parameters of a list that nothing has used.
-    void report_unused(const ParameterList& list, const PluginType& type);
-
   private:
     std::optional<Values> find(const ParameterSpec& spec, std::span<ParameterList* const> lists);
     std::optional<Values> find(const ParameterSpec& spec, const Spelling& spelling,
@@ -38,7 +35,7 @@ class Binder {
     std::optional<Values> texture(const ParameterSpec& spec, GivenParameter& given);
     bool is_usable(const ParameterSpec& spec, const GivenParameter& given);
     bool has_right_count(const ParameterSpec& spec, const GivenParameter& given);
-    bool is_accepted(const ParameterSpec& spec, const Values& values, Place where);
+    bool is_accepted(const ParameterSpec& spec, Values& values, Place where);
     Values convert(const ParameterSpec& spec, GivenParameter& given);
 
     const TextureNames& textures_;

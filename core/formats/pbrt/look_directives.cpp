@@ -2,6 +2,7 @@
 #include "core/formats/diagnostic_log.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/pbrt/parser.h"
+#include "core/formats/pbrt/unused_parameters.h"
 
 namespace etalon::pbrt {
 namespace {
@@ -20,7 +21,7 @@ std::shared_ptr<const StatedMaterial> state(Parser& p, const std::string& name,
     const PluginType& type = material_type(p, name);
     ParameterList* const lists[] = {&list};
     const std::uint32_t number = p.add_material(type, lists, p.in.where());
-    if (!type.parameters.empty()) p.binder().report_unused(list, type);
+    if (!type.parameters.empty()) report_unused(list, type, p.log);
     return std::make_shared<StatedMaterial>(
         StatedMaterial{&type, std::move(list), number, p.in.where()});
 }

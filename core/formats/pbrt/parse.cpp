@@ -89,6 +89,10 @@ void end_file(Parser& p) {
 
 }  // namespace
 
+bool is_directive(std::string_view word) {
+    return find_directive(word) || !origin_of_directive(word).empty();
+}
+
 const Directive* find_directive(std::string_view word) {
     for (const auto& table : directive_tables) {
         const std::span<const Directive> directives = table();

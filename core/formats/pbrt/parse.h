@@ -9,6 +9,9 @@
 
 namespace etalon::pbrt {
 
+/// Whether a word is a directive of PBRT, be it of this version or of another.
+bool is_directive(std::string_view word);
+
 struct ParseOptions {
     bool strict = false;  ///< warnings are errors
 };

@@ -5,6 +5,7 @@
 #include "core/formats/diagnostic_log.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/pbrt/foreign_words.h"
+#include "core/formats/pbrt/unused_parameters.h"
 
 namespace etalon::pbrt {
 namespace {
@@ -57,9 +58,23 @@ std::string Parser::take_type(ParameterList& list) {
 std::optional<Plugin> Parser::make_plugin(const PluginType& type, ParameterList& list) {
     ParameterList* const lists[] = {&list};
     std::optional<std::vector<Argument>> arguments = binder().bind(type, lists, in.where());
-    binder().report_unused(list, type);
+    report_unused(list, type, log);
     if (!arguments) return std::nullopt;
-    return Plugin(type, std::move(*arguments), in.where());
+    Plugin plugin(type, std::move(*arguments), in.where());
+    return check(plugin) ? std::optional(std::move(plugin)) : std::nullopt;
+}
+
+bool Parser::check(const Plugin& plugin) {
+    const auto objection =
+        plugin.type->check ? plugin.type->check(plugin.parameters) : std::nullopt;
+    if (!objection) return true;
+    if (objection->leaves_out) {
+        log.error(plugin.where, "unfit", "the {} '{}' is left out: {}",
+                  to_string(plugin.type->category), plugin.type->name, objection->text);
+    } else {
+        log.warn(plugin.where, "unfit", "{}", objection->text);
+    }
+    return !objection->leaves_out;
 }
 
 TransformPair Parser::transform_pair() {

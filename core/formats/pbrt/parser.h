@@ -85,6 +85,9 @@ struct Parser {
     /// a required one is missing.
     std::optional<Plugin> make_plugin(const PluginType& type, ParameterList& list);
 
+    /// Whether its parameters go together, so that it is not left out; says it if they do not.
+    bool check(const Plugin& plugin);
+
     /// Adds a material, made of the lists' values, of which the first list has precedence.
     std::uint32_t add_material(const PluginType& type, std::span<ParameterList* const> lists,
                                Place where);

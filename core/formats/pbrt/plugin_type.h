@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace etalon::pbrt {
@@ -54,9 +56,10 @@ struct ParameterSpec {
     Default default_value{};
     std::array<Spelling, 3> others{};  ///< used, in order, where `name` is not given
     std::uint8_t other_count = 0;
-    std::string_view choices{};  ///< accepted strings, separated by '|'; empty: any
-    std::uint8_t length = 0;     ///< number of values that a list must have; 0: any
-    bool is_required = false;    ///< without it the statement is left out
+    std::string_view choices{};     ///< accepted strings, separated by '|'; empty: any
+    std::uint8_t length = 0;        ///< number of values that a list must have; 0: any
+    std::string_view if_unknown{};  ///< string in place of one that is no choice; empty: default
+    bool is_required = false;       ///< without it the statement is left out
 
     std::span<const Spelling> other_spellings() const { return {others.data(), other_count}; }
 };
@@ -79,12 +82,22 @@ enum class Category : std::uint8_t {
 
 inline constexpr std::size_t category_count = 13;
 
+class Parameters;
+
+/// What pbrt-v3 objects to in parameters that do not go together.
+struct Objection {
+    std::string text;
+    bool leaves_out;  ///< whether the plugin is left out, or only some parameter of no use
+};
+
 struct PluginType {
     Category category;
     std::string_view name;
     std::span<const ParameterSpec> parameters;
     std::string_view alias{};     ///< another name of it, or empty
     std::string_view stand_in{};  ///< what Etalon renders in its place; empty: the plugin itself
+
+    std::optional<Objection> (*check)(const Parameters&) = nullptr;  ///< null: anything goes
 
     /// Returns the specification of a parameter by its own name; null if there is none.
     const ParameterSpec* find(std::string_view parameter) const;

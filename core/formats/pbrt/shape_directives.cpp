@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/formats/pbrt/parser.h"
+#include "core/formats/pbrt/unused_parameters.h"
 
 namespace etalon::pbrt {
 namespace {
@@ -73,10 +74,12 @@ void read_shape(Parser& p) {
     ParameterList* const lists[] = {&list};
     std::optional<std::vector<Argument>> arguments = p.binder().bind(*type, lists, p.in.where());
     if (!arguments) return;
+    Plugin plugin(*type, std::move(*arguments), p.in.where());
+    if (!p.check(plugin)) return;
     const std::uint32_t material =
         restates_material ? restated_material(p, list) : current_material(p).number;
-    p.binder().report_unused(list, *type);
-    Shape shape{Plugin(*type, std::move(*arguments), p.in.where()),
+    report_unused(list, *type, p.log);
+    Shape shape{std::move(plugin),
                 p.transform_pair(),
                 material,
                 area_light_of_shape(p),

@@ -57,8 +57,10 @@ double StatementReader::number() {
         reject("a number");
         return 0;
     }
-    const Place place = tokens_.place();
-    if (!read->extra.empty()) warn_of_extra(*read, tokens_.peek().text, place, log_);
+    if (!read->extra.empty()) {
+        const Place place = tokens_.place();
+        warn_of_extra(*read, tokens_.peek().text, place, log_);
+    }
     tokens_.next();
     return read->value;
 }

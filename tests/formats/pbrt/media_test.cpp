@@ -97,11 +97,13 @@ TEST_CASE("a medium that is not whole is not made") {
                "a.pbrt:1:12: error: the medium 'heterogeneous' is left out: 'float density' is "
                "missing");
     world_with(grid + "\"integer nx\" 2 \"float density\" 1",
-               "a.pbrt:1:12: error: the medium is left out: it has 1 densities for 2 x 1 x 1");
+               "a.pbrt:1:12: error: the medium 'heterogeneous' is left out: it has 1 densities for "
+               "2 x 1 x 1");
     world_with(grid +
                    "\"integer nx\" [2000000000] \"integer ny\" [2000000000] \"integer nz\" "
                    "[2000000000] \"float density\" 1",
-               "a.pbrt:1:12: error: the medium is left out: it has 1 densities for 2000000000 x "
+               "a.pbrt:1:12: error: the medium 'heterogeneous' is left out: it has 1 densities for "
+               "2000000000 x "
                "2000000000 x 2000000000");
     CHECK(parse_world(grid + "\"integer nx\" -1 \"integer ny\" -1 \"float density\" 1")
               .frames.at(0)

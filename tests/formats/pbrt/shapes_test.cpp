@@ -73,6 +73,54 @@ TEST_CASE("a shape without what it needs is left out") {
     }
 }
 
+TEST_CASE("a curve has as many points as its basis and degree ask for") {
+    const auto points = [](int count) {
+        std::string list = "\"point P\" [";
+        for (int i = 0; i < count; ++i) list += std::to_string(i) + " 0 0 ";
+        return list + "] ";
+    };
+    const auto is_made = [&](int count, const std::string& parameters) {
+        const ParsedFile file = parse_world("Shape \"curve\" " + points(count) + parameters);
+        CHECK(file.diagnostics.size() == 1 - file.frames.at(0).shapes.size());
+        return file.frames.at(0).shapes.size() == 1;
+    };
+    for (const int count : {4, 7, 10}) CHECK(is_made(count, ""));
+    for (const int count : {1, 3, 5, 6, 8}) CHECK_FALSE(is_made(count, ""));
+    for (const int count : {3, 5, 7}) CHECK(is_made(count, "\"integer degree\" 2"));
+    for (const int count : {2, 4}) CHECK_FALSE(is_made(count, "\"integer degree\" 2"));
+    for (const int count : {4, 5, 6}) CHECK(is_made(count, "\"string basis\" \"bspline\""));
+    CHECK_FALSE(is_made(3, "\"string basis\" \"bspline\""));
+    CHECK_FALSE(is_made(5, "\"integer degree\" 4"));
+    world_with(
+        "Shape \"curve\" " + points(5),
+        "a.pbrt:1:12: error: the shape 'curve' is left out: a Bezier curve of degree 3 has 4 "
+        "points and 3 more for each further segment, not 5");
+}
+
+TEST_CASE("a ribbon has a normal more than segments, and no other curve has any") {
+    const std::string curve = "Shape \"curve\" \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0] ";
+    const std::string ribbon = curve + "\"string type\" \"ribbon\" ";
+    CHECK(good_world(ribbon + "\"normal N\" [0 0 1 0 0 1]").shapes.size() == 1);
+    world_with(ribbon + "\"normal N\" [0 0 1 0 0 1 0 0 1 0 0 1]",
+               "a.pbrt:1:12: error: the shape 'curve' is left out: a ribbon of 1 segments has 2 "
+               "normals, not 4");
+    world_with(ribbon,
+               "a.pbrt:1:12: error: the shape 'curve' is left out: a ribbon of 1 segments "
+               "has 2 normals, not 0");
+    CHECK(world_with(curve + "\"normal N\" [0 0 1 0 0 1]",
+                     "a.pbrt:1:12: warning: only a curve of type 'ribbon' has normals: they are "
+                     "ignored")
+              .shapes.size() == 1);
+}
+
+TEST_CASE("a curve of an unknown type is a cylinder") {
+    const ParsedFile file = parse_world(
+        "Shape \"curve\" \"string type\" \"tube\" \"point P\" [0 0 0 1 0 0 2 0 0 3 0 0]");
+    CHECK(messages(file) == Messages{"a.pbrt:1:26: error: unknown 'type' 'tube'; it is 'cylinder' "
+                                     "instead; there are: flat ribbon cylinder"});
+    CHECK(file.frames.at(0).shapes.at(0).plugin.parameters.string("type") == "cylinder");
+}
+
 TEST_CASE("an unknown shape is left out") {
     const Frame frame = world_with("Shape \"cube\" Shape \"sphere\"",
                                    "a.pbrt:1:12: warning: unknown shape 'cube'; did you mean "

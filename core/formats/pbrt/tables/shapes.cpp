@@ -1,4 +1,7 @@
 // Shapes of pbrt-v3 and their parameters.
+#include <fmt/format.h>
+
+#include "core/formats/pbrt/parameters.h"
 #include "core/formats/pbrt/tables/tables.h"
 
 namespace etalon::pbrt {
@@ -21,13 +24,50 @@ constexpr std::array curve = {
     number("width", 1),
     number("width0", same_as("width")),
     number("width1", same_as("width")),
-    choice("type", "flat", "flat|ribbon|cylinder"),
+    choice("type", "flat", "flat|ribbon|cylinder", "cylinder"),
     choice("basis", "bezier", "bezier|bspline"),
     integer("degree", 3),
     also(integer("splitdepth", 3), "splitdepth", ValueType::number),
     required(list("P", ValueType::point)),
     list("N", ValueType::normal),
 };
+
+std::optional<Objection> refuse(std::string text) {
+    return Objection{std::move(text), true};
+}
+
+/// Refuses normals that a curve of so many segments cannot have, and tells of those it ignores.
+std::optional<Objection> check_curve_normals(const Parameters& p, std::size_t segments) {
+    const std::size_t normals = p.numbers("N").size() / 3;
+    if (p.string("type") != "ribbon") {
+        if (normals == 0) return std::nullopt;
+        return Objection{"only a curve of type 'ribbon' has normals: they are ignored", false};
+    }
+    if (normals == segments + 1) return std::nullopt;
+    return refuse(fmt::format("a ribbon of {} segments has {} normals, not {}", segments,
+                              segments + 1, normals));
+}
+
+std::optional<Objection> check_curve(const Parameters& p) {
+    const std::int32_t stated = p.integer("degree");
+    if (stated != 2 && stated != 3) {
+        return refuse(fmt::format("its degree is 2 or 3, not {}", stated));
+    }
+    const auto degree = static_cast<std::size_t>(stated);
+    const std::size_t points = p.numbers("P").size() / 3;
+    if (p.string("basis") == "bspline") {
+        if (points > degree) return check_curve_normals(p, points - degree);
+        return refuse(fmt::format("a b-spline of degree {} has {} points or more, not {}", degree,
+                                  degree + 1, points));
+    }
+    if (points > degree && (points - 1) % degree == 0) {
+        return check_curve_normals(p, (points - 1) / degree);
+    }
+    return refuse(
+        fmt::format("a Bezier curve of degree {} has {} points and {} more for each "
+                    "further segment, not {}",
+                    degree, degree + 1, degree, points));
+}
 
 constexpr ParameterSpec points = required(list("P", ValueType::point));
 constexpr ParameterSpec indices = required(list("indices", ValueType::integer));
@@ -73,7 +113,7 @@ constexpr std::array types = {
     PluginType{Category::shape, "cone", cone},
     PluginType{Category::shape, "paraboloid", paraboloid},
     PluginType{Category::shape, "hyperboloid", hyperboloid},
-    PluginType{Category::shape, "curve", curve, {}, "nothing"},
+    PluginType{Category::shape, "curve", curve, {}, "nothing", check_curve},
     PluginType{Category::shape, "trianglemesh", triangle_mesh},
     PluginType{Category::shape, "plymesh", ply_mesh},
     PluginType{Category::shape, "heightfield", heightfield, {}, "nothing"},

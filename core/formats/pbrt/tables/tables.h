@@ -61,10 +61,12 @@ constexpr ParameterSpec optional_flag(std::string_view name) {
 constexpr ParameterSpec string(std::string_view name, std::string_view text = {}) {
     return {name, ValueType::string, Slot::one, {{}, 0, text, {}, 1}};
 }
+/// One of several strings; of any other the default, or the last argument, stands in.
 constexpr ParameterSpec choice(std::string_view name, std::string_view text,
-                               std::string_view choices) {
+                               std::string_view choices, std::string_view if_unknown = {}) {
     ParameterSpec spec = string(name, text);
     spec.choices = choices;
+    spec.if_unknown = if_unknown;
     return spec;
 }
 constexpr ParameterSpec file(std::string_view name, std::string_view text = {}) {
