@@ -7,6 +7,11 @@ constexpr bool is_specular(LobeKind kind) {
     return kind == LobeKind::specular;
 }
 
+template <class SmoothLobe>
+constexpr bool is_diffuse = requires {
+    SmoothLobe::is_diffuse;
+};
+
 /// The part of `tangent` orthogonal to the unit vector `n`, of unit length.
 Vec3 orthonormal_tangent(const Vec3& n, const Vec3& tangent) {
     const Vec3 across = tangent - n.dot(tangent) * n;
@@ -86,7 +91,9 @@ Evaluation Bsdf::evaluate_local(const Picks& picks, const Vec3f& wo, const Vec3f
                 if constexpr (!is_specular(lobe.kind)) {
                     const Evaluation part = lobe.evaluate(wo, wi);
                     if (lobe.kind == side) sum.f += part.f;
-                    sum.pdf += picks.of[k] * part.pdf;
+                    if (!is_diffuse<std::decay_t<decltype(lobe)>> || lobe.kind == side) {
+                        sum.pdf += picks.of[k] * part.pdf;
+                    }
                 }
             },
             lobes_[k]);
@@ -105,23 +112,33 @@ Evaluation Bsdf::evaluate(const Vec3& wo, const Vec3& wi) const {
 }
 
 std::optional<BsdfSample> Bsdf::sample_smooth(const Picks& picks, const Vec3& wo,
-                                              const Vec3f& local_wo,
-                                              const std::optional<Vec3f>& local_wi) const {
-    if (!local_wi) return {};
-    const Vec3 wi = to_world(Vec3(*local_wi));
-    const LobeKind where = side(wo, wi);
-    const Evaluation e = evaluate_local(picks, local_wo, *local_wi, where);
+                                              const Vec3f& local_wo, Vec3f local_wi,
+                                              std::optional<LobeKind> diffuse_side) const {
+    Vec3 wi = to_world(Vec3(local_wi));
+    LobeKind where = side(wo, wi);
+    const bool turned = diffuse_side && where != *diffuse_side;
+    if (turned) {
+        wi = -wi;
+        local_wi = -local_wi;
+        where = side(wo, wi);
+    }
+    const Evaluation e = evaluate_local(picks, local_wo, local_wi, where);
     if (!(e.pdf > 0) || is_black(e.f)) return {};
     const bool transmission = where == LobeKind::transmission;
-    return BsdfSample{wi, e.f, e.pdf, false, transmission, 1};
+    return BsdfSample{wi, e.f, e.pdf, false, transmission, turned, 1};
 }
 
 std::optional<BsdfSample> Bsdf::sample_specular(float pick,
                                                 const std::optional<SpecularSample>& chosen) const {
     if (!chosen || chosen->wi.z == 0) return {};
     const auto cos = static_cast<float>(std::abs(chosen->wi.z));
-    return BsdfSample{to_world(chosen->wi), chosen->weight / cos, pick * chosen->probability, true,
-                      chosen->transmission, chosen->eta};
+    return BsdfSample{to_world(chosen->wi),
+                      chosen->weight / cos,
+                      pick * chosen->probability,
+                      true,
+                      chosen->transmission,
+                      false,
+                      chosen->eta};
 }
 
 std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, float lobe_choice, const Vec2& uv) const {
@@ -135,7 +152,11 @@ std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, float lobe_choice, const 
             if constexpr (is_specular(lobe.kind)) {
                 return sample_specular(picks.of[chosen], lobe.sample(exact_wo, uv.x));
             } else {
-                auto sampled = sample_smooth(picks, wo, local_wo, lobe.sample(local_wo, uv));
+                const std::optional<Vec3f> local_wi = lobe.sample(local_wo, uv);
+                if (!local_wi) return {};
+                std::optional<LobeKind> diffuse_side;
+                if (is_diffuse<std::decay_t<decltype(lobe)>>) diffuse_side = lobe.kind;
+                auto sampled = sample_smooth(picks, wo, local_wo, *local_wi, diffuse_side);
                 if (sampled) sampled->eta = index_beyond(lobe, local_wo);
                 return sampled;
             }

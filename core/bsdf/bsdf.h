@@ -16,6 +16,7 @@ struct BsdfSample {
     float pdf;      ///< density by solid angle; of a specular lobe the probability of the choice
     bool specular;  ///< no other direction has a part in it, and `evaluate` knows nothing of it
     bool transmission;  ///< through the surface
+    bool turned;        ///< between the horizons of the geometric and the shading normal
     float eta;  ///< index on the side of `wi` over that on the side of `wo`; 1 for a reflection
 };
 
@@ -78,8 +79,8 @@ class Bsdf {
     Evaluation evaluate_local(const Picks& picks, const Vec3f& wo, const Vec3f& wi,
                               LobeKind side) const;
     std::optional<BsdfSample> sample_smooth(const Picks& picks, const Vec3& wo,
-                                            const Vec3f& local_wo,
-                                            const std::optional<Vec3f>& local_wi) const;
+                                            const Vec3f& local_wo, Vec3f local_wi,
+                                            std::optional<LobeKind> diffuse_side) const;
     std::optional<BsdfSample> sample_specular(float pick,
                                               const std::optional<SpecularSample>& chosen) const;
 

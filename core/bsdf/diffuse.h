@@ -9,10 +9,11 @@ namespace etalon {
 /// Lambert's reflection: the same radiance to everywhere.
 struct LambertReflection {
     static constexpr LobeKind kind = LobeKind::reflection;
+    static constexpr bool is_diffuse = true;
     Color reflectance;
 
-    Evaluation evaluate(const Vec3f& wo, const Vec3f& wi) const {
-        return {reflectance * inverse_pi, same_side(wo, wi) ? std::abs(wi.z) * inverse_pi : 0};
+    Evaluation evaluate(const Vec3f&, const Vec3f& wi) const {
+        return {reflectance * inverse_pi, std::abs(wi.z) * inverse_pi};
     }
     std::optional<Vec3f> sample(const Vec3f& wo, const Vec2& uv) const {
         return cosine_direction(wo, uv);
@@ -24,10 +25,11 @@ struct LambertReflection {
 /// Lambert's law for what comes out on the other side.
 struct LambertTransmission {
     static constexpr LobeKind kind = LobeKind::transmission;
+    static constexpr bool is_diffuse = true;
     Color transmittance;
 
-    Evaluation evaluate(const Vec3f& wo, const Vec3f& wi) const {
-        return {transmittance * inverse_pi, same_side(wo, wi) ? 0 : std::abs(wi.z) * inverse_pi};
+    Evaluation evaluate(const Vec3f&, const Vec3f& wi) const {
+        return {transmittance * inverse_pi, std::abs(wi.z) * inverse_pi};
     }
     std::optional<Vec3f> sample(const Vec3f& wo, const Vec2& uv) const {
         return cosine_direction(-wo, uv);

@@ -5,6 +5,9 @@
 // A smooth lobe: `evaluate(wo, wi)`, whose value answers for any two directions, though only the
 // lobes of the side that `wi` lies on by the geometric normal are asked; `sample(wo, uv)`, a
 // direction with the density that `evaluate` says, or none.
+// A diffuse lobe is a smooth one with `is_diffuse`. Its value is about the same for all directions
+// on its side of the geometric normal, so its density, too, answers for any two directions: samples
+// on the wrong side of that normal are to be turned round.
 // A specular lobe: `sample(wo, choice)`.
 #pragma once
 

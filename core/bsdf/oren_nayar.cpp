@@ -14,8 +14,8 @@ Evaluation OrenNayarReflection::evaluate(const Vec3f& wo, const Vec3f& wi) const
     // the normal: its sines are those of the difference's cosine, so that one division is left.
     const float across = std::max(0.0F, wo.x * wi.x + wo.y * wi.y);
     const float cos_beta = std::max(std::abs(wi.z), std::abs(wo.z));
-    const float pdf = same_side(wo, wi) ? std::abs(wi.z) * inverse_pi : 0;
-    return {reflectance_ * ((a_ + b_ * across / cos_beta) * inverse_pi), pdf};
+    return {reflectance_ * ((a_ + b_ * across / cos_beta) * inverse_pi),
+            std::abs(wi.z) * inverse_pi};
 }
 
 }  // namespace etalon

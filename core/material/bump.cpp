@@ -3,7 +3,9 @@
 namespace etalon {
 
 ShadingFrame bumped(const NumberSlot& bump, const PointValues& values, const MaterialPoint& point) {
-    constexpr double step = 0.0005;  // of u and v: PBRT version 3's where it knows no pixel's size
+    // Of u and v. pbrt-v3's is half a sample's footprint: less than any bump that is worth seeing,
+    // much more than the roundings of heights.
+    constexpr double step = 0x1p-14;
     const auto height = [&](const Vec2& uv, const Vec3& position) {
         return double(values.textures.number(bump, {uv, position}));
     };

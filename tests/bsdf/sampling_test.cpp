@@ -69,6 +69,35 @@ TEST_CASE("A sample says what evaluating its direction says", "[bsdf]") {
     }
 }
 
+TEST_CASE("Diffuse lobes fill the hemisphere of the geometric normal", "[bsdf]") {
+    const Vec3 ng(0, 0, 1), wo = normalized(Vec3(-0.4, 0.1, 0.5));
+    const std::vector<std::vector<Lobe>> cases = {
+        {LambertReflection{Color(1)}},
+        {OrenNayarReflection(Color(1), 30)},
+        {LambertTransmission{Color(1)}},
+        {LambertReflection{Color(0.5F)}, LambertTransmission{Color(0.5F)}}};
+    // Shading normals to which the eye is above and below.
+    for (const Vec3& ns : {normalized(Vec3(0.5, 0, 1)), normalized(Vec3(1.5, 0, 1))}) {
+        for (const std::vector<Lobe>& lobes : cases) {
+            Bsdf bsdf(ng, ns, Vec3(0, 1, 0));
+            for (const Lobe& lobe : lobes) bsdf.add(lobe);
+            const SphereSampler sampler = [&](Random& random) -> std::optional<Vec3> {
+                const std::optional<BsdfSample> sample = draw(bsdf, wo, random);
+                REQUIRE(sample);
+                const Evaluation e = bsdf.evaluate(wo, sample->wi);
+                CHECK(sample->pdf == Approx(e.pdf).epsilon(1e-3));
+                CHECK(sample->transmission == (sample->wi.z < 0));
+                const bool same_of_ns = sample->wi.dot(ns) * wo.dot(ns) > 0;
+                CHECK(sample->turned == (same_of_ns == sample->transmission));
+                return sample->wi;
+            };
+            const SphereDensity density = [&](const Vec3& wi) { return bsdf.evaluate(wo, wi).pdf; };
+            INFO(lobes.size() << " lobes, " << wo.dot(ns));
+            CHECK(chi_square_probability(sampler, density, 5) > 1e-3);
+        }
+    }
+}
+
 TEST_CASE("The density's integral is the probability of smooth lobes", "[bsdf]") {
     // A quarter of the light that is not lost goes to the mirror, whatever the direction.
     const Bsdf bsdf =

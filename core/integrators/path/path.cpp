@@ -309,7 +309,8 @@ void PathTracer::Batch::scatter(const Vertex& v, std::size_t number) {
     path.throughput *= s->f * (cosine / s->pdf);
     path.pdf = s->pdf;
     path.specular = s->specular;
-    path.last_ray = t_.direct_only_ && !s->specular;
+    // From between the horizons pbrt-v3 takes the light of lights only.
+    path.last_ray = s->turned || (t_.direct_only_ && !s->specular);
     path.eta_scale *= s->eta * s->eta;
     ++path.depth;
     if (!survives(path)) return;
