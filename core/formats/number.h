@@ -12,9 +12,10 @@ struct ScannedNumber {
     NumberStatus status;
 };
 
-/// Reads the longest number that [first, last) starts with. The double is the nearest one; what is
+/// Reads the longest number that [first, last) starts with, to the nearest one of the type; what is
 /// too small for any is zero. "inf", "nan" and hexadecimal numbers are malformed.
 ScannedNumber scan_number(const char* first, const char* last, double& value);
+ScannedNumber scan_number(const char* first, const char* last, float& value);
 
 /// The same for an integer, which has no point and no exponent.
 ScannedNumber scan_number(const char* first, const char* last, std::int64_t& value);

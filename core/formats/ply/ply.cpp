@@ -1,7 +1,9 @@
 #include "core/formats/ply/ply.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <span>
 
 #include "core/formats/ply/ply_faces.h"
 #include "core/formats/ply/ply_vertices.h"

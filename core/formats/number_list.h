@@ -1,0 +1,41 @@
+// Long lists of numbers, as meshes in scene files are.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace etalon {
+
+/// Reads numbers with blanks and comments, from '#' to the end of the line, between them, until
+/// `values` are full or the text goes on with anything else: its end, a bracket or a quotation
+/// mark, or a word that is no number as a whole, or none of the type. Moves p there. Returns how
+/// many were read. T is float, double or std::int32_t, to which what has a point is cut off.
+template <class T>
+std::size_t read_numbers(const char*& p, const char* last, std::span<T> values);
+
+/// Appends all numbers up to such a place to `values`, a vector of T. The text up to `last` should
+/// be the list's: room is made for as many numbers as it would hold if all were as long as the
+/// first.
+template <class Vector>
+void read_numbers(const char*& p, const char* last, Vector& values) {
+    using T = typename Vector::value_type;
+    constexpr std::size_t most_at_once = 1 << 14;  // they stay in the nearest cache
+    const char* const first = p;
+    const std::size_t before = values.size();
+    std::size_t count = before;
+    while (true) {
+        const std::size_t room = (static_cast<std::size_t>(last - p) + 1) / 2;  // a digit, a blank
+        values.resize(count + std::min(most_at_once, room));
+        count += read_numbers(p, last, std::span<T>(values).subspan(count));
+        if (count < values.size() || p == last) break;
+        const double numbers_a_byte =
+            static_cast<double>(count - before) / static_cast<double>(p - first);
+        values.reserve(count + static_cast<std::size_t>(1.02 * numbers_a_byte *
+                                                        static_cast<double>(last - p)));
+    }
+    values.resize(count);
+}
+
+}  // namespace etalon
