@@ -33,4 +33,9 @@ inline int count_digits(EightChars chars) {
     return std::countr_zero(others) / 8;
 }
 
+/// Value of the first `count` characters, 1 to 8, which are digits.
+inline std::uint32_t value_of_digits(EightChars chars, int count) {
+    return value_of_eight(chars << (64 - 8 * count));  // their last is then the last of eight
+}
+
 }  // namespace etalon

@@ -27,21 +27,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace etalon {
 
-HWY_EXPORT(scan_double);
-HWY_EXPORT(scan_float);
+namespace {
 
-ScannedNumber scan_number(const char* first, const char* last, double& value) {
-    return HWY_DYNAMIC_DISPATCH(scan_double)(first, last, value);
-}
-
-ScannedNumber scan_number(const char* first, const char* last, float& value) {
-    return HWY_DYNAMIC_DISPATCH(scan_float)(first, last, value);
-}
-
-ScannedNumber scan_number(const char* first, const char* last, std::int64_t& value) {
-    const char* p = first;
-    const bool negative = p != last && *p == '-';
-    p += negative || (p != last && *p == '+');
+/// The sign is read already.
+ScannedNumber scan_long_integer(const char* p, const char* last, bool negative,
+                                std::int64_t& value) {
     const char* const digits = p;
     std::uint64_t number = 0;
     for (; p != last; ++p) {
@@ -57,6 +47,35 @@ ScannedNumber scan_number(const char* first, const char* last, std::int64_t& val
     value = static_cast<std::int64_t>(number);
     if (negative) value = -value;
     return {p, NumberStatus::ok};
+}
+
+}  // namespace
+
+HWY_EXPORT(scan_double);
+HWY_EXPORT(scan_float);
+
+ScannedNumber scan_number(const char* first, const char* last, double& value) {
+    return HWY_DYNAMIC_DISPATCH(scan_double)(first, last, value);
+}
+
+ScannedNumber scan_number(const char* first, const char* last, float& value) {
+    return HWY_DYNAMIC_DISPATCH(scan_float)(first, last, value);
+}
+
+ScannedNumber scan_number(const char* first, const char* last, std::int64_t& value) {
+    const char* p = first;
+    const bool negative = p != last && *p == '-';
+    p += negative || (p != last && *p == '+');
+    if (last - p >= 8) {
+        const EightChars chars = load_eight(p);
+        const int count = count_digits(chars);
+        if (count > 0 && count < 8) {
+            const std::int64_t size = value_of_digits(chars, count);
+            value = negative ? -size : size;
+            return {p + count, NumberStatus::ok};
+        }
+    }
+    return scan_long_integer(p, last, negative, value);
 }
 
 }  // namespace etalon

@@ -57,8 +57,7 @@ HWY_INLINE int read_exponent(const char*& p) {
     const int count = count_digits(digits);
     if (count == 0) return 0;
     p = q + count;
-    const int size =
-        count > 3 ? 1000 : static_cast<int>(value_of_eight(digits << (64 - 8 * count)));
+    const int size = count > 3 ? 1000 : static_cast<int>(value_of_digits(digits, count));
     return negative ? -size : size;
 }
 
