@@ -1,41 +1,37 @@
+// Which triangles of a mesh meet at an edge.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "core/base/result.h"
+
 namespace etalon {
 
-/// Who is next to whom in a mesh of triangles. Half-edge 3 f + k leads from corner k of triangle f
-/// to the next.
-class HalfEdges {
-  public:
-    static constexpr std::uint32_t none = 0xFFFFFFFFU;
+/// The sides of a mesh's triangles, each directed as the triangle's corners follow one another:
+/// side k of triangle t, number 3 t + k, leads from corner k to the next one.
+struct HalfEdges {
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
 
-    /// Nothing where two half-edges lead from one vertex to another: not a surface with two sides.
-    static std::optional<HalfEdges> of(std::span<const std::uint32_t> corners,
-                                       std::size_t vertices);
+    std::vector<std::uint32_t> origins;  ///< vertex that a side starts from: the mesh's indices
+    std::vector<std::uint32_t> twins;  ///< the same edge in the other triangle; none at a boundary
 
-    std::uint32_t from(std::uint32_t h) const { return corners_[h]; }
-    std::uint32_t to(std::uint32_t h) const { return corners_[next(h)]; }
-    static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
-    static std::uint32_t previous(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+    static std::uint32_t next(std::uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
+    static std::uint32_t previous(std::uint32_t side) {
+        return side % 3 == 0 ? side + 2 : side - 1;
+    }
+    std::uint32_t target(std::uint32_t side) const { return origins[next(side)]; }
 
-    /// The same edge, the other way; none at a boundary.
-    std::uint32_t twin(std::uint32_t h) const { return twins_[h]; }
-
-    /// A half-edge from the vertex; on a boundary the one that runs along it. none if there is no
-    /// triangle at the vertex.
-    std::uint32_t first_of(std::uint32_t vertex) const { return first_[vertex]; }
-    bool is_boundary(std::uint32_t vertex) const { return twin(first_of(vertex)) == none; }
-
-    /// The vertices next to one, counter-clockwise; those of a boundary from one end to the other.
-    void ring(std::uint32_t vertex, std::vector<std::uint32_t>& to) const;
-
-  private:
-    std::span<const std::uint32_t> corners_;
-    std::vector<std::uint32_t> twins_, first_;
+    /// The next side from the same vertex, and the one before. None beyond a boundary.
+    std::uint32_t turned(std::uint32_t side) const {
+        return twins[side] == none ? none : next(twins[side]);
+    }
+    std::uint32_t turned_back(std::uint32_t side) const { return twins[previous(side)]; }
 };
+
+/// Finds the twins. An error if an index is not below vertex_count, if a triangle names a vertex
+/// twice, if more than two triangles meet at an edge or if two follow it in the same direction.
+Result<HalfEdges> make_half_edges(std::span<const std::uint32_t> indices, std::size_t vertex_count);
 
 }  // namespace etalon

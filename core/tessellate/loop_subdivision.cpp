@@ -1,160 +1,140 @@
 #include "core/tessellate/loop_subdivision.h"
 
-#include <algorithm>
-#include <numbers>
+#include <utility>
 
-#include "core/tessellate/half_edges.h"
+#include "core/tessellate/loop_rules.h"
 
 namespace etalon {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr std::uint32_t none = HalfEdges::none;
 
 /// Meshes above this would take more memory than most machines have: some 100 bytes a triangle.
 constexpr std::size_t most_triangles = 50'000'000;
 
-/// Weight of each neighbour of an inner vertex (Warren's choice, as in pbrt-v3).
-double neighbour_weight(std::size_t valence) {
-    return valence == 3 ? 3.0 / 16 : 3.0 / (8 * static_cast<double>(valence));
+std::size_t triangles_after(std::size_t count, int levels) {
+    for (; levels > 0 && count <= most_triangles; --levels) count *= 4;
+    return count;
 }
 
-/// The same for the limit of refining for ever.
-double limit_weight(std::size_t valence) {
-    return 1 / (static_cast<double>(valence) + 3 / (8 * neighbour_weight(valence)));
-}
-
-using Ring = std::vector<std::uint32_t>;
-
-/// The vertex with some of its neighbours, each of that weight: of a boundary those along it.
-Vec3 smoothed(const std::vector<Vec3>& points, std::uint32_t vertex, const Ring& ring,
-              bool is_boundary, double weight) {
-    if (is_boundary) {
-        return (1 - 2 * weight) * points[vertex] +
-               weight * (points[ring.front()] + points[ring.back()]);
+/// The side of vertex v's last triangle that starts from it, for each v.
+std::vector<std::uint32_t> make_starts(const HalfEdges& sides, std::size_t vertex_count) {
+    std::vector<std::uint32_t> starts(vertex_count, none);
+    for (std::uint32_t side = 0; side < sides.origins.size(); ++side) {
+        starts[sides.origins[side]] = side;
     }
-    Vec3 sum(0);
-    for (const std::uint32_t neighbour : ring) sum += points[neighbour];
-    return (1 - static_cast<double>(ring.size()) * weight) * points[vertex] + weight * sum;
+    return starts;
 }
 
-/// Tangent of the limit surface that points inward from a boundary.
-Vec3 inward_tangent(const std::vector<Vec3>& points, std::uint32_t vertex, const Ring& ring) {
-    const std::size_t n = ring.size();
-    const auto p = [&](std::size_t k) { return points[ring[k]]; };
-    const Vec3& v = points[vertex];
-    if (n == 2) return p(0) + p(1) - 2.0 * v;
-    if (n == 3) return p(1) - v;
-    if (n == 4) return 2.0 * (p(1) + p(2)) - p(0) - p(3) - 2.0 * v;
-    const double theta = pi / static_cast<double>(n - 1);
-    Vec3 sum = std::sin(theta) * (p(0) + p(n - 1));
-    for (std::size_t k = 1; k + 1 < n; ++k) {
-        sum += (2 * std::cos(theta) - 2) * std::sin(static_cast<double>(k) * theta) * p(k);
+/// Number of a side of one of the four triangles that `triangle` is split into: those at its
+/// corners 0, 1, 2 and the inner one, 3. A corner's has that corner in the triangle's own place;
+/// the inner one has the middle of side k in place k.
+std::uint32_t side_of_part(std::uint32_t triangle, std::uint32_t part, std::uint32_t side) {
+    return 3 * (4 * triangle + part) + side;
+}
+
+/// The part of a split side next to where it starts, and next to where it ends.
+std::uint32_t first_half(std::uint32_t side) {
+    return side_of_part(side / 3, side % 3, side % 3);
+}
+std::uint32_t second_half(std::uint32_t side) {
+    return side_of_part(side / 3, HalfEdges::next(side) % 3, side % 3);
+}
+
+/// Appends the vertices that split the sides, and returns their numbers.
+std::vector<std::uint32_t> split_sides(const LoopMesh& mesh, LoopMesh& finer) {
+    const HalfEdges& sides = mesh.sides;
+    std::vector<std::uint32_t> middles(sides.origins.size(), none);
+    for (std::uint32_t side = 0; side < middles.size(); ++side) {
+        if (middles[side] != none) continue;
+        middles[side] = static_cast<std::uint32_t>(finer.positions.size());
+        if (sides.twins[side] != none) middles[sides.twins[side]] = middles[side];
+        finer.positions.push_back(odd_position(mesh, side));
+        finer.starts.push_back(side_of_part(side / 3, 3, side % 3));
     }
-    return -sum;
+    return middles;
 }
 
-Vec3 limit_normal(const std::vector<Vec3>& points, std::uint32_t vertex, const Ring& ring,
-                  bool is_boundary) {
-    if (is_boundary) {
-        const Vec3 along = points[ring.back()] - points[ring.front()];
-        return along.cross(inward_tangent(points, vertex, ring));
-    }
-    Vec3 s(0), t(0);
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-        const double angle = 2 * pi * static_cast<double>(k) / static_cast<double>(ring.size());
-        s += std::cos(angle) * points[ring[k]];
-        t += std::sin(angle) * points[ring[k]];
-    }
-    return t.cross(s);
-}
-
-/// A mesh and who is next to whom in it.
-struct Level {
-    std::vector<Vec3> points;
-    std::vector<std::uint32_t> corners;
-};
-
-Vec3 edge_point(const Level& level, const HalfEdges& edges, std::uint32_t h) {
-    const auto& p = level.points;
-    const Vec3 ends = p[edges.from(h)] + p[edges.to(h)];
-    const std::uint32_t twin = edges.twin(h);
-    if (twin == HalfEdges::none) return 0.5 * ends;
-    const Vec3 across =
-        p[edges.from(HalfEdges::previous(h))] + p[edges.from(HalfEdges::previous(twin))];
-    return 3.0 / 8 * ends + 1.0 / 8 * across;
-}
-
-/// Calls visit(vertex, ring, is_boundary) for each vertex that has triangles.
-template <class Visit>
-void for_each_ring(const HalfEdges& edges, std::size_t vertices, const Visit& visit) {
+void move_vertices(const LoopMesh& mesh, LoopMesh& finer) {
     Ring ring;
-    for (std::uint32_t v = 0; v < vertices; ++v) {
-        if (edges.first_of(v) == HalfEdges::none) continue;
-        edges.ring(v, ring);
-        visit(v, ring, edges.is_boundary(v));
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+        const std::uint32_t start = mesh.starts[v];
+        if (start != none) ring.gather(mesh, v);
+        finer.positions.push_back(start == none ? mesh.positions[v]
+                                                : even_position(mesh.positions[v], ring));
+        finer.starts.push_back(start == none ? none : first_half(start));
     }
 }
 
-/// Four triangles for each, with new vertices on the edges.
-Level refined(const Level& level, const HalfEdges& edges) {
-    Level result{level.points, {}};
-    for_each_ring(edges, level.points.size(),
-                  [&](std::uint32_t v, const Ring& ring, bool is_boundary) {
-                      const double weight = is_boundary ? 1.0 / 8 : neighbour_weight(ring.size());
-                      result.points[v] = smoothed(level.points, v, ring, is_boundary, weight);
-                  });
-    std::vector<std::uint32_t> on_edge(level.corners.size());
-    for (std::uint32_t h = 0; h < on_edge.size(); ++h) {
-        const std::uint32_t twin = edges.twin(h);
-        if (twin < h) {
-            on_edge[h] = on_edge[twin];
-        } else {
-            on_edge[h] = static_cast<std::uint32_t>(result.points.size());
-            result.points.push_back(edge_point(level, edges, h));
-        }
-    }
-    result.corners.reserve(4 * level.corners.size());
-    for (std::size_t f = 0; f < level.corners.size(); f += 3) {
-        const std::uint32_t *v = &level.corners[f], *e = &on_edge[f];
-        result.corners.insert(result.corners.end(), {v[0], e[0], e[2], e[0], v[1], e[1],  //
-                                                     e[2], e[1], v[2], e[0], e[1], e[2]});
-    }
-    return result;
+/// Sets the vertices and the twins of the four triangles beside the middle of `side`.
+void connect_side(const HalfEdges& sides, std::uint32_t side, std::uint32_t middle,
+                  HalfEdges& finer) {
+    const std::uint32_t inner = side_of_part(side / 3, 3, side % 3);
+    const std::uint32_t corner = first_half(side), behind = second_half(side);
+    finer.origins[corner] = sides.origins[side];
+    finer.origins[HalfEdges::next(corner)] = middle;
+    finer.origins[behind] = middle;
+    finer.origins[inner] = middle;
+    // The inner triangle's side from here leads to the middle of the next side: it cuts off the
+    // corner between them.
+    const std::uint32_t across = HalfEdges::next(HalfEdges::next(behind));
+    finer.twins[inner] = across;
+    finer.twins[across] = inner;
+    const std::uint32_t twin = sides.twins[side];
+    finer.twins[corner] = twin == none ? none : second_half(twin);
+    finer.twins[behind] = twin == none ? none : first_half(twin);
 }
 
-SmoothMesh limit(Level level, const HalfEdges& edges) {
-    SmoothMesh mesh{level.points, std::vector<Vec3>(level.points.size(), Vec3(0)), {}};
-    const std::size_t count = level.points.size();
-    for_each_ring(edges, count, [&](std::uint32_t v, const Ring& ring, bool is_boundary) {
-        const double weight = is_boundary ? 1.0 / 5 : limit_weight(ring.size());
-        mesh.points[v] = smoothed(level.points, v, ring, is_boundary, weight);
+LoopMesh refined(const LoopMesh& mesh) {
+    LoopMesh finer;
+    move_vertices(mesh, finer);
+    const std::vector<std::uint32_t> middles = split_sides(mesh, finer);
+    finer.sides.origins.resize(4 * middles.size());
+    finer.sides.twins.resize(4 * middles.size());
+    for (std::uint32_t side = 0; side < middles.size(); ++side) {
+        connect_side(mesh.sides, side, middles[side], finer.sides);
+    }
+    return finer;
+}
+
+/// Calls f(vertex, ring) for each vertex that triangles name.
+template <class F>
+void for_each_ring(const LoopMesh& mesh, const F& f) {
+    Ring ring;
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+        if (mesh.starts[v] == none) continue;
+        ring.gather(mesh, v);
+        f(v, ring);
+    }
+}
+
+SmoothMesh on_surface(LoopMesh mesh) {
+    std::vector<Vec3> positions = mesh.positions;
+    for_each_ring(mesh, [&](std::uint32_t v, const Ring& ring) {
+        positions[v] = limit_position(mesh.positions[v], ring);
     });
-    // Tangents of limit positions, as pbrt-v3 takes them.
-    for_each_ring(edges, count, [&](std::uint32_t v, const Ring& ring, bool is_boundary) {
-        mesh.normals[v] = limit_normal(mesh.points, v, ring, is_boundary);
+    mesh.positions = std::move(positions);
+    std::vector<Vec3> normals(mesh.positions.size(), Vec3(0));
+    for_each_ring(mesh, [&](std::uint32_t v, const Ring& ring) {
+        normals[v] = limit_normal(mesh.positions[v], ring);
     });
-    mesh.corners = std::move(level.corners);
-    return mesh;
+    return {std::move(mesh.positions), std::move(normals), std::move(mesh.sides.origins)};
 }
 
 }  // namespace
 
 Result<SmoothMesh> loop_subdivision(std::span<const Vec3> points,
                                     std::span<const std::uint32_t> corners, int levels) {
-    Level level{{points.begin(), points.end()}, {corners.begin(), corners.end()}};
-    for (int i = 0;; ++i) {
-        const std::optional<HalfEdges> edges = HalfEdges::of(level.corners, level.points.size());
-        if (!edges) {
-            return {{},
-                    "an edge belongs to more than two triangles, or to two that turn the other "
-                    "way round"};
-        }
-        if (i >= levels) return {limit(std::move(level), *edges), {}};
-        if (4 * level.corners.size() / 3 > most_triangles) {
-            return {{}, "more than 50 million triangles after so many levels"};
-        }
-        level = refined(level, *edges);
+    Result<HalfEdges> sides = make_half_edges(corners, points.size());
+    if (!sides) return {{}, sides.error};
+    if (triangles_after(corners.size() / 3, levels) > most_triangles) {
+        return {{}, "more than 50 million triangles after so many levels"};
     }
+    if (corners.empty()) levels = 0;
+    LoopMesh mesh{std::move(sides.value), {points.begin(), points.end()}, {}};
+    mesh.starts = make_starts(mesh.sides, points.size());
+    for (int level = 0; level < levels; ++level) mesh = refined(mesh);
+    return {on_surface(std::move(mesh)), {}};
 }
 
 }  // namespace etalon
