@@ -15,7 +15,7 @@
 namespace etalon {
 
 inline bool is_blank(char c) {
-    return c == ' ' || (c >= '\t' && c <= '\r');
+    return c == ' ' || c == '\n' || c == '\t' || c == '\r';
 }
 
 inline bool ends_number(char c) {
@@ -26,7 +26,7 @@ inline bool ends_number(char c) {
 inline void skip_blanks(const char*& p, const char* last) {
     while (p != last) {
         if (*p == '#') {
-            p = std::find(p, last, '\n');
+            p = std::find_if(p, last, [](char c) { return c == '\n' || c == '\r'; });
         } else if (is_blank(*p)) {
             ++p;
         } else {

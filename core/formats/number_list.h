@@ -15,9 +15,8 @@ namespace etalon {
 template <class T>
 std::size_t read_numbers(const char*& p, const char* last, std::span<T> values);
 
-/// Appends all numbers up to such a place to `values`, a vector of T. The text up to `last` should
-/// be the list's: room is made for as many numbers as it would hold if all were as long as the
-/// first.
+/// Appends all numbers up to such a place to `values`, a vector of T. For a long list room is made
+/// as if it went on to the next bracket with numbers as long as the first.
 template <class Vector>
 void read_numbers(const char*& p, const char* last, Vector& values) {
     using T = typename Vector::value_type;
@@ -30,10 +29,11 @@ void read_numbers(const char*& p, const char* last, Vector& values) {
         values.resize(count + std::min(most_at_once, room));
         count += read_numbers(p, last, std::span<T>(values).subspan(count));
         if (count < values.size() || p == last) break;
+        if (values.capacity() >= count + most_at_once) continue;
+        const double bytes_to_come = static_cast<double>(std::find(p, last, ']') - p);
         const double numbers_a_byte =
             static_cast<double>(count - before) / static_cast<double>(p - first);
-        values.reserve(count + static_cast<std::size_t>(1.02 * numbers_a_byte *
-                                                        static_cast<double>(last - p)));
+        values.reserve(count + static_cast<std::size_t>(1.02 * numbers_a_byte * bytes_to_come));
     }
     values.resize(count);
 }

@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstring>
-#include <limits>
 
 #include "core/formats/diagnostic_log.h"
-#include "core/formats/number.h"
-#include "core/formats/pbrt/number.h"
+#include "core/formats/number_list.h"
 
 namespace etalon::pbrt {
 namespace {
@@ -41,32 +37,6 @@ bool unescape(const char* first, const char* last, std::string& text) {
         if (escape == escapes.end()) return false;
         text += escape->meaning;
     }
-    return true;
-}
-
-/// Reads a finite float that ends with its word.
-bool scan(const char*& p, const char* last, float& value) {
-    double nearest = 0;
-    const ScannedNumber number = scan_number(p, last, nearest);
-    if (number.status != NumberStatus::ok || (number.end != last && !ends_word(*number.end))) {
-        return false;
-    }
-    value = to_float(nearest, p, number.end);
-    if (!std::isfinite(value)) return false;
-    p = number.end;
-    return true;
-}
-
-/// Reads an integer without point or exponent that ends with its word.
-bool scan(const char*& p, const char* last, std::int32_t& value) {
-    std::int64_t wide = 0;
-    const ScannedNumber number = scan_number(p, last, wide);
-    if (number.status != NumberStatus::ok || (number.end != last && !ends_word(*number.end))) {
-        return false;
-    }
-    value = static_cast<std::int32_t>(wide);
-    if (value != wide) return false;
-    p = number.end;
     return true;
 }
 
@@ -129,23 +99,12 @@ Token Lexer::malformed(const char* start, std::string_view why) {
     return {TokenKind::malformed, why, static_cast<std::size_t>(start - first_)};
 }
 
-template <class T, class Scan>
-void Lexer::take(std::vector<T>& values, Scan scan_one) {
-    while (true) {
-        skip_blanks();
-        T value;
-        if (cursor_ == last_ || !scan_one(cursor_, last_, value)) return;
-        values.push_back(value);
-    }
-}
-
 void Lexer::take_numbers(std::vector<float>& values) {
-    take(values, [](const char*& p, const char* last, float& v) { return scan(p, last, v); });
+    read_numbers(cursor_, last_, values);
 }
 
 void Lexer::take_numbers(std::vector<std::int32_t>& values) {
-    take(values,
-         [](const char*& p, const char* last, std::int32_t& v) { return scan(p, last, v); });
+    read_numbers(cursor_, last_, values);
 }
 
 }  // namespace etalon::pbrt

@@ -33,7 +33,8 @@ class Lexer {
 
     Token next();
 
-    /// Appends the numbers that follow, up to the first token that is not simply a finite number.
+    /// Appends the numbers that follow, up to the first token that is not simply a finite number,
+    /// or one that is no integer of 32 bits once its fraction is cut off.
     void take_numbers(std::vector<float>& values);
     void take_numbers(std::vector<std::int32_t>& values);
 
@@ -42,9 +43,6 @@ class Lexer {
     void skip_blanks();
     Token string();
     Token malformed(const char* start, std::string_view why);
-
-    template <class T, class Scan>
-    void take(std::vector<T>& values, Scan scan);
 
     const char *first_, *cursor_, *last_;
     std::string unescaped_;  ///< text of the last string with escapes
