@@ -45,7 +45,7 @@ HWY_INLINE std::uint32_t bits_of(const Mask& mask) {
 }
 
 /// Bytes from the beginning of a number that read_short() may look at.
-inline constexpr std::ptrdiff_t short_reach = 24;
+inline constexpr std::ptrdiff_t short_reach = 32;
 
 /// Reads up to three digits of an exponent, of which p is at the 'e', and moves past it; 1000 if
 /// there are more, and nothing if there are none, as the 'e' is then no part of the number.
