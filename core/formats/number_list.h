@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 namespace etalon {
@@ -30,10 +31,13 @@ void read_numbers(const char*& p, const char* last, Vector& values) {
         count += read_numbers(p, last, std::span<T>(values).subspan(count));
         if (count < values.size() || p == last) break;
         if (values.capacity() >= count + most_at_once) continue;
-        const double bytes_to_come = static_cast<double>(std::find(p, last, ']') - p);
+        const void* const bracket = std::memchr(p, ']', static_cast<std::size_t>(last - p));
+        const char* const end = bracket ? static_cast<const char*>(bracket) : last;
         const double numbers_a_byte =
             static_cast<double>(count - before) / static_cast<double>(p - first);
-        values.reserve(count + static_cast<std::size_t>(1.02 * numbers_a_byte * bytes_to_come));
+        const auto to_come =
+            static_cast<std::size_t>(1.02 * numbers_a_byte * static_cast<double>(end - p));
+        values.reserve(count + std::min(to_come, 7 * count));  // the first may be short
     }
     values.resize(count);
 }
