@@ -1,7 +1,5 @@
 #include "core/formats/number_list.h"
 
-#include <cmath>
-
 #include "core/numerics/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -44,7 +42,8 @@ namespace etalon::HWY_NAMESPACE {
 HWY_INLINE ScannedNumber scan(const char* first, const char* last, std::int32_t& value) {
     double number = 0;
     const ScannedNumber scanned = scan(first, last, number);
-    if (!(std::abs(number) < 0x1p31)) return {scanned.end, NumberStatus::out_of_range};
+    if (!(number > -0x1p31 - 1 && number < 0x1p31))
+        return {scanned.end, NumberStatus::out_of_range};
     value = static_cast<std::int32_t>(number);
     return scanned;
 }

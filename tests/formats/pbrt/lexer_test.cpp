@@ -77,13 +77,13 @@ TEST_CASE("a run of numbers ends before the first token that is not simply one")
     }
 }
 
-TEST_CASE("a run of integers ends before one that is too large or has a point") {
-    for (const char* other : {"2147483648", "1.0", "1e3", "x"}) {
-        const std::string text = std::string("-2147483648 2147483647 ") + other;
+TEST_CASE("a run of integers ends before one that is too large, and cuts fractions off") {
+    for (const char* other : {"2147483648", "-2147483649", "1e10", "x"}) {
+        const std::string text = std::string("-2147483648 2147483647 1.9 -1e3 ") + other;
         Lexer lexer(text);
         std::vector<std::int32_t> values;
         lexer.take_numbers(values);
-        CHECK(values == std::vector{-2147483647 - 1, 2147483647});
+        CHECK(values == std::vector{-2147483647 - 1, 2147483647, 1, -1000});
         CHECK(lexer.next().text == other);
     }
 }
