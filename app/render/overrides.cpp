@@ -68,14 +68,6 @@ std::vector<std::string_view> integrator_options(const RenderArguments& a) {
     return given;
 }
 
-std::vector<std::string_view> integrators_for(const Scene& scene) {
-    std::vector<std::string_view> names;
-    for (const IntegratorType& type : all_integrators()) {
-        if (type.renders(scene)) names.push_back(type.name);
-    }
-    return names;
-}
-
 /// Refuses what the integrator would ignore.
 std::string apply_integrator(const RenderArguments& a, const Scene& scene,
                              RenderSettings& settings) {

@@ -103,6 +103,12 @@ int measure_convergence(const ConvergenceArguments& a) {
                               [&](double part) { progress.update((done + part) / count); }};
         RenderSettings settings = named.settings;
         choose_integrator(a.integrators[i], settings);
+        if (!find_integrator(settings.integrator)->renders(*named.scene)) {
+            return fail(exit_usage, fmt::format("--integrators: {} cannot render a {} scene; "
+                                                "expected {}",
+                                                settings.integrator, named.scene->format,
+                                                fmt::join(integrators_for(*named.scene), " or ")));
+        }
         Result<Measured> one = measure_integrator(a, named, settings, run);
         if (!one) return fail(exit_unusable, one.error);
         all.reference = one.value.reference;

@@ -50,4 +50,12 @@ std::vector<std::string> integrator_names() {
     return names;
 }
 
+std::vector<std::string> integrators_for(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const IntegratorType& type : integrators) {
+        if (type.renders(scene)) names.emplace_back(type.name);
+    }
+    return names;
+}
+
 }  // namespace etalon

@@ -45,4 +45,7 @@ const IntegratorType* find_integrator(std::string_view name);
 /// Names of all integrators: "whitted", ...
 std::vector<std::string> integrator_names();
 
+/// Names of those that render the scene.
+std::vector<std::string> integrators_for(const Scene& scene);
+
 }  // namespace etalon

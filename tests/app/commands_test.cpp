@@ -159,9 +159,12 @@ TEST_CASE("render takes any integrator by name, auto is the scene's own", "[app]
 TEST_CASE("an unknown integrator is refused with the list, and what one would ignore", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
-    const auto unknown = f.etalon("render ball.p3f --integrator path");
+    const auto unknown = f.etalon("render ball.p3f --integrator bdpt");
     CHECK(unknown.status == 2);
-    CHECK_THAT(unknown.err + unknown.out, ContainsSubstring("auto, whitted, ao"));
+    CHECK_THAT(unknown.err + unknown.out, ContainsSubstring("auto, whitted, path, ao"));
+    const auto other = f.etalon("render ball.p3f --integrator path");
+    CHECK(other.status == 2);
+    CHECK_THAT(other.err, ContainsSubstring("cannot render a p3f scene; expected whitted or ao"));
     const std::pair<std::string, std::string> ignored[] = {
         {"--max-distance 2", "--integrator ao"},
         {"--integrator whitted --max-distance 2", "--integrator ao"},
@@ -195,7 +198,7 @@ TEST_CASE("Wrong usage ends with 2, an unusable scene with 3, an unwritable outp
          {"", "paint ball.p3f", "render", "render ball.p3f --spp many", "render ball.p3f -b magic",
           "render ball.p3f --crop 1,2,3", "render ball.p3f --crop 0,0,99,5",
           "render ball.p3f --resolution 0x5", "render ball.p3f -o a.gif",
-          "render ball.p3f --integrator path", "render ball.p3f --aov M", "trace ball.p3f"}) {
+          "render ball.p3f --integrator bdpt", "render ball.p3f --aov M", "trace ball.p3f"}) {
         INFO(wrong);
         const auto r = f.etalon(wrong);
         CHECK(r.status == 2);

@@ -70,7 +70,7 @@ check_completion() {
     expect "none grid bvh embree embree-user embree-builtin" etalon render --backend = ""
     expect "bvh" etalon render --backend = b
     expect "bvh,grid" etalon crosscheck scene.p3f -b bvh,g
-    expect "p3f prt" etalon info --format p
+    expect "pbrt p3f prt" etalon info --format p
     expect "--seed" etalon render scene.p3f --see
     expect "" etalon render scene.p3f -o im
     expect "" etalon render sc
