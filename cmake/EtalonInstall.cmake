@@ -40,7 +40,8 @@ function(etalon_install_package)
   install(DIRECTORY app bench core embree_backend native_accel scenes
     DESTINATION ${ETALON_INSTALL_INCLUDEDIR} COMPONENT development
     FILES_MATCHING PATTERN "*.h"
-    PATTERN scenes/features EXCLUDE PATTERN scenes/skybox EXCLUDE)
+    PATTERN scenes/features EXCLUDE PATTERN scenes/pbrt EXCLUDE
+    PATTERN scenes/skybox EXCLUDE)
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/EtalonConfigVersion.cmake
     COMPATIBILITY SameMinorVersion)
   install(FILES

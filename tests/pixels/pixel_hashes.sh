@@ -87,10 +87,12 @@ ray_counts() {
     sed -n '/"rays": {/,/}/p' "$1" | tr -d ' \n"' | sed 's/^rays:{//; s/},*$//'
 }
 
-# result_of SCENE SIZE BACKEND: hash and rays.
+# result_of SCENE SIZE BACKEND: hash and rays, by the integrator that the scene's format is made for.
 result_of() {
+    local integrator=whitted
+    [[ $1 != *.pbrt ]] || integrator=path
     rm -f "$scratch"/image.exr "$scratch"/stats.json
-    "$program" render "$1" --resolution "$2" --spp "$spp" --backend "$3" --integrator whitted \
+    "$program" render "$1" --resolution "$2" --spp "$spp" --backend "$3" --integrator "$integrator" \
         --threads 1 --quiet --display-values -o "$scratch/image.exr" --stats "$scratch/stats.json" \
         >/dev/null 2>"$scratch/errors" || {
         echo "failed: $(head -1 "$scratch/errors")"
@@ -132,10 +134,15 @@ hash_scene() {
     compare_backends "$1" "$2" "$large" "${others[@]}"
 }
 
+# is_scene FILE: a PBRT file without a world is a part of another.
+is_scene() {
+    [[ $1 != *.pbrt ]] || grep -q WorldEnd "$1"
+}
+
 for folder; do
     while read -r scene; do
-        hash_scene "${scene#"$folder"/}" "$scene"
+        ! is_scene "$scene" || hash_scene "${scene#"$folder"/}" "$scene"
     done < <(find "$folder" -type f \
-        \( -name '*.p3f' -o -name '*.nff' -o -name '*.prt' -o -name '*.sce' \) | sort)
+        \( -name '*.p3f' -o -name '*.nff' -o -name '*.prt' -o -name '*.sce' -o -name '*.pbrt' \) | sort)
 done
 exit "$status"

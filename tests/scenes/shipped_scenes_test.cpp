@@ -50,7 +50,8 @@ bool has(const Scene& scene, auto condition) {
 TEST_CASE("Every shipped scene loads strictly, without a diagnostic", "[scenes]") {
     int count = 0;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.path().extension() != ".p3f") continue;
+        const std::string extension = entry.path().extension();
+        if (extension != ".p3f" && extension != ".pbrt") continue;
         INFO(entry.path());
         LoadOptions options;
         options.strict = true;
@@ -59,7 +60,7 @@ TEST_CASE("Every shipped scene loads strictly, without a diagnostic", "[scenes]"
         CHECK(result.scene.has_value());
         ++count;
     }
-    CHECK(count >= 18);
+    CHECK(count >= 24);
 }
 
 TEST_CASE("The showcase uses every word of P3F", "[scenes]") {

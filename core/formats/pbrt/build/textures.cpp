@@ -180,6 +180,30 @@ etalon::Texture<T> build(SceneBuilder& b, const pbrt::Texture& t) {
     return ConstantTexture<T>{T(1.0F)};
 }
 
+/// How many textures may be evaluated for one value: nests that need more are no scene's, and could
+/// take years, or more stack than there is.
+constexpr std::size_t most_evaluations = 1000;
+
+/// How many textures are evaluated for one value of `t`, if each of those before it takes `of`.
+std::size_t evaluations(const pbrt::Texture& t, const std::vector<std::size_t>& of) {
+    std::size_t sum = 1;
+    for (const Argument& a : t.plugin.parameters.arguments()) {
+        if (const auto* input = std::get_if<TextureNumber>(&a.values)) sum += of[input->number];
+    }
+    return sum;
+}
+
+/// The same with a constant for a nest that is too large.
+template <class T>
+etalon::Texture<T> build_bounded(SceneBuilder& b, const pbrt::Texture& t, std::size_t& cost) {
+    if (cost <= most_evaluations) return build<T>(b, t);
+    b.warn(t.plugin.where, "nest",
+           "more than {} textures are nested in this one; the constant 1 stands in for it",
+           most_evaluations);
+    cost = 1;
+    return ConstantTexture<T>{T(1.0F)};
+}
+
 template <class T>
 std::uint32_t append(std::vector<T>& list, T&& value) {
     list.push_back(std::forward<T>(value));
@@ -190,10 +214,13 @@ std::uint32_t append(std::vector<T>& list, T&& value) {
 
 void build_textures(SceneBuilder& b) {
     Textures& textures = b.look().textures;
+    std::vector<std::size_t> costs;
     for (const pbrt::Texture& t : b.frame.textures) {
+        costs.push_back(evaluations(t, costs));
         const bool is_number = t.plugin.type->category == Category::float_texture;
-        b.texture_numbers.push_back(is_number ? append(textures.numbers, build<float>(b, t))
-                                              : append(textures.colors, build<Color>(b, t)));
+        b.texture_numbers.push_back(
+            is_number ? append(textures.numbers, build_bounded<float>(b, t, costs.back()))
+                      : append(textures.colors, build_bounded<Color>(b, t, costs.back())));
     }
 }
 

@@ -125,7 +125,7 @@ constexpr std::array types = {
     PluginType{Category::material, "glass", glass},
     PluginType{Category::material, "mirror", mirror},
     PluginType{Category::material, "metal", metal},
-    PluginType{Category::material, "substrate", substrate, {}, as_matte},
+    PluginType{Category::material, "substrate", substrate},
     PluginType{Category::material, "uber", uber},
     PluginType{Category::material, "disney", disney, {}, as_matte},
     PluginType{Category::material, "hair", hair, {}, as_matte},
