@@ -89,8 +89,7 @@ int convert_text(const ConvertArguments& a, std::optional<std::string_view> text
                       a.scene.path, loaded.scene->format, "P3F, NFF, PRT or SCE");
         return exit_unusable;
     }
-    const WrittenScene written =
-        writer_of(a)(*loaded.scene, loaded.settings, output_directory(a));
+    const WrittenScene written = writer_of(a)(*loaded.scene, loaded.settings, output_directory(a));
     if (!tolerates(a, written)) return exit_unusable;
     return write_text(a.output, written.text) ? exit_done : exit_not_written;
 }

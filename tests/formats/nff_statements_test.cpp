@@ -61,7 +61,9 @@ TEST_CASE("an NFF light with a colour has that colour, and counts among the ligh
     const LoadResult r = load_nff_text("l 1 2 3 0.5 2 1\nl 0 0 1\nl 0 0 2 1 1 1\nl 0 0 3");
     CHECK(messages(r).empty());
     REQUIRE(r.scene->whitted().lights.size() == 4);
-    const auto color = [&](int i) { return std::get<PointLight>(r.scene->whitted().lights[i]).color; };
+    const auto color = [&](int i) {
+        return std::get<PointLight>(r.scene->whitted().lights[i]).color;
+    };
     CHECK(color(0) == Color(0.5F, 2, 1));
     CHECK(color(1) == Color(0.5F));
     CHECK(color(2) == Color(1.0F));

@@ -148,5 +148,6 @@ TEST_CASE("legacy looks a skybox up as the old programs did") {
     make_faces(scratch.path / "sky", faces(".jpg"));
     LoadOptions legacy;
     legacy.legacy = true;
-    CHECK(load_beside(scratch.path, "env sky", legacy).scene->whitted().environment.skybox->nearest);
+    CHECK(
+        load_beside(scratch.path, "env sky", legacy).scene->whitted().environment.skybox->nearest);
 }

@@ -97,7 +97,7 @@ void build_triangle_mesh(ShapeBuilder& s) {
     }
     mesh.uvs = mesh.uvs.first(std::min(mesh.uvs.size(), 2 * vertices));
     auto checked = corners(p.integers("indices"), vertices);
-    if (const auto* why = std::get_if<std::string>(&checked)) return s.leave_out(*why);
+    if (const auto* why = std::get_if<std::string>(&checked)) return s.skip(*why);
     mesh.corners = std::get<0>(checked);
     mesh.flipped = s.shape.reverse_orientation;
     build_mesh(s, mesh);
@@ -106,11 +106,11 @@ void build_triangle_mesh(ShapeBuilder& s) {
 void build_ply_mesh(ShapeBuilder& s) {
     const std::string path(s.parameters().string("filename"));
     const FileText file = read_file(path);
-    if (!file.error.empty()) return s.leave_out(fmt::format("{}: {}", path, file.error));
+    if (!file.error.empty()) return s.skip(fmt::format("{}: {}", path, file.error));
     DiagnosticLog log(path, file.text(), s.b.strict);
     const std::optional<PlyMesh> ply = read_ply(file.text(), log);
     s.b.log.append(log.list());
-    if (!ply) return s.leave_out(fmt::format("{} cannot be read", path));
+    if (!ply) return s.skip(fmt::format("{} cannot be read", path));
     build_mesh(s,
                {ply->positions, ply->normals, ply->uvs, ply->indices, s.shape.reverse_orientation});
 }
@@ -122,10 +122,10 @@ void build_loop_subdivision(ShapeBuilder& s) {
         points.emplace_back(triple(p.numbers("P"), i));
     }
     const auto checked = corners(p.integers("indices"), points.size());
-    if (const auto* why = std::get_if<std::string>(&checked)) return s.leave_out(*why);
+    if (const auto* why = std::get_if<std::string>(&checked)) return s.skip(*why);
     const Result<SmoothMesh> smooth =
         loop_subdivision(points, std::get<0>(checked), std::max(0, p.integer("levels")));
-    if (!smooth) return s.leave_out(smooth.error);
+    if (!smooth) return s.skip(smooth.error);
     std::vector<float> positions, normals;
     append_numbers(smooth.value.points, positions);
     append_numbers(smooth.value.normals, normals);

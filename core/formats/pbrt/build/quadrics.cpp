@@ -23,7 +23,7 @@ void begin_curved(ShapeBuilder& s) {
 
 void build_side(ShapeBuilder& s, const Circle& from, const Circle& to) {
     if (from.z == to.z || !(std::max(from.radius, to.radius) > 0)) {
-        return s.leave_out("it has no area");
+        return s.skip("it has no area");
     }
     const std::optional<double> scale = scale_of_circles(s);
     if (!scale) return sweep_side(s, from, to);
@@ -37,7 +37,7 @@ void build_side(ShapeBuilder& s, const Circle& from, const Circle& to) {
 void build_sphere(ShapeBuilder& s) {
     const Parameters& p = s.parameters();
     const double radius = std::abs(p.number("radius"));
-    if (!(radius > 0)) return s.leave_out("its radius is 0");
+    if (!(radius > 0)) return s.skip("its radius is 0");
     const bool whole =
         is_whole_turn(p) && p.number("zmin") <= -radius && p.number("zmax") >= radius;
     if (!whole) return sweep_sphere(s);
@@ -53,7 +53,7 @@ void build_sphere(ShapeBuilder& s) {
 void build_disk(ShapeBuilder& s) {
     const Parameters& p = s.parameters();
     const double outer = p.number("radius"), inner = p.number("innerradius");
-    if (!(outer > inner) || !(inner >= 0)) return s.leave_out("it has no area");
+    if (!(outer > inner) || !(inner >= 0)) return s.skip("it has no area");
     const std::optional<double> scale = scale_of_circles(s);
     if (!scale) return sweep_disk(s);
     begin_curved(s);

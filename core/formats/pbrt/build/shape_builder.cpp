@@ -67,7 +67,7 @@ void ShapeBuilder::add_light() {
                    p.color("L") * p.color("scale"), p.flag("twosided"), light_samples(b, p)});
 }
 
-void ShapeBuilder::leave_out(std::string_view why) const {
+void ShapeBuilder::skip(std::string_view why) const {
     b.warn(shape.plugin.where, "shape", "\"{}\" left out: {}", shape.plugin.type->name, why);
 }
 

@@ -49,7 +49,7 @@ class ShapeBuilder {
     }
 
     /// Nothing of the shape is shown.
-    void leave_out(std::string_view why) const;
+    void skip(std::string_view why) const;
 
   private:
     void add_light();

@@ -66,7 +66,7 @@ template <class Profile, class Row>
 void sweep(ShapeBuilder& s, const Profile& profile, const Row& row_of) {
     const double turn =
         std::clamp<double>(s.parameters().number("phimax"), 0, 360) * std::numbers::pi / 180;
-    if (!(turn > 0)) return s.leave_out("it has no area");
+    if (!(turn > 0)) return s.skip("it has no area");
     SweptMesh mesh;
     for (int j = 0; j <= rows; ++j) {
         const double v = row_of(static_cast<double>(j) / rows);
@@ -147,7 +147,7 @@ void build_paraboloid(ShapeBuilder& s) {
     const Parameters& p = s.parameters();
     const double radius = p.number("radius"), z0 = std::min(p.number("zmin"), p.number("zmax")),
                  z1 = std::max(p.number("zmin"), p.number("zmax"));
-    if (!(z1 > z0) || !(z0 >= 0) || !(radius > 0)) return s.leave_out("it has no area");
+    if (!(z1 > z0) || !(z0 >= 0) || !(radius > 0)) return s.skip("it has no area");
     const double narrow = std::sqrt(z0 / z1);
     sweep(
         s,
@@ -167,7 +167,7 @@ void build_hyperboloid(ShapeBuilder& s) {
     Vec3 p1(p.vector("p1")), p2(p.vector("p2"));
     if (p2.z == 0) std::swap(p1, p2);
     const std::optional<Waist> waist = waist_through(p1, p2);
-    if (p1 == p2 || !waist) return s.leave_out("it has no area");
+    if (p1 == p2 || !waist) return s.skip("it has no area");
     sweep(
         s,
         [&](double v) {
