@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/numerics/luminance.h"
+
 namespace etalon {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-double luminance(const Color& c) {
-    return 0.212671 * c.x + 0.715160 * c.y + 0.072169 * c.z;
-}
 
 /// The inverse of a map whose columns are at right angles to each other, or any other.
 Affine inverse_directions(const Affine& m) {

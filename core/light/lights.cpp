@@ -4,15 +4,12 @@
 #include <numbers>
 
 #include "core/intersect/kernels.h"
+#include "core/numerics/luminance.h"
 
 namespace etalon {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-double luminance(const Color& c) {
-    return 0.212671 * c.x + 0.715160 * c.y + 0.072169 * c.z;
-}
 
 double radius_of(const Geometry& geometry) {
     Box3 box;

@@ -78,10 +78,6 @@ HWY_EXPORT(aim);
 
 namespace {
 
-/// A light's own place is not part of the way to it: what lies within this part of the distance
-/// casts no shadow, so that a light may lie on a surface. Well above the roundings of a double.
-constexpr double shadow_end = 1 - 0x1p-32;
-
 /// Whether a ray that leaves a surface cannot meet it again.
 bool leaves_for_good(Convexity convexity, double leaving, double moving) {
     const bool outward = leaving > 0;

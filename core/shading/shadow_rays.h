@@ -7,6 +7,10 @@
 
 namespace etalon {
 
+/// A light's own place is not part of the way to it: what lies within this part of the distance
+/// casts no shadow, so that a light may lie on a surface. Well above the roundings of a double.
+inline constexpr double shadow_end = 1 - 0x1p-32;
+
 /// Surfaces as a light sees them, side by side, so that several can be looked at at once.
 class LitSurfaces {
   public:

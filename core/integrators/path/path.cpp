@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/sampling/dimensions.h"
+#include "core/shading/shadow_rays.h"
 
 namespace etalon {
 
@@ -119,9 +120,6 @@ float power_weight(float a, float b) {
 float balance_weight(float a, float b) {
     return a / (a + b);
 }
-
-/// A light's own place is not part of the way to it. Well above the roundings of a double.
-constexpr double shadow_end = 1 - 0x1p-32;
 
 }  // namespace
 
