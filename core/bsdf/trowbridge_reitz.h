@@ -13,6 +13,9 @@ class TrowbridgeReitz {
     TrowbridgeReitz(float alpha_x, float alpha_y)
         : alpha_x_(std::max(0.001F, alpha_x)), alpha_y_(std::max(0.001F, alpha_y)) {}
 
+    /// Whether the roughness is the same along x and y.
+    bool is_isotropic() const { return alpha_x_ == alpha_y_; }
+
     float mean_alpha() const { return (alpha_x_ + alpha_y_) / 2; }
 
     /// Density of the facets with the unit normal `m`, by solid angle, over their area.

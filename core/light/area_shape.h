@@ -4,72 +4,11 @@
 #include <optional>
 #include <variant>
 
+#include "core/light/triangle_area.h"
 #include "core/numerics/affine.h"
 #include "core/scene/geometry.h"
 
 namespace etalon {
-
-/// A point of a shape, chosen to be seen from another point.
-struct AreaPoint {
-    Vec3 position;
-    Vec3 normal;  ///< unit, as the shape defines it
-    double pdf;   ///< per steradian at the point it is seen from; 0: not seen
-};
-
-/// Sphere around a shape.
-struct BoundingSphere {
-    Vec3 centre;
-    double radius;
-};
-
-/// A triangle, sampled by its solid angle where that is neither too small nor too large for the
-/// arithmetic (Arvo 1995, "Stratified Sampling of Spherical Triangles"), else by its area.
-class TriangleArea {
-  public:
-    TriangleArea(const Vec3& a, const Vec3& b, const Vec3& c);
-
-    AreaPoint sample(const Vec3& from, const Vec2& uv) const;
-    double pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const;
-    double area() const { return area_; }
-    BoundingSphere bounds() const;
-    std::optional<Vec3> flat_normal() const { return normal_; }
-
-    /// The solid angle in which it is seen.
-    double solid_angle(const Vec3& from) const;
-    /// A point at uv by solid angle, or by area.
-    AreaPoint by_solid_angle(const Vec3& from, double solid_angle, const Vec2& uv) const;
-    AreaPoint by_area(const Vec3& from, const Vec2& uv) const;
-
-  private:
-    /// The solid angle, if a point is sampled by it, else 0.
-    double sampled_angle(const Vec3& from) const;
-
-    Vec3 a_, b_, c_, normal_;
-    double area_;
-};
-
-/// Two triangles a b c and a c d of one plane, sampled like one.
-class TwoTrianglesArea {
-  public:
-    TwoTrianglesArea(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
-
-    AreaPoint sample(const Vec3& from, const Vec2& uv) const;
-    double pdf(const Vec3& from, const Vec3& position, const Vec3& normal) const;
-    double area() const { return first_.area() + second_.area(); }
-    const BoundingSphere& bounds() const { return bounds_; }
-    std::optional<Vec3> flat_normal() const { return first_.flat_normal(); }
-
-  private:
-    /// Solid angles of the halves, if points are sampled by them, else 0.
-    struct Angles {
-        double first = 0, second = 0;
-        double sum() const { return first + second; }
-    };
-    Angles sampled_angles(const Vec3& from) const;
-
-    TriangleArea first_, second_;
-    BoundingSphere bounds_;
-};
 
 /// A sphere, sampled by the cone in which it is seen from outside, by its area from inside.
 class SphereArea {

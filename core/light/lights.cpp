@@ -100,7 +100,10 @@ Lights::Lights(const Scene& scene, std::vector<std::string>& problems)
     : scene_(scene), scene_radius_(radius_of(scene.geometry)) {
     for (const PhysicalLight& light : scene.physical().lights) add(light, problems);
     double sum = 0;
-    for (const Source& source : sources_) power_sums_.push_back(sum += source.power);
+    for (const Source& source : sources_) {
+        power_sums_.push_back(sum += source.power);
+        samples_ += static_cast<std::size_t>(source.samples);
+    }
 }
 
 /// Makes the light and the last one a quadrilateral, if they are one.

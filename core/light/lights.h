@@ -50,6 +50,9 @@ class Lights {
     /// How many samples a vertex takes of the light where it asks every one.
     int samples(std::uint32_t light) const { return sources_[light].samples; }
 
+    /// The same of all lights together.
+    std::size_t samples() const { return samples_; }
+
     /// What the light may send to the point.
     LightSample sample(std::uint32_t light, const Vec3& from, const Vec2& uv) const;
 
@@ -95,6 +98,7 @@ class Lights {
 
     const Scene& scene_;
     double scene_radius_;
+    std::size_t samples_ = 0;
     std::vector<Source> sources_;
     std::vector<std::uint32_t> numbers_;
     std::vector<AreaLight> area_lights_;

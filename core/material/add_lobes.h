@@ -5,13 +5,13 @@
 
 namespace etalon {
 
-void add_lobes(const MatteMaterial& material, const PointValues& values, Bsdf& bsdf);
-void add_lobes(const PlasticMaterial& material, const PointValues& values, Bsdf& bsdf);
-void add_lobes(const MirrorMaterial& material, const PointValues& values, Bsdf& bsdf);
-void add_lobes(const MetalMaterial& material, const PointValues& values, Bsdf& bsdf);
-void add_lobes(const SubstrateMaterial& material, const PointValues& values, Bsdf& bsdf);
-void add_lobes(const GlassMaterial& material, const PointValues& values, Bsdf& bsdf);
-void add_lobes(const TranslucentMaterial& material, const PointValues& values, Bsdf& bsdf);
-void add_lobes(const UberMaterial& material, const PointValues& values, Bsdf& bsdf);
+void add_lobes(const MatteMaterial& material, const PointValues& values, LobeList& lobes);
+void add_lobes(const PlasticMaterial& material, const PointValues& values, LobeList& lobes);
+void add_lobes(const MirrorMaterial& material, const PointValues& values, LobeList& lobes);
+void add_lobes(const MetalMaterial& material, const PointValues& values, LobeList& lobes);
+void add_lobes(const SubstrateMaterial& material, const PointValues& values, LobeList& lobes);
+void add_lobes(const GlassMaterial& material, const PointValues& values, LobeList& lobes);
+void add_lobes(const TranslucentMaterial& material, const PointValues& values, LobeList& lobes);
+void add_lobes(const UberMaterial& material, const PointValues& values, LobeList& lobes);
 
 }  // namespace etalon

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/material/point_values.h"
+#include "core/material/material.h"
 
 namespace etalon {
 
@@ -12,6 +12,7 @@ struct ShadingFrame {
 /// The frame at a point of the surface that lies as far above the given one along its shading
 /// normal as the texture `bump` says: Blinn 1978, "Simulation of Wrinkled Surfaces". The given
 /// frame where that of the raised surface is degenerate.
-ShadingFrame bumped(const NumberSlot& bump, const PointValues& values, const MaterialPoint& point);
+ShadingFrame bumped(const NumberSlot& bump, const TextureValues& textures,
+                    const MaterialPoint& point);
 
 }  // namespace etalon

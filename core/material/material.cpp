@@ -15,15 +15,39 @@ TrowbridgeReitz PointValues::facets(const Roughness& roughness) const {
     return {alpha_u, u.texture == v.texture && u.value == v.value ? alpha_u : alpha(v)};
 }
 
+BsdfFrame bsdf_frame(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all,
+                     const TextureValues& textures, const MaterialPoint& point) {
+    const NumberSlot& bump = shape_giving(material, all).bump;
+    if (bump.texture == no_index) return {point.ng, point.ns, point.dpdu};
+    const ShadingFrame frame = bumped(bump, textures, point);
+    return {point.ng, frame.ns, frame.tangent};
+}
+
+bool is_bumpy(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all) {
+    return shape_giving(material, all).bump.texture != no_index;
+}
+
+LobeList lobes_at(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all,
+                  const TextureValues& textures, const TexturePoint& point) {
+    LobeList lobes;
+    add_material(material, all, PointValues(textures, point), lobes);
+    return lobes;
+}
+
+std::optional<LobeList> constant_lobes(const PhysicalMaterial& material,
+                                       const std::vector<PhysicalMaterial>& all,
+                                       const TextureValues& textures) {
+    const PointValues anywhere(textures, {Vec2(0), Vec3(0)});
+    LobeList lobes;
+    add_material(material, all, anywhere, lobes);
+    if (anywhere.asked_texture()) return std::nullopt;
+    return lobes;
+}
+
 Bsdf scattering(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all,
                 const TextureValues& textures, const MaterialPoint& point) {
-    const PointValues values{textures, {point.uv, point.position}};
-    const NumberSlot& bump = shape_giving(material, all).bump;
-    const ShadingFrame frame =
-        bump.texture == no_index ? ShadingFrame{point.ns, point.dpdu} : bumped(bump, values, point);
-    Bsdf bsdf(point.ng, frame.ns, frame.tangent);
-    add_material(material, all, values, bsdf);
-    return bsdf;
+    return {bsdf_frame(material, all, textures, point),
+            lobes_at(material, all, textures, {point.uv, point.position})};
 }
 
 }  // namespace etalon

@@ -18,8 +18,24 @@ struct MaterialPoint {
     Vec3 dndu{0}, dndv{0};  ///< of the shading normal
 };
 
-/// Scattering of a point of a surface of `material`, one of `all`, as PBRT version 3 defines its
-/// materials. NoMaterial has no lobes.
+/// Frame in which a material scatters at a point, which its bumps turn.
+BsdfFrame bsdf_frame(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all,
+                     const TextureValues& textures, const MaterialPoint& point);
+
+/// Whether that frame depends on the point's coordinates.
+bool is_bumpy(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all);
+
+/// Lobes at a point of a surface of `material`, one of `all`, as PBRT version 3 defines its
+/// materials. NoMaterial has none.
+LobeList lobes_at(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all,
+                  const TextureValues& textures, const TexturePoint& point);
+
+/// The lobes of a material that has the same at all points: one that asks no texture.
+std::optional<LobeList> constant_lobes(const PhysicalMaterial& material,
+                                       const std::vector<PhysicalMaterial>& all,
+                                       const TextureValues& textures);
+
+/// Frame and lobes together.
 Bsdf scattering(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all,
                 const TextureValues& textures, const MaterialPoint& point);
 

@@ -9,11 +9,11 @@ constexpr int most_nested = 8;
 
 /// Adds a part of a mix: the material's lobes, all multiplied by `part`.
 void add_part(std::uint32_t material, const Color& part, const std::vector<PhysicalMaterial>& all,
-              const PointValues& values, Bsdf& bsdf, int depth) {
+              const PointValues& values, LobeList& lobes, int depth) {
     if (is_black(part)) return;
-    const std::size_t first = bsdf.lobes().size();
-    add_material(all[material], all, values, bsdf, depth);
-    bsdf.scale_lobes(first, part);
+    const std::size_t first = lobes.size();
+    add_material(all[material], all, values, lobes, depth);
+    lobes.scale(first, part);
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ const PhysicalMaterial& shape_giving(const PhysicalMaterial& material,
 }
 
 void add_material(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all,
-                  const PointValues& values, Bsdf& bsdf, int depth) {
+                  const PointValues& values, LobeList& lobes, int depth) {
     std::visit(
         [&](const auto& kind) {
             using Kind = std::decay_t<decltype(kind)>;
@@ -38,11 +38,11 @@ void add_material(const PhysicalMaterial& material, const std::vector<PhysicalMa
                 if (depth == most_nested) return;
                 const Color amount = values.part(kind.amount);
                 const auto rest = [](float part) { return std::max(0.0F, 1 - part); };
-                add_part(kind.first, amount, all, values, bsdf, depth + 1);
+                add_part(kind.first, amount, all, values, lobes, depth + 1);
                 add_part(kind.second, {rest(amount.x), rest(amount.y), rest(amount.z)}, all, values,
-                         bsdf, depth + 1);
+                         lobes, depth + 1);
             } else if constexpr (!std::is_same_v<Kind, NoMaterial>) {
-                add_lobes(kind, values, bsdf);
+                add_lobes(kind, values, lobes);
             }
         },
         material.kind);

@@ -11,6 +11,6 @@ const PhysicalMaterial& shape_giving(const PhysicalMaterial& material,
 /// Adds the lobes of a material, those of a mix by their parts. What is mixed more often than any
 /// sane scene does, as in a ring of mixes, has none.
 void add_material(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all,
-                  const PointValues& values, Bsdf& bsdf, int depth = 0);
+                  const PointValues& values, LobeList& lobes, int depth = 0);
 
 }  // namespace etalon

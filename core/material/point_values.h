@@ -6,12 +6,19 @@
 namespace etalon {
 
 /// The values of slots at one point, as materials take them.
-struct PointValues {
-    const TextureValues& textures;
-    TexturePoint at;
+class PointValues {
+  public:
+    PointValues(const TextureValues& textures, const TexturePoint& at)
+        : textures_(textures), at_(at) {}
 
-    float number(const NumberSlot& slot) const { return textures.number(slot, at); }
-    Color color(const ColorSlot& slot) const { return textures.color(slot, at); }
+    float number(const NumberSlot& slot) const {
+        asked_texture_ |= slot.texture != no_index;
+        return textures_.number(slot, at_);
+    }
+    Color color(const ColorSlot& slot) const {
+        asked_texture_ |= slot.texture != no_index;
+        return textures_.color(slot, at_);
+    }
 
     /// A reflectance or a transmittance: not below 0, though it may be above 1.
     Color part(const ColorSlot& slot) const {
@@ -20,6 +27,14 @@ struct PointValues {
     }
 
     TrowbridgeReitz facets(const Roughness& roughness) const;
+
+    /// Whether any value asked so far was a texture's.
+    bool asked_texture() const { return asked_texture_; }
+
+  private:
+    const TextureValues& textures_;
+    TexturePoint at_;
+    mutable bool asked_texture_ = false;
 };
 
 }  // namespace etalon

@@ -53,8 +53,9 @@ class Albedo {
 
     Color at(const Ray& ray, const Hit& hit, const SurfaceInteraction& surface) const {
         if (!physical_) return albedo_of(*surface.material);
-        const Bsdf bsdf = physical_->scattering(physical_surface(scene_, ray, hit));
-        const Color albedo = bsdf.albedo(-normalized(ray.direction));
+        std::optional<LobeList> room;
+        const auto [frame, lobes] = physical_->scattering(physical_surface(scene_, ray, hit), room);
+        const Color albedo = BsdfFrom(frame, lobes, -normalized(ray.direction)).albedo();
         const auto share = [](float x) { return std::clamp(x, 0.0F, 1.0F); };
         return {share(albedo.x), share(albedo.y), share(albedo.z)};
     }

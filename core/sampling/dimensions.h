@@ -18,7 +18,7 @@ enum PathDimension : std::uint32_t {
     other_side_ray = 1,              ///< name of the next ray, through the surface
     first_light = 2,                 ///< point on a light; light i has first_light + i
     occlusion_direction = 1U << 31,  ///< above all lights
-    light_and_lobe,                  ///< which light is asked, and which lobe scatters
+
     light_point,                     ///< point of that light
     scattered_direction,             ///< direction of that lobe
     survival,                        ///< whether the path goes on

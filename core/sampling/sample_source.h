@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/sampling/sobol.h"
+#include "core/sampling/vertex_points.h"
 #include "core/scene/render_settings.h"
 
 namespace etalon {
@@ -54,7 +55,10 @@ class PixelSamples {
     PixelSamples(int x, int y, std::uint64_t seed, Sampler sampler = Sampler::sobol)
         : pixel_(name_of(x, y, seed)), sampler_(sampler) {}
 
-    PointSet points(std::uint32_t dimension) const { return {sampler_, hash(pixel_, dimension)}; }
+    PointSet points(std::uint32_t dimension) const { return {sampler_, seed(dimension)}; }
+
+    /// Seed of the sets of a dimension.
+    std::uint32_t seed(std::uint32_t dimension) const { return hash(pixel_, dimension); }
 
   private:
     /// Mixes the seed's upper half into the pixel's name last, and only if there is one: seeds
@@ -89,6 +93,11 @@ class SampleSource {
     void add_stratified(std::uint32_t dimension, std::uint32_t k, std::uint32_t parts,
                         PointBatch& to) const {
         to.add(pixel_.points(dimension), index_ * parts + k);
+    }
+
+    /// Adds the choices at the vertex of that name to those that will be made together.
+    void add_vertex(std::uint32_t name, VertexPoints& to) const {
+        to.add(pixel_.seed(name), index_);
     }
 
   private:

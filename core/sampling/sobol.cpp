@@ -7,6 +7,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "core/sampling/sobol-inl.h"
+
 #ifndef ETALON_SOBOL_ONCE
 #define ETALON_SOBOL_ONCE
 namespace etalon {
@@ -22,109 +24,6 @@ struct SobolNames {
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-/// As many 32-bit words as an instruction takes, to be written like one.
-struct Words {
-    using Tag = hn::CappedTag<std::uint32_t, SobolBatch::lanes>;
-
-    HWY_INLINE Words(hn::Vec<Tag> from) : words(from) {}
-    HWY_INLINE Words(std::uint32_t word) : words(hn::Set(Tag(), word)) {}
-
-    friend HWY_INLINE Words operator+(Words a, Words b) { return hn::Add(a.words, b.words); }
-    friend HWY_INLINE Words operator*(Words a, Words b) { return hn::Mul(a.words, b.words); }
-    friend HWY_INLINE Words operator^(Words a, Words b) { return hn::Xor(a.words, b.words); }
-    friend HWY_INLINE Words operator|(Words a, Words b) { return hn::Or(a.words, b.words); }
-    friend HWY_INLINE Words operator&(Words a, Words b) { return hn::And(a.words, b.words); }
-
-    hn::Vec<Tag> words;
-};
-
-template <int count>
-HWY_INLINE Words right(Words x) {
-    return hn::ShiftRight<count>(x.words);
-}
-template <int count>
-HWY_INLINE Words left(Words x) {
-    return hn::ShiftLeft<count>(x.words);
-}
-template <int count>
-std::uint32_t right(std::uint32_t x) {
-    return x >> count;
-}
-template <int count>
-std::uint32_t left(std::uint32_t x) {
-    return x << count;
-}
-
-template <class Word>
-HWY_INLINE Word reverse_bits(Word x) {
-    x = right<16>(x) | left<16>(x);
-    x = left<8>(x & 0x00ff00ffU) | (right<8>(x) & 0x00ff00ffU);
-    x = left<4>(x & 0x0f0f0f0fU) | (right<4>(x) & 0x0f0f0f0fU);
-    x = left<2>(x & 0x33333333U) | (right<2>(x) & 0x33333333U);
-    return left<1>(x & 0x55555555U) | (right<1>(x) & 0x55555555U);
-}
-
-/// A permutation in which a bit is changed only by those below it (Laine & Karras 2011, "Stratified
-/// Sampling for Stochastic Transparency"); constants after Vegdahl 2021, "Building a Better LK
-/// Hash".
-template <class Word>
-HWY_INLINE Word low_to_high_permutation(Word x, Word seed) {
-    x = x ^ x * 0x3d20adeaU;
-    x = x + seed;
-    x = x * (right<16>(seed) | 1U);
-    x = x ^ x * 0x05526c56U;
-    return x ^ x * 0x53a22864U;
-}
-
-/// Applies the second generator matrix of Sobol' with its rows reversed. The matrix is Pascal's
-/// triangle modulo 2, in which C(k, j) is odd where all bits of j are bits of k (Lucas): bit j of
-/// the result is the sum of the bits k above it, which five steps give, one for each bit of k.
-template <class Word>
-HWY_INLINE Word reversed_sobol_second(Word index) {
-    index = index ^ (right<16>(index) & 0x0000ffffU);
-    index = index ^ (right<8>(index) & 0x00ff00ffU);
-    index = index ^ (right<4>(index) & 0x0f0f0f0fU);
-    index = index ^ (right<2>(index) & 0x33333333U);
-    return index ^ (right<1>(index) & 0x55555555U);
-}
-
-/// The coordinates of a point, in units of 2^-32.
-template <class Word>
-struct Coordinates {
-    Word x, y;
-};
-
-/// A nested uniform scramble, by which half an interval's points go to depends on the interval
-/// only, is low_to_high_permutation between two reversals of bits. The first of each coordinate
-/// undoes the one that the van der Corput sequence begins with, so neither is done.
-template <class Word>
-HWY_INLINE Coordinates<Word> scrambled_point(Word index, Word order, Word x, Word y) {
-    const Word shuffled = reverse_bits(low_to_high_permutation(reverse_bits(index), order));
-    return {reverse_bits(low_to_high_permutation(shuffled, x)),
-            reverse_bits(low_to_high_permutation(reversed_sobol_second(shuffled), y))};
-}
-
-/// Sets points to coordinates of [0, 1). There is a conversion for signed words only: half of the
-/// range is taken off and put back, which is exact.
-HWY_INLINE void store_unit_interval(const Coordinates<Words>& words, Vec2* points) {
-    const Words::Tag tag;
-    const hn::CappedTag<double, SobolBatch::lanes / 2> doubles;
-    const hn::Rebind<std::int32_t, decltype(doubles)> part;
-    HWY_ALIGN std::int32_t x[SobolBatch::lanes], y[SobolBatch::lanes];
-    const hn::RebindToSigned<Words::Tag> whole;
-    hn::Store(hn::BitCast(whole, (words.x ^ 0x80000000U).words), whole, x);
-    hn::Store(hn::BitCast(whole, (words.y ^ 0x80000000U).words), whole, y);
-    const auto unit_interval = [&](const std::int32_t* from) HWY_ATTR {
-        const auto lowered = hn::PromoteTo(doubles, hn::Load(part, from));
-        return (lowered + hn::Set(doubles, 0x1p31)) * hn::Set(doubles, 0x1p-32);
-    };
-    for (std::size_t i = 0; i < hn::Lanes(tag); i += hn::Lanes(doubles)) {
-        hn::StoreInterleaved2(unit_interval(x + i), unit_interval(y + i), doubles, &points[i].x);
-    }
-}
 
 void make_points(const SobolNames& names, Vec2* points) {
     const Words::Tag tag;

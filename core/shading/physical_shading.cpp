@@ -7,22 +7,17 @@
 namespace etalon {
 namespace {
 
-/// Whether some material scatters differently along u and v.
-bool is_anisotropic(const PhysicalMaterial& material) {
+/// Whether a lobe scatters differently along x and y.
+bool is_anisotropic(const Lobe& lobe) {
     return std::visit(
-        [](const auto& m) {
-            if constexpr (requires { m.roughness; }) {
-                return m.roughness.u.value != m.roughness.v.value;
+        [](const auto& kind) {
+            if constexpr (requires { kind.facets; }) {
+                return !kind.facets.is_isotropic();
             } else {
                 return false;
             }
         },
-        material.kind);
-}
-
-bool needs_coordinates(const PhysicalLook& look) {
-    return !look.textures.numbers.empty() || !look.textures.colors.empty() ||
-           std::ranges::any_of(look.materials, is_anisotropic);
+        lobe);
 }
 
 bool can_be_zero(const NumberSlot& slot) {
@@ -38,8 +33,17 @@ bool has_cut_out(const SurfaceBinding& binding) {
 PhysicalShading::PhysicalShading(const Scene& scene, std::vector<std::string>& problems)
     : scene_(scene),
       textures_(scene.physical().textures, problems),
-      has_cut_outs_(std::ranges::any_of(scene.physical().bindings, has_cut_out)),
-      uses_coordinates_(needs_coordinates(scene.physical())) {}
+      has_cut_outs_(std::ranges::any_of(scene.physical().bindings, has_cut_out)) {
+    for (const PhysicalMaterial& m : scene.physical().materials) traits_.push_back(traits_of(m));
+}
+
+PhysicalShading::Traits PhysicalShading::traits_of(const PhysicalMaterial& material) const {
+    const std::vector<PhysicalMaterial>& all = scene_.physical().materials;
+    Traits traits{constant_lobes(material, all, textures_), true};
+    traits.needs_coordinates = !traits.lobes || is_bumpy(material, all) ||
+                               std::ranges::any_of(traits.lobes->span(), is_anisotropic);
+    return traits;
+}
 
 bool PhysicalShading::is_cut_out(const PhysicalSurface& at, RayKind kind) const {
     const SurfaceBinding& binding = *at.binding;
@@ -54,16 +58,26 @@ bool PhysicalShading::is_passed(const PhysicalSurface& at) const {
     return std::holds_alternative<NoMaterial>(material.kind);
 }
 
-Bsdf PhysicalShading::scattering(const PhysicalSurface& at) const {
+MaterialPoint PhysicalShading::with_coordinates(MaterialPoint point,
+                                                const PhysicalSurface& at) const {
+    const Parametrization p = physical_parametrization(scene_, at);
+    point.uv = p.uv;
+    point.dpdu = p.dpdu;
+    point.dpdv = p.dpdv;
+    return point;
+}
+
+PhysicalShading::Scattering PhysicalShading::scattering(const PhysicalSurface& at,
+                                                        std::optional<LobeList>& room) const {
+    const Traits& traits = traits_[at.binding->material];
+    const MaterialPoint point{at.ng, at.ns, Vec3(0), Vec3(0), Vec2(0), at.point.position};
+    if (!traits.needs_coordinates) return {{at.ng, at.ns, Vec3(0)}, *traits.lobes};
     const std::vector<PhysicalMaterial>& all = scene_.physical().materials;
-    MaterialPoint point{at.ng, at.ns, Vec3(0), Vec3(0), Vec2(0), at.point.position};
-    if (uses_coordinates_) {
-        const Parametrization p = physical_parametrization(scene_, at);
-        point.uv = p.uv;
-        point.dpdu = p.dpdu;
-        point.dpdv = p.dpdv;
-    }
-    return etalon::scattering(all[at.binding->material], all, textures_, point);
+    const PhysicalMaterial& material = all[at.binding->material];
+    const MaterialPoint placed = with_coordinates(point, at);
+    const BsdfFrame frame = bsdf_frame(material, all, textures_, placed);
+    if (traits.lobes) return {frame, *traits.lobes};
+    return {frame, room.emplace(lobes_at(material, all, textures_, {placed.uv, placed.position}))};
 }
 
 }  // namespace etalon

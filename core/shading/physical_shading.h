@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/bsdf/bsdf.h"
+#include "core/material/material.h"
 #include "core/shading/physical_surface.h"
 #include "core/texture/texture_values.h"
 
@@ -26,13 +26,28 @@ class PhysicalShading {
     /// Whether the surface is none: a ray passes.
     bool is_passed(const PhysicalSurface& at) const;
 
-    Bsdf scattering(const PhysicalSurface& at) const;
+    /// What scatters at a point.
+    struct Scattering {
+        BsdfFrame frame;
+        const LobeList& lobes;
+    };
+    /// `room` takes lobes that are not those of all points of the surface, and must outlive what is
+    /// returned.
+    Scattering scattering(const PhysicalSurface& at, std::optional<LobeList>& room) const;
 
   private:
+    /// What can be said of a material without a point.
+    struct Traits {
+        std::optional<LobeList> lobes;  ///< if the same everywhere
+        bool needs_coordinates;
+    };
+    Traits traits_of(const PhysicalMaterial& material) const;
+    MaterialPoint with_coordinates(MaterialPoint point, const PhysicalSurface& at) const;
+
     const Scene& scene_;
     TextureValues textures_;
     bool has_cut_outs_;
-    bool uses_coordinates_;  ///< whether any material asks for surface coordinates
+    std::vector<Traits> traits_;  ///< of each material
 };
 
 }  // namespace etalon

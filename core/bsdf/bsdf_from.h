@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/bsdf/bsdf_frame.h"
+#include "core/bsdf/lobe_list.h"
+
+namespace etalon {
+
+/// A direction chosen for `wo`. A path's throughput is multiplied by f |wi.ns| / pdf.
+struct BsdfSample {
+    Vec3 wi;  ///< unit
+    Color f;
+    float pdf;      ///< density by solid angle; of a specular lobe the probability of the choice
+    bool specular;  ///< no other direction has a part in it, and `evaluate` knows nothing of it
+    bool transmission;  ///< through the surface
+    bool turned;        ///< between the horizons of the geometric and the shading normal
+    float eta;  ///< index on the side of `wi` over that on the side of `wo`; 1 for a reflection
+};
+
+/// How one point scatters light to one direction, `wo`, that to the eye: what depends on that alone
+/// is computed once. All directions are unit vectors of the world that point away from the surface;
+/// cosines are to the shading normal. Frame and lobes must outlive it.
+class BsdfFrom {
+  public:
+    BsdfFrom(const BsdfFrame& frame, const LobeList& lobes, const Vec3& wo);
+
+    /// Value and density of the smooth lobes.
+    Evaluation evaluate(const Vec3& wi) const;
+
+    /// Chooses a lobe by `lobe_choice` and of it a direction by `uv`, all in [0, 1). Nothing where
+    /// the choice carries no light.
+    std::optional<BsdfSample> sample(float lobe_choice, const Vec2& uv) const;
+
+    /// Estimate of the part of the light from `wo` that is scattered.
+    Color albedo() const;
+
+  private:
+    std::size_t chosen(float choice) const;
+    LobeKind side(const Vec3& wi) const;
+    Evaluation evaluate_local(const Vec3f& wi, LobeKind side) const;
+    std::optional<BsdfSample> sample_smooth(Vec3f local_wi,
+                                            std::optional<LobeKind> diffuse_side) const;
+    std::optional<BsdfSample> sample_specular(float pick,
+                                              const std::optional<SpecularSample>& chosen) const;
+
+    const BsdfFrame& frame_;
+    const LobeList& lobes_;
+    Vec3 exact_wo_;                              ///< local
+    Vec3f wo_;                                   ///< local
+    double above_;                               ///< wo.ng
+    std::array<float, LobeList::capacity> picks_;  ///< probabilities with which lobes are chosen
+};
+
+}  // namespace etalon

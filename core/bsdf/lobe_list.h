@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "core/bsdf/lobe.h"
+
+namespace etalon {
+
+/// Up to eight lobes, whose values are added.
+class LobeList {
+  public:
+    static constexpr std::size_t capacity = 8;
+
+    LobeList() {}
+    LobeList(const LobeList& other) { *this = other; }
+    LobeList& operator=(const LobeList& other) {
+        count_ = other.count_;
+        has_smooth_ = other.has_smooth_;
+        std::uninitialized_copy_n(other.lobes_.begin(), count_, lobes_.begin());
+        return *this;
+    }
+    ~LobeList() = default;
+
+    /// Adds a lobe; one beyond the capacity is left out.
+    template <class Kind>
+    void add(const Kind& lobe) {
+        if (count_ == capacity) return;
+        std::construct_at(lobes_.data() + count_++, lobe);
+        has_smooth_ |= Kind::kind != LobeKind::specular;
+    }
+    void add(const Lobe& lobe) {
+        std::visit([&](const auto& kind) { add(kind); }, lobe);
+    }
+
+    /// Multiplies the lobes from number `first` on.
+    void scale(std::size_t first, const Color& by) {
+        for (std::size_t k = first; k < count_; ++k) {
+            std::visit([&](auto& lobe) { lobe.scale(by); }, lobes_[k]);
+        }
+    }
+
+    /// Whether any lobe is not specular.
+    bool has_smooth() const { return has_smooth_; }
+
+    std::size_t size() const { return count_; }
+    const Lobe& operator[](std::size_t k) const { return lobes_[k]; }
+    std::span<const Lobe> span() const { return {lobes_.data(), count_}; }
+
+  private:
+    static_assert(std::is_trivially_destructible_v<Lobe>);
+
+    std::size_t count_ = 0;
+    bool has_smooth_ = false;
+    union {
+        std::array<Lobe, capacity> lobes_;  // the first count_ live
+    };
+};
+
+}  // namespace etalon

@@ -1,0 +1,252 @@
+#include "core/integrators/path/path_batch.h"
+
+#include <algorithm>
+
+#include "core/sampling/dimensions.h"
+#include "core/shading/shadow_rays.h"
+
+namespace etalon {
+namespace {
+
+/// Weight of a direction chosen with density `a` that another strategy would have chosen with `b`
+/// (power heuristic: Veach 1997, section 9.2).
+float power_weight(float a, float b) {
+    return a * a / (a * a + b * b);
+}
+
+/// The same for lights whose density is compensated (balance heuristic: Karlik et al. 2019).
+float balance_weight(float a, float b) {
+    return a / (a + b);
+}
+
+}  // namespace
+
+PathBatch::PathBatch(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors,
+                     RayCounts& counts)
+    : t_(scene), samples_(samples), colors_(colors), counts_(counts) {
+    rays_.assign(samples.rays.begin(), samples.rays.end());
+    paths_.reserve(rays_.size());
+    for (std::uint32_t i = 0; i < rays_.size(); ++i) paths_.push_back({i, camera_ray_name});
+    counts_.camera += rays_.size();
+}
+
+void PathBatch::run() {
+    std::ranges::fill(colors_, Color(0.0F));
+    for (bool from_camera = true; !paths_.empty(); from_camera = false) {
+        hits_.resize(rays_.size());
+        t_.intersector.closest(rays_, hits_);
+        make_points();
+        shade_all(from_camera);
+        add_answers();
+        std::swap(rays_, next_rays_);
+        std::swap(paths_, next_paths_);
+    }
+}
+
+bool PathBatch::may_scatter(std::size_t ray) const {
+    const Path& path = paths_[ray];
+    return hits_[ray].primitive != no_index && !path.last_ray && path.depth < t_.most_vertices;
+}
+
+void PathBatch::make_points() {
+    points_.clear();
+    light_points_.clear();
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+        if (!may_scatter(i)) continue;
+        const SampleSource& source = samples_.sources[paths_[i].sample];
+        source.add_vertex(paths_[i].name, points_);
+        if (!t_.asks_all) continue;
+        for (std::uint32_t light = 0; light < t_.lights.size(); ++light) {
+            const auto samples = static_cast<std::uint32_t>(t_.lights.samples(light));
+            const std::uint32_t dimension = light_dimension(paths_[i].name, light);
+            for (std::uint32_t k = 0; k < samples; ++k) {
+                source.add_stratified(dimension, k, samples, light_points_);
+            }
+        }
+    }
+    points_.make(t_.sampler);
+    on_lights_ = light_points_.make();
+}
+
+void PathBatch::shade_all(bool from_camera) {
+    next_rays_.clear();
+    next_paths_.clear();
+    shadow_rays_.clear();
+    answers_.clear();
+    std::size_t vertex = 0;
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+        if (hits_[i].primitive == no_index) {
+            add_escaped(paths_[i], rays_[i].direction);
+            continue;
+        }
+        ++(from_camera ? counts_.camera_hits : counts_.secondary_hits);
+        shade(i, vertex);
+        vertex += may_scatter(i);
+    }
+}
+
+void PathBatch::shade(std::size_t ray, std::size_t vertex) {
+    Path& path = paths_[ray];
+    const Vec3& direction = rays_[ray].direction;
+    const PhysicalSurface surface = physical_surface(t_.scene, rays_[ray], hits_[ray]);
+    const bool cut_out = t_.shading.is_cut_out(surface, PhysicalShading::RayKind::seeing);
+    if (!cut_out) add_emitted(path, surface, direction);
+    if (cut_out || t_.shading.is_passed(surface)) {
+        pass(path, surface, direction);
+        return;
+    }
+    if (!may_scatter(ray)) return;
+    std::optional<LobeList> room;
+    const auto [frame, lobes] = t_.shading.scattering(surface, room);
+    const Vertex at{surface, frame.ns, BsdfFrom(frame, lobes, -normalized(direction)), vertex};
+    path.last.position = surface.point.position;
+    if (lobes.has_smooth() && !t_.lights.empty()) ask_lights(path, at);
+    scatter(path, at);
+}
+
+void PathBatch::pass(const Path& path, const PhysicalSurface& at, const Vec3& direction) {
+    next_rays_.push_back(spawn_ray(at.point, direction));
+    next_paths_.push_back(path);
+    ++counts_.refracted;
+}
+
+void PathBatch::add_escaped(const Path& path, const Vec3& direction) {
+    for (const std::uint32_t light : t_.lights.infinite()) {
+        const InfiniteLight& infinite = t_.lights.infinite_light(light);
+        const Color radiance = infinite.radiance(direction);
+        float weight = 1;
+        if (!path.specular && infinite.can_be_sampled()) {
+            const double asked = t_.expected_samples(path.last, light) * infinite.pdf(direction);
+            weight = balance_weight(path.pdf, static_cast<float>(asked));
+        }
+        add(path, weight * radiance);
+    }
+}
+
+void PathBatch::add_emitted(const Path& path, const PhysicalSurface& at, const Vec3& direction) {
+    const SurfaceBinding& binding = *at.binding;
+    if (binding.light == no_index) return;
+    const std::uint32_t light =
+        t_.lights.number_of(binding.light + (at.point.primitive - binding.first));
+    const Color radiance = t_.lights.emitted(light, at.point, direction);
+    if (radiance == Color(0.0F)) return;
+    float weight = 1;
+    if (!path.specular) {
+        const double asked = t_.expected_samples(path.last, light) *
+                             t_.lights.pdf(light, path.last.position, at.point);
+        weight = power_weight(path.pdf, static_cast<float>(asked));
+    }
+    add(path, weight * radiance);
+}
+
+void PathBatch::ask_lights(Path& path, const Vertex& at) {
+    if (!t_.asks_all) {
+        const VertexPoint point = points_[at.number];
+        const auto pick = t_.lights.pick(path.last, point.light);
+        if (!pick) return;
+        ask_light(path, at, {pick->light, static_cast<float>(pick->probability), point.on_light});
+        return;
+    }
+    std::size_t next = at.number * t_.lights.samples();
+    for (std::uint32_t light = 0; light < t_.lights.size(); ++light) {
+        const int samples = t_.lights.samples(light);
+        for (int k = 0; k < samples; ++k) {
+            ask_light(path, at, {light, static_cast<float>(samples), on_lights_[next++]});
+        }
+    }
+}
+
+void PathBatch::ask_light(const Path& path, const Vertex& at, const Question& question) {
+    const LightSample light = t_.lights.sample(question.light, path.last.position, question.uv);
+    if (!(light.pdf > 0)) return;
+    const Evaluation scattered = at.scattering.evaluate(light.wi);
+    if (scattered.f == Color(0.0F)) return;
+
+    const float asked = question.expected_samples * light.pdf;
+    float weight = 1;
+    if (!light.is_delta) {
+        weight = light.at_infinity ? balance_weight(asked, scattered.pdf)
+                                   : power_weight(asked, scattered.pdf);
+    }
+    const auto cosine = static_cast<float>(std::abs(at.ns.dot(light.wi)));
+    const Color color = scattered.f * light.radiance * (cosine * weight / asked);
+    Ray ray = light.at_infinity ? spawn_ray(at.surface.point, light.wi)
+                                : spawn_ray_to(at.surface.point, light.target);
+    if (!light.at_infinity) ray.tmax = shadow_end;
+    shadow_rays_.push_back(ray);
+    answers_.push_back({path.sample, path.throughput * color});
+}
+
+void PathBatch::add_answers() {
+    blocked_.resize(shadow_rays_.size());
+    t_.intersector.occluded(shadow_rays_, blocked_);
+    counts_.shadow += shadow_rays_.size();
+    if (t_.shading.has_cut_outs()) pass_cut_outs();
+    for (std::size_t i = 0; i < answers_.size(); ++i) {
+        counts_.shadow_blocked += blocked_[i];
+        if (blocked_[i] == 0) colors_[answers_[i].sample] += answers_[i].color;
+    }
+}
+
+/// Asks again for rays that met nothing but holes in surfaces.
+void PathBatch::pass_cut_outs() {
+    for (std::size_t i = 0; i < shadow_rays_.size(); ++i) {
+        Ray ray = shadow_rays_[i];
+        const Vec3 target = ray.origin + ray.direction;
+        while (blocked_[i] != 0) {
+            Hit hit;
+            t_.intersector.closest({&ray, 1}, {&hit, 1});
+            blocked_[i] = hit.primitive != no_index ? 1 : 0;
+            if (blocked_[i] == 0) break;
+            const PhysicalSurface at = physical_surface(t_.scene, ray, hit);
+            if (!t_.shading.is_cut_out(at, PhysicalShading::RayKind::shadow)) break;
+            const double end = ray.tmax;
+            ray = end < infinity ? spawn_ray_to(at.point, target)
+                                 : spawn_ray(at.point, ray.direction);
+            ray.tmax = end;
+            ++counts_.shadow;
+        }
+    }
+}
+
+void PathBatch::scatter(const Path& path, const Vertex& at) {
+    const VertexPoint point = points_[at.number];
+    const std::optional<BsdfSample> s =
+        at.scattering.sample(static_cast<float>(point.lobe), point.direction);
+    if (!s || s->f == Color(0.0F) || !(s->pdf > 0)) return;
+    const auto cosine = static_cast<float>(std::abs(at.ns.dot(s->wi)));
+    Path& next = next_paths_.emplace_back(path);
+    next.throughput *= s->f * (cosine / s->pdf);
+    next.pdf = s->pdf;
+    next.specular = s->specular;
+    // From between the horizons pbrt-v3 takes the light of lights only.
+    next.last_ray = s->turned || (t_.direct_only && !s->specular);
+    next.eta_scale *= s->eta * s->eta;
+    ++next.depth;
+    next.name = ray_name(path.name, false);
+    if (!survives(next, point.survival)) {
+        next_paths_.pop_back();
+        return;
+    }
+    next_rays_.push_back(spawn_ray(at.surface.point, s->wi));
+    ++(s->transmission ? counts_.refracted : counts_.reflected);
+}
+
+/// Russian roulette by throughput: a path goes on with a probability in proportion to what it may
+/// still carry, so that those that do carry about the same.
+bool PathBatch::survives(Path& path, double choice) const {
+    // Both by measurement: earlier, or by less of the throughput as in pbrt-v3, costs more by the
+    // noise of the survivors than it saves in rays.
+    constexpr int first_at_stake = 3;
+    constexpr float part_kept = 2.5F;
+    if (path.depth < first_at_stake) return true;
+    const Color expected = path.throughput * path.eta_scale;
+    const float most = std::max({expected.x, expected.y, expected.z});
+    const float survival = part_kept * most / t_.roulette_threshold;
+    if (!(survival < 1)) return true;
+    if (choice >= survival) return false;
+    path.throughput /= survival;
+    return true;
+}
+
+}  // namespace etalon

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <vector>
+
+#include "core/integrators/integrator.h"
+#include "core/integrators/path/path_scene.h"
+#include "core/sampling/vertex_points.h"
+
+namespace etalon {
+
+/// The paths of some camera samples, which go on together: a wave of rays is intersected, each hit
+/// is shaded on its own, and what it asks (shadow rays) and how it goes on (the next wave) is put
+/// beside that of the others.
+class PathBatch {
+  public:
+    PathBatch(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors,
+              RayCounts& counts);
+
+    void run();
+
+  private:
+    /// A path on its way: what its camera ray will see, and what the last vertex must know to weigh
+    /// the light that the next one finds.
+    struct Path {
+        std::uint32_t sample;  ///< number in the batch
+        std::uint32_t name;    ///< of its ray, for sample dimensions
+        Color throughput{1.0F};
+        float pdf = 0;          ///< density of the ray's direction at the last vertex
+        Receiver last{};        ///< that vertex
+        float eta_scale = 1;    ///< square of the index that throughput has been divided by
+        int depth = 0;          ///< number of vertices that scattered
+        bool specular = true;   ///< no light could have been asked for that direction
+        bool last_ray = false;  ///< only what shines at its end counts
+    };
+
+    /// Where a path is scattered.
+    struct Vertex {
+        const PhysicalSurface& surface;
+        Vec3 ns;
+        BsdfFrom scattering;  ///< to where the path came from
+        std::size_t number;   ///< of its choices
+    };
+
+    /// A direction to a light that a vertex asks for.
+    struct Question {
+        std::uint32_t light;
+        float expected_samples;  ///< see PathScene::expected_samples
+        Vec2 uv;
+    };
+
+    /// What a light gives if nothing is in the way.
+    struct Answer {
+        std::uint32_t sample;
+        Color color;
+    };
+
+    /// Whether a ray's path may be scattered where the ray ends.
+    bool may_scatter(std::size_t ray) const;
+
+    /// Makes the choices of all vertices.
+    void make_points();
+    void shade_all(bool from_camera);
+    void shade(std::size_t ray, std::size_t vertex);
+    void pass(const Path& path, const PhysicalSurface& at, const Vec3& direction);
+
+    void add(const Path& path, const Color& color) {
+        colors_[path.sample] += path.throughput * color;
+    }
+    void add_escaped(const Path& path, const Vec3& direction);
+    void add_emitted(const Path& path, const PhysicalSurface& at, const Vec3& direction);
+
+    void ask_lights(Path& path, const Vertex& at);
+    void ask_light(const Path& path, const Vertex& at, const Question& question);
+    void add_answers();
+    void pass_cut_outs();
+
+    void scatter(const Path& path, const Vertex& at);
+    bool survives(Path& path, double choice) const;
+
+    const PathScene& t_;
+    const CameraSamples& samples_;
+    std::span<Color> colors_;
+    RayCounts& counts_;
+
+    std::vector<Ray> rays_, next_rays_;
+    std::vector<Path> paths_, next_paths_;
+    std::vector<Hit> hits_;
+    VertexPoints points_;  ///< of the rays that may scatter, in their order
+    PointBatch light_points_;
+    std::span<const Vec2> on_lights_;  ///< of each of these for all samples of all lights
+
+    std::vector<Ray> shadow_rays_;
+    std::vector<Answer> answers_;
+    std::vector<std::uint8_t> blocked_;
+};
+
+}  // namespace etalon

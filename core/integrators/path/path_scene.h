@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/intersect/batch_intersector.h"
+#include "core/light/lights.h"
+#include "core/scene/render_settings.h"
+#include "core/shading/physical_shading.h"
+
+namespace etalon {
+
+/// What all paths of an image share. Scene and intersector must outlive it.
+struct PathScene {
+    /// `problems` gets the reasons why images are replaced by constants.
+    PathScene(const Scene& of, const BatchIntersector& by, const RenderSettings& settings,
+              std::vector<std::string>& problems)
+        : scene(of),
+          intersector(by),
+          lights(of, problems),
+          shading(of, problems),
+          most_vertices(settings.max_depth - 1),
+          roulette_threshold(settings.roulette_threshold),
+          asks_all(settings.ask_all_lights),
+          direct_only(settings.direct_lighting),
+          sampler(settings.sampler) {}
+
+    /// How many samples of the light a vertex takes, on average.
+    double expected_samples(const Receiver& at, std::uint32_t light) const {
+        return asks_all ? lights.samples(light) : lights.pick_probability(at, light);
+    }
+
+    const Scene& scene;
+    const BatchIntersector& intersector;
+    Lights lights;
+    PhysicalShading shading;
+    int most_vertices;  ///< that scatter
+    float roulette_threshold;
+    bool asks_all;     ///< all lights at each vertex
+    bool direct_only;  ///< no light from surfaces that are not mirrors or glass
+    Sampler sampler;
+};
+
+}  // namespace etalon
