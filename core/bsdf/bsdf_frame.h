@@ -7,9 +7,14 @@ namespace etalon {
 /// The frame of a surface's point in which lobes scatter: z is the shading normal. Whether light is
 /// reflected or transmitted is decided by the geometric normal.
 struct BsdfFrame {
+    /// With an arbitrary tangent.
+    BsdfFrame(const Vec3& geometric, const Vec3& shading) : ng(geometric), ns(shading) {
+        orthonormal_basis(ns, x, y);
+    }
+
     /// Unit normals, geometric and shading, not turned to the eye; what lies on their side is
-    /// above. `tangent`: x once made orthogonal to the shading normal; any of a length of 0 or along
-    /// that normal stands for an arbitrary one.
+    /// above. `tangent`: x once made orthogonal to the shading normal; any of a length of 0 or
+    /// along that normal stands for an arbitrary one.
     BsdfFrame(const Vec3& geometric, const Vec3& shading, const Vec3& tangent)
         : ng(geometric), ns(shading) {
         const Vec3 across = tangent - ns.dot(tangent) * ns;

@@ -47,9 +47,9 @@ class BsdfFrom {
 
     const BsdfFrame& frame_;
     const LobeList& lobes_;
-    Vec3 exact_wo_;                              ///< local
-    Vec3f wo_;                                   ///< local
-    double above_;                               ///< wo.ng
+    Vec3 exact_wo_;                                ///< local
+    Vec3f wo_;                                     ///< local
+    double above_;                                 ///< wo.ng
     std::array<float, LobeList::capacity> picks_;  ///< probabilities with which lobes are chosen
 };
 

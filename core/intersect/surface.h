@@ -50,8 +50,26 @@ inline Ray spawn_ray(const SurfacePoint& p, const Vec3& direction) {
     return {spawn_origin(p, direction), direction, 0, infinity, for_good ? p.primitive : no_index};
 }
 
-/// The same for a target, at t = 1. One that is nearer than the origin was moved lies behind the
-/// surface from there.
+/// What is left of a ray that goes through the surface of `hit` as if there were nothing. It meets
+/// what lies in the same place as a flat surface, such as a floor under one that is full of holes.
+/// Of more than two in one place it may leave some out.
+inline Ray ray_beyond(const Ray& ray, const Hit& hit, Convexity convexity) {
+    Ray rest = ray;
+    const double before = std::nextafter(hit.t, 0.0);
+    const bool is_in_order = ray.tmin != before || ray.exclude < hit.primitive;
+    if (convexity == Convexity::flat && is_in_order) {
+        rest.tmin = before;
+        rest.exclude = hit.primitive;
+    } else {
+        // A backend of single precision may find the same hit again.
+        rest.tmin = hit.t > ray.tmin ? hit.t : ray.tmin * (1 + 0x1p-20);
+        rest.exclude = no_index;
+    }
+    return rest;
+}
+
+/// A ray that leaves `p` for a target, at t = 1. One that is nearer than the origin was moved lies
+/// behind the surface from there.
 inline Ray spawn_ray_to(const SurfacePoint& p, const Vec3& target) {
     const Vec3 towards = target - p.position;
     Ray ray = spawn_ray(p, towards);

@@ -12,16 +12,13 @@ namespace etalon {
 enum CameraDimension : std::uint32_t { pixel_dimension = 0, lens_dimension = 1 };
 
 /// The choices at a vertex of a path. A tree of rays names each of its rays by a hash of the ray
-/// before it and the way it went; a hash of that name and a choice is the choice's dimension.
+/// before it and the way it went; a hash of that name and a choice is the choice's dimension. The
+/// name itself is that of the choices that are made together: vertex_points.h.
 enum PathDimension : std::uint32_t {
     same_side_ray = 0,               ///< name of the next ray, on the side where the last came from
     other_side_ray = 1,              ///< name of the next ray, through the surface
     first_light = 2,                 ///< point on a light; light i has first_light + i
     occlusion_direction = 1U << 31,  ///< above all lights
-
-    light_point,                     ///< point of that light
-    scattered_direction,             ///< direction of that lobe
-    survival,                        ///< whether the path goes on
 };
 
 /// The name of a camera's ray.
@@ -37,11 +34,6 @@ inline std::uint32_t light_dimension(std::uint32_t ray, std::size_t light) {
 
 inline std::uint32_t occlusion_dimension(std::uint32_t ray) {
     return hash(ray, occlusion_direction);
-}
-
-/// A choice at a vertex of which there is one.
-inline std::uint32_t vertex_dimension(std::uint32_t ray, PathDimension choice) {
-    return hash(ray, choice);
 }
 
 /// The choices of a ray set, which are dimensions of samples of its own.

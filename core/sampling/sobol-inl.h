@@ -1,4 +1,5 @@
-// Points of the scrambled Sobol' sequence, several at a time; included once for each instruction set.
+// Points of the scrambled Sobol' sequence, several at a time; included once for each instruction
+// set.
 #include <hwy/highway.h>
 
 #include "core/sampling/sobol.h"

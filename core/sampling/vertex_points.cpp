@@ -68,12 +68,14 @@ void VertexPoints::add(std::uint32_t seed, std::uint32_t index) {
 }
 
 void VertexPoints::make(Sampler sampler) {
-    const std::size_t whole = (size_ + SobolBatch::lanes - 1) / SobolBatch::lanes * SobolBatch::lanes;
+    const std::size_t whole =
+        (size_ + SobolBatch::lanes - 1) / SobolBatch::lanes * SobolBatch::lanes;
     for (std::uint32_t set = 0; set < sets; ++set) {
         std::vector<Vec2>& points = points_[set];
         if (points.size() < whole) points.resize(whole);
         if (sampler == Sampler::sobol) {
-            HWY_DYNAMIC_DISPATCH(make_set)({seeds_.data(), indices_.data(), whole}, set, points.data());
+            HWY_DYNAMIC_DISPATCH(make_set)
+            ({seeds_.data(), indices_.data(), whole}, set, points.data());
         } else {
             for (std::size_t i = 0; i < size_; ++i) {
                 points[i] = uniform_random(indices_[i], hash(seeds_[i], set));

@@ -12,11 +12,11 @@ namespace etalon {
 
 /// What decides at a vertex of a path; all in [0, 1).
 struct VertexPoint {
-    Vec2 on_light;   ///< point of the light that is asked
-    Vec2 direction;  ///< of the lobe that scatters
-    double light;    ///< which light is asked
-    double lobe;     ///< which lobe scatters
-    double survival; ///< whether the path goes on
+    Vec2 on_light;    ///< point of the light that is asked
+    Vec2 direction;   ///< of the lobe that scatters
+    double light;     ///< which light is asked
+    double lobe;      ///< which lobe scatters
+    double survival;  ///< whether the path goes on
 };
 
 /// The choices at vertices, made together. Those of the samples of a pixel at vertices of one name
@@ -28,7 +28,7 @@ class VertexPoints {
     /// Adds sample number `index` of the vertices that `seed` names.
     void add(std::uint32_t seed, std::uint32_t index);
 
-    /// Makes all that were added since clear(). 
+    /// Makes all that were added since clear().
     void make(Sampler sampler);
 
     /// The choices of the i-th that was added.

@@ -58,26 +58,21 @@ bool PhysicalShading::is_passed(const PhysicalSurface& at) const {
     return std::holds_alternative<NoMaterial>(material.kind);
 }
 
-MaterialPoint PhysicalShading::with_coordinates(MaterialPoint point,
-                                                const PhysicalSurface& at) const {
+MaterialPoint PhysicalShading::material_point(const PhysicalSurface& at) const {
     const Parametrization p = physical_parametrization(scene_, at);
-    point.uv = p.uv;
-    point.dpdu = p.dpdu;
-    point.dpdv = p.dpdv;
-    return point;
+    return {at.ng, at.ns, p.dpdu, p.dpdv, p.uv, at.point.position};
 }
 
 PhysicalShading::Scattering PhysicalShading::scattering(const PhysicalSurface& at,
                                                         std::optional<LobeList>& room) const {
     const Traits& traits = traits_[at.binding->material];
-    const MaterialPoint point{at.ng, at.ns, Vec3(0), Vec3(0), Vec2(0), at.point.position};
-    if (!traits.needs_coordinates) return {{at.ng, at.ns, Vec3(0)}, *traits.lobes};
+    if (!traits.needs_coordinates) return {{at.ng, at.ns}, *traits.lobes};
     const std::vector<PhysicalMaterial>& all = scene_.physical().materials;
     const PhysicalMaterial& material = all[at.binding->material];
-    const MaterialPoint placed = with_coordinates(point, at);
-    const BsdfFrame frame = bsdf_frame(material, all, textures_, placed);
+    const MaterialPoint point = material_point(at);
+    const BsdfFrame frame = bsdf_frame(material, all, textures_, point);
     if (traits.lobes) return {frame, *traits.lobes};
-    return {frame, room.emplace(lobes_at(material, all, textures_, {placed.uv, placed.position}))};
+    return {frame, room.emplace(lobes_at(material, all, textures_, {point.uv, point.position}))};
 }
 
 }  // namespace etalon

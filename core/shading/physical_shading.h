@@ -42,7 +42,7 @@ class PhysicalShading {
         bool needs_coordinates;
     };
     Traits traits_of(const PhysicalMaterial& material) const;
-    MaterialPoint with_coordinates(MaterialPoint point, const PhysicalSurface& at) const;
+    MaterialPoint material_point(const PhysicalSurface& at) const;
 
     const Scene& scene_;
     TextureValues textures_;

@@ -143,6 +143,21 @@ TEST_CASE("A surface without material, and one cut out, are passed by all rays",
     CHECK(shadowless > 0);  // the veil itself, lit
 }
 
+TEST_CASE("What lies in the same place as a surface full of holes is seen through them", "[path]") {
+    const std::string light =
+        "LightSource \"point\" \"color I\" [10 10 10] \"point from\" [0 0 -4]\n";
+    const std::string square =
+        "Shape \"trianglemesh\" \"point P\" [-9 -9 0 9 -9 0 9 9 0 -9 9 0]\n"
+        "\"integer indices\" [0 1 2 0 2 3]\n";
+    const std::string holes = square + "\"float alpha\" 0\n",
+                      black = "Material \"matte\" \"color Kd\" [0 0 0]\n";
+    const double open = brightness(light + square);
+    CHECK_THAT(brightness(light + holes + square), WithinRel(open, 1e-6));
+    CHECK_THAT(brightness(light + square + holes), WithinRel(open, 1e-6));
+    CHECK(brightness(light + holes + black + square + square) == 0);
+    CHECK_THAT(brightness(light + holes + square + black + square), WithinRel(open, 1e-6));
+}
+
 TEST_CASE("Paths have the same bits with every exact backend", "[path]") {
     const TestScene scene = lit_room();
     const std::vector<Color> expected = image(scene, reference_backend);

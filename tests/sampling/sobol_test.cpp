@@ -112,3 +112,46 @@ TEST_CASE("Points made together are those made one by one", "[sampling]") {
         }
     });
 }
+
+TEST_CASE("The choices at vertices are pairs of Sobol' points, each of its own sequence",
+          "[sampling]") {
+    std::vector<VertexPoint> expected;
+    for_each_target([&] {
+        VertexPoints vertices;
+        for (std::uint32_t i = 0; i < 64; ++i) {
+            SampleSource({1, 2, 3}, i).add_vertex(4, vertices);
+            SampleSource({1, 2, 3}, i).add_vertex(5, vertices);
+        }
+        vertices.make(Sampler::sobol);
+        for (const std::size_t name : {0, 1}) {
+            std::vector<Vec2> on_light, direction, choices;
+            for (std::size_t i = name; i < 128; i += 2) {
+                const VertexPoint p = vertices[i];
+                on_light.push_back(p.on_light);
+                direction.push_back(p.direction);
+                choices.push_back({p.light, p.lobe});
+                expected.push_back(p);
+                CHECK((p.survival >= 0 && p.survival < 1));
+                // Of one number in all targets.
+                CHECK(expected[name * 64 + i / 2].on_light == p.on_light);
+            }
+            for (const std::vector<Vec2>* points : {&on_light, &direction, &choices}) {
+                CHECK(one_point_in_every_cell(*points, 8, 8));
+            }
+            CHECK(on_light != direction);
+            CHECK(on_light != choices);
+        }
+    });
+    CHECK(expected[0].on_light != expected[64].on_light);
+}
+
+TEST_CASE("Random choices at vertices are apart from each other", "[sampling]") {
+    VertexPoints vertices;
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        SampleSource({1, 2, 3, Sampler::random}, i).add_vertex(4, vertices);
+    }
+    vertices.make(Sampler::random);
+    CHECK(vertices[0].on_light != vertices[1].on_light);
+    CHECK(vertices[0].on_light != vertices[0].direction);
+    CHECK(vertices[0].light != vertices[0].lobe);
+}

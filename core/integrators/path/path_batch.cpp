@@ -43,11 +43,6 @@ void PathBatch::run() {
     }
 }
 
-bool PathBatch::may_scatter(std::size_t ray) const {
-    const Path& path = paths_[ray];
-    return hits_[ray].primitive != no_index && !path.last_ray && path.depth < t_.most_vertices;
-}
-
 void PathBatch::make_points() {
     points_.clear();
     light_points_.clear();
@@ -92,7 +87,9 @@ void PathBatch::shade(std::size_t ray, std::size_t vertex) {
     const bool cut_out = t_.shading.is_cut_out(surface, PhysicalShading::RayKind::seeing);
     if (!cut_out) add_emitted(path, surface, direction);
     if (cut_out || t_.shading.is_passed(surface)) {
-        pass(path, surface, direction);
+        next_rays_.push_back(ray_beyond(rays_[ray], hits_[ray], surface.point.convexity));
+        next_paths_.push_back(path);
+        ++counts_.refracted;
         return;
     }
     if (!may_scatter(ray)) return;
@@ -102,12 +99,6 @@ void PathBatch::shade(std::size_t ray, std::size_t vertex) {
     path.last.position = surface.point.position;
     if (lobes.has_smooth() && !t_.lights.empty()) ask_lights(path, at);
     scatter(path, at);
-}
-
-void PathBatch::pass(const Path& path, const PhysicalSurface& at, const Vec3& direction) {
-    next_rays_.push_back(spawn_ray(at.point, direction));
-    next_paths_.push_back(path);
-    ++counts_.refracted;
 }
 
 void PathBatch::add_escaped(const Path& path, const Vec3& direction) {
@@ -192,7 +183,6 @@ void PathBatch::add_answers() {
 void PathBatch::pass_cut_outs() {
     for (std::size_t i = 0; i < shadow_rays_.size(); ++i) {
         Ray ray = shadow_rays_[i];
-        const Vec3 target = ray.origin + ray.direction;
         while (blocked_[i] != 0) {
             Hit hit;
             t_.intersector.closest({&ray, 1}, {&hit, 1});
@@ -200,10 +190,7 @@ void PathBatch::pass_cut_outs() {
             if (blocked_[i] == 0) break;
             const PhysicalSurface at = physical_surface(t_.scene, ray, hit);
             if (!t_.shading.is_cut_out(at, PhysicalShading::RayKind::shadow)) break;
-            const double end = ray.tmax;
-            ray = end < infinity ? spawn_ray_to(at.point, target)
-                                 : spawn_ray(at.point, ray.direction);
-            ray.tmax = end;
+            ray = ray_beyond(ray, hit, at.point.convexity);
             ++counts_.shadow;
         }
     }

@@ -55,13 +55,15 @@ class PathBatch {
     };
 
     /// Whether a ray's path may be scattered where the ray ends.
-    bool may_scatter(std::size_t ray) const;
+    bool may_scatter(std::size_t ray) const {
+        const Path& path = paths_[ray];
+        return hits_[ray].primitive != no_index && !path.last_ray && path.depth < t_.most_vertices;
+    }
 
     /// Makes the choices of all vertices.
     void make_points();
     void shade_all(bool from_camera);
     void shade(std::size_t ray, std::size_t vertex);
-    void pass(const Path& path, const PhysicalSurface& at, const Vec3& direction);
 
     void add(const Path& path, const Color& color) {
         colors_[path.sample] += path.throughput * color;
