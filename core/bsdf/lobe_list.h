@@ -18,6 +18,7 @@ class LobeList {
     LobeList& operator=(const LobeList& other) {
         count_ = other.count_;
         has_smooth_ = other.has_smooth_;
+        has_smooth_transmission_ = other.has_smooth_transmission_;
         std::uninitialized_copy_n(other.lobes_.begin(), count_, lobes_.begin());
         return *this;
     }
@@ -29,6 +30,7 @@ class LobeList {
         if (count_ == capacity) return;
         std::construct_at(lobes_.data() + count_++, lobe);
         has_smooth_ |= Kind::kind != LobeKind::specular;
+        has_smooth_transmission_ |= Kind::kind == LobeKind::transmission;
     }
     void add(const Lobe& lobe) {
         std::visit([&](const auto& kind) { add(kind); }, lobe);
@@ -44,6 +46,9 @@ class LobeList {
     /// Whether any lobe is not specular.
     bool has_smooth() const { return has_smooth_; }
 
+    /// Whether one of these scatters light through the surface.
+    bool has_smooth_transmission() const { return has_smooth_transmission_; }
+
     std::size_t size() const { return count_; }
     const Lobe& operator[](std::size_t k) const { return lobes_[k]; }
     std::span<const Lobe> span() const { return {lobes_.data(), count_}; }
@@ -52,7 +57,7 @@ class LobeList {
     static_assert(std::is_trivially_destructible_v<Lobe>);
 
     std::size_t count_ = 0;
-    bool has_smooth_ = false;
+    bool has_smooth_ = false, has_smooth_transmission_ = false;
     union {
         std::array<Lobe, capacity> lobes_;  // the first count_ live
     };

@@ -96,7 +96,11 @@ void PathBatch::shade(std::size_t ray, std::size_t vertex) {
     std::optional<LobeList> room;
     const auto [frame, lobes] = t_.shading.scattering(surface, room);
     const Vertex at{surface, frame.ns, BsdfFrom(frame, lobes, -normalized(direction)), vertex};
+    const bool is_above = surface.ng.dot(direction) < 0;
     path.last.position = surface.point.position;
+    path.last.normal = lobes.has_smooth_transmission() ? Vec3(0)
+                       : is_above                      ? surface.ng
+                                                       : -surface.ng;
     if (lobes.has_smooth() && !t_.lights.empty()) ask_lights(path, at);
     scatter(path, at);
 }
