@@ -1,5 +1,7 @@
 #include "core/formats/file_text.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -48,6 +50,9 @@ FileText read_file(const std::string& path) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                                std::fclose);
     if (!file) return failure("cannot be opened: " + reason());
+    if (std::filesystem::is_character_file(path, unknown) && !::isatty(::fileno(file.get()))) {
+        return failure("is a device, which may have no end");
+    }
     const std::uintmax_t size = std::filesystem::file_size(path, unknown);
     if (unknown) return read_all(file.get(), 0);
     return size > largest_file ? too_large() : read_all(file.get(), size);

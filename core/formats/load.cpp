@@ -10,7 +10,7 @@
 
 #include "core/formats/detect_format.h"
 #include "core/formats/diagnostic_log.h"
-#include "core/formats/file_text.h"
+#include "core/formats/mapped_file.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/nff/nff.h"
 #include "core/formats/p3f/p3f.h"
@@ -133,8 +133,8 @@ LoadResult load_scene_text(std::string_view text, const std::string& path,
 
 LoadResult load_scene(const std::string& path, const LoadOptions& options) {
     try {
-        const FileText file = read_file(path);
-        if (!file.error.empty()) return refuse(path, "file", "{}", file.error);
+        const MappedFile file(path);
+        if (!file.error().empty()) return refuse(path, "file", "{}", file.error());
         return load_scene_text(file.text(), path, options);
     } catch (const std::bad_alloc&) {
         return refuse(path, "file", "does not fit into memory");

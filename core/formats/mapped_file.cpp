@@ -16,9 +16,12 @@ constexpr int mapping = MAP_PRIVATE;
 
 /// Returns the file's pages and sets their size in bytes; nothing if they cannot be mapped.
 const char* map(const std::string& path, std::size_t& size) {
+    struct stat status {};
+    // A pipe that was opened and closed again has lost its writer.
+    if (path == "-" || ::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode))
+        return nullptr;
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return nullptr;
-    struct stat status {};
     void* pages = MAP_FAILED;
     if (::fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0 &&
         static_cast<std::size_t>(status.st_size) <= largest_file) {

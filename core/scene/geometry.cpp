@@ -4,7 +4,7 @@ namespace etalon {
 namespace {
 
 template <class T>
-std::size_t memory_bytes(const std::vector<T>& v) {
+std::size_t memory_bytes(const LargeVector<T>& v) {
     return v.capacity() * sizeof(T);
 }
 
@@ -71,7 +71,7 @@ class Appender {
 };
 
 template <class T>
-void append(std::vector<T>& to, const std::vector<T>& from) {
+void append(LargeVector<T>& to, const LargeVector<T>& from) {
     to.insert(to.end(), from.begin(), from.end());
 }
 

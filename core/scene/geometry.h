@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/numerics/decimal.h"
+#include "core/parallel/large_pages.h"
 #include "core/scene/primitive_runs.h"
 #include "core/scene/shapes.h"
 
@@ -22,8 +23,8 @@ inline constexpr std::uint32_t decimal_vertex = 0x80000000U;
 struct Geometry {
     PrimitiveRuns primitives;
     ShapeArrays shapes;
-    std::vector<Vec3> vertices, normals;
-    std::vector<DecimalVertex> decimal_vertices;
+    LargeVector<Vec3> vertices, normals;
+    LargeVector<DecimalVertex> decimal_vertices;
 
     Vec3 vertex(std::uint32_t number) const {
         if ((number & decimal_vertex) == 0) return vertices[number];

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/parallel/large_pages.h"
 #include "core/scene/physical_light.h"
 #include "core/scene/physical_material.h"
 #include "core/scene/texture.h"
@@ -25,12 +28,20 @@ struct SurfaceBinding {
     NumberSlot shadow_alpha{1.0F};  ///< a shadow ray passes where it, or alpha, is 0
 };
 
+/// The statement that names an image file, for the message if the file cannot be read.
+struct NamedImage {
+    std::string file;
+    std::string where;          ///< FILE:LINE:COLUMN
+    std::string_view stand_in;  ///< what is shown then
+};
+
 struct PhysicalLook {
     std::vector<SurfaceBinding> bindings;
     std::vector<PhysicalMaterial> materials;
     std::vector<PhysicalLight> lights;
     Textures textures;
-    std::vector<std::array<float, 2>> uvs;  ///< of vertices of triangles
+    std::vector<NamedImage> named_images;
+    LargeVector<std::array<float, 2>> uvs;  ///< of vertices of triangles
 };
 
 }  // namespace etalon

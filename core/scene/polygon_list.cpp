@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t least_corners_for_columns = 8;
 
 template <class T>
-std::uint32_t append(std::vector<T>& to, std::span<const T> items) {
+std::uint32_t append(LargeVector<T>& to, std::span<const T> items) {
     const auto first = static_cast<std::uint32_t>(to.size());
     to.insert(to.end(), items.begin(), items.end());
     return first;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "core/parallel/large_pages.h"
 #include "core/scene/polygon.h"
 #include "core/scene/value_iterator.h"
 
@@ -69,9 +69,9 @@ class PolygonList {
     /// Works out what follows from the corners.
     void work_out(Entry& entry);
 
-    std::vector<Entry> entries_;
-    std::vector<Vec3> corners_, normals_;
-    std::vector<double> columns_;
+    LargeVector<Entry> entries_;
+    LargeVector<Vec3> corners_, normals_;
+    LargeVector<double> columns_;
 };
 
 }  // namespace etalon

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "core/parallel/large_pages.h"
 #include "core/scene/shapes.h"
 #include "core/scene/value_iterator.h"
 
@@ -116,10 +116,10 @@ class PrimitiveRuns {
         return static_cast<std::uint32_t>(first);
     }
 
-    std::vector<Run> runs_;
+    LargeVector<Run> runs_;
     /// For each 64 primitives is_run and the run of all, or the place of the first in listed_.
-    std::vector<std::uint32_t> of_strides_;
-    std::vector<Primitive> listed_;  ///< those of the strides of several runs
+    LargeVector<std::uint32_t> of_strides_;
+    LargeVector<Primitive> listed_;  ///< those of the strides of several runs
     std::size_t size_ = 0;
 };
 

@@ -4,9 +4,9 @@ namespace etalon {
 
 namespace {
 
-template <class... T>
-std::size_t bytes(const std::vector<T>&... arrays) {
-    return ((arrays.capacity() * sizeof(T)) + ...);
+template <class... Array>
+std::size_t bytes(const Array&... arrays) {
+    return ((arrays.capacity() * sizeof(typename Array::value_type)) + ...);
 }
 
 std::size_t bytes(const WhittedLook& look) {
@@ -16,7 +16,7 @@ std::size_t bytes(const WhittedLook& look) {
 std::size_t bytes(const PhysicalLook& look) {
     const Textures& t = look.textures;
     return bytes(look.bindings, look.materials, look.lights, look.uvs, t.numbers, t.colors,
-                 t.images);
+                 t.images, look.named_images);
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <string_view>
 #include <tuple>
-#include <vector>
 
 #include "core/numerics/local_frame.h"
 #include "core/numerics/vec.h"
+#include "core/parallel/large_pages.h"
 #include "core/scene/convexity.h"
 #include "core/scene/polygon_list.h"
 #include "core/scene/triangle_list.h"
@@ -109,9 +109,9 @@ struct ClosedCylinder {
 /// One array per kind of shape. A kind's number is its place in this list; triangles are in an
 /// array of fewer bytes, and polygons in one that keeps what their corners give.
 using ShapeArrays =
-    std::tuple<std::vector<Sphere>, TriangleList, PolygonList, std::vector<Box>, std::vector<Plane>,
-               std::vector<Cone>, std::vector<Ring>, std::vector<Quadric>, std::vector<Ellipsoid>,
-               std::vector<ClosedCylinder>>;
+    std::tuple<LargeVector<Sphere>, TriangleList, PolygonList, LargeVector<Box>, LargeVector<Plane>,
+               LargeVector<Cone>, LargeVector<Ring>, LargeVector<Quadric>, LargeVector<Ellipsoid>,
+               LargeVector<ClosedCylinder>>;
 
 inline constexpr std::size_t shape_kinds = std::tuple_size_v<ShapeArrays>;
 

@@ -92,7 +92,7 @@ class Similarity {
     }
 
     template <class T>
-    void operator()(std::vector<T>& list) const {
+    void operator()(LargeVector<T>& list) const {
         for (T& item : list) (*this)(item);
     }
 

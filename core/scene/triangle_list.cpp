@@ -2,17 +2,19 @@
 
 #include <algorithm>
 
+#include "core/base/make_room.h"
+
 namespace etalon {
 namespace {
 
 template <class T>
-std::size_t bytes(const std::vector<T>& v) {
+std::size_t bytes(const LargeVector<T>& v) {
     return v.capacity() * sizeof(T);
 }
 
 template <class Difference>
 void append_differences(const std::vector<TriangleIndices>& triangles, std::uint32_t base,
-                        std::vector<std::array<Difference, 3>>& to) {
+                        LargeVector<std::array<Difference, 3>>& to) {
     for (const auto& [a, b, c] : triangles) {
         to.push_back({static_cast<Difference>(a - base), static_cast<Difference>(b - base),
                       static_cast<Difference>(c - base)});
@@ -22,8 +24,7 @@ void append_differences(const std::vector<TriangleIndices>& triangles, std::uint
 }  // namespace
 
 void TriangleList::reserve(std::size_t more) {
-    const std::size_t needed = narrow_.size() + more;
-    if (needed > narrow_.capacity()) narrow_.reserve(std::max(needed, 2 * narrow_.capacity()));
+    make_room(narrow_, more);
 }
 
 void TriangleList::push_back(const TriangleIndices& triangle) {
@@ -57,7 +58,8 @@ void TriangleList::shrink_to_fit() {
 }
 
 std::size_t TriangleList::memory_bytes() const {
-    return bytes(blocks_) + bytes(narrow_) + bytes(wide_) + bytes(open_);
+    return bytes(blocks_) + bytes(narrow_) + bytes(wide_) +
+           open_.capacity() * sizeof(TriangleIndices);
 }
 
 }  // namespace etalon

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/parallel/large_pages.h"
 #include "core/scene/value_iterator.h"
 
 namespace etalon {
@@ -46,7 +47,7 @@ class TriangleList {
     };
 
     template <class Difference>
-    static TriangleIndices decoded(const std::vector<std::array<Difference, 3>>& differences,
+    static TriangleIndices decoded(const LargeVector<std::array<Difference, 3>>& differences,
                                    const Block& block, std::size_t place) {
         const auto& d = differences[block.first * block_size + place];
         return {block.base + d[0], block.base + d[1], block.base + d[2]};
@@ -54,9 +55,9 @@ class TriangleList {
 
     void close_block();
 
-    std::vector<Block> blocks_;
-    std::vector<std::array<std::uint16_t, 3>> narrow_;
-    std::vector<std::array<std::uint32_t, 3>> wide_;
+    LargeVector<Block> blocks_;
+    LargeVector<std::array<std::uint16_t, 3>> narrow_;
+    LargeVector<std::array<std::uint32_t, 3>> wide_;
     std::size_t closed_ = 0;             ///< how many triangles are in blocks
     std::vector<TriangleIndices> open_;  ///< triangles of the last block, as long as it is not full
 };

@@ -9,7 +9,7 @@ using namespace etalon::accuracy;
 namespace {
 
 template <class Shape>
-Scene scene_of(const Shape& shape, std::vector<Vec3> vertices = {}) {
+Scene scene_of(const Shape& shape, LargeVector<Vec3> vertices = {}) {
     Scene scene;
     scene.geometry.vertices = std::move(vertices);
     scene.geometry.add(shape, 0);

@@ -9,7 +9,9 @@ namespace {
 class RayMaker {
   public:
     RayMaker(const Scene& scene, Random& random)
-        : scene_(scene), random_(random), vertices_(scene.geometry.vertices) {
+        : scene_(scene),
+          random_(random),
+          vertices_(scene.geometry.vertices.begin(), scene.geometry.vertices.end()) {
         const std::span<const Vec3> corners = scene.geometry.all<Polygon>().corners();
         vertices_.insert(vertices_.end(), corners.begin(), corners.end());
         for (std::uint32_t id = 0; id < scene.geometry.primitives.size(); ++id) {

@@ -43,7 +43,7 @@ class Hash {
         }
     }
     template <class T>
-    void add(const std::vector<T>& values) {
+    void add(const LargeVector<T>& values) {
         add(std::span(values));
     }
     void add(const TriangleList& triangles) {

@@ -1,4 +1,6 @@
 // f, s, c, p and pp.
+
+#include <algorithm>
 #include <cmath>
 
 #include "tests/catch.h"
@@ -115,8 +117,9 @@ TEST_CASE("an NFF patch has a normal at each corner") {
         load_nff_text(matt + "pp 3\n0 0 0 0 0 2\n1 0 0 0 1 0\n0 1 0 1 0 0\ns 0 0 0 1");
     CHECK(messages(r).empty());
     REQUIRE(r.scene->geometry.all<Triangle>().size() == 1);
-    CHECK(corner_normals(*r.scene, 0) == r.scene->geometry.normals);
-    CHECK(r.scene->geometry.normals == std::vector{Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(1, 0, 0)});
+    CHECK(std::ranges::equal(corner_normals(*r.scene, 0), r.scene->geometry.normals));
+    CHECK(r.scene->geometry.normals ==
+          LargeVector<Vec3>{Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(1, 0, 0)});
 }
 
 TEST_CASE("an NFF shape is seen from both sides, by a negative radius from its inside") {

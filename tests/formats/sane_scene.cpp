@@ -83,7 +83,7 @@ bool all_fine(const List& list) {
     return true;
 }
 
-bool all_finite(const std::vector<Vec3>& list) {
+bool all_finite(std::span<const Vec3> list) {
     for (const Vec3& v : list) {
         if (!is_finite(v)) return false;
     }

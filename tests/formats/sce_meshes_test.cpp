@@ -74,7 +74,8 @@ TEST_CASE("a mesh lies beside the scene and is moved by the matrix") {
     const LoadResult r = folder.load("translate 0 0 5\nobject_flat half.obj\n");
     CHECK(messages(r).empty());
     REQUIRE(r.scene->geometry.all<Triangle>().size() == 1);
-    CHECK(r.scene->geometry.vertices == std::vector{Vec3(0, 0, 5), Vec3(1, 0, 4), Vec3(0, 1, 5)});
+    CHECK(r.scene->geometry.vertices ==
+          LargeVector<Vec3>{Vec3(0, 0, 5), Vec3(1, 0, 4), Vec3(0, 1, 5)});
     CHECK(corner_normals(*r.scene, 0).empty());
 }
 
@@ -106,7 +107,7 @@ TEST_CASE("the normals of a file go with their corners, mirrored ones too") {
     folder.write("half.obj", tilted + "vn 1 0 0\nvn 0 1 0\nvn 0 0 1\n");
     const LoadResult plain = folder.load("object_phong half.obj\n");
     CHECK(plain.scene->geometry.normals ==
-          std::vector{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)});
+          LargeVector<Vec3>{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)});
     const LoadResult r = folder.load("scale 1 1 -1\nobject_phong half.obj\n");
     CHECK(corners_of(*r.scene, 0) == std::vector{Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(1, 0, 1)});
     const std::vector<Vec3> normals = corner_normals(*r.scene, 0);

@@ -26,7 +26,7 @@ Scene mixed_scene(int copies) {
         const std::array<double, 10> saddle = {1, 0.5, 0, 0.1, -2, 0, 0, 0, 0.5, 0};
         scene.geometry.add(Quadric{p, saddle, {p - Vec3(0.5), p + Vec3(0.5)}}, 0);
         const std::array square = {p, p + Vec3(1, 0, 0), p + Vec3(1, 1, 0), p + Vec3(0, 1, 0)};
-        std::vector<Vec3>& vertices = scene.geometry.vertices;
+        LargeVector<Vec3>& vertices = scene.geometry.vertices;
         const auto first = static_cast<std::uint32_t>(vertices.size());
         vertices.insert(vertices.end(), square.begin(), square.end());
         scene.geometry.add(Triangle{{first, first + 1, first + 3}}, 0);

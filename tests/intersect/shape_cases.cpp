@@ -122,7 +122,7 @@ ShapeCase flat(const std::string& name, const std::vector<Vec3>& p) {
     Box3 box;
     for (const Vec3& corner : p) box.extendBy(corner);
     ShapeCase c{name, {}, box.center(), box.size().length() / 2, true, {}, {}};
-    c.scene.geometry.vertices = p;
+    c.scene.geometry.vertices.assign(p.begin(), p.end());
     if (p.size() == 3) {
         c.scene.geometry.add(Triangle{{0, 1, 2}}, 0);
     } else {

@@ -2,17 +2,11 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/make_room.h"
 #include "core/formats/p3f/p3f_loader.h"
 
 namespace etalon::p3f {
 namespace {
-
-/// Reserves room for `extra` more elements, in steps that keep many small requests cheap.
-template <class T>
-void make_room(std::vector<T>& v, std::size_t extra) {
-    const std::size_t needed = v.size() + extra;
-    if (needed > v.capacity()) v.reserve(std::max(needed, 2 * v.capacity()));
-}
 
 /// Numbers of the vertices of the mesh being read among those of the scene.
 using Vertices = std::vector<std::uint32_t>;

@@ -19,7 +19,7 @@ TokenStream::TokenStream(std::string_view text, const std::string& path, Log& lo
     enter(path, nullptr, text);
 }
 
-void TokenStream::enter(const std::string& path, std::unique_ptr<FileText> file,
+void TokenStream::enter(const std::string& path, std::unique_ptr<MappedFile> file,
                         std::string_view text) {
     sources_.push_back({path, number_of(path), std::move(file), Lexer(text), Locator(text)});
 }
@@ -81,13 +81,13 @@ void TokenStream::include(const std::string& name, Place where) {
         log_.error(where, "include", "{} is not included: {}", in_quotes(path), why);
         return;
     }
-    auto file = std::make_unique<FileText>(read_file(path));
-    if (!file->error.empty()) {
-        log_.error(where, "include", "{} {}; it is left out", in_quotes(path), file->error);
+    auto file = std::make_unique<MappedFile>(path);
+    if (!file->error().empty()) {
+        log_.error(where, "include", "{} {}; it is left out", in_quotes(path), file->error());
         return;
     }
-    if (files_.contains(path)) repeated_bytes_ += file->size;
     const std::string_view text = file->text();
+    if (files_.contains(path)) repeated_bytes_ += text.size();
     enter(path, std::move(file), text);
 }
 

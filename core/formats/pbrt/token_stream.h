@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/formats/file_text.h"
 #include "core/formats/locator.h"
+#include "core/formats/mapped_file.h"
 #include "core/formats/pbrt/lexer.h"
 #include "core/formats/pbrt/log.h"
 
@@ -44,7 +44,7 @@ class TokenStream {
     struct Source {
         std::string path;
         std::uint32_t file;
-        std::unique_ptr<FileText> text;  ///< null for the text that the stream was made with
+        std::unique_ptr<MappedFile> text;  ///< null for the text that the stream was made with
         Lexer lexer;
         Locator locator;
     };
@@ -52,7 +52,7 @@ class TokenStream {
     /// Returns why the file is not to be read; empty if it is.
     std::string refusal(const std::string& path) const;
     std::uint32_t number_of(const std::string& path);
-    void enter(const std::string& path, std::unique_ptr<FileText> file, std::string_view text);
+    void enter(const std::string& path, std::unique_ptr<MappedFile> file, std::string_view text);
 
     Log& log_;
     std::filesystem::path directory_;

@@ -70,7 +70,7 @@ Order world_order(const Order& face, bool mirrored) {
 }
 
 void add_flat_faces(Loader& loader, const ObjMesh& mesh, const std::vector<Vec3>& world) {
-    std::vector<Vec3>& vertices = loader.scene.geometry.vertices;
+    LargeVector<Vec3>& vertices = loader.scene.geometry.vertices;
     const auto first = static_cast<std::uint32_t>(vertices.size());
     vertices.insert(vertices.end(), world.begin(), world.end());
     const bool mirrored = mirrors(loader.state.matrix);

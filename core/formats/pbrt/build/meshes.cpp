@@ -1,6 +1,8 @@
-#include "core/formats/file_text.h"
+#include "core/base/make_room.h"
+#include "core/formats/mapped_file.h"
 #include "core/formats/pbrt/build/shape_builder.h"
 #include "core/formats/ply/ply.h"
+#include "core/parallel/parallel.h"
 #include "core/tessellate/loop_subdivision.h"
 
 namespace etalon::pbrt {
@@ -10,21 +12,29 @@ Vec3f triple(std::span<const float> numbers, std::size_t i) {
     return {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
 }
 
+/// Appends value(i) for each i below `count`, on all threads.
+template <class Vector, class Value>
+void append(Vector& to, std::size_t count, const Value& value) {
+    constexpr std::size_t worth_a_thread = 1 << 14;
+    const std::size_t first = to.size();
+    make_room(to, count);
+    to.resize(first + count);
+    parallel_for(count, worth_a_thread, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) to[first + i] = value(i);
+    });
+}
+
 /// Adds the vertices of a mesh. Returns the number of the first.
 std::uint32_t add_vertices(ShapeBuilder& s, const MeshData& mesh) {
     Geometry& g = s.geometry();
+    const std::size_t count = mesh.points.size() / 3;
     const auto first = static_cast<std::uint32_t>(g.vertices.size());
-    for (std::size_t i = 0; i < mesh.points.size() / 3; ++i) {
-        const Vec3 position = s.point(triple(mesh.points, i));
-        if (mesh.normals.empty()) {
-            g.add_vertex(position);
-        } else {
-            g.add_vertex(position, s.normal(Vec3(triple(mesh.normals, i))).normalized());
-        }
-    }
-    for (std::size_t i = 0; i + 1 < mesh.uvs.size(); i += 2) {
-        s.b.look().uvs.push_back({mesh.uvs[i], mesh.uvs[i + 1]});
-    }
+    append(g.vertices, count, [&](std::size_t i) { return s.point(triple(mesh.points, i)); });
+    append(g.normals, mesh.normals.size() / 3,
+           [&](std::size_t i) { return s.normal(Vec3(triple(mesh.normals, i))).normalized(); });
+    append(s.b.look().uvs, mesh.uvs.size() / 2, [&](std::size_t i) {
+        return std::array{mesh.uvs[2 * i], mesh.uvs[2 * i + 1]};
+    });
     return first;
 }
 
@@ -35,19 +45,23 @@ void append_numbers(const std::vector<Vec3>& from, std::vector<float>& to) {
     }
 }
 
+using Corners = std::span<const std::uint32_t>;
+
 /// The numbers of vertices in `indices`, or why they are none.
-std::variant<std::vector<std::uint32_t>, std::string> corners(std::span<const std::int32_t> indices,
-                                                              std::size_t vertices) {
-    std::vector<std::uint32_t> result;
-    result.reserve(indices.size());
-    for (const std::int32_t index : indices.first(indices.size() / 3 * 3)) {
-        if (index < 0 || static_cast<std::size_t>(index) >= vertices) {
-            return fmt::format("there is no vertex {}; its {} vertices are numbered from 0", index,
-                               vertices);
-        }
-        result.push_back(static_cast<std::uint32_t>(index));
+std::variant<Corners, std::string> corners(std::span<const std::int32_t> indices,
+                                           std::size_t vertices) {
+    const auto of_triangles = indices.first(indices.size() / 3 * 3);
+    const auto is_bad = [&](std::int32_t index) {
+        return static_cast<std::uint32_t>(index) >= vertices;  // as those below 0 are, too
+    };
+    const auto bad = std::ranges::find_if(of_triangles, is_bad);
+    if (bad != of_triangles.end()) {
+        return fmt::format("there is no vertex {}; its {} vertices are numbered from 0", *bad,
+                           vertices);
     }
-    return result;
+    // An integer may be looked at as the unsigned one of its size.
+    return Corners(reinterpret_cast<const std::uint32_t*>(of_triangles.data()),
+                   of_triangles.size());
 }
 
 }  // namespace
@@ -65,6 +79,7 @@ void build_mesh(ShapeBuilder& s, const MeshData& mesh) {
     s.begin(binding);
     const std::uint32_t normal_offset = has_normals ? g.normal_offset() : no_index;
     std::size_t degenerate = 0;
+    g.all<Triangle>().reserve(mesh.corners.size() / 3);
     for (std::size_t i = 0; i < mesh.corners.size(); i += 3) {
         const TriangleIndices t{first + mesh.corners[i], first + mesh.corners[i + 1],
                                 first + mesh.corners[i + 2]};
@@ -95,8 +110,12 @@ void build_triangle_mesh(ShapeBuilder& s) {
                  mesh.uvs.size() / 2, vertices);
         mesh.uvs = {};
     }
+    if (s.parameters().is_given("S")) {
+        s.b.warn(s.shape.plugin.where, "mesh",
+                 "\"S\" left out: tangents follow the texture coordinates");
+    }
     mesh.uvs = mesh.uvs.first(std::min(mesh.uvs.size(), 2 * vertices));
-    auto checked = corners(p.integers("indices"), vertices);
+    const auto checked = corners(p.integers("indices"), vertices);
     if (const auto* why = std::get_if<std::string>(&checked)) return s.skip(*why);
     mesh.corners = std::get<0>(checked);
     mesh.flipped = s.shape.reverse_orientation;
@@ -105,8 +124,8 @@ void build_triangle_mesh(ShapeBuilder& s) {
 
 void build_ply_mesh(ShapeBuilder& s) {
     const std::string path(s.parameters().string("filename"));
-    const FileText file = read_file(path);
-    if (!file.error.empty()) return s.skip(fmt::format("{}: {}", path, file.error));
+    const MappedFile file(path);
+    if (!file.error().empty()) return s.skip(fmt::format("{}: {}", path, file.error()));
     DiagnosticLog log(path, file.text(), s.b.strict);
     const std::optional<PlyMesh> ply = read_ply(file.text(), log);
     s.b.log.append(log.list());
