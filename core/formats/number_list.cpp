@@ -1,5 +1,7 @@
 #include "core/formats/number_list.h"
 
+#include <algorithm>
+
 #include "core/numerics/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE

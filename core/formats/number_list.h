@@ -1,11 +1,10 @@
 // Long lists of numbers, as meshes in scene files are.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
+#include <vector>
 
 namespace etalon {
 
@@ -16,30 +15,9 @@ namespace etalon {
 template <class T>
 std::size_t read_numbers(const char*& p, const char* last, std::span<T> values);
 
-/// Appends all numbers up to such a place to `values`, a vector of T. For a long list room is made
-/// as if it went on to the next bracket with numbers as long as the first.
-template <class Vector>
-void read_numbers(const char*& p, const char* last, Vector& values) {
-    using T = typename Vector::value_type;
-    constexpr std::size_t most_at_once = 1 << 14;  // they stay in the nearest cache
-    const char* const first = p;
-    const std::size_t before = values.size();
-    std::size_t count = before;
-    while (true) {
-        const std::size_t room = (static_cast<std::size_t>(last - p) + 1) / 2;  // a digit, a blank
-        values.resize(count + std::min(most_at_once, room));
-        count += read_numbers(p, last, std::span<T>(values).subspan(count));
-        if (count < values.size() || p == last) break;
-        if (values.capacity() >= count + most_at_once) continue;
-        const void* const bracket = std::memchr(p, ']', static_cast<std::size_t>(last - p));
-        const char* const end = bracket ? static_cast<const char*>(bracket) : last;
-        const double numbers_a_byte =
-            static_cast<double>(count - before) / static_cast<double>(p - first);
-        const auto to_come =
-            static_cast<std::size_t>(1.02 * numbers_a_byte * static_cast<double>(end - p));
-        values.reserve(count + std::min(to_come, 7 * count));  // the first may be short
-    }
-    values.resize(count);
-}
+/// Appends all numbers up to such a place to `values`, those of a long list on all threads. Room is
+/// made as if the list went on to the next bracket with numbers as long as those before.
+template <class T>
+void read_numbers(const char*& p, const char* last, std::vector<T>& values);
 
 }  // namespace etalon
