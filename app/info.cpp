@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "app/common/backends.h"
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
@@ -89,10 +92,41 @@ Json diagnostics(const std::vector<Diagnostic>& list) {
     return result;
 }
 
+/// Full vertical field of view, in degrees.
+double field_of_view(const ProjectiveCamera& c) {
+    constexpr double degree = std::numbers::pi / 180;
+    if (c.projection == Projection::environment) return 180;
+    if (c.projection == Projection::orthographic) return 0;
+    return (std::atan(c.window.max.y) - std::atan(c.window.min.y)) / degree;
+}
+
+std::string_view name_of(Projection projection) {
+    switch (projection) {
+        case Projection::orthographic:
+            return "orthographic";
+        case Projection::environment:
+            return "environment";
+        default:
+            return "perspective";
+    }
+}
+
+/// The camera as its numbers are for one without a space of its own.
+Camera described(const Camera& c, const Imath::V2i& resolution) {
+    if (!c.projective) return c;
+    Camera result = c;
+    const double pixel_height = c.projective->window.size().y / resolution.y;
+    result.fov_degrees = field_of_view(*c.projective);
+    result.aperture =
+        c.projective->lens_radius > 0 ? 2 * c.projective->lens_radius / pixel_height : 0;
+    result.focal = c.projective->focal_distance;
+    return result;
+}
+
 Json describe(const InfoArguments& a, const LoadedScene& loaded) {
     const Scene& s = *loaded.scene;
     const RenderSettings& settings = loaded.settings;
-    const Camera& c = s.camera;
+    const Camera c = described(s.camera, settings.resolution);
     const LookFacts look = facts_of(s, settings);
     const auto vec = [](const Vec3& v) { return Json{v.x, v.y, v.z}; };
     return {{"schema", json_schema},
@@ -106,6 +140,8 @@ Json describe(const InfoArguments& a, const LoadedScene& loaded) {
              {{"eye", vec(c.eye)},
               {"at", vec(c.at)},
               {"up", vec(c.up)},
+              {"projection",
+               name_of(c.projective ? c.projective->projection : Projection::perspective)},
               {"fov_degrees", c.fov_degrees},
               {"width", settings.resolution.x},
               {"height", settings.resolution.y},

@@ -61,6 +61,7 @@ Json to_json(const RenderStats& s) {
                  {"stopped", s.stopped.empty() ? Json() : Json(s.stopped)},
                  {"target_error", or_null(s.target_error)},
                  {"expected_error", {{"relmse", or_null(s.expected_error)}}},
+                 {"dropped_samples", s.dropped_samples},
                  {"rays", rays(s.rays)},
                  {"mrays_per_s", rate},
                  {"memory_bytes",

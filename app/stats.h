@@ -20,6 +20,7 @@ struct RenderStats {
     nlohmann::ordered_json primitives;
     Duration parse, build, render, aovs, write;
     RayCounts rays;
+    std::uint64_t dropped_samples = 0;
     std::string stopped;  ///< "signal" or "time-limit"; empty if the image is what was asked for
     std::optional<double> target_error, expected_error;  ///< relMSE, asked for and estimated
     std::size_t scene_bytes = 0, accelerator_bytes = 0;

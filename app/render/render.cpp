@@ -55,6 +55,7 @@ class Render {
         if (const int status = check_outputs(); status != exit_done) return status;
         if (!open_reference() || !build()) return exit_unusable;
         const Rendering rendering = render_image();
+        warn_of_dropped_samples(rendering);
         const bool usable = tolerates(integrator_->late_problems());
         const bool written = rendering.counts.camera == 0 || write(rendering);
         if (signals_.signal() != 0) return exit_signal + signals_.signal();
@@ -82,13 +83,30 @@ class Render {
         return error.empty() ? exit_done : (complain(error), status);
     }
 
-    /// Warns of what the background's colour stands in for; false if that is an error.
+    /// The place of the statement that names the image that a problem begins with, and what stands
+    /// in for it.
+    std::pair<std::string_view, std::string_view> statement_of(std::string_view problem) const {
+        if (scene_.is_physical()) {
+            for (const NamedImage& image : scene_.physical().named_images) {
+                if (problem.starts_with(image.file + ": ")) return {image.where, image.stand_in};
+            }
+        }
+        return {a_.scene.path, "the background colour"};
+    }
+
+    /// Warns of images that something else stands in for; false if that is an error.
     bool tolerates(const std::vector<std::string>& problems) const {
         for (const std::string& problem : problems) {
-            print_message("{}: warning: {}; the background colour stands in\n", a_.scene.path,
-                          problem);
+            const auto [where, stand_in] = statement_of(problem);
+            print_message("{}: warning: {}; {} stands in\n", where, problem, stand_in);
         }
         return problems.empty() || !a_.scene.options.strict;
+    }
+
+    void warn_of_dropped_samples(const Rendering& rendering) const {
+        if (rendering.dropped_samples == 0) return;
+        print_message("{}: warning: {} samples are infinite or no number: they count as black\n",
+                      a_.scene.path, rendering.dropped_samples);
     }
 
     bool build() {
@@ -167,6 +185,7 @@ class Render {
         stats_.seed = a_.seed;
         stats_.primitives = primitive_counts(scene_);
         stats_.rays = rendering.counts;
+        stats_.dropped_samples = rendering.dropped_samples;
         stats_.scene_bytes = memory_bytes(scene_);
         stats_.accelerator_bytes = intersector_->memory_bytes();
     }

@@ -28,14 +28,17 @@ ImageFilm::ImageFilm(const Imath::Box2i& window, const RenderSettings& settings)
     }
 }
 
-void ImageFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& color) {
+bool ImageFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& color) {
     Color sample = color;
     if (changes_samples_) {
         const float y = luminance(sample);
         sample *= y > max_luminance_ ? scale_ * (max_luminance_ / y) : scale_;
     }
+    const bool good = is_finite(sample);
+    if (!good) sample = Color(0.0F);
     samples_.add(pixel.x, pixel.y, sample);
     if (splats_) splats_->add(pixel, place, sample);
+    return good;
 }
 
 std::vector<Imath::Box2i> ImageFilm::tiles() const {

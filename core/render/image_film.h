@@ -16,8 +16,9 @@ class ImageFilm {
     /// Film for an image of `window` whose filter is that of the settings.
     ImageFilm(const Imath::Box2i& window, const RenderSettings& settings);
 
-    /// Adds a sample at `place`, in pixels, of the pixel in which it lies.
-    void add(const Imath::V2i& pixel, const Vec2& place, const Color& color);
+    /// Adds a sample at `place`, in pixels, of the pixel in which it lies. One that is infinite or
+    /// no number counts as black, as in pbrt-v3. Returns whether it was none of that kind.
+    bool add(const Imath::V2i& pixel, const Vec2& place, const Color& color);
 
     /// The samples of each pixel. Where a filter is wider than a pixel, there are some beyond the
     /// image's window.

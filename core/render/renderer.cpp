@@ -72,6 +72,7 @@ class Renderer {
         Rendering result{image(), {}};
         result.samples = static_cast<double>(samples_done_) /
                          (film_.is_filtered() ? sampled : static_cast<double>(result.film.size()));
+        result.dropped_samples = samples_dropped_;
         result.expected_error = passes.expected_error();
         result.complete = passes.is_complete(samples_done_);
         for (const RayCounts& c : counts_) result.counts += c;
@@ -90,6 +91,7 @@ class Renderer {
             for_each_pixel(tile, stop, [&](int x, int y) { add_pixel(x, y, goal, batch); });
             batch.finish();
             const std::uint64_t total = samples_done_.fetch_add(batch.done()) + batch.done();
+            samples_dropped_ += batch.dropped();
             if (control_.progress) control_.progress(passes.progress(total));
         });
     }
@@ -113,6 +115,7 @@ class Renderer {
     std::vector<Imath::Box2i> tiles_;
     std::vector<RayCounts> counts_;
     std::atomic<std::uint64_t> samples_done_ = 0;
+    std::atomic<std::uint64_t> samples_dropped_ = 0;
     std::uint64_t shown_ = 0;
     bool is_image_ = false;  ///< the first pass is over
 };

@@ -31,6 +31,7 @@ struct Rendering {
     Film film;
     RayCounts counts;
     double samples = 0;                      ///< per pixel, the mean
+    std::uint64_t dropped_samples = 0;       ///< not finite, and taken as black
     std::optional<double> expected_error{};  ///< relMSE, where it was estimated
     bool complete = false;  ///< what was asked for: neither stopped nor out of time
 };

@@ -24,7 +24,7 @@ void SampleBatch::finish() {
     if (count == 0) return;
     integrator_.radiance(samples_.make(), std::span(colors_).first(count), counts_);
     for (std::size_t i = 0; i < count; ++i) {
-        film_.add(samples_.pixels()[i], samples_.places()[i], colors_[i]);
+        dropped_ += !film_.add(samples_.pixels()[i], samples_.places()[i], colors_[i]);
     }
     done_ += count;
     samples_.clear();

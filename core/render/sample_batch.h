@@ -28,13 +28,16 @@ class SampleBatch {
     /// Number of samples that are in the film.
     std::uint64_t done() const { return done_; }
 
+    /// Number of those that were not finite.
+    std::uint64_t dropped() const { return dropped_; }
+
   private:
     CameraBatch samples_;
     const Integrator& integrator_;
     ImageFilm& film_;
     RayCounts& counts_;
     std::vector<Color> colors_;
-    std::uint64_t done_ = 0;
+    std::uint64_t done_ = 0, dropped_ = 0;
 };
 
 }  // namespace etalon

@@ -37,6 +37,11 @@ LoadResult load_pbrt(std::string_view text, const std::string& path, const LoadO
             file, options.strict ? Severity::error : Severity::warning,
             fmt::format("{} frames in one file; only the first is rendered", file.frames.size())));
     }
+    if (options.one_sided) {
+        file.diagnostics.push_back(
+            about_file(file, options.strict ? Severity::error : Severity::warning,
+                       "--one-sided is not for PBRT scenes: surfaces are seen from both sides"));
+    }
     result.scene.emplace();
     result.scene->look = PhysicalLook{};
     SceneBuilder b{file, file.frames.front(), options.strict, result};

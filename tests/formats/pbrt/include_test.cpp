@@ -1,7 +1,7 @@
 #include <filesystem>
-#include <fstream>
 
 #include "tests/formats/pbrt/pbrt_text.h"
+#include "tests/temporary_folder.h"
 
 using namespace etalon;
 using namespace etalon::pbrt;
@@ -10,35 +10,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder for the files of one test.
+/// The files of one test.
 class Folder {
   public:
-    Folder() : path_(fs::temp_directory_path() / fs::path("etalon-include-XXXXXX")) {
-        std::string name = path_.string();
-        REQUIRE(mkdtemp(name.data()));
-        path_ = name;
-    }
-    ~Folder() { fs::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
     std::string file(const std::string& name, const std::string& text) const {
-        const fs::path path = path_ / name;
+        const fs::path path = path_of(name);
         fs::create_directories(path.parent_path());
-        std::ofstream(path) << text;
+        test::put(path.string(), text);
         return path.string();
     }
 
     /// Reads text as the file top.pbrt of the folder.
     ParsedFile parse(const std::string& text) const {
-        return etalon::pbrt::parse(text, (path_ / "top.pbrt").string());
+        return etalon::pbrt::parse(text, path_of("top.pbrt"));
     }
 
     /// Messages with the folder's name taken out.
     Messages said(const ParsedFile& file) const {
         Messages list = messages(file);
         for (std::string& m : list) {
-            const std::string folder = path_.string() + "/";
+            const std::string folder = path_of("");
             for (std::size_t at = m.find(folder); at != std::string::npos; at = m.find(folder)) {
                 m.erase(at, folder.size());
             }
@@ -47,7 +38,9 @@ class Folder {
     }
 
   private:
-    fs::path path_;
+    std::string path_of(const std::string& name) const { return folder_ / name; }
+
+    test::TemporaryFolder folder_;
 };
 
 }  // namespace

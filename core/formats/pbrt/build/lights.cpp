@@ -81,6 +81,10 @@ void build_lights(SceneBuilder& b) {
         if (entry == entries.end() || !to_world) continue;
         Lights& lights = b.look().lights;
         entry->add(light.plugin.parameters, *to_world, lights);
+        if (light.plugin.type->find("mapname")) {
+            b.name_image(std::string(light.plugin.parameters.string("mapname")), light.plugin.where,
+                         "a light without an image");
+        }
         if (auto* source = std::get_if<InfiniteSource>(&lights.back())) {
             source->samples = light_samples(b, light.plugin.parameters);
         }

@@ -40,6 +40,14 @@ struct SceneBuilder {
         d->message = fmt::format(text, std::forward<T>(arguments)...);
     }
 
+    /// Notes where an image is named, and what is shown if it cannot be read.
+    void name_image(const std::string& image, const Place& place, std::string_view stand_in) {
+        if (image.empty()) return;
+        look().named_images.push_back(
+            {image, fmt::format("{}:{}:{}", file.files[place.file], place.line, place.column),
+             stand_in});
+    }
+
     /// The value of a parameter, or the texture that is bound to it.
     ColorSlot color(const Parameters& p, std::string_view name);
     NumberSlot number(const Parameters& p, std::string_view name);

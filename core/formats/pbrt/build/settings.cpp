@@ -61,6 +61,17 @@ void build_filter(SceneBuilder& b) {
     }
 }
 
+/// The number, or the nearest of those that can be, after a warning.
+int within(SceneBuilder& b, const Plugin& plugin, std::string_view what, std::int64_t number,
+           int least, int most) {
+    const auto nearest = static_cast<int>(std::clamp<std::int64_t>(number, least, most));
+    if (nearest != number) {
+        b.warn(plugin.where, "range", "{} {}: expected {} to {}; taken as {}", number, what, least,
+               most, nearest);
+    }
+    return nearest;
+}
+
 void build_sampler(SceneBuilder& b) {
     const Plugin& sampler = b.frame.sampler;
     const Parameters& p = sampler.parameters;
@@ -68,9 +79,8 @@ void build_sampler(SceneBuilder& b) {
     const std::int64_t samples = stratified
                                      ? std::int64_t{p.integer("xsamples")} * p.integer("ysamples")
                                      : p.integer("pixelsamples");
-    constexpr std::int64_t most = 1 << 24;
     b.result.settings.samples_per_pixel =
-        static_cast<int>(std::clamp<std::int64_t>(samples, 1, most));
+        within(b, sampler, "samples a pixel", samples, 1, 1 << 24);
     if (sampler.type->name == "random") b.result.settings.sampler = Sampler::random;
 }
 
@@ -97,7 +107,7 @@ void build_integrator(SceneBuilder& b) {
     to.integrator = "path";
     to.direct_lighting = is_direct(name);
     to.ask_all_lights = asks_all_lights(integrator);
-    to.max_depth = std::clamp(p.integer("maxdepth"), 0, 1 << 20) + 1;
+    to.max_depth = within(b, integrator, "as maxdepth", p.integer("maxdepth"), 0, 1 << 20) + 1;
     if (integrator.type->find("rrthreshold") != nullptr) {
         to.roulette_threshold = p.number("rrthreshold");
     }

@@ -1,0 +1,67 @@
+// What is said of statements that a picture does not follow, and where.
+#include "core/formats/load.h"
+#include "tests/formats/pbrt/pbrt_text.h"
+
+using namespace etalon;
+
+namespace {
+
+const std::string triangle =
+    "Shape \"trianglemesh\" \"point P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 2]";
+
+/// What is said of a scene whose world, after its first line, is this.
+std::vector<std::string> said_of_world(const std::string& world, const LoadOptions& options = {}) {
+    const LoadResult r =
+        load_scene_text("WorldBegin\n" + world + "\nWorldEnd\n", "a.pbrt", options);
+    CHECK(r.scene.has_value() != options.strict);
+    std::vector<std::string> list;
+    for (const Diagnostic& d : r.diagnostics) list.push_back(to_string(d));
+    return list;
+}
+
+/// A chain of textures in which each takes two of the one before it.
+std::string nested_textures(int depth) {
+    std::string text = "Texture \"t0\" \"spectrum\" \"constant\"\n";
+    for (int i = 1; i < depth; ++i) {
+        const std::string before = "\"t" + std::to_string(i - 1) + "\"";
+        text += "Texture \"t" + std::to_string(i) + "\" \"spectrum\" \"scale\" \"texture tex1\" " +
+                before + " \"texture tex2\" " + before + "\n";
+    }
+    return text;
+}
+
+using Said = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("textures are nested until one value takes more than a thousand of them") {
+    CHECK(said_of_world(nested_textures(9)) == Said{});
+    CHECK(
+        said_of_world(nested_textures(10)) ==
+        Said{"a.pbrt:11:1: warning: more than 1000 textures are nested in this one; the constant 1 "
+             "stands in for it"});
+    CHECK(said_of_world(nested_textures(40)).size() == 4);  // the count begins anew each time
+}
+
+TEST_CASE("a medium is said to be not rendered at its statement") {
+    const std::string medium = "MakeNamedMedium \"m\" \"string type\" \"homogeneous\"";
+    const Said said = said_of_world(medium);
+    REQUIRE(said.size() == 1);
+    CHECK(said[0].starts_with("a.pbrt:2:1: warning: medium \"homogeneous\" is not rendered yet; "));
+    LoadOptions strict;
+    strict.strict = true;
+    CHECK(said_of_world(medium, strict)[0].starts_with("a.pbrt:2:1: error: medium "));
+}
+
+TEST_CASE("tangents of a mesh are said to be left out") {
+    CHECK(said_of_world(triangle + " \"vector S\" [1 0 0 1 0 0 1 0 0]") ==
+          Said{"a.pbrt:2:1: warning: \"S\" left out: tangents follow the texture coordinates"});
+}
+
+TEST_CASE("surfaces seen from one side only are no choice of PBRT scenes") {
+    LoadOptions options;
+    options.one_sided = true;
+    CHECK(said_of_world(triangle, options) ==
+          Said{"a.pbrt: warning: --one-sided is not for PBRT scenes: surfaces are seen from both "
+               "sides"});
+}
