@@ -62,9 +62,9 @@ const char* cut(const char* p, const char* last) {
     if (static_cast<std::size_t>(last - p) <= piece_size) return last;
     const char* const least = p + piece_size / 2;
     const char* const most = p + piece_size;
-    const auto find_back = [&](auto is_border) {
+    const auto find_back = [&](auto may_end) {
         const char* q = most;
-        while (q != least && !is_border(q[-1])) --q;
+        while (q != least && !may_end(q[-1])) --q;
         return q != least ? q : nullptr;
     };
     if (const char* const q = find_back([](char c) { return c == '\n'; })) return q;
