@@ -113,6 +113,16 @@ class Batch {
     std::size_t size_ = 0;
 };
 
+/// How many numbers to make room for at p: as many as may stand before a bracket that is near, so
+/// that a short list costs little, and one more, so that it is seen to end there.
+std::size_t most_ahead(const char* p, const char* last) {
+    const std::size_t bytes = std::min(static_cast<std::size_t>(last - p), 2 * most_at_once);
+    const void* const bracket = std::memchr(p, ']', bytes);
+    const std::size_t length =
+        bracket ? static_cast<std::size_t>(static_cast<const char*>(bracket) - p) : bytes;
+    return (length + 1) / 2 + 1;  // a digit and a blank each
+}
+
 /// Reads on all threads up to the end of the text, or to what is hard to read in pieces: it is read
 /// again by one thread, which knows where a comment begins.
 template <class T>
@@ -139,8 +149,7 @@ void read_numbers(const char*& p, const char* last, std::vector<T>& values) {
     bool in_pieces = false;
     while (true) {
         const std::size_t count = values.size();
-        const std::size_t room = (static_cast<std::size_t>(last - p) + 1) / 2;  // a digit, a blank
-        const std::size_t most = std::min(most_at_once, room);
+        const std::size_t most = most_ahead(p, last);
         values.resize(count + most);
         const std::size_t more = read_numbers(p, last, std::span<T>(values).subspan(count));
         values.resize(count + more);
