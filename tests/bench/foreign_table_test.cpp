@@ -20,12 +20,15 @@ etalon::Result<std::vector<ForeignImage>> table_in(const Folder& f, const std::s
     return read_foreign_table(f.path("other.tsv"));
 }
 
-/// Folder with a scene, its reference and an image of few samples as EXR and PFM.
+/// Folder with a scene, its reference, an image of few samples, and a grey one as PFM.
 struct ForeignFolder : Folder {
     ForeignFolder() {
         write("ball.p3f", small_scene);
         REQUIRE(etalon("render ball.p3f --spp 256 --seed 7 -q -o ball-256.exr").status == 0);
         REQUIRE(etalon("render ball.p3f --spp 2 --seed 9 -q -o few.exr").status == 0);
+        std::string grey = "PF\n32 24\n-1.0\n";
+        for (int i = 0; i < 3 * 32 * 24; ++i) grey.append({0, 0, 0, 0x3f});
+        write("grey.pfm", grey);
     }
     auto convergence(const std::string& arguments) const {
         return shell("exec '" ETALON_BINARY_DIR
@@ -82,18 +85,21 @@ TEST_CASE("convergence measures other programs' images as compare does", "[app]"
     const ForeignFolder f;
     f.write("t.tsv",
             "program\tscene\timage\tspp\tcpu_s\trelmse\n"
-            "A\tball.p3f\tfew.exr\t2\t5\t-\nA\tball.p3f\t-\t-\t500\t1e-9\n"
+            "A\tball.p3f\tfew.exr\t2\t5\t-\nA\tball.p3f\tgrey.pfm\t1\t9\t-\nA\tball.p3f\t-\t-"
+            "\t500\t1e-9\n"
             "B\t-\t-\t-\t7\t0.02\nA\tother.p3f\tnone.exr\t1\t1\t-\n");
     const auto r = f.convergence("--foreign t.tsv --json c.json --csv c.csv");
     INFO(r.err);
     REQUIRE(r.status == 0);
     REQUIRE(f.etalon("compare few.exr ball-256.exr --json m.json").status == 0);
+    REQUIRE(f.etalon("compare grey.pfm ball-256.exr --json g.json").status == 0);
     const json c = json::parse(f.read("c.json")), m = json::parse(f.read("m.json"));
     CHECK_THAT(c["reference"].get<std::string>(), ContainsSubstring("ball-256.exr"));
     REQUIRE(c["foreign"].size() == 2);
     const json& point = c["foreign"][0]["points"][0];
     CHECK(point["relmse"] == m["relmse"]);
     CHECK(point["mse"] == m["mse"]);
+    CHECK(c["foreign"][0]["points"][1]["relmse"] == json::parse(f.read("g.json"))["relmse"]);
     const double mean_a = m["mean_a"][0], mean_b = m["mean_b"][0];
     CHECK(point["mean_difference"][0].get<double>() == Approx(mean_a / mean_b - 1));
     CHECK(point["efficiency"].get<double>() == Approx(1 / (5 * m["relmse"].get<double>())));
@@ -101,12 +107,12 @@ TEST_CASE("convergence measures other programs' images as compare does", "[app]"
     const json& beside = c["comparisons"][0];
     CHECK(beside["program"] == "A");
     CHECK(beside["points"][0]["extrapolated"] == false);
-    CHECK(beside["points"][1]["extrapolated"] == true);
-    CHECK(beside["ratio"].get<double>() ==
+    CHECK(beside["points"][2]["extrapolated"] == true);
+    CHECK(beside["points"][0]["ratio"].get<double>() ==
           Approx(5 / beside["points"][0]["cpu_seconds"].get<double>()));
     CHECK_THAT(r.out, ContainsSubstring("extrapolated") && ContainsSubstring("A beside whitted"));
     const std::string csv = f.read("c.csv");
-    CHECK(std::ranges::count(csv, '\n') == 1 + 5 + 3);  // heading, our passes, theirs
+    CHECK(std::ranges::count(csv, '\n') == 1 + 5 + 4);  // heading, our passes, theirs
     CHECK_THAT(csv, ContainsSubstring("\"whitted, sobol, bvh\",1,"));
 }
 
