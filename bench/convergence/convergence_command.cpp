@@ -1,9 +1,8 @@
 // etalon-bench convergence: how soon an image comes to what it should be, by samplers and
-// backends.
+// backends, beside images of other programs.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "app/common/backends.h"
 #include "app/common/console.h"
@@ -11,13 +10,13 @@
 #include "app/common/integrators.h"
 #include "app/common/output.h"
 #include "app/common/progress.h"
-#include "app/common/progress_line.h"
-#include "app/common/provenance.h"
 #include "app/common/reference_image.h"
 #include "app/common/signals.h"
+#include "app/common/stopwatch.h"
 #include "bench/bench_subcommands.h"
-#include "bench/convergence/curve_report.h"
-#include "bench/convergence/measure_curves.h"
+#include "bench/convergence/convergence_results.h"
+#include "bench/convergence/measure_foreign.h"
+#include "bench/frames/process_start.h"
 #include "bench/scenes/bench_scene.h"
 
 namespace etalon {
@@ -25,10 +24,8 @@ namespace {
 
 using namespace convergence;
 
-using Json = nlohmann::ordered_json;
-
 struct ConvergenceArguments {
-    std::string scene, reference, json;
+    std::string scene, reference, foreign, json, csv;
     int width = 0;
     std::vector<std::string> integrators{std::string(scene_integrator)};
     Plan plan;
@@ -39,38 +36,23 @@ int fail(int status, const std::string& message) {
     return status;
 }
 
-/// Results of one integrator, or of all.
-struct Measured {
-    std::string reference;  ///< what the curves are compared with
-    std::vector<Curve> curves;
-};
-
 Result<ReferenceImage> read_reference_image(const std::string& path,
                                             const RenderSettings& settings) {
     auto image = read_reference(path, settings);
     return {{std::move(image.value), path}, image.error};
 }
 
-Json report_on(const ConvergenceArguments& a, const Imath::V2i& size, const Measured& measured,
-               bool stopped) {
-    Json json = provenance();
-    json["stopped"] = stopped ? Json("signal") : Json();
-    json["scene"] = a.scene;
-    json["image"] = {{"width", size.x}, {"height", size.y}};
-    json["reference"] = measured.reference;
-    json["seeds"] = a.plan.seeds;
-    json["curves"] = Json::array();
-    constexpr int name_width = 40;
-    write_table(a.json, fmt::format("{}, {} x {}; reference: {}; {} seeds\n\n",
-                                    shortened(a.scene, name_width), size.x, size.y,
-                                    shortened(measured.reference, name_width - 10), a.plan.seeds));
-    for (const Curve& curve : measured.curves) {
-        write_table(a.json, table_of(curve) + "\n");
-        json["curves"].push_back(json_of(curve));
-    }
-    if (stopped) write_table(a.json, "Stopped by a signal: not all curves.\n");
-    write_table(a.json, legend());
-    return json;
+/// Images of other programs of the scene, and their reference where the command line has none.
+Result<std::vector<ForeignImage>> read_foreign_images(ConvergenceArguments& a) {
+    Result<std::vector<ForeignImage>> all = read_foreign_table(a.foreign);
+    if (!all) return all;
+    std::vector<ForeignImage> images = images_of(all.value, a.scene);
+    if (images.empty()) return {{}, fmt::format("{}: error: no image of {}", a.foreign, a.scene)};
+    if (a.reference.empty()) a.reference = reference_for(images, a.scene);
+    if (!a.reference.empty()) return {std::move(images), {}};
+    return {{},
+            fmt::format("{}: error: no reference of {}; expected --reference, or one in the table",
+                        a.foreign, a.scene)};
 }
 
 /// The reference and the curves of one integrator.
@@ -81,21 +63,44 @@ Result<Measured> measure_integrator(const ConvergenceArguments& a, const bench::
             ? Result<ReferenceImage>{render_reference(*named.scene, settings, a.plan, run), {}}
             : read_reference_image(a.reference, settings);
     if (!reference) return {{}, reference.error};
-    Measured measured{reference.value.description, {}};
+    Measured measured;
+    measured.reference = reference.value.description;
     measured.curves = measure(*named.scene, settings, reference.value, a.plan, run);
     return {std::move(measured), {}};
 }
 
-int measure_convergence(const ConvergenceArguments& a) {
-    const std::string error = a.json.empty() || a.json == "-" ? "" : check_writable(a.json);
-    if (!error.empty()) return fail(exit_not_written, error);
+/// Adds the images of other programs, measured against the reference; returns what is wrong with
+/// them, or nothing.
+std::string measure_foreign_images(ConvergenceArguments& a, const RenderSettings& settings,
+                                   Measured& measured) {
+    const Result<std::vector<ForeignImage>> images = read_foreign_images(a);
+    if (!images) return images.error;
+    const Result<ReferenceImage> reference = read_reference_image(a.reference, settings);
+    if (!reference) return "error: " + reference.error;
+    Result<std::vector<ForeignCurve>> curves =
+        measure_foreign(images.value, reference.value, settings);
+    measured.foreign = std::move(curves.value);
+    measured.reference = reference.value.description;
+    return curves.error;
+}
+
+int measure_convergence(ConvergenceArguments a) {
+    const auto [error, status] = check_outputs({a.json, a.csv});
+    if (!error.empty()) return fail(status, error);
+    Stopwatch reading;
     bench::NamedScene named = bench::bench_scene(a.scene);
+    a.plan.reading_seconds = frames::seconds_before_main() + reading.lap().cpu;
     write_message(named.messages);
     if (!named.scene) return exit_unusable;
     bench::set_width(named.settings.resolution, a.width);
+    Measured all{a.scene, named.settings.resolution, a.plan.seeds};
+    if (!a.foreign.empty()) {
+        const std::string fault = measure_foreign_images(a, named.settings, all);
+        write_message(fault.empty() ? "" : fault + "\n");
+        if (!fault.empty()) return exit_unusable;
+    }
     const SignalGuard signals;
     Progress progress(a.scene);
-    Measured all;
     const auto count = static_cast<double>(a.integrators.size());
     for (std::size_t i = 0; i < a.integrators.size() && signals.signal() == 0; ++i) {
         const auto done = static_cast<double>(i);
@@ -114,9 +119,9 @@ int measure_convergence(const ConvergenceArguments& a) {
         all.reference = one.value.reference;
         std::ranges::move(one.value.curves, std::back_inserter(all.curves));
     }
-    const auto json = report_on(a, named.settings.resolution, all, signals.signal() != 0);
-    if (!a.json.empty() && !write_json(a.json, json)) return exit_not_written;
-    return signals.signal() != 0 ? exit_signal + signals.signal() : exit_done;
+    all.stopped = signals.signal() != 0;
+    if (!write_results(all, a.json, a.csv)) return exit_not_written;
+    return all.stopped ? exit_signal + signals.signal() : exit_done;
 }
 
 }  // namespace
@@ -129,6 +134,12 @@ Action declare_convergence(Options& options) {
         .add("--reference", a->reference,
              "Reference image (default: rendered, with 32 times the samples)")
         .value("FILE");
+    options
+        .add("--foreign", a->foreign,
+             "Compare with the images of other programs in this table of tab-separated values; "
+             "docs/convergence.md says what it holds. Its reference, or the one beside the scene, "
+             "serves without --reference")
+        .value("TABLE");
     options
         .add("--samplers", a->plan.samplers,
              "Comma-separated list of samplers, all with the first backend")
@@ -160,6 +171,10 @@ Action declare_convergence(Options& options) {
              "Width of the image in pixels; its height follows (default: the scene's)")
         .within(1, 65536);
     options.add("--json", a->json, "Write the results to this JSON file; - is standard output")
+        .value("FILE");
+    options
+        .add("--csv", a->csv,
+             "Write the points of all curves to this CSV file; - is standard output")
         .value("FILE");
     return [a] { return measure_convergence(*a); };
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/convergence/curve.h"
+#include "bench/table/legend.h"
 
 namespace etalon::convergence {
 
@@ -11,7 +12,7 @@ nlohmann::ordered_json json_of(const Curve& curve);
 /// Returns a table for people: the points of a curve, its slope, floor and efficiency.
 std::string table_of(const Curve& curve);
 
-/// Returns what the names of the table mean.
-std::string legend();
+/// Adds what the names of the table mean.
+void explain_curve(table::Legend& legend);
 
 }  // namespace etalon::convergence

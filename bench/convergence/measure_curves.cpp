@@ -7,6 +7,7 @@
 
 #include "app/common/backends.h"
 #include "app/common/stopwatch.h"
+#include "bench/convergence/mean_difference.h"
 #include "core/image/metrics/metrics.h"
 #include "core/integrators/integrators.h"
 #include "core/parallel/parallel.h"
@@ -26,7 +27,9 @@ constexpr int any_samples = 1 << 24;
 class Studio {
   public:
     Studio(const Scene& scene, const std::string& backend)
-        : scene_(scene), intersector_(find_backend(backend)->build(scene.geometry)) {}
+        : scene_(scene), intersector_(find_backend(backend)->build(scene.geometry)) {
+        build_seconds_ = watch_.lap().cpu;
+    }
 
     std::unique_ptr<Integrator> integrator(const RenderSettings& settings) const {
         std::vector<std::string> problems;  // said when the scene was read
@@ -35,10 +38,13 @@ class Studio {
     }
 
     const Camera& camera() const { return scene_.camera; }
+    double build_seconds() const { return build_seconds_; }
 
   private:
+    Stopwatch watch_;
     const Scene& scene_;
     std::unique_ptr<Intersector> intersector_;
+    double build_seconds_ = 0;  ///< CPU time
 };
 
 /// One image, and what it is like after every pass. The time it takes to look is not counted.
@@ -60,11 +66,15 @@ class SeedRun {
         control.stop = &enough_;
         control.progress = [&](double) { enough_ = enough_ || stop_; };
         control.after_pass = [&](const RenderedPass& pass) { note(pass.film); };
-        const auto integrator = studio_.integrator(settings);
         watch_.lap();
+        const auto integrator = studio_.integrator(settings);
+        integrator_seconds_ = watch_.lap().cpu;
         render(studio_.camera(), *integrator, settings, control);
         return stop_ ? std::vector<Point>() : std::move(points_);
     }
+
+    /// CPU time of preparing the integrator.
+    double integrator_seconds() const { return integrator_seconds_; }
 
   private:
     void note(const Film& film) {
@@ -74,6 +84,7 @@ class SeedRun {
         Point point{samples / static_cast<double>(film.size()), seconds_,
                     mse(pixels, reference_.pixels), relmse(pixels, reference_.pixels)};
         point.mse_least = point.mse_most = point.mse;
+        point.mean_difference = mean_difference(mean(pixels), mean(reference_.pixels));
         points_.push_back(point);
         enough_ = point.samples >= plan_.samples;
         watch_.lap();
@@ -86,7 +97,7 @@ class SeedRun {
     const std::atomic<bool>& stop_;
     std::atomic<bool> enough_ = false;
     Stopwatch watch_;
-    double seconds_ = 0;
+    double seconds_ = 0, integrator_seconds_ = 0;
     std::vector<Point> points_;
 };
 
@@ -99,6 +110,7 @@ std::vector<Point> mean_of(const std::vector<std::vector<Point>>& seeds) {
     for (std::size_t i = 0; i < passes; ++i) {
         Point mean;
         mean.mse_least = std::numeric_limits<double>::infinity();
+        std::vector<Vec3> differences;
         for (const auto& points : seeds) {
             mean.samples += points[i].samples / count;
             mean.cpu_seconds += points[i].cpu_seconds / count;
@@ -106,7 +118,9 @@ std::vector<Point> mean_of(const std::vector<std::vector<Point>>& seeds) {
             mean.relmse += points[i].relmse / count;
             mean.mse_least = std::min(mean.mse_least, points[i].mse);
             mean.mse_most = std::max(mean.mse_most, points[i].mse);
+            differences.push_back(*points[i].mean_difference);
         }
+        set_mean_difference(differences, mean);
         means.push_back(mean);
     }
     return means;
@@ -116,12 +130,8 @@ std::vector<Point> mean_of(const std::vector<std::vector<Point>>& seeds) {
 std::vector<Curve> wanted(const Plan& plan, const std::string& integrator) {
     std::vector<Curve> curves;
     const auto add = [&](const std::string& sampler, const std::string& backend) {
-        curves.push_back({fmt::format("{}, {}, {}", integrator, sampler, backend),
-                          sampler,
-                          integrator,
-                          backend,
-                          {},
-                          {}});
+        curves.push_back({fmt::format("{}, {}, {}", integrator, sampler, backend), sampler,
+                          integrator, backend});
     };
     for (const std::string& sampler : plan.samplers) add(sampler, plan.backends.front());
     for (std::size_t i = 1; i < plan.backends.size(); ++i) {
@@ -161,8 +171,10 @@ std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings,
         const Studio studio(scene, curve.backend);
         std::vector<std::vector<Point>> seeds;
         for (int seed = 0; seed < plan.seeds && !run.stop; ++seed) {
-            seeds.push_back(SeedRun(studio, settings, reference, plan, run.stop)
-                                .points(curve.sampler, static_cast<std::uint32_t>(seed)));
+            SeedRun seed_run(studio, settings, reference, plan, run.stop);
+            seeds.push_back(seed_run.points(curve.sampler, static_cast<std::uint32_t>(seed)));
+            curve.preparation =
+                plan.reading_seconds + studio.build_seconds() + seed_run.integrator_seconds();
             const double part = static_cast<double>(seed + 1) / plan.seeds;
             const auto before = static_cast<double>(done.size());
             run.progress((before + part) / static_cast<double>(curves.size()));

@@ -18,6 +18,9 @@ struct Plan {
     std::vector<std::string> backends{default_backend};
     int samples = 64;  ///< per pixel, at the end of each curve
     int seeds = 3;
+    /// CPU seconds of starting the process and reading the scene, to add to each curve's
+    /// preparation.
+    double reading_seconds = 0;
 };
 
 /// Stop flag and progress callback of a task.

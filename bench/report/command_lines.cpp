@@ -26,8 +26,10 @@ std::string command_of(const Settings& settings) {
     for (const FrameRequest& f : settings.frames) {
         if (f.origin == FrameOrigin::given) scenes += " " + f.scene;
     }
-    return fmt::format("build/bin/etalon-bench report{}{} -o report",
-                       settings.name == "quick" ? " --quick" : "", scenes);
+    const std::string foreign =
+        settings.foreign_table.empty() ? "" : " --foreign " + settings.foreign_table;
+    return fmt::format("build/bin/etalon-bench report{}{}{} -o report",
+                       settings.name == "quick" ? " --quick" : "", foreign, scenes);
 }
 
 std::string speed_command(const Settings& settings, const std::string& scene) {
@@ -112,6 +114,13 @@ std::string convergence_command(const Settings& settings, const ConvergenceReque
         "build/bin/etalon-bench convergence scenes/{} --width {} --spp {} --seeds {} --backends {}",
         request.scene, request.width, request.samples, settings.convergence_seeds,
         fmt::join(settings.convergence_backends, ","));
+}
+
+std::string foreign_command(const Settings& settings) {
+    return fmt::format(
+        "build/bin/etalon-bench convergence SCENE --foreign {} --samplers sobol --spp {} --seeds "
+        "{}",
+        settings.foreign_table, settings.foreign_samples, settings.foreign_seeds);
 }
 
 }  // namespace etalon::bench_report

@@ -32,4 +32,7 @@ std::string image_command(const ImageRequest& request);
 
 std::string convergence_command(const Settings& settings, const ConvergenceRequest& request);
 
+/// Any scene that other programs rendered.
+std::string foreign_command(const Settings& settings);
+
 }  // namespace etalon::bench_report

@@ -8,8 +8,10 @@
 #include "app/common/provenance.h"
 #include "bench/accuracy/report/accuracy_json.h"
 #include "bench/convergence/curve_report.h"
+#include "bench/convergence/foreign_report.h"
 #include "bench/frames/frame_report.h"
 #include "bench/speed/report/speed_json.h"
+#include "bench/table/csv.h"
 
 namespace etalon::bench_report {
 namespace {
@@ -52,6 +54,21 @@ Json json_of(const ConvergenceFigures& figures) {
     return json;
 }
 
+Json json_of(const ForeignFigures& figures) {
+    Json json = {{"scene", figures.scene},         {"missing", figures.missing},
+                 {"reference", figures.reference}, {"same_image", figures.is_same},
+                 {"foreign", Json::array()},       {"comparisons", Json::array()}};
+    json["curve"] = Json::array();
+    if (figures.missing.empty()) json["curve"].push_back(convergence::json_of(figures.own));
+    for (const auto& curve : figures.foreign) {
+        json["foreign"].push_back(convergence::json_of(curve));
+    }
+    for (const auto& comparison : figures.comparisons) {
+        json["comparisons"].push_back(convergence::json_of(comparison));
+    }
+    return json;
+}
+
 Json json_of(const KeyFigure& figure) {
     return {{"value", figure.value}, {"name", figure.name}, {"note", figure.note}};
 }
@@ -76,7 +93,8 @@ Json data_of(const Results& results, const Page& page) {
                  {"accuracy", accuracy::json(results.rows.list)["rows"]},
                  {"frames", list_of(results.frames.list, own)},
                  {"spd", list_of(results.spd.list, own)},
-                 {"convergence", list_of(results.convergence.list, own)}});
+                 {"convergence", list_of(results.convergence.list, own)},
+                 {"foreign", list_of(results.foreign.list, own)}});
     return json;
 }
 
@@ -93,30 +111,14 @@ std::string csv_name(const Section& section, const Figure& figure) {
     return name + ".csv";
 }
 
-std::string quoted(const std::string& field) {
-    if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
-    std::string text(1, '"');
-    for (const char c : field) {
-        if (c == '"') text += c;
-        text += c;
-    }
-    return text += '"';
-}
-
 std::string csv_of(const Table& table) {
-    std::string text;
-    const auto end_field = [&](std::size_t i) {
-        text += i + 1 < table.columns.size() ? "," : "\r\n";
-    };
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        text += quoted(table.columns[i].name);
-        end_field(i);
-    }
+    std::vector<std::string> fields;
+    for (const Column& column : table.columns) fields.push_back(column.name);
+    std::string text = table::csv_line(fields);
     for (const std::vector<Cell>& row : table.rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            text += quoted(row[i].text);
-            end_field(i);
-        }
+        fields.clear();
+        for (const Cell& cell : row) fields.push_back(cell.text);
+        text += table::csv_line(fields);
     }
     return text;
 }

@@ -7,7 +7,7 @@
 
 #include "app/common/stopwatch.h"
 #include "bench/accuracy/error_stats.h"
-#include "bench/convergence/curve.h"
+#include "bench/convergence/equal_error.h"
 #include "bench/frames/frame_figures.h"
 #include "bench/report/settings.h"
 #include "bench/speed/figures.h"
@@ -60,6 +60,19 @@ struct ConvergenceFigures {
     std::vector<convergence::Curve> curves;
 };
 
+/// A scene's curves beside those of other programs.
+struct ForeignFigures {
+    std::string scene;    ///< without the folder of the table, and extension
+    std::string missing;  ///< why it was not compared; empty if it was
+    std::string reference;
+    Imath::V2i size{0, 0};
+    convergence::Curve own{};
+    std::vector<convergence::ForeignCurve> foreign{};
+    std::vector<convergence::CurveComparison> comparisons{};
+    /// Whether the means of the images say that both programs render the same.
+    bool is_same = false;
+};
+
 struct ImageFigures {
     std::string scene, command;
     int width = 0, height = 0;
@@ -88,6 +101,7 @@ struct Results {
     Measured<MeasuredFrame> frames;
     Measured<SpdFigures> spd;
     Measured<ConvergenceFigures> convergence;
+    Measured<ForeignFigures> foreign;
 };
 
 }  // namespace etalon::bench_report

@@ -23,6 +23,7 @@ using namespace bench_report;
 struct ReportArguments {
     std::string folder = "report";
     std::vector<std::string> scenes;
+    std::string foreign;
     bool quick = false;
 };
 
@@ -125,6 +126,11 @@ int write_report(const ReportArguments& a) {
         print_message("etalon-bench: error: {}\n", complaint);
         return exit_unusable;
     }
+    const std::string fault = a.foreign.empty() ? "" : add_foreign(a.foreign, settings);
+    if (!fault.empty()) {
+        print_message("{}\n", fault);
+        return exit_unusable;
+    }
     std::error_code error;
     std::filesystem::create_directories(a.folder, error);
     if (error) {
@@ -140,6 +146,11 @@ Action declare_report(Options& options) {
     auto a = std::make_shared<ReportArguments>();
     options.add("SCENE", a->scenes,
                 "Scene files, and folders of them, whose frames are measured too");
+    options
+        .add("--foreign", a->foreign,
+             "Compare with other programs, too: their images of PBRT scenes in this table, which "
+             "docs/convergence.md describes")
+        .value("TABLE");
     options
         .add("-o,--output", a->folder,
              "Directory of index.html, data.json and a CSV of each table; created if necessary")

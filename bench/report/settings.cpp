@@ -108,6 +108,8 @@ Settings quick_settings() {
     for (const char* scene : converging) s.convergence.push_back({scene, 60, 40, 64});
     s.convergence_backends = {default_backend, baseline_backend};
     s.convergence_seeds = 3;
+    s.foreign_samples = 16;
+    s.foreign_seeds = 2;
     return s;
 }
 
@@ -133,6 +135,8 @@ Settings full_settings() {
     s.convergence = {{"showcase.p3f", 240, 135, 16}};
     for (const char* scene : converging) s.convergence.push_back({scene, 240, 160, 64});
     s.convergence_seeds = 5;
+    s.foreign_samples = 128;
+    s.foreign_seeds = 3;
     return s;
 }
 
@@ -148,6 +152,27 @@ std::string add_frames(const std::vector<std::string>& paths, Settings& settings
         }
     }
     return {};
+}
+
+std::string add_foreign(const std::string& table, Settings& settings) {
+    auto images = convergence::read_foreign_table(table);
+    if (!images) return images.error;
+    settings.foreign_table = table;
+    for (const std::string& scene : convergence::scenes_of(images.value)) {
+        settings.foreign.push_back({scene, convergence::images_of(images.value, scene)});
+        if (settings.seconds_limit > 0) {
+            settings.seconds_limit += 2 * seconds_for(settings.foreign.back(), settings);
+        }
+    }
+    if (settings.foreign.empty()) return table + ": error: no column named scene";
+    return {};
+}
+
+double seconds_for(const ForeignRequest& request, const Settings& settings) {
+    constexpr double seconds_of_sample = 4e-6, usual_pixels = 160 * 160;
+    const Imath::V2i& size = request.images.front().size;
+    const double pixels = size.x > 0 && size.y > 0 ? 1.0 * size.x * size.y : usual_pixels;
+    return 0.1 + seconds_of_sample * pixels * settings.foreign_samples * settings.foreign_seeds;
 }
 
 }  // namespace etalon::bench_report

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/convergence/foreign_table.h"
 #include "bench/speed/plan.h"
 
 namespace etalon::bench_report {
@@ -39,6 +40,12 @@ struct ConvergenceRequest {
     int samples = 0;  ///< per pixel, at the end of the curves
 };
 
+/// A scene that other programs rendered.
+struct ForeignRequest {
+    std::string scene;  ///< the file
+    std::vector<convergence::ForeignImage> images;
+};
+
 /// Returns the approximate time of a scene's sample, in microseconds of a core of 2026.
 double microseconds_of_sample(const std::string& scene);
 
@@ -63,6 +70,11 @@ struct Settings {
     std::vector<ConvergenceRequest> convergence;
     std::vector<std::string> convergence_backends;
     int convergence_seeds = 0;
+
+    std::string foreign_table;  ///< file of the images below; empty: there are none
+    std::vector<ForeignRequest> foreign;
+    int foreign_samples = 0;  ///< per pixel, at the end of our curves
+    int foreign_seeds = 0;
 };
 
 Settings quick_settings();
@@ -71,5 +83,12 @@ Settings full_settings();
 /// Adds scene files, and those in folders, to the frames that are measured. Returns why one cannot
 /// be, or nothing.
 std::string add_frames(const std::vector<std::string>& paths, Settings& settings);
+
+/// Adds the scenes of a table of other programs' images, and the time that they take to the limit.
+/// Returns what is wrong with the table, or nothing.
+std::string add_foreign(const std::string& table, Settings& settings);
+
+/// Returns the approximate time of comparing a scene with other programs, in seconds on the wall.
+double seconds_for(const ForeignRequest& request, const Settings& settings);
 
 }  // namespace etalon::bench_report

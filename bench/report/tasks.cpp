@@ -14,8 +14,8 @@ std::string date_now() {
 
 std::vector<Task> all_tasks(const Settings& settings) {
     std::vector<Task> all;
-    for (const auto tasks :
-         {image_tasks, convergence_tasks, frame_tasks, speed_tasks, accuracy_tasks, spd_tasks}) {
+    for (const auto tasks : {image_tasks, convergence_tasks, foreign_tasks, frame_tasks,
+                             speed_tasks, accuracy_tasks, spd_tasks}) {
         for (Task& task : tasks(settings)) all.push_back(std::move(task));
     }
     return all;

@@ -38,6 +38,8 @@ std::vector<Task> accuracy_tasks(const Settings& settings);
 std::vector<Task> frame_tasks(const Settings& settings);
 std::vector<Task> spd_tasks(const Settings& settings);
 std::vector<Task> convergence_tasks(const Settings& settings);
+/// None without a table of other programs' images.
+std::vector<Task> foreign_tasks(const Settings& settings);
 
 /// All of them, in the order in which they are to be run.
 std::vector<Task> all_tasks(const Settings& settings);

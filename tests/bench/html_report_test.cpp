@@ -1,4 +1,5 @@
 // The report: as HTML of figures that nobody measured, and from outside.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "bench/report/formatting.h"
@@ -55,7 +56,7 @@ TEST_CASE("A report has every section, and every figure its caption, command and
     CHECK(count(page, "<section ") == content.sections.size());
     CHECK(count(page, "<figcaption>") == count(page, "<figure"));
     for (const char* id : {"machine", "speed", "builds", "pareto", "convergence", "pictures",
-                           "frames", "hard-cases", "spd"}) {
+                           "frames", "hard-cases", "spd", "foreign"}) {
         CHECK_THAT(page, ContainsSubstring(std::string("<section id=\"") + id + "\""));
         CHECK_THAT(page, ContainsSubstring(std::string("<a href=\"#") + id + "\""));
     }
@@ -70,6 +71,7 @@ TEST_CASE("A report of less than everything says so, and which of its sections a
     CHECK_THAT(page, ContainsSubstring("Not complete.</b> It was interrupted."));
     CHECK(count(page, "Not measured.") == 8);  // all but the machine's
     CHECK_THAT(html(page_of(sample_results())), !ContainsSubstring("Not complete"));
+    CHECK_THAT(page, !ContainsSubstring("Beside other programs"));
 }
 
 TEST_CASE("A report marks what is wrong and what is right") {
@@ -120,6 +122,31 @@ TEST_CASE(
     }
     CHECK(planned_seconds(all_tasks(quick)) < quick.seconds_limit);
     CHECK(planned_seconds(all_tasks(full)) > planned_seconds(all_tasks(quick)));
+}
+
+TEST_CASE("A report beside other programs has their ratios, and tasks for each of their scenes") {
+    const Page page = page_of(sample_results());
+    const auto section = std::ranges::find(page.sections, "foreign", &Section::id);
+    REQUIRE(section != page.sections.end());
+    REQUIRE(section->figures.size() == 4);
+    const Table& means = std::get<Table>(section->figures[0].content);
+    CHECK(means.rows[0][1].text == "1");
+    CHECK(means.rows[0][2].text == "×6.67");  // 2 s beside 0.1 s and 0.2 s; 40 s is extrapolated
+    const Table& ratios = std::get<Table>(section->figures[2].content);
+    REQUIRE(ratios.rows.size() == 2);
+    CHECK_THAT(ratios.rows[1][6].text, ContainsSubstring("≈"));
+    const Table& missing = std::get<Table>(section->figures[3].content);
+    CHECK(missing.rows[0][0].text == "other");
+    CHECK(foreign_tasks(quick_settings()).empty());
+    const Folder f;
+    f.write("t.tsv", "scene\tcpu_s\trelmse\na.pbrt\t1\t1\nb.pbrt\t1\t1\na.pbrt\t2\t0.5\n");
+    Settings settings = quick_settings();
+    REQUIRE(add_foreign(f.path("t.tsv"), settings).empty());
+    CHECK(foreign_tasks(settings).size() == 2);
+    CHECK(planned_seconds(all_tasks(settings)) < settings.seconds_limit);
+    f.write("t.tsv", "cpu_s\trelmse\n1\t1\n");
+    settings = quick_settings();
+    CHECK_THAT(add_foreign(f.path("t.tsv"), settings), ContainsSubstring("no column named scene"));
 }
 
 TEST_CASE("A report that is interrupted leaves a page with what there is") {

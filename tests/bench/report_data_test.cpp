@@ -102,6 +102,8 @@ TEST_CASE("data.json holds what the key figures are worked out from") {
     CHECK(data["frames"][2]["origin"] == "given");
     CHECK(data["spd"][0]["backends"]["bvh"]["rays"].is_number());
     CHECK(data["convergence"][0]["curves"].size() == 2);
+    CHECK(data["foreign"][0]["comparisons"][0]["ratio"] == Approx(20 / 3.0));
+    CHECK(data["foreign"][1]["curve"].empty());
 }
 
 TEST_CASE("Each table of a report is a CSV file, with what CSV takes for its own in quotes") {

@@ -71,6 +71,28 @@ convergence::Curve curve(const std::string& name, double slope) {
     return c;
 }
 
+/// Two scenes of another program, one of them not compared.
+void add_foreign(Results& results) {
+    results.settings.foreign_table = adversarial;
+    ForeignFigures f;
+    f.scene = f.reference = adversarial;
+    f.own = curve("sobol, bvh", 1);
+    f.own.preparation = 0.1;
+    const auto point = [](double samples, double seconds, double relmse) {
+        convergence::Point p{samples, seconds, relmse, relmse};
+        p.mean_difference = Vec3(0.001);
+        return p;
+    };
+    f.foreign = {{adversarial, {point(4, 2, 0.5), point(0, 40, 0.01)}}};
+    f.comparisons = convergence::compare({f.own}, f.foreign);
+    f.is_same = true;
+    results.foreign.add(f);
+    ForeignFigures missing;
+    missing.scene = "other";
+    missing.missing = adversarial;
+    results.foreign.add(missing);
+}
+
 /// The page does not look into it; a browser shows a broken image of the right size.
 const std::string no_png = "\x89PNG";
 
@@ -93,6 +115,7 @@ Results sample_results() {
     convergence.request.scene = convergence.reference = adversarial;
     convergence.curves = {curve("sobol, bvh", 1.5), curve(adversarial, 1)};
     results.convergence.add(std::move(convergence));
+    add_foreign(results);
     ImageFigures image;
     image.scene = adversarial;
     image.command = "build/bin/etalon render " + adversarial;

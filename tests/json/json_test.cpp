@@ -201,6 +201,15 @@ void check_measurements(Comparison& c, const Programs& run) {
             run("etalon-bench frames G --width 16 --repeat 1 --json -", "-"));
     c.check("etalon-bench-convergence---json",
             run("etalon-bench convergence G --width 16 --spp 4 --seeds 1 --json -", "-"));
+    run.folder().write("t.tsv", "image\tspp\tcpu_s\trelmse\na.exr\t2\t1\t-\n-\t-\t2\t0.1\n");
+    c.check("etalon-bench-convergence---json",
+            run("etalon-bench convergence G --reference b.exr --foreign t.tsv --spp 4 --seeds 2 "
+                "--json -",
+                "-"));
+    c.check("etalon-bench-convergence---json",
+            run("etalon-bench convergence G --width 1 --reference black.pfm --spp 4 --seeds 1 "
+                "--json -",
+                "-"));
     const auto r =
         interrupted(run.folder(), "etalon-bench accuracy --backends bvh --rays 1e5 --json a.json",
                     "grep -q bvh out");

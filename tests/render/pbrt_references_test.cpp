@@ -8,6 +8,7 @@
 #include <regex>
 #include <sstream>
 
+#include "core/formats/alters_image.h"
 #include "core/formats/load.h"
 #include "core/image/io.h"
 #include "tests/catch.h"
@@ -172,9 +173,7 @@ class Comparer {
 
 /// What a scene's warnings say of things that are not rendered yet.
 bool is_rendered_whole(const LoadResult& loaded) {
-    return std::ranges::none_of(loaded.diagnostics, [](const Diagnostic& d) {
-        return d.kind == "stand-in" || d.kind == "motion" || d.kind == "shape";
-    });
+    return std::ranges::none_of(loaded.diagnostics, alters_image);
 }
 
 /// Whether pbrt-v3 shadows shapes of the scene by themselves: towards the tip of a cone and of a

@@ -25,9 +25,21 @@ std::string warning_of(const Machine& machine) {
         machine.load, machine.cores);
 }
 
-constexpr Section (*makers[])(const Results&) = {
-    machine_section, speed_section,  builds_section,     pareto_section, convergence_section,
-    images_section,  frames_section, hard_cases_section, spd_section,
+/// A section, and whether a report has it.
+struct Maker {
+    Section (*make)(const Results&);
+    bool (*is_wanted)(const Results&) = [](const Results&) { return true; };
+};
+
+bool has_foreign_table(const Results& results) {
+    return !results.settings.foreign_table.empty();
+}
+
+constexpr Maker makers[] = {
+    {machine_section}, {speed_section},       {builds_section},
+    {pareto_section},  {convergence_section}, {foreign_section, has_foreign_table},
+    {images_section},  {frames_section},      {hard_cases_section},
+    {spd_section},
 };
 
 }  // namespace
@@ -42,7 +54,9 @@ Page page_of(const Results& results) {
     page.missing = results.missing;
     page.warning = warning_of(results.machine);
     page.summary = summary(results);
-    for (const auto make : makers) page.sections.push_back(make(results));
+    for (const auto& [make, is_wanted] : makers) {
+        if (is_wanted(results)) page.sections.push_back(make(results));
+    }
     page.command = command_of(results.settings);
     return page;
 }

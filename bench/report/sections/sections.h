@@ -12,6 +12,7 @@ Section builds_section(const Results& results);
 Section pareto_section(const Results& results);
 Section hard_cases_section(const Results& results);
 Section convergence_section(const Results& results);
+Section foreign_section(const Results& results);
 Section images_section(const Results& results);
 Section frames_section(const Results& results);
 Section spd_section(const Results& results);

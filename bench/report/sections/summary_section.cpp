@@ -6,6 +6,7 @@
 
 #include "bench/accuracy/report/cases.h"
 #include "bench/report/formatting.h"
+#include "bench/report/sections/foreign_ratios.h"
 #include "bench/report/sections/sections.h"
 #include "bench/speed/totals.h"
 
@@ -88,6 +89,15 @@ void add_errors(const std::vector<accuracy::Row>& rows, std::vector<KeyFigure>& 
                                        baseline_backend, grouped(baseline.rays))});
 }
 
+void add_foreign(const std::vector<ForeignFigures>& foreign, std::vector<KeyFigure>& key_figures) {
+    for (const ForeignRatios& r : foreign_ratios(foreign)) {
+        key_figures.push_back({"×" + three_digits(geometric_mean(r.ratios)),
+                               "less CPU time to equal error",
+                               fmt::format("than {}, the mean of {}", r.program,
+                                           count_of(r.ratios.size(), "scene"))});
+    }
+}
+
 }  // namespace
 
 std::vector<KeyFigure> summary(const Results& results) {
@@ -95,6 +105,7 @@ std::vector<KeyFigure> summary(const Results& results) {
     add_speed(results.scenes.list, key_figures);
     add_errors(results.rows.list, key_figures);
     add_builds(results.scenes.list, key_figures);
+    add_foreign(results.foreign.list, key_figures);
     return key_figures;
 }
 
