@@ -29,6 +29,11 @@ struct Image {
     /// or one with alpha, is grey. 0 <= x < width, 0 <= y < height.
     Color color(int x, int y) const;
 
+    /// Calls use(color), where color(x, y) is what color() gives: for several at a time, as what
+    /// the image stores is looked at once.
+    template <class Use>
+    Color with_colors(const Use& use) const;
+
     /// The first three channels by `convert`, which takes what is stored, a byte or a float, to a
     /// number.
     template <class Convert>
@@ -51,6 +56,26 @@ inline float as_stored(float value) {
 }
 
 }  // namespace detail
+
+template <class Use>
+Color Image::with_colors(const Use& use) const {
+    const auto place = [&](int x, int y) {
+        return (static_cast<std::size_t>(y) * width + x) * channels;
+    };
+    return std::visit(
+        [&](const auto& values) {
+            if (channels < 3) {
+                return use(
+                    [&](int x, int y) { return Color(detail::as_stored(values[place(x, y)])); });
+            }
+            return use([&](int x, int y) {
+                const auto* p = &values[place(x, y)];
+                return Color(detail::as_stored(p[0]), detail::as_stored(p[1]),
+                             detail::as_stored(p[2]));
+            });
+        },
+        pixels);
+}
 
 template <class Convert>
 Color Image::converted(int x, int y, const Convert& convert) const {

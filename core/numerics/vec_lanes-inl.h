@@ -18,7 +18,11 @@ namespace etalon::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// The largest number of lanes; arrays are padded to a multiple of it.
+#if HWY_TARGET == HWY_AVX3
+inline constexpr std::size_t most_doubles = 8;
+#else
 inline constexpr std::size_t most_doubles = 4;
+#endif
 
 using DoubleTag = hn::CappedTag<double, most_doubles>;
 using Doubles = hn::Vec<DoubleTag>;

@@ -20,6 +20,10 @@ void Film::add(int x, int y, const Color& sample) {
     ++counts_[i];
 }
 
+void Film::add(std::span<const Imath::V2i> pixels, std::span<const Color> samples) {
+    for (std::size_t i = 0; i < pixels.size(); ++i) add(pixels[i].x, pixels[i].y, samples[i]);
+}
+
 std::uint64_t Film::total_count() const {
     return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0});
 }
@@ -33,9 +37,8 @@ Vec3 Film::sample_mean(std::size_t pixel) const {
 }
 
 std::vector<Color> Film::pixels() const {
-    std::vector<Color> result;
-    result.reserve(size());
-    for (std::size_t i = 0; i < size(); ++i) result.emplace_back(mean(i));
+    std::vector<Color> result(size());
+    for (std::size_t i = 0; i < size(); ++i) result[i] = Color(mean(i));
     return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/numerics/vec.h"
@@ -16,6 +17,9 @@ class Film {
     explicit Film(const Imath::Box2i& window, bool with_squares = false);
 
     void add(int x, int y, const Color& sample);
+
+    /// Adds samples, each to its pixel.
+    void add(std::span<const Imath::V2i> pixels, std::span<const Color> samples);
 
     const Imath::Box2i& window() const { return window_; }
     int width() const { return width_; }

@@ -38,6 +38,12 @@ void ImageFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& col
     if (splats_) splats_->add(pixel, place, sample);
 }
 
+void ImageFilm::add(std::span<const Imath::V2i> pixels, std::span<const Vec2> places,
+                    std::span<const Color> colors) {
+    if (!changes_samples_ && !splats_) return samples_.add(pixels, colors);
+    for (std::size_t i = 0; i < pixels.size(); ++i) add(pixels[i], places[i], colors[i]);
+}
+
 std::vector<Imath::Box2i> ImageFilm::tiles() const {
     const Imath::Box2i& window = samples_.window();
     return splats_ ? tiles_of(window, splats_->corner()) : tiles_of(window);

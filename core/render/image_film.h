@@ -19,6 +19,10 @@ class ImageFilm {
     /// Adds a sample at `place`, in pixels, of the pixel in which it lies.
     void add(const Imath::V2i& pixel, const Vec2& place, const Color& color);
 
+    /// Adds samples, each at its place of its pixel.
+    void add(std::span<const Imath::V2i> pixels, std::span<const Vec2> places,
+             std::span<const Color> colors);
+
     /// The samples of each pixel. Where a filter is wider than a pixel, there are some beyond the
     /// image's window.
     const Film& samples() const { return samples_; }
