@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/numerics/vec.h"
+#include "core/parallel/large_pages.h"
 
 namespace etalon {
 
@@ -14,11 +15,14 @@ namespace etalon {
 /// that know no light, which files of either kind hold as they are.
 enum class Encoding { linear, srgb, display };
 
+/// Bytes of pixels, which readers fill.
+using PixelBytes = std::vector<std::uint8_t, UninitializedLargePages<std::uint8_t>>;
+
 /// Pixels by rows from the top, channels interleaved (R, G, B, ...). Eight-bit sources stay bytes:
 /// a skybox is six large images.
 struct Image {
     int width = 0, height = 0, channels = 0;
-    std::variant<std::vector<std::uint8_t>, std::vector<float>> pixels;
+    std::variant<PixelBytes, std::vector<float>> pixels;
     Encoding encoding = Encoding::linear;
     std::optional<Imath::V2i> origin;  ///< of the upper left pixel in its frame, where files say it
     std::optional<Imath::V2i> frame{};  ///< size of the frame, where files say it

@@ -131,7 +131,7 @@ std::string read_pixels(JpegReader& reader, Image& image) {
     const auto read = [&](std::uint8_t* first, int count) {
         return reader.read_rows(first, count);
     };
-    std::vector<std::uint8_t> bytes;
+    PixelBytes bytes;
     const std::size_t row = static_cast<std::size_t>(image.width) * image.channels;
     if (!read_by_rows(row, image.height, read, bytes)) return reader.reason();
     image.pixels = std::move(bytes);

@@ -1,6 +1,8 @@
 #include "core/intersect/local_rays.h"
 
 #include "core/intersect/ray_columns.h"
+
+#define ETALON_WITH_AVX3
 #include "core/numerics/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -37,8 +37,10 @@ Vec3 Film::sample_mean(std::size_t pixel) const {
 }
 
 std::vector<Color> Film::pixels() const {
-    std::vector<Color> result(size());
-    for (std::size_t i = 0; i < size(); ++i) result[i] = Color(mean(i));
+    std::vector<Color> result;
+    result.reserve(size());
+    prefer_large_pages(result.data(), size() * sizeof(Color));
+    for (std::size_t i = 0; i < size(); ++i) result.emplace_back(mean(i));
     return result;
 }
 
