@@ -28,14 +28,6 @@ std::uint64_t Film::total_count() const {
     return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0});
 }
 
-Vec3 Film::mean(std::size_t pixel) const {
-    return filtered_means_.empty() ? sample_mean(pixel) : filtered_means_[pixel];
-}
-
-Vec3 Film::sample_mean(std::size_t pixel) const {
-    return counts_[pixel] == 0 ? Vec3(0) : sums_[pixel] / counts_[pixel];
-}
-
 std::vector<Color> Film::pixels() const {
     std::vector<Color> result;
     result.reserve(size());
