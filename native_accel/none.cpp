@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/intersect/group_kernels.h"
+#include "core/intersect/ray_columns.h"
 #include "core/numerics/denormals.h"
 
 namespace etalon {
@@ -19,12 +20,24 @@ void for_each_group(std::span<const Ray> rays, const Trace& trace) {
         trace(group);
         group.count = 0;
     };
-    for (const Ray& ray : rays) {
-        if (!is_valid(ray)) continue;
-        const RayQuery query(ray);
-        RayGroup& group = groups[query.kz];
-        group.add(ray, query);
+    const auto add = [&](const Ray& ray, const Vec3& direction, std::size_t dominant) {
+        RayGroup& group = groups[dominant];
+        group.add(ray, direction);
         if (group.is_full()) finish(group);
+    };
+    for (std::size_t first = 0; first < rays.size(); first += RayColumns::most) {
+        const std::span chunk =
+            rays.subspan(first, std::min(RayColumns::most, rays.size() - first));
+        const RayColumns columns(chunk);
+        for (std::size_t i = 0; i < chunk.size(); ++i) {
+            const Ray& ray = chunk[i];
+            if (columns.common[i] != 0) {
+                add(ray, ray.direction, columns.dominants[i]);
+            } else if (is_valid(ray)) {
+                const RayQuery query(ray);
+                add(ray, query.ray.direction, query.kz);
+            }
+        }
     }
     for (RayGroup& group : groups) finish(group);
 }

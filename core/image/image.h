@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/numerics/vec.h"
+#include "core/parallel/large_pages.h"
 
 namespace etalon {
 
@@ -14,11 +15,14 @@ namespace etalon {
 /// that know no light, which files of either kind hold as they are.
 enum class Encoding { linear, srgb, display };
 
+/// Bytes of pixels, which readers fill.
+using PixelBytes = std::vector<std::uint8_t, UninitializedLargePages<std::uint8_t>>;
+
 /// Pixels by rows from the top, channels interleaved (R, G, B, ...). Eight-bit sources stay bytes:
 /// a skybox is six large images.
 struct Image {
     int width = 0, height = 0, channels = 0;
-    std::variant<std::vector<std::uint8_t>, std::vector<float>> pixels;
+    std::variant<PixelBytes, std::vector<float>> pixels;
     Encoding encoding = Encoding::linear;
     std::optional<Imath::V2i> origin;  ///< of the upper left pixel in its frame, where files say it
     std::optional<Imath::V2i> frame{};  ///< size of the frame, where files say it
@@ -28,6 +32,11 @@ struct Image {
     /// The first three channels as stored: bytes divided by 255, floats as they are. One channel,
     /// or one with alpha, is grey. 0 <= x < width, 0 <= y < height.
     Color color(int x, int y) const;
+
+    /// Calls use(color), where color(x, y) is what color() gives: for several at a time, as what
+    /// the image stores is looked at once.
+    template <class Use>
+    Color with_colors(const Use& use) const;
 
     /// The first three channels by `convert`, which takes what is stored, a byte or a float, to a
     /// number.
@@ -51,6 +60,26 @@ inline float as_stored(float value) {
 }
 
 }  // namespace detail
+
+template <class Use>
+Color Image::with_colors(const Use& use) const {
+    const auto place = [&](int x, int y) {
+        return (static_cast<std::size_t>(y) * width + x) * channels;
+    };
+    return std::visit(
+        [&](const auto& values) {
+            if (channels < 3) {
+                return use(
+                    [&](int x, int y) { return Color(detail::as_stored(values[place(x, y)])); });
+            }
+            return use([&](int x, int y) {
+                const auto* p = &values[place(x, y)];
+                return Color(detail::as_stored(p[0]), detail::as_stored(p[1]),
+                             detail::as_stored(p[2]));
+            });
+        },
+        pixels);
+}
 
 template <class Convert>
 Color Image::converted(int x, int y, const Convert& convert) const {

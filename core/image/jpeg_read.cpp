@@ -57,18 +57,36 @@ void note(j_common_ptr info, int level) {
     if (warning == JWRN_JPEG_EOF || (warning == JWRN_HIT_MARKER && lacks_rows(decoder))) fail(info);
 }
 
+/// What of a file has not been read yet.
+std::vector<std::uint8_t> rest_of(std::FILE* file) {
+    constexpr std::size_t most = 1 << 18;  // bytes at a time
+    std::vector<std::uint8_t> bytes;
+    for (std::size_t read = most; read == most;) {
+        const std::size_t done = bytes.size();
+        bytes.resize(done + most);
+        read = std::fread(&bytes[done], 1, most, file);
+        bytes.resize(done + read);
+    }
+    return bytes;
+}
+
 /// Decoder of one file. Its functions return false on failure, for which reason() gives the cause.
 class JpegReader {
   public:
-    explicit JpegReader(std::FILE* file) {
+    /// Header only: from the file itself. The whole image: from its bytes, as libjpeg decodes
+    /// slowly what is near the end of its source's buffer, which has but 4 KB of a file.
+    JpegReader(std::FILE* file, Extent extent) {
         info_.err = jpeg_std_error(&errors_);
         info_.client_data = &jump_;
         errors_.error_exit = fail;
         errors_.emit_message = note;
         opened_ = jump_.completes([&] {
             jpeg_create_decompress(&info_);
-            jpeg_stdio_src(&info_, file);
+            if (extent == Extent::header) jpeg_stdio_src(&info_, file);
         });
+        if (!opened_ || extent == Extent::header) return;
+        bytes_ = rest_of(file);
+        opened_ = jump_.completes([&] { jpeg_mem_src(&info_, bytes_.data(), bytes_.size()); });
     }
     ~JpegReader() { jpeg_destroy_decompress(&info_); }
     JpegReader(const JpegReader&) = delete;
@@ -103,6 +121,7 @@ class JpegReader {
     LibraryJump jump_;
     jpeg_error_mgr errors_ = {};
     jpeg_decompress_struct info_ = {};
+    std::vector<std::uint8_t> bytes_;
     bool opened_ = false;
 };
 
@@ -112,7 +131,7 @@ std::string read_pixels(JpegReader& reader, Image& image) {
     const auto read = [&](std::uint8_t* first, int count) {
         return reader.read_rows(first, count);
     };
-    std::vector<std::uint8_t> bytes;
+    PixelBytes bytes;
     const std::size_t row = static_cast<std::size_t>(image.width) * image.channels;
     if (!read_by_rows(row, image.height, read, bytes)) return reader.reason();
     image.pixels = std::move(bytes);
@@ -122,7 +141,7 @@ std::string read_pixels(JpegReader& reader, Image& image) {
 }  // namespace
 
 std::optional<Result<Image>> read_jpeg(std::FILE* file, Extent extent) {
-    JpegReader reader(file);
+    JpegReader reader(file, extent);
     if (!reader.read_header()) return Result<Image>{{}, reader.reason()};
     if (!reader.is_grey_or_rgb()) return std::nullopt;
     Result<Image> image;

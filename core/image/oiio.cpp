@@ -25,9 +25,9 @@ struct Collector {
     }
 };
 
-template <class T>
-std::vector<T> room(const EtalonImageFormat& format) {
-    std::vector<T> pixels;
+template <class Pixels>
+Pixels room(const EtalonImageFormat& format) {
+    Pixels pixels;
     pixels.reserve(static_cast<std::size_t>(format.width) * format.height * format.channels);
     return pixels;
 }
@@ -37,9 +37,9 @@ int begin_image(void* context, const EtalonImageFormat* format) {
         image = {format->width, format->height, format->channels, {}, {}, {}};
         if (format->is_srgb != 0) image.encoding = Encoding::srgb;
         if (format->is_float)
-            image.pixels = room<float>(*format);
+            image.pixels = room<std::vector<float>>(*format);
         else
-            image.pixels = room<std::uint8_t>(*format);
+            image.pixels = room<PixelBytes>(*format);
     });
 }
 

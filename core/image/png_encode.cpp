@@ -1,4 +1,8 @@
-#include <zlib.h>
+#include <libdeflate.h>
+
+#include <algorithm>
+#include <memory>
+#include <new>
 
 #include "core/image/png.h"
 #include "core/image/png_jump.h"
@@ -6,7 +10,42 @@
 namespace etalon {
 namespace {
 
-/// Writer of one file into memory. Its functions return false on failure.
+using Bytes = std::vector<std::uint8_t>;
+
+struct FreeCompressor {
+    void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
+};
+
+/// The rows as PNG stores them: each a byte that says so, and the differences of its pixels from
+/// those on their left.
+Bytes filtered(std::span<const std::uint8_t> rgb, int width, int height) {
+    const std::size_t row = 3 * static_cast<std::size_t>(width);
+    Bytes rows((row + 1) * static_cast<std::size_t>(height));
+    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y) {
+        const std::uint8_t* from = &rgb[y * row];
+        std::uint8_t* to = &rows[y * (row + 1)];
+        *to++ = PNG_FILTER_VALUE_SUB;
+        for (std::size_t i = 0; i < std::min<std::size_t>(3, row); ++i) to[i] = from[i];
+        for (std::size_t i = 3; i < row; ++i)
+            to[i] = static_cast<std::uint8_t>(from[i] - from[i - 3]);
+    }
+    return rows;
+}
+
+/// The same compressed. Of rendered images level 1 makes as little of such differences as higher
+/// ones make of pixels, in a third of the time.
+Bytes compressed(const Bytes& rows) {
+    const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
+        libdeflate_alloc_compressor(1));
+    if (!compressor) throw std::bad_alloc();
+    Bytes bytes(libdeflate_zlib_compress_bound(compressor.get(), rows.size()));
+    bytes.resize(libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), bytes.data(),
+                                          bytes.size()));
+    return bytes;
+}
+
+/// Writer of one file into memory. Its functions return false on failure. Pixels are compressed by
+/// libdeflate, in less than two thirds of the time that zlib would take.
 class PngWriter {
   public:
     PngWriter() {
@@ -22,15 +61,18 @@ class PngWriter {
 
     bool write(std::span<const std::uint8_t> rgb, int width, int height, const PngFacts& facts) {
         const std::vector<png_text> texts = texts_of(facts);
+        const Bytes pixels = compressed(filtered(rgb, width, height));
         return info_ && jump_.completes([&] {
             png_set_write_fn(png_, this, append, nullptr);
             const auto& origin = facts.origin;
             if (origin) png_set_oFFs(png_, info_, origin->x, origin->y, PNG_OFFSET_PIXEL);
             png_set_text(png_, info_, texts.data(), static_cast<int>(texts.size()));
             write_header(width, height);
-            const std::size_t row = 3 * static_cast<std::size_t>(width);
-            for (int y = 0; y < height; ++y) png_write_row(png_, &rgb[y * row]);
-            png_write_end(png_, info_);
+            for (std::size_t first = 0; first < pixels.size(); first += most_in_chunk) {
+                const std::size_t size = std::min(most_in_chunk, pixels.size() - first);
+                png_write_chunk(png_, name("IDAT"), &pixels[first], size);
+            }
+            png_write_chunk(png_, name("IEND"), nullptr, 0);
         });
     }
 
@@ -51,12 +93,13 @@ class PngWriter {
         return texts;
     }
 
-    /// Differences from the left, of which zlib looks for runs only: of rendered images as small as
-    /// higher levels make them without a filter, in a third of the time.
+    static constexpr std::size_t most_in_chunk = 1 << 30;
+
+    static png_const_bytep name(const char* chunk) {
+        return reinterpret_cast<png_const_bytep>(chunk);
+    }
+
     void write_header(int width, int height) {
-        png_set_compression_level(png_, 1);
-        png_set_compression_strategy(png_, Z_RLE);
-        png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
         png_set_IHDR(png_, info_, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height),
                      8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                      PNG_FILTER_TYPE_DEFAULT);

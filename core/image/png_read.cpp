@@ -77,7 +77,7 @@ class PngReader {
     int passes_ = 1;
 };
 
-bool read_bytes(PngReader& reader, std::vector<std::uint8_t>& bytes) {
+bool read_bytes(PngReader& reader, PixelBytes& bytes) {
     if (reader.is_interlaced()) {
         bytes.resize(reader.row_bytes() * static_cast<std::size_t>(reader.height()));
         return reader.read_passes(bytes.data());
@@ -89,7 +89,7 @@ bool read_bytes(PngReader& reader, std::vector<std::uint8_t>& bytes) {
 }
 
 /// Values of 16 bits, the higher byte first, as parts of the largest.
-std::vector<float> wide_values(const std::vector<std::uint8_t>& bytes) {
+std::vector<float> wide_values(const PixelBytes& bytes) {
     std::vector<float> values(bytes.size() / 2);
     for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = static_cast<float>(256 * bytes[2 * i] + bytes[2 * i + 1]) * (1.0F / 65535);
@@ -108,7 +108,7 @@ Result<Image> read_png(std::FILE* file, Extent extent) {
     Image image{reader.width(), reader.height(), reader.channels(), {},
                 Encoding::srgb, reader.origin()};
     if (extent == Extent::header) return {std::move(image), {}};
-    std::vector<std::uint8_t> bytes;
+    PixelBytes bytes;
     if (!read_bytes(reader, bytes)) return {{}, reader.reason()};
     if (reader.is_wide())
         image.pixels = wide_values(bytes);

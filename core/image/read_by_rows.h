@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
-#include "core/parallel/large_pages.h"
+#include "core/image/image.h"
 
 namespace etalon {
 
@@ -13,11 +12,10 @@ namespace etalon {
 /// on failure, a few at a time: memory grows with what a file really holds, whatever its header
 /// claims. Returns whether all were read.
 template <class Read>
-bool read_by_rows(std::size_t row, int height, const Read& read, std::vector<std::uint8_t>& bytes) {
+bool read_by_rows(std::size_t row, int height, const Read& read, PixelBytes& bytes) {
     constexpr int rows_at_once = 64;
     const std::size_t size = row * static_cast<std::size_t>(height);
     bytes.reserve(size);
-    prefer_large_pages(bytes.data(), size);
     for (int y = 0; y < height; y += rows_at_once) {
         const int count = std::min(rows_at_once, height - y);
         const std::size_t done = bytes.size();

@@ -3,6 +3,8 @@
 #include <bit>
 
 #include "core/intersect/kernels.h"
+
+#define ETALON_WITH_AVX3
 #include "core/numerics/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -1,6 +1,9 @@
 #include "core/intersect/intersector.h"
 
+#include <algorithm>
+
 #include "core/intersect/kernels.h"
+#include "core/intersect/local_rays.h"
 #include "core/numerics/denormals.h"
 
 namespace etalon {
@@ -56,17 +59,62 @@ NearestHit Intersector::nearest_hit(const Ray& ray) const {
         });
 }
 
-void Intersector::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
+template <class Answer, class AnswerAlone, class AnswerLocal>
+void Intersector::answer_all(std::span<const Ray> rays, std::span<Answer> answers,
+                             const AnswerAlone& alone, const AnswerLocal& local) const {
     const DenormalsCount denormals_count;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const NearestHit nearest = nearest_hit(rays[i]);
-        hits[i] = {nearest.t, nearest.primitive};
+    LocalRays chunk;
+    while (!rays.empty()) {
+        const std::size_t count = std::min(LocalRays::most, rays.size());
+        chunk.set(bounds_.space, rays.first(count));
+        for (std::size_t i = 0; i < count; ++i) {
+            const bool is_alone = chunk.way(i) == LocalRays::Way::by_itself;
+            answers[i] = is_alone ? alone(rays[i]) : local(rays[i], chunk, i);
+        }
+        rays = rays.subspan(count);
+        answers = answers.subspan(count);
     }
 }
 
+Hit Intersector::closest_local(const Ray& ray, const LocalRays& chunk, std::size_t i) const {
+    NearestHit nearest(ray.tmax);
+    const bool enters = chunk.way(i) == LocalRays::Way::enters;
+    if (enters || !bounds_.unbounded.empty()) {
+        const RayQuery query(ray, chunk.dominant(i));
+        for (const std::uint32_t id : bounds_.unbounded) {
+            nearest.offer(primitive_first_hit(geometry_, id, query), id);
+        }
+        if (enters) closest_bounded(query, chunk.ray(i), nearest);
+    }
+    return {nearest.t, nearest.primitive};
+}
+
+bool Intersector::is_occluded_local(const Ray& ray, const LocalRays& chunk, std::size_t i) const {
+    const bool enters = chunk.way(i) == LocalRays::Way::enters;
+    if (!enters && bounds_.unbounded.empty()) return false;
+    const RayQuery query(ray, chunk.dominant(i));
+    for (const std::uint32_t id : bounds_.unbounded) {
+        if (reaches(geometry_, id, query)) return true;
+    }
+    return enters && occluded_bounded(query, chunk.ray(i));
+}
+
+void Intersector::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
+    const auto alone = [&](const Ray& ray) {
+        const NearestHit nearest = nearest_hit(ray);
+        return Hit{nearest.t, nearest.primitive};
+    };
+    answer_all(rays, hits, alone, [&](const Ray& ray, const LocalRays& chunk, std::size_t i) {
+        return closest_local(ray, chunk, i);
+    });
+}
+
 void Intersector::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
-    const DenormalsCount denormals_count;
-    for (std::size_t i = 0; i < rays.size(); ++i) blocked[i] = is_occluded(rays[i]) ? 1 : 0;
+    const auto alone = [&](const Ray& ray) -> std::uint8_t { return is_occluded(ray) ? 1 : 0; };
+    answer_all(rays, blocked, alone,
+               [&](const Ray& ray, const LocalRays& chunk, std::size_t i) -> std::uint8_t {
+                   return is_occluded_local(ray, chunk, i) ? 1 : 0;
+               });
 }
 
 std::optional<Hit> Intersector::closest(const Ray& ray) const {

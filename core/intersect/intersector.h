@@ -14,6 +14,8 @@
 
 namespace etalon {
 
+class LocalRays;
+
 /// Finds hits in a scene. A backend derives from it and says only *which* kernels are called; what
 /// counts as a hit, ties and unbounded primitives are settled here, alike for all. Thread-safe.
 /// The scene must outlive the intersector.
@@ -67,6 +69,14 @@ class Intersector : public BatchIntersector {
     NearestHit closest_of_all(const Ray& ray, const OfferBounded& offer_bounded) const;
     NearestHit nearest_hit(const Ray& ray) const;
     bool is_occluded(const Ray& ray) const;
+
+    /// Answers rays of a batch: those of LocalRays::Way::by_itself alone, others with what the
+    /// chunk of them knows of ray i.
+    template <class Answer, class AnswerAlone, class AnswerLocal>
+    void answer_all(std::span<const Ray> rays, std::span<Answer> answers, const AnswerAlone& alone,
+                    const AnswerLocal& local) const;
+    Hit closest_local(const Ray& ray, const LocalRays& chunk, std::size_t i) const;
+    bool is_occluded_local(const Ray& ray, const LocalRays& chunk, std::size_t i) const;
 
     const Geometry& geometry_;
     SceneBounds bounds_;

@@ -1,18 +1,13 @@
 #include "core/intersect/normalized_space.h"
 
 namespace etalon {
-namespace {
-
-constexpr double largest_distance = 0x1p24;
-constexpr double largest_speed = 0x1p900;
-
-}  // namespace
 
 NormalizedSpace::NormalizedSpace(const Box3& world) {
     if (world.isEmpty()) return;
     centre_ = world.center();
     const double half = std::max(max_abs(world.max - centre_), max_abs(world.min - centre_));
     scale_ = power_of_two_reciprocal(half) / 2;
+    reach_ = (world.max - centre_) * scale_ + Vec3(margin);
 }
 
 Box3f NormalizedSpace::box(const Box3& world) const {

@@ -30,6 +30,12 @@ struct NormalizedRay {
 class NormalizedSpace {
   public:
     static constexpr double largest_origin = 3;
+    static constexpr double largest_distance = 0x1p24;  ///< of an origin, for resolves()
+    static constexpr double largest_speed = 0x1p900;    ///< and its reciprocal the smallest
+
+    /// How far outside of the box of all that is bounded a line is taken to pass it by: thirty
+    /// times `padding`, for this is no place to save.
+    static constexpr double margin = 0x1p-14;
 
     NormalizedSpace() = default;
     explicit NormalizedSpace(const Box3& world);
@@ -45,6 +51,10 @@ class NormalizedSpace {
     /// Maps a point without padding: for geometry that an accelerator decides on by itself.
     Vec3 point(const Vec3& world) const { return (world - centre_) * scale_; }
     double scale() const { return scale_; }
+    const Vec3& centre() const { return centre_; }
+
+    /// The box of all that is bounded, and `margin` around it: from -reach() to reach().
+    const Vec3& reach() const { return reach_; }
 
     /// Maps a ray. One that starts far away is first advanced, in double, to the neighbourhood of
     /// the scene. Returns nothing if the ray's line passes the scene by.
@@ -60,6 +70,7 @@ class NormalizedSpace {
   private:
     Vec3 centre_{0};
     double scale_ = 0;  ///< 0 where nothing is bounded
+    Vec3 reach_{0};
 };
 
 }  // namespace etalon

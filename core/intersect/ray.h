@@ -35,7 +35,10 @@ struct Hit {
 /// A ray and what every triangle and polygon test needs of it, worked out once: the axes permuted
 /// so that z is the direction's dominant one (Woop, Benthin & Wald 2013, JCGT 2(1)).
 struct RayQuery {
-    explicit RayQuery(const Ray& r) : ray(r), kz(dominant_axis(r.direction)) {
+    explicit RayQuery(const Ray& r) : RayQuery(r, dominant_axis(r.direction)) {}
+
+    /// `dominant`: the axis, which is known already.
+    RayQuery(const Ray& r, int dominant) : ray(r), kz(dominant) {
         kx = (kz + 1) % 3;
         ky = (kz + 2) % 3;
         dx = flush_negligible(kx);

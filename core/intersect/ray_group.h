@@ -27,12 +27,13 @@ struct RayGroup {
 
     bool is_full() const { return count == most; }
 
-    void add(const Ray& ray, const RayQuery& query) {
+    /// `direction`: the ray's as a RayQuery has it.
+    void add(const Ray& ray, const Vec3& direction) {
         const std::size_t i = count++;
         rays[i] = &ray;
-        origins[i] = query.ray.origin;
-        directions[i] = query.ray.direction;
-        tmins[i] = query.ray.tmin;
+        origins[i] = ray.origin;
+        directions[i] = direction;
+        tmins[i] = std::max(ray.tmin, 0.0);
         excludes[i] = ray.exclude == no_index ? none : ray.exclude;
         ts[i] = ray.tmax;
         primitives[i] = none;

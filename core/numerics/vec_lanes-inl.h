@@ -17,8 +17,15 @@ namespace etalon::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The largest number of lanes; arrays are padded to a multiple of it.
+/// Arrays are padded to a multiple of it: the most lanes that any instruction set has.
+inline constexpr std::size_t padded_doubles = 8;
+
+/// The most lanes of this one.
+#if HWY_TARGET == HWY_AVX3
+inline constexpr std::size_t most_doubles = 8;
+#else
 inline constexpr std::size_t most_doubles = 4;
+#endif
 
 using DoubleTag = hn::CappedTag<double, most_doubles>;
 using Doubles = hn::Vec<DoubleTag>;

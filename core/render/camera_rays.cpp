@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#define ETALON_WITH_AVX3
 #include "core/numerics/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE

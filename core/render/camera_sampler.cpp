@@ -24,24 +24,23 @@ void CameraBatch::add(int x, int y, std::uint32_t first, std::uint32_t last) {
         sources_.emplace_back(pixel, i);
     }
     if (!sampler_.has_samples_) return;
-    const auto add_points = [&](std::uint32_t dimension, PointBatch& to) {
-        const PointSet points = pixel.points(dimension);
-        for (std::uint32_t i = first; i < last; ++i) to.add(points, i);
-    };
-    add_points(pixel_dimension, in_pixel_);
-    if (sampler_.camera_.has_lens()) add_points(lens_dimension, on_lens_);
+    in_pixel_.add(pixel.points(pixel_dimension), first, last);
+    if (sampler_.camera_.has_lens()) on_lens_.add(pixel.points(lens_dimension), first, last);
 }
 
 CameraSamples CameraBatch::make() {
-    const std::span<const Vec2> in_pixel = in_pixel_.make();
-    places_.clear();
-    for (std::size_t i = 0; i < size(); ++i) {
-        places_.push_back(Vec2(pixels_[i]) +
-                          (sampler_.has_samples_ ? in_pixel[i] : sampler_.in_pixel_));
+    const std::size_t count = size();
+    places_.resize(count);
+    rays_.resize(count);
+    if (sampler_.has_samples_) {
+        const std::span<const Vec2> in_pixel = in_pixel_.make();
+        for (std::size_t i = 0; i < count; ++i) places_[i] = Vec2(pixels_[i]) + in_pixel[i];
+        sampler_.camera_.rays(places_, on_lens_.make(), rays_);
+    } else {
+        for (std::size_t i = 0; i < count; ++i) places_[i] = Vec2(pixels_[i]) + sampler_.in_pixel_;
+        const std::vector<Vec2> middle(sampler_.camera_.has_lens() ? count : 0, Vec2(0.5));
+        sampler_.camera_.rays(places_, middle, rays_);
     }
-    const std::vector<Vec2> middle(sampler_.has_samples_ ? 0 : size(), Vec2(0.5));
-    rays_.resize(size());
-    sampler_.camera_.rays(places_, sampler_.has_samples_ ? on_lens_.make() : middle, rays_);
     for (Ray& ray : rays_) ray.coherent = true;
     return {rays_, sources_};
 }

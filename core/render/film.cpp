@@ -20,21 +20,18 @@ void Film::add(int x, int y, const Color& sample) {
     ++counts_[i];
 }
 
+void Film::add(std::span<const Imath::V2i> pixels, std::span<const Color> samples) {
+    for (std::size_t i = 0; i < pixels.size(); ++i) add(pixels[i].x, pixels[i].y, samples[i]);
+}
+
 std::uint64_t Film::total_count() const {
     return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0});
-}
-
-Vec3 Film::mean(std::size_t pixel) const {
-    return filtered_means_.empty() ? sample_mean(pixel) : filtered_means_[pixel];
-}
-
-Vec3 Film::sample_mean(std::size_t pixel) const {
-    return counts_[pixel] == 0 ? Vec3(0) : sums_[pixel] / counts_[pixel];
 }
 
 std::vector<Color> Film::pixels() const {
     std::vector<Color> result;
     result.reserve(size());
+    prefer_large_pages(result.data(), size() * sizeof(Color));
     for (std::size_t i = 0; i < size(); ++i) result.emplace_back(mean(i));
     return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/numerics/vec.h"
@@ -17,6 +18,9 @@ class Film {
 
     void add(int x, int y, const Color& sample);
 
+    /// Adds samples, each to its pixel.
+    void add(std::span<const Imath::V2i> pixels, std::span<const Color> samples);
+
     const Imath::Box2i& window() const { return window_; }
     int width() const { return width_; }
     std::size_t size() const { return sums_.size(); }
@@ -30,7 +34,9 @@ class Film {
 
     /// Mean of the samples, or what a filter makes of those about the pixel; black where there is
     /// none yet.
-    Vec3 mean(std::size_t pixel) const;
+    Vec3 mean(std::size_t pixel) const {
+        return filtered_means_.empty() ? sample_mean(pixel) : filtered_means_[pixel];
+    }
 
     /// The means of all pixels.
     std::vector<Color> pixels() const;
@@ -48,7 +54,9 @@ class Film {
     Film filtered(const Imath::Box2i& window, std::vector<Vec3> means) const;
 
   private:
-    Vec3 sample_mean(std::size_t pixel) const;
+    Vec3 sample_mean(std::size_t pixel) const {
+        return counts_[pixel] == 0 ? Vec3(0) : sums_[pixel] / counts_[pixel];
+    }
     void add_all(std::size_t pixel, const Film& from, std::size_t pixel_of_it);
 
     Imath::Box2i window_;

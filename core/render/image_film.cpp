@@ -28,17 +28,27 @@ ImageFilm::ImageFilm(const Imath::Box2i& window, const RenderSettings& settings)
     }
 }
 
-bool ImageFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& color) {
-    Color sample = color;
+bool ImageFilm::prepare(Color& sample) const {
     if (changes_samples_) {
         const float y = luminance(sample);
         sample *= y > max_luminance_ ? scale_ * (max_luminance_ / y) : scale_;
     }
-    const bool good = is_finite(sample);
-    if (!good) sample = Color(0.0F);
-    samples_.add(pixel.x, pixel.y, sample);
-    if (splats_) splats_->add(pixel, place, sample);
-    return good;
+    if (is_finite(sample)) return true;
+    sample = Color(0.0F);
+    return false;
+}
+
+std::size_t ImageFilm::add(std::span<const Imath::V2i> pixels, std::span<const Vec2> places,
+                           std::span<Color> colors) {
+    std::size_t good = 0;
+    for (Color& color : colors) good += prepare(color);
+    samples_.add(pixels, colors);
+    if (splats_) {
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            splats_->add(pixels[i], places[i], colors[i]);
+        }
+    }
+    return colors.size() - good;
 }
 
 std::vector<Imath::Box2i> ImageFilm::tiles() const {

@@ -16,9 +16,11 @@ class ImageFilm {
     /// Film for an image of `window` whose filter is that of the settings.
     ImageFilm(const Imath::Box2i& window, const RenderSettings& settings);
 
-    /// Adds a sample at `place`, in pixels, of the pixel in which it lies. One that is infinite or
-    /// no number counts as black, as in pbrt-v3. Returns whether it was none of that kind.
-    bool add(const Imath::V2i& pixel, const Vec2& place, const Color& color);
+    /// Adds samples, each at its place, in pixels, of the pixel in which it lies; `colors` becomes
+    /// what was added. One that is infinite or no number counts as black, as in pbrt-v3. Returns how
+    /// many were of that kind.
+    std::size_t add(std::span<const Imath::V2i> pixels, std::span<const Vec2> places,
+                    std::span<Color> colors);
 
     /// The samples of each pixel. Where a filter is wider than a pixel, there are some beyond the
     /// image's window.
@@ -39,6 +41,9 @@ class ImageFilm {
     static double bytes_per_pixel(const RenderSettings& settings);
 
   private:
+    /// Makes of a colour what the film takes. Returns whether it was a number.
+    bool prepare(Color& sample) const;
+
     Imath::Box2i window_;
     Film samples_;
     std::optional<SplatFilm> splats_;

@@ -22,10 +22,9 @@ void SampleBatch::add(int x, int y, std::uint32_t first, std::uint32_t last) {
 void SampleBatch::finish() {
     const std::size_t count = samples_.size();
     if (count == 0) return;
-    integrator_.radiance(samples_.make(), std::span(colors_).first(count), counts_);
-    for (std::size_t i = 0; i < count; ++i) {
-        dropped_ += !film_.add(samples_.pixels()[i], samples_.places()[i], colors_[i]);
-    }
+    const std::span colors = std::span(colors_).first(count);
+    integrator_.radiance(samples_.make(), colors, counts_);
+    dropped_ += film_.add(samples_.pixels(), samples_.places(), colors);
     done_ += count;
     samples_.clear();
 }

@@ -28,11 +28,14 @@ class PointSet {
 /// Points of many point sets of one sampler, made together.
 class PointBatch {
   public:
-    void add(const PointSet& set, std::uint32_t index) {
+    void add(const PointSet& set, std::uint32_t index) { add(set, index, index + 1); }
+
+    /// Adds the points [first, last) of a set.
+    void add(const PointSet& set, std::uint32_t first, std::uint32_t last) {
         if (set.is_sobol_) {
-            sobol_.add(set.sobol_, index);
+            sobol_.add(set.sobol_, first, last);
         } else {
-            points_.push_back(set(index));
+            for (std::uint32_t i = first; i < last; ++i) points_.push_back(set(i));
         }
     }
 

@@ -58,15 +58,19 @@ Vec2 ScrambledSobol::operator()(std::uint32_t index) const {
     return {unit_interval(x), unit_interval(y)};
 }
 
-void SobolBatch::add(const ScrambledSobol& sequence, std::uint32_t index) {
-    if (size_ == index_.size()) {
-        for (auto* row : {&index_, &order_, &x_, &y_}) row->resize(2 * size_ + lanes);
+void SobolBatch::add(const ScrambledSobol& sequence, std::uint32_t first, std::uint32_t last) {
+    const std::size_t begin = size_, count = last - first;
+    size_ += count;
+    if (size_ > index_.size()) {
+        const std::size_t room = (2 * size_ + lanes) / lanes * lanes;
+        for (auto* row : {&index_, &order_, &x_, &y_}) row->resize(room);
     }
-    index_[size_] = index;
-    order_[size_] = sequence.order_;
-    x_[size_] = sequence.x_;
-    y_[size_] = sequence.y_;
-    ++size_;
+    for (std::size_t i = 0; i < count; ++i) {
+        index_[begin + i] = first + static_cast<std::uint32_t>(i);
+        order_[begin + i] = sequence.order_;
+        x_[begin + i] = sequence.x_;
+        y_[begin + i] = sequence.y_;
+    }
 }
 
 void SobolBatch::move_to(std::vector<Vec2>& points) {

@@ -42,8 +42,8 @@ class SobolBatch {
   public:
     static constexpr std::size_t lanes = 8;
 
-    /// Adds point number `index` of a sequence.
-    void add(const ScrambledSobol& sequence, std::uint32_t index);
+    /// Adds the points [first, last) of a sequence.
+    void add(const ScrambledSobol& sequence, std::uint32_t first, std::uint32_t last);
 
     /// Appends the points, in the order in which they were added, and forgets them.
     void move_to(std::vector<Vec2>& points);

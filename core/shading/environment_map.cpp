@@ -39,9 +39,11 @@ Color bilinear(const Image& image, const FacePoint& p) {
     const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
     const int x1 = std::min(x0 + 1, image.width - 1), y1 = std::min(y0 + 1, image.height - 1);
     const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
-    const Color top = image.color(x0, y0) * (1 - fx) + image.color(x1, y0) * fx;
-    const Color bottom = image.color(x0, y1) * (1 - fx) + image.color(x1, y1) * fx;
-    return top * (1 - fy) + bottom * fy;
+    return image.with_colors([&](const auto& color) {
+        const Color top = color(x0, y0) * (1 - fx) + color(x1, y0) * fx;
+        const Color bottom = color(x0, y1) * (1 - fx) + color(x1, y1) * fx;
+        return top * (1 - fy) + bottom * fy;
+    });
 }
 
 /// The image of a face whose file cannot be read.

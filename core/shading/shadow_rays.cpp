@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#define ETALON_WITH_AVX3
 #include "core/numerics/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -88,7 +89,7 @@ bool leaves_for_good(Convexity convexity, double leaving, double moving) {
 }  // namespace
 
 LitSurfaces::LitSurfaces(std::size_t most) {
-    constexpr std::size_t lanes = HWY_NAMESPACE::most_doubles;
+    constexpr std::size_t lanes = HWY_NAMESPACE::padded_doubles;
     for (auto* column : {&positions_, &errors_, &normals_, &shading_normals_}) {
         column->resize((most + lanes - 1) / lanes * lanes);
     }
@@ -123,9 +124,15 @@ ShadowRays::ShadowRays(const LitSurfaces& surfaces, std::span<const Vec3> lights
             if (!(c.cosine[i] > 0) || !(traits.front * c.facing[i] > 0)) continue;
             const bool for_good =
                 fixed_bias == 0 && leaves_for_good(traits.convexity, c.leaving[i], c.moving[i]);
-            rays.push_back({c.origins[i], c.directions[i], 0, shadow_end,
-                            for_good ? traits.primitive : no_index});
-            facing.push_back({first + i, c.towards[i], c.cosine[i]});
+            Ray& ray = rays.emplace_back();
+            ray.origin = c.origins[i];
+            ray.direction = c.directions[i];
+            ray.tmax = shadow_end;
+            if (for_good) ray.exclude = traits.primitive;
+            FacingSurface& surface = facing.emplace_back();
+            surface.surface = first + i;
+            surface.towards = c.towards[i];
+            surface.cosine = c.cosine[i];
         }
     }
 }

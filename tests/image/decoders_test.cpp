@@ -23,10 +23,10 @@ bool same_values(std::uint8_t a, std::uint8_t b) {
     return a == b;
 }
 
-template <class T>
-bool same_pixels(const std::vector<T>& a, const std::vector<T>& b) {
+template <class Pixels>
+bool same_pixels(const Pixels& a, const Pixels& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](T x, T y) { return same_values(x, y); });
+                      [](auto x, auto y) { return same_values(x, y); });
 }
 
 bool same(const Image& a, const Image& b) {

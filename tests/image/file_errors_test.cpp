@@ -200,7 +200,7 @@ TEST_CASE("a large JPEG is bytes, and refused if it ends early", "[needs_shared_
     REQUIRE(read.error == "");
     CHECK(read.value.width == 2048);
     CHECK(read.value.height == 2048);
-    CHECK(std::holds_alternative<std::vector<std::uint8_t>>(read.value.pixels));
+    CHECK(std::holds_alternative<PixelBytes>(read.value.pixels));
 
     const TemporaryFolder folder;
     const std::string whole = content_of(skybox);

@@ -10,7 +10,7 @@ using namespace etalon::test;
 
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using Bytes = PixelBytes;
 using Floats = std::vector<float>;
 
 std::string text_of(const Bytes& bytes) {

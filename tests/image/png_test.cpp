@@ -9,8 +9,9 @@ using namespace etalon::test;
 
 namespace {
 
-const std::vector<std::uint8_t>& bytes_of(const Image& image) {
-    return std::get<std::vector<std::uint8_t>>(image.pixels);
+std::vector<std::uint8_t> bytes_of(const Image& image) {
+    const auto& bytes = std::get<PixelBytes>(image.pixels);
+    return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace

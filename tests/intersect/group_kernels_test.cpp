@@ -56,7 +56,7 @@ void require_same(const Geometry& geometry, const std::vector<Ray>& rays) {
     for (const Ray& ray : rays) {
         const RayQuery query(ray);
         RayGroup& group = groups[query.kz];
-        group.add(ray, query);
+        group.add(ray, query.ray.direction);
         if (group.count < sizes[query.kz]) continue;
         sizes[query.kz] = sizes[query.kz] % RayGroup::most + 1;
         require_same(geometry, group);
@@ -112,7 +112,7 @@ TEST_CASE("Kernels: of two primitives at the same distance a group keeps the low
     for (const auto& [first, second] : {std::pair(0U, 1U), std::pair(1U, 0U)}) {
         RayGroup group;
         group.dominant = 2;
-        group.add(ray, RayQuery(ray));
+        group.add(ray, RayQuery(ray).ray.direction);
         offer_to_group(geometry, first, group);
         offer_to_group(geometry, second, group);
         CHECK(group.hit(0).primitive == 0);

@@ -165,10 +165,18 @@ void Whitted::add_light(std::size_t light, int k, const RaysView& batch, const L
     }
 }
 
+void Whitted::SecondaryRays::reserve(std::size_t count) {
+    rays.reserve(count);
+    paths.reserve(count);
+    vertices.reserve(count);
+    weights.reserve(count);
+}
+
 /// Adds what mirrors and glass let come back.
 void Whitted::add_secondary(const RaysView& batch, int depth, std::span<const Vertex> vertices,
                             std::span<Color> colors, RayCounts& counts) const {
     SecondaryRays secondary;
+    secondary.reserve(vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
         leave(batch, i, vertices[i], secondary, counts);
     std::vector<Color> sums(vertices.size(), Color(0.0F)), incoming(secondary.rays.size());

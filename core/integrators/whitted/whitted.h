@@ -61,6 +61,8 @@ class Whitted final : public Integrator {
     /// The rays that leave the vertices of a batch for mirrors and glass: each one's vertex, and
     /// the weight of its colour there.
     struct SecondaryRays : Rays {
+        void reserve(std::size_t count);
+
         std::vector<std::size_t> vertices;
         std::vector<Color> weights;
     };

@@ -1,0 +1,82 @@
+#include "core/intersect/ray_columns.h"
+
+#define ETALON_WITH_AVX3
+#include "core/numerics/instruction_sets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/intersect/ray_columns.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "core/numerics/vec_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+using WordTag = hn::RebindToUnsigned<DoubleTag>;
+
+HWY_INLINE DoubleMask is_finite(const Vec3Lanes& v) {
+    const Doubles end = broadcast(infinity);
+    return hn::And(hn::Abs(v.x) < end, hn::And(hn::Abs(v.y) < end, hn::Abs(v.z) < end));
+}
+
+HWY_INLINE DoubleMask is_zero_or_above(Doubles least, Doubles size) {
+    return hn::Or(size >= least, size == hn::Zero(DoubleTag()));
+}
+
+/// The steps of is_valid(), and those of RayQuery.
+HWY_INLINE DoubleMask common(const RayColumns& c, std::size_t i, const Vec3Lanes& size) {
+    const DoubleTag tag;
+    const Doubles largest = hn::Max(size.x, hn::Max(size.y, size.z));
+    const Doubles least = broadcast(0x1p-500) * largest;
+    const DoubleMask in_range =
+        hn::And(largest > broadcast(0x1p-1000), largest < broadcast(0x1p1000));
+    const DoubleMask not_negligible =
+        hn::And(is_zero_or_above(least, size.x),
+                hn::And(is_zero_or_above(least, size.y), is_zero_or_above(least, size.z)));
+    const DoubleMask is_way = hn::LoadU(tag, &c.tmins[i]) < hn::LoadU(tag, &c.tmaxs[i]);
+    return hn::And(hn::And(is_finite(load(&c.origins[i])), is_finite(size)),
+                   hn::And(is_way, hn::And(in_range, not_negligible)));
+}
+
+/// dominant_axis().
+HWY_INLINE void store_dominant(const Vec3Lanes& size, std::uint64_t* to) {
+    const WordTag tag;
+    const auto words = [](DoubleMask mask) HWY_ATTR {
+        return hn::BitCast(WordTag(), hn::VecFromMask(DoubleTag(), mask));
+    };
+    const auto is_x = words(hn::And(size.x >= size.y, size.x >= size.z));
+    const auto y_or_z = hn::Add(hn::Set(tag, 2), words(size.y >= size.z));  // a mask is -1
+    hn::StoreU(hn::AndNot(is_x, y_or_z), tag, to);
+}
+
+void describe(RayColumns& c) {
+    for (std::size_t i = 0; i < c.count; i += hn::Lanes(DoubleTag())) {
+        const Vec3Lanes size = abs(load(&c.directions[i]));
+        const auto mask = hn::VecFromMask(DoubleTag(), common(c, i, size));
+        hn::StoreU(hn::BitCast(WordTag(), mask), WordTag(), &c.common[i]);
+        store_dominant(size, &c.dominants[i]);
+    }
+}
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace etalon {
+
+HWY_EXPORT(describe);
+
+RayColumns::RayColumns(std::span<const Ray> rays) : count(rays.size()) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const Ray& ray = rays[i];
+        origins[i] = ray.origin;
+        directions[i] = ray.direction;
+        tmins[i] = ray.tmin;
+        tmaxs[i] = ray.tmax;
+    }
+    HWY_DYNAMIC_DISPATCH(describe)(*this);
+}
+
+}  // namespace etalon
+#endif
