@@ -123,6 +123,18 @@ Camera described(const Camera& c, const Imath::V2i& resolution) {
     return result;
 }
 
+/// Number of vertices of triangles, those of objects included.
+std::size_t vertices(const Geometry& geometry) {
+    std::size_t count = geometry.vertices.size() + geometry.decimal_vertices.size();
+    for (const Geometry& object : geometry.objects) count += vertices(object);
+    return count;
+}
+
+std::string instances_line(const Json& j) {
+    return fmt::format("{} of {} objects", j["instances"].get<std::size_t>(),
+                       j["objects"].get<std::size_t>());
+}
+
 Json describe(const InfoArguments& a, const LoadedScene& loaded) {
     const Scene& s = *loaded.scene;
     const RenderSettings& settings = loaded.settings;
@@ -133,7 +145,9 @@ Json describe(const InfoArguments& a, const LoadedScene& loaded) {
             {"scene", a.scene.path},
             {"format", s.format},
             {"primitives", primitive_counts(s)},
-            {"vertices", s.geometry.vertices.size() + s.geometry.decimal_vertices.size()},
+            {"objects", s.geometry.objects.size()},
+            {"instances", s.geometry.instances.size()},
+            {"vertices", vertices(s.geometry)},
             {"materials", look.materials},
             {"lights", look.lights},
             {"camera",
@@ -170,13 +184,14 @@ std::string as_text(const Json& j) {
     const Json& camera = j["camera"];
     const auto needed = j["needs"].get<std::vector<std::string>>();
     return fmt::format(
-        "{}: {}\n  primitives  {}\n  materials   {}\n  lights      {}\n  picture     {} x {}, {} "
+        "{}: {}\n  primitives  {}\n  instances   {}\n  materials   {}\n  lights      {}\n  picture "
+        "    {} x {}, {} "
         "samples per pixel\n  integrator  {}\n  backend     {}\n  needs       {}\n  memory      {} "
         "bytes\n  "
         "diagnostics {}\n",
         j["scene"].get<std::string>(), j["format"].get<std::string>(), counts_line(j["primitives"]),
-        j["materials"].get<std::size_t>(), counts_line(j["lights"]), camera["width"].get<int>(),
-        camera["height"].get<int>(), j["samples_per_pixel"].get<int>(),
+        instances_line(j), j["materials"].get<std::size_t>(), counts_line(j["lights"]),
+        camera["width"].get<int>(), camera["height"].get<int>(), j["samples_per_pixel"].get<int>(),
         j["integrator"].get<std::string>(), j["backend"].get<std::string>(),
         needed.empty() ? "nothing special" : fmt::format("{}", fmt::join(needed, ", ")),
         j["memory_bytes"].get<std::size_t>(), j["diagnostics"].size());

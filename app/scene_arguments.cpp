@@ -14,7 +14,7 @@ std::vector<std::string> strings(std::span<const std::string_view> names) {
 
 /// Adds that there is nothing to see, as where a file was cut; an error if warnings are.
 void note_no_shapes(LoadResult& result, const SceneArguments& a) {
-    if (!result.scene || !result.scene->geometry.primitives.empty()) return;
+    if (!result.scene || result.scene->geometry.item_count() > 0) return;
     const bool strict = a.options.strict;
     result.diagnostics.push_back({strict ? Severity::error : Severity::warning, "empty", a.path, 0,
                                   0, "no shapes: the image shows the background only"});

@@ -74,6 +74,9 @@ Json to_json(const RenderStats& s) {
 Json primitive_counts(const Scene& scene) {
     std::array<std::uint64_t, shape_kinds> counts{};
     for (const Primitive p : scene.geometry.primitives) ++counts[p.kind];
+    for (const Geometry& object : scene.geometry.objects) {
+        for (const Primitive p : object.primitives) ++counts[p.kind];
+    }
     Json result = Json::object();
     for (std::size_t kind = 0; kind < counts.size(); ++kind) {
         if (counts[kind] == 0) continue;

@@ -7,6 +7,7 @@
 #include "app/common/backends.h"
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/hit_text.h"
 #include "app/common/output.h"
 #include "app/scene_arguments.h"
 #include "app/subcommands.h"
@@ -70,9 +71,8 @@ bool read_rays(const TraceArguments& a, std::vector<Ray>& rays) {
 std::string describe(const Scene& scene, const Ray& ray, const std::optional<Hit>& hit) {
     if (!hit) return "miss\n";
     const Vec3 n = surface_at(scene.geometry, ray, *hit).normal;
-    return fmt::format("hit {:.17g} {} {} {:.17g} {:.17g} {:.17g}\n", hit->t,
-                       kind_name(scene.geometry.primitives[hit->primitive].kind), hit->primitive,
-                       n.x, n.y, n.z);
+    return fmt::format("{} {:.17g} {:.17g} {:.17g}\n", hit_text(scene.geometry, *hit), n.x, n.y,
+                       n.z);
 }
 
 int trace(const TraceArguments& a) {

@@ -23,8 +23,11 @@ float first_t(const NormalizedRay& ray, double tmin) {
 }  // namespace
 
 EmbreeBuiltin::EmbreeBuiltin(const Geometry& geometry, Traversal traversal)
-    : Intersector(geometry), others_(geometry), embree_scene_(rtcNewScene(device_.handle())) {
+    : Intersector(geometry),
+      others_(geometry, *this),
+      embree_scene_(rtcNewScene(device_.handle())) {
     device_.check();
+    build_objects<EmbreeBuiltin>(traversal);
     if (traversal == Traversal::robust) {
         rtcSetSceneFlags(embree_scene_.get(), RTC_SCENE_FLAG_ROBUST);
     }
@@ -54,7 +57,7 @@ bool EmbreeBuiltin::has_own_kernels(const Geometry& geometry) {
     });
 }
 
-std::size_t EmbreeBuiltin::memory_bytes() const {
+std::size_t EmbreeBuiltin::own_bytes() const {
     std::size_t tables = others_.memory_bytes();
     for (const PrimitiveIds& ids : ids_) tables += ids.memory_bytes();
     return device_.bytes() + tables;

@@ -25,10 +25,10 @@ class EmbreeBuiltin final : public Intersector {
     /// Whether Embree has a geometry for any of the primitives.
     static bool has_own_kernels(const Geometry& geometry);
 
-    std::size_t memory_bytes() const override;
     std::string isa() const override { return device_.isa(); }
 
   protected:
+    std::size_t own_bytes() const override;
     void closest_bounded(const RayQuery& query, const NormalizedRay& local,
                          NearestHit& nearest) const override;
     bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const override;

@@ -73,6 +73,7 @@ bool is_quad(const Polygon& polygon, const NormalizedSpace& space) {
 std::optional<RTCGeometryType> embree_type_of(const Geometry& geometry,
                                               const NormalizedSpace& space,
                                               std::uint32_t primitive) {
+    if (geometry.is_instance(primitive)) return std::nullopt;
     const Primitive p = geometry.primitives[primitive];
     if (p.sides != Sides::both) return std::nullopt;
     if (p.kind == kind_of<Triangle>()) return RTC_GEOMETRY_TYPE_TRIANGLE;

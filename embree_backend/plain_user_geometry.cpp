@@ -1,5 +1,6 @@
 #include "embree_backend/plain_user_geometry.h"
 
+#include "core/intersect/instance_bounds.h"
 #include "core/intersect/kernels.h"
 #include "core/numerics/denormals.h"
 #include "embree_backend/query.h"
@@ -11,19 +12,33 @@ bool is_bounded(const Box3& box) {
     return !box.isEmpty() && is_finite(box.min) && is_finite(box.max);
 }
 
+/// Returns the boxes of all instances.
+std::vector<Box3> boxes_of_instances(const Geometry& geometry) {
+    Box3 others;
+    for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
+        const Box3 box = primitive_bounds(geometry, id);
+        if (is_bounded(box)) others.extendBy(box);
+    }
+    return instance_bounds(geometry, others);
+}
+
 /// Returns what SceneBounds::of does but for the bounded primitives, which Embree asks for by
 /// number. It is worked out anew, one primitive after the other: see the class.
 SceneBounds plain_bounds(const Geometry& geometry) {
     SceneBounds result;
     Box3 world;
-    for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
-        const Box3 box = primitive_bounds(geometry, id);
+    const auto add = [&](std::uint32_t item, const Box3& box) {
         if (is_bounded(box)) {
             world.extendBy(box);
         } else if (!box.isEmpty()) {
-            result.unbounded.push_back(id);
+            result.unbounded.push_back(item);
         }
+    };
+    for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
+        add(id, primitive_bounds(geometry, id));
     }
+    auto item = static_cast<std::uint32_t>(geometry.primitives.size());
+    for (const Box3& box : boxes_of_instances(geometry)) add(item++, box);
     result.space = NormalizedSpace(world);
     return result;
 }
@@ -32,6 +47,12 @@ SceneBounds plain_bounds(const Geometry& geometry) {
 struct BoundsQuery {
     const Geometry& geometry;
     const NormalizedSpace& space;
+    std::vector<Box3> instances;
+
+    Box3 box(std::uint32_t item) const {
+        if (!geometry.is_instance(item)) return primitive_bounds(geometry, item);
+        return instances[item - geometry.primitives.size()];
+    }
 };
 
 /// Gives each box nine times the margin that NormalizedSpace::padding derives, roundings to float
@@ -41,7 +62,7 @@ void bounds_of_primitive(const RTCBoundsFunctionArguments* arguments) {
     constexpr double margin = 0x1p-16;
     const DenormalsCount denormals_count;
     const auto& data = *static_cast<const BoundsQuery*>(arguments->geometryUserPtr);
-    const Box3 world = primitive_bounds(data.geometry, arguments->primID);
+    const Box3 world = data.box(arguments->primID);
     Box3f box;
     if (is_bounded(world)) {
         box.min = Vec3f(data.space.point(world.min) - Vec3(margin));
@@ -52,13 +73,18 @@ void bounds_of_primitive(const RTCBoundsFunctionArguments* arguments) {
 
 /// Input of the callbacks for hits: Embree hands them the context it was given for the ray.
 struct Query : EmbreeContext {
-    Query(const Geometry& s, const RayQuery& q, const NormalizedRay& l, const NearestHit& n)
-        : geometry(s), query(q), local(l), nearest(n) {
+    Query(const Geometry& s, const Intersector& i, const RayQuery& q, const NormalizedRay& l,
+          const NearestHit& n)
+        : geometry(s), instances(i), query(q), local(l), nearest(n) {
         initialise(*this);
     }
 
     /// Offers what the kernel finds. True where that is no further away than the nearest so far.
     bool offer(std::uint32_t primitive) {
+        if (geometry.is_instance(primitive)) {
+            instances.offer_instance(primitive, query, nearest);
+            return nearest.item == primitive;
+        }
         const double t = primitive_first_hit(geometry, primitive, query);
         if (!(t <= nearest.t)) return false;
         nearest.offer(t, primitive);
@@ -66,6 +92,7 @@ struct Query : EmbreeContext {
     }
 
     const Geometry& geometry;
+    const Intersector& instances;
     const RayQuery& query;
     const NormalizedRay& local;
     NearestHit nearest;
@@ -96,11 +123,12 @@ void occluded_by_primitive(const RTCOccludedFunctionNArguments* arguments) {
 /// out: Embree's traversal of user geometries takes no notice of it.
 PlainUserGeometry::PlainUserGeometry(const Geometry& geometry)
     : Intersector(geometry, plain_bounds(geometry)), embree_scene_(rtcNewScene(device_.handle())) {
+    build_objects<PlainUserGeometry>();
     const EmbreeOwned<RTCGeometry> owned(rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER));
     device_.check();
     RTCGeometry primitives = owned.get();
-    BoundsQuery data{geometry, scene_bounds().space};
-    rtcSetGeometryUserPrimitiveCount(primitives, static_cast<unsigned>(geometry.primitives.size()));
+    BoundsQuery data{geometry, scene_bounds().space, boxes_of_instances(geometry)};
+    rtcSetGeometryUserPrimitiveCount(primitives, geometry.item_count());
     rtcSetGeometryUserData(primitives, &data);
     rtcSetGeometryBoundsFunction(primitives, bounds_of_primitive, nullptr);
     rtcSetGeometryIntersectFunction(primitives, intersect_primitive);
@@ -112,7 +140,7 @@ PlainUserGeometry::PlainUserGeometry(const Geometry& geometry)
 
 void PlainUserGeometry::closest_bounded(const RayQuery& query, const NormalizedRay& local,
                                         NearestHit& nearest) const {
-    Query context(geometry(), query, local, nearest);
+    Query context(geometry(), *this, query, local, nearest);
     RTCRayHit ray;
     set_ray(ray.ray, local, local.tmin(query.ray.tmin), local.tmax(nearest.t));
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -121,11 +149,11 @@ void PlainUserGeometry::closest_bounded(const RayQuery& query, const NormalizedR
 }
 
 bool PlainUserGeometry::occluded_bounded(const RayQuery& query, const NormalizedRay& local) const {
-    Query context(geometry(), query, local, NearestHit(query.ray.tmax));
+    Query context(geometry(), *this, query, local, NearestHit(query.ray.tmax));
     RTCRay ray;
     set_ray(ray, local, local.tmin(query.ray.tmin), local.tmax(query.ray.tmax));
     embree_occluded(embree_scene_.get(), context, ray);
-    return context.nearest.result().has_value();
+    return context.nearest.found();
 }
 
 }  // namespace etalon

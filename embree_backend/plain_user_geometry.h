@@ -15,10 +15,10 @@ class PlainUserGeometry final : public Intersector {
     /// Throws as EmbreeDevice does.
     explicit PlainUserGeometry(const Geometry& geometry);
 
-    std::size_t memory_bytes() const override { return device_.bytes(); }
     std::string isa() const override { return device_.isa(); }
 
   protected:
+    std::size_t own_bytes() const override { return device_.bytes(); }
     void closest_bounded(const RayQuery& query, const NormalizedRay& local,
                          NearestHit& nearest) const override;
     bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const override;

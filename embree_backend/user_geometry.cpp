@@ -5,12 +5,15 @@
 namespace etalon {
 
 EmbreeUserGeometry::EmbreeUserGeometry(const Geometry& geometry)
-    : Intersector(geometry), primitives_(geometry), embree_scene_(rtcNewScene(device_.handle())) {
+    : Intersector(geometry),
+      primitives_(geometry, *this),
+      embree_scene_(rtcNewScene(device_.handle())) {
     device_.check();
+    build_objects<EmbreeUserGeometry>();
     primitives_.build(device_, embree_scene_.get(), 0, scene_bounds().space, take_bounded());
 }
 
-std::size_t EmbreeUserGeometry::memory_bytes() const {
+std::size_t EmbreeUserGeometry::own_bytes() const {
     return device_.bytes() + primitives_.memory_bytes();
 }
 

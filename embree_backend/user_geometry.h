@@ -13,10 +13,10 @@ class EmbreeUserGeometry final : public Intersector {
     /// Throws as EmbreeDevice does.
     explicit EmbreeUserGeometry(const Geometry& geometry);
 
-    std::size_t memory_bytes() const override;
     std::string isa() const override { return device_.isa(); }
 
   protected:
+    std::size_t own_bytes() const override;
     void closest_bounded(const RayQuery& query, const NormalizedRay& local,
                          NearestHit& nearest) const override;
     bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const override;

@@ -10,7 +10,8 @@ namespace {
 using Boxes = std::vector<Box3f>;
 
 bool is_single(const BoundedPrimitive& p) {
-    return cluster_kind(static_cast<ShapeKind>(p.kind)) == ClusterRef::list;
+    const ClusterRef::Kind kind = cluster_kind(static_cast<ShapeKind>(p.kind));
+    return kind == ClusterRef::list || kind == ClusterRef::instances;
 }
 
 /// Takes the primitives that have no filter out of `primitives` and returns them.

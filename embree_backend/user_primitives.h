@@ -15,7 +15,9 @@ namespace etalon {
 /// that is never below the best t.
 class UserPrimitives {
   public:
-    explicit UserPrimitives(const Geometry& geometry) : geometry_(geometry) {}
+    /// `instances` answers for the geometry's instances.
+    UserPrimitives(const Geometry& geometry, const Intersector& instances)
+        : geometry_(geometry), instances_(instances) {}
     UserPrimitives(const UserPrimitives&) = delete;
     UserPrimitives& operator=(const UserPrimitives&) = delete;
 
@@ -30,15 +32,20 @@ class UserPrimitives {
     /// Does what UserTracing::intersect does.
     void intersect(RTCScene target, const RayQuery& query, const NormalizedRay& local,
                    NearestHit& nearest, RTCRayHit& ray) const {
-        tracing_.intersect({target, geometry_, clusters_, singles_}, query, local, nearest, ray);
+        tracing_.intersect(view(target), query, local, nearest, ray);
     }
     void occluded(RTCScene target, const RayQuery& query, const NormalizedRay& local,
                   RTCRay& ray) const {
-        tracing_.occluded({target, geometry_, clusters_, singles_}, query, local, ray);
+        tracing_.occluded(view(target), query, local, ray);
     }
 
   private:
+    UserView view(RTCScene target) const {
+        return {target, geometry_, clusters_, singles_, instances_};
+    }
+
     const Geometry& geometry_;
+    const Intersector& instances_;
     bool empty_ = true;
     Clusters clusters_;
     PrimitiveIds singles_;

@@ -43,6 +43,7 @@ struct UserQuery : EmbreeContext {
         : geometry(view.geometry),
           clusters(view.clusters),
           singles(view.singles),
+          instances(view.instances),
           query(q),
           local(l),
           nearest(n) {
@@ -70,6 +71,7 @@ struct UserQuery : EmbreeContext {
     const Geometry& geometry;
     const Clusters& clusters;
     const PrimitiveIds& singles;
+    const Intersector& instances;
     const RayQuery& query;
     const NormalizedRay& local;
     NearestHit* nearest;
@@ -99,12 +101,41 @@ HWY_INLINE void ask(const UserQuery& query, std::uint32_t cluster, std::uint32_t
     }
 }
 
+/// Intersects an instance; see intersect_candidates.
+HWY_NOINLINE void intersect_instance(const RTCIntersectFunctionNArguments* arguments,
+                                     std::uint32_t item) {
+    auto& query = *static_cast<UserQuery*>(arguments->context);
+    auto& [ray, hit] = single<RTCRayHit>(arguments->rayhit);
+    NearestHit nearest = *query.nearest;
+    query.instances.offer_instance(item, query.query, nearest);
+    const float tfar = query.local.tmax(nearest.t);
+    const bool found = nearest.item == item && !(tfar > ray.tfar);
+    if (found) {
+        *query.nearest = nearest;
+        ray.tfar = tfar;
+        hit.geomID = arguments->geomID;
+    }
+    report(*arguments, found);
+}
+
+HWY_NOINLINE void occluded_by_instance(const RTCOccludedFunctionNArguments* arguments,
+                                       std::uint32_t item) {
+    const auto& query = *static_cast<const UserQuery*>(arguments->context);
+    const bool found = query.instances.instance_occludes(item, query.query);
+    if (found) single<RTCRay>(arguments->ray).tfar = -std::numeric_limits<float>::infinity();
+    report(*arguments, found);
+}
+
 /// Intersects candidates. A hit at t may lie behind one that is not in `nearest`: a hit on a
 /// geometry of Embree's own, which tfar tells.
 template <ClusterRef::Kind kind>
 HWY_NOINLINE void intersect_candidates(const RTCIntersectFunctionNArguments* arguments,
                                        std::uint32_t lanes) {
     auto& query = *static_cast<UserQuery*>(arguments->context);
+    if constexpr (kind == ClusterRef::list) {
+        const std::uint32_t item = query.singles[arguments->primID];
+        if (query.geometry.is_instance(item)) return intersect_instance(arguments, item);
+    }
     auto& [ray, hit] = single<RTCRayHit>(arguments->rayhit);
     bool found = false;
     ask<kind>(query, arguments->primID, lanes, [&](double t, std::uint32_t id) HWY_ATTR {
@@ -123,6 +154,10 @@ template <ClusterRef::Kind kind>
 HWY_NOINLINE void occluded_candidates(const RTCOccludedFunctionNArguments* arguments,
                                       std::uint32_t lanes) {
     auto& query = *static_cast<UserQuery*>(arguments->context);
+    if constexpr (kind == ClusterRef::list) {
+        const std::uint32_t item = query.singles[arguments->primID];
+        if (query.geometry.is_instance(item)) return occluded_by_instance(arguments, item);
+    }
     auto& ray = single<RTCRay>(arguments->ray);
     bool found = false;
     ask<kind>(query, arguments->primID, lanes, [&](double t, std::uint32_t) HWY_ATTR {

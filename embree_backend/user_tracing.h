@@ -5,7 +5,7 @@
 #include <array>
 
 #include "core/accel/clusters/clusters.h"
-#include "core/intersect/ray.h"
+#include "core/intersect/intersector.h"
 #include "embree_backend/embree_shim.h"
 #include "embree_backend/primitive_ids.h"
 
@@ -16,7 +16,8 @@ struct UserView {
     RTCScene target;
     const Geometry& geometry;
     const Clusters& clusters;
-    const PrimitiveIds& singles;  ///< what no filter is for, in place of lists
+    const PrimitiveIds& singles;  ///< items that no filter is for, in place of lists
+    const Intersector& instances;
 };
 
 /// Callbacks and queries, which belong together: callbacks read the context that a query passes.

@@ -44,9 +44,21 @@ void for_each_group(std::span<const Ray> rays, const Trace& trace) {
 
 }  // namespace
 
-None::None(const Geometry& geometry) : Intersector(geometry, SceneBounds::none_bounded(geometry)) {}
+None::None(const Geometry& geometry) : Intersector(geometry, SceneBounds::none_bounded(geometry)) {
+    build_objects<None>();
+}
 
-std::size_t None::memory_bytes() const {
+/// Calls visit(item) for the instances, as long as it returns true. Returns whether it always did.
+template <class Visit>
+bool None::for_each_instance(const Visit& visit) const {
+    const auto first = static_cast<std::uint32_t>(geometry().primitives.size());
+    for (std::uint32_t item = first; item < geometry().item_count(); ++item) {
+        if (!visit(item)) return false;
+    }
+    return true;
+}
+
+std::size_t None::own_bytes() const {
     return scene_bounds().unbounded.size() * sizeof(std::uint32_t);
 }
 
@@ -57,9 +69,27 @@ void None::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
             offer_to_group(geometry(), id, group);
         }
         for (std::size_t i = 0; i < group.count; ++i) {
-            hits[group.rays[i] - rays.data()] = group.hit(i);
+            hits[group.rays[i] - rays.data()] = with_instances(*group.rays[i], group.hit(i));
         }
     });
+}
+
+/// Returns the nearer of the hit on a primitive that is the nearest one, and those on instances.
+Hit None::with_instances(const Ray& ray, const Hit& hit) const {
+    if (geometry().instances.empty()) return hit;
+    const RayQuery query(ray);
+    NearestHit nearest(hit.t);
+    nearest.item = hit.primitive;
+    for_each_instance([&](std::uint32_t item) {
+        offer_instance(item, query, nearest);
+        return true;
+    });
+    return hit_of(nearest);
+}
+
+bool None::instances_occlude(const Ray& ray) const {
+    const RayQuery query(ray);
+    return !for_each_instance([&](std::uint32_t item) { return !instance_occludes(item, query); });
 }
 
 void None::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
@@ -72,6 +102,9 @@ void None::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) 
                 blocked[group.rays[i] - rays.data()] = 1;
                 group.remove(i);
             }
+        }
+        for (std::size_t i = 0; i < group.count; ++i) {
+            blocked[group.rays[i] - rays.data()] = instances_occlude(*group.rays[i]) ? 1 : 0;
         }
     });
 }

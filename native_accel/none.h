@@ -9,7 +9,6 @@ namespace etalon {
 class None final : public Intersector {
   public:
     explicit None(const Geometry& geometry);
-    std::size_t memory_bytes() const override;
 
     using Intersector::closest;
     using Intersector::occluded;
@@ -19,8 +18,15 @@ class None final : public Intersector {
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const override;
 
   protected:
+    std::size_t own_bytes() const override;
     void closest_bounded(const RayQuery&, const NormalizedRay&, NearestHit&) const override {}
     bool occluded_bounded(const RayQuery&, const NormalizedRay&) const override { return false; }
+
+  private:
+    Hit with_instances(const Ray& ray, const Hit& hit) const;
+    bool instances_occlude(const Ray& ray) const;
+    template <class Visit>
+    bool for_each_instance(const Visit& visit) const;
 };
 
 }  // namespace etalon

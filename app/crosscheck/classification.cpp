@@ -11,8 +11,9 @@ double error_in_ulp(double t, const OracleAnswer& truth) {
     return static_cast<double>(magnitude(Quad(t) - truth.exact_t) / Quad(ulp));
 }
 
-bool is_nearest(std::uint32_t primitive, const OracleAnswer& truth) {
-    return std::binary_search(truth.tied.begin(), truth.tied.end(), primitive);
+bool is_nearest(const Hit& hit, const OracleAnswer& truth) {
+    return std::binary_search(truth.tied.begin(), truth.tied.end(),
+                              key_of(hit.primitive, hit.instance));
 }
 
 }  // namespace
@@ -25,7 +26,7 @@ Classification classify(const OracleAnswer& truth, const Answer& answer) {
     classification.wrong_class = answer.closest.has_value() != is_hit;
     classification.wrong_occlusion = answer.occluded != is_hit;
     if (answer.closest && is_hit) {
-        classification.wrong_primitive = !is_nearest(answer.closest->primitive, truth);
+        classification.wrong_primitive = !is_nearest(*answer.closest, truth);
         classification.t_ulp = error_in_ulp(answer.closest->t, truth);
     }
     return classification;

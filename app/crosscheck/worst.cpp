@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "app/common/hit_text.h"
+
 namespace etalon::crosscheck {
 namespace {
 
@@ -36,19 +38,14 @@ std::vector<Case> cases(const std::vector<Trial>& trials, const Tracer& tracer, 
     return found;
 }
 
-std::string describe_hit(const Scene& scene, double t, std::uint32_t primitive) {
-    const std::string_view kind = kind_name(scene.geometry.primitives[primitive].kind);
-    return fmt::format("hit {:.17g} {} {}", t, kind, primitive);
-}
-
 std::string describe(const Scene& scene, const OracleAnswer& truth) {
     if (truth.kind != OracleAnswer::hit) return "miss";
-    return describe_hit(scene, truth.t, truth.primitive);
+    return hit_text(scene.geometry, {truth.t, truth.primitive, truth.instance});
 }
 
 std::string describe(const Scene& scene, const Answer& answer) {
     if (!answer.closest) return "miss";
-    return describe_hit(scene, answer.closest->t, answer.closest->primitive);
+    return hit_text(scene.geometry, *answer.closest);
 }
 
 std::string what_is_wrong(const Classification& v, const Answer& answer) {

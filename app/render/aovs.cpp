@@ -54,6 +54,8 @@ constexpr Aov aovs[] = {
      [](const AovInputs& i) -> Values { return i.parametrizations->dpdv; }, "XYZ"},
     {"primitiveId", Source::centres,
      [](const AovInputs& i) -> Values { return i.centres->primitives; }},
+    {"instanceId", Source::centres,
+     [](const AovInputs& i) -> Values { return i.centres->instances; }},
     {"variance", Source::film, [](const AovInputs& i) -> Values { return i.film.variances(); },
      "RGB"},
     {"sampleCount", Source::film,

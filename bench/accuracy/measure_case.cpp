@@ -159,7 +159,8 @@ class Measurement {
             if (!first) first = k;
             for (std::size_t i = 0; i < answers[k].size(); ++i) {
                 const Answer &a = answers[k][i], &b = answers[*first][i];
-                results[k].stats.deviations += a.primitive != b.primitive || a.t != b.t;
+                results[k].stats.deviations +=
+                    a.primitive != b.primitive || a.instance != b.instance || a.t != b.t;
             }
         }
     }

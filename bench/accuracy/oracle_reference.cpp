@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/intersect/kernels.h"
+#include "core/intersect/placement.h"
 #include "core/numerics/rounding.h"
 
 namespace etalon::accuracy {
@@ -31,8 +32,8 @@ Vec3 position(const Scene& scene, const TracerEntry& entry, const Ray& ray, cons
 /// u (all magnitudes) / cosine: the change of t when origin, direction and shape move by a relative
 /// u each.
 double sensitivity(const hard::CaseSetup& setup, const Ray& ray, const OracleAnswer& reference) {
-    const SurfacePoint p =
-        surface_at(setup.scene.geometry, ray, {reference.t, reference.primitive});
+    const SurfacePoint p = surface_at(setup.scene.geometry, ray,
+                                      {reference.t, reference.primitive, reference.instance});
     const double length = ray.direction.length();
     const double speed = std::abs(p.normal.dot(ray.direction)) - 4 * unit_roundoff * length;
     const double reach =
@@ -86,18 +87,22 @@ void OracleReference::classify_distance(const TracerEntry& entry, const Answer& 
 bool OracleReference::is_right_primitive(const TracerEntry& entry, const Answer& answer) const {
     const auto& tied = answer_.tied;
     if (tied.size() == 1 || !entry.exact) {
-        return std::binary_search(tied.begin(), tied.end(), answer.primitive);
+        return std::binary_search(tied.begin(), tied.end(),
+                                  key_of(answer.primitive, answer.instance));
     }
-    return answer.primitive == lowest_of_the_nearest();
+    return key_of(answer.primitive, answer.instance) == lowest_of_the_nearest();
 }
 
 /// Among primitives too close to tell apart, the one that the rule for ties gives.
-std::uint32_t OracleReference::lowest_of_the_nearest() const {
-    NearestHit nearest(ray_.tmax);
-    for (const std::uint32_t id : answer_.tied) {
-        nearest.offer(primitive_first_hit(setup_.scene.geometry, id, RayQuery(ray_)), id);
+HitKey OracleReference::lowest_of_the_nearest() const {
+    HitKey lowest = key_of(no_index, no_index);
+    double t = ray_.tmax;
+    for (const HitKey key : answer_.tied) {  // in ascending order
+        const double at = first_hit(setup_.scene.geometry, key, ray_);
+        const bool is_first = lowest == key_of(no_index, no_index) && at <= t;
+        if (is_first || at < t) t = at, lowest = key;
     }
-    return nearest.primitive;
+    return lowest;
 }
 
 std::optional<Spawned> spawn(const hard::CaseSetup& setup, const Ray& ray, const Answer& answer,
@@ -114,11 +119,11 @@ std::optional<Spawned> spawn(const hard::CaseSetup& setup, const Ray& ray, const
         side * cosine * p.normal + sine * (std::cos(angle) * u + std::sin(angle) * v);
     const Vec3 origin = spawn_origin(p, direction);
     const double shift = (origin - p.position).length() / setup.size;
-    return Spawned{{origin, direction}, answer.primitive, side > 0, shift};
+    return Spawned{{origin, direction}, key_of(answer.primitive, answer.instance), side > 0, shift};
 }
 
 bool is_self_hit(const Scene& scene, const Spawned& spawned, const Answer& answer) {
-    if (answer.primitive != spawned.from) return false;
+    if (key_of(answer.primitive, answer.instance) != spawned.from) return false;
     if (spawned.outward) return true;
     return surface_at(scene.geometry, spawned.ray, answer).normal.dot(spawned.ray.direction) <= 0;
 }

@@ -41,7 +41,7 @@ class OracleReference {
   private:
     void classify_distance(const TracerEntry& entry, const Answer& answer, ErrorStats& stats) const;
     bool is_right_primitive(const TracerEntry& entry, const Answer& answer) const;
-    std::uint32_t lowest_of_the_nearest() const;
+    HitKey lowest_of_the_nearest() const;
 
     const hard::CaseSetup& setup_;
     const Ray& ray_;
@@ -55,9 +55,9 @@ class OracleReference {
 /// grazing: cosines down to 1e-6. A ray that hits nothing leaves nothing.
 struct Spawned {
     Ray ray;
-    std::uint32_t from;  ///< primitive
-    bool outward;        ///< to the front
-    double shift;        ///< distance of its origin from the point of the hit, in sizes
+    HitKey from;   ///< primitive
+    bool outward;  ///< to the front
+    double shift;  ///< distance of its origin from the point of the hit, in sizes
 };
 std::optional<Spawned> spawn(const hard::CaseSetup& setup, const Ray& ray, const Answer& answer,
                              Random& random);

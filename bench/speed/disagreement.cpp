@@ -14,9 +14,13 @@ bool has_same_bits(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
+HitKey key_of(const Answer& a) {
+    return etalon::key_of(a.primitive, a.instance);
+}
+
 /// Returns whether two answers to the same ray agree.
 bool is_same(const Answer& a, const Answer& b, bool occlusion) {
-    return occlusion ? is_hit(a) == is_hit(b) : a.primitive == b.primitive;
+    return occlusion ? is_hit(a) == is_hit(b) : key_of(a) == key_of(b);
 }
 
 }  // namespace
@@ -30,7 +34,7 @@ Disagreement compare(std::span<const Answer> answers, std::span<const Answer> re
         if (is_hit(a) != is_hit(b)) {
             ++d.hit_or_miss;
         } else if (is_hit(a) && !occlusion) {
-            if (a.primitive != b.primitive) {
+            if (key_of(a) != key_of(b)) {
                 ++d.primitive;
             } else {
                 d.distance += !has_same_bits(a.t, b.t);

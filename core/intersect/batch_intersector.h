@@ -16,7 +16,7 @@ class BatchIntersector {
     BatchIntersector& operator=(const BatchIntersector&) = delete;
 
     /// Sets `hits`, one for each ray, to the nearest hit with tmin < t <= tmax; at equal t that of
-    /// the lower primitive number. A miss has no_index for a primitive.
+    /// the lower key. A miss has no_index for a primitive.
     virtual void closest(std::span<const Ray> rays, std::span<Hit> hits) const = 0;
 
     /// Sets `blocked`, one for each ray, to 1 where closest() finds a hit, else 0.

@@ -7,7 +7,8 @@
 
 namespace etalon {
 
-/// A primitive as an accelerator sees it. Each half is loaded as four floats side by side.
+/// A primitive or an instance as an accelerator sees it. Each half is loaded as four floats side by
+/// side.
 struct alignas(16) BoundedPrimitive {
     /// Sets nothing, so that a large array is first written by the threads that fill it.
     BoundedPrimitive() {}
@@ -17,20 +18,21 @@ struct alignas(16) BoundedPrimitive {
     Box3f box() const { return {min, max}; }
 
     Vec3f min;         ///< lower corner of the box in normalized space, padded
-    std::uint32_t id;  ///< number in Scene::primitives
+    std::uint32_t id;  ///< number among the geometry's items
     Vec3f max;
     std::uint32_t kind;
 };
 
 static_assert(sizeof(BoundedPrimitive) == 32);
 
-/// A scene's primitives sorted by what an accelerator can do with them. Degenerate ones, which
-/// nothing can hit, are in neither list.
+/// A scene's primitives and instances sorted by what an accelerator can do with them. Degenerate
+/// ones, which nothing can hit, are in neither list.
 struct SceneBounds {
     /// Sorts a scene's primitives, on as many threads as allowed; both lists are in its order.
     static SceneBounds of(const Geometry& geometry);
 
-    /// Puts every primitive into the list of those that must always be tested.
+    /// Puts every primitive into the list of those that must always be tested; instances are in
+    /// neither list.
     static SceneBounds none_bounded(const Geometry& geometry);
 
     NormalizedSpace space;

@@ -118,10 +118,10 @@ bool offer_one_by_one(const Geometry& geometry, std::uint32_t primitive, RayGrou
     for (std::size_t i = 0; i < group.count; ++i) {
         const Hit before = group.hit(i);
         NearestHit nearest(before.t);
-        nearest.primitive = before.primitive;
+        nearest.item = before.primitive;
         nearest.offer(primitive_first_hit(geometry, primitive, RayQuery(*group.rays[i])),
                       primitive);
-        if (nearest.primitive != primitive) continue;
+        if (nearest.item != primitive) continue;
         group.ts[i] = nearest.t;
         group.primitives[i] = primitive;
         any = true;

@@ -4,35 +4,65 @@
 
 #include "core/intersect/kernels.h"
 #include "core/intersect/local_rays.h"
+#include "core/intersect/placement.h"
 #include "core/numerics/denormals.h"
 
 namespace etalon {
-namespace {
-
-bool reaches(const Geometry& geometry, std::uint32_t id, const RayQuery& query) {
-    return primitive_first_hit(geometry, id, query) <= query.ray.tmax;
-}
-
-}  // namespace
 
 Intersector::Intersector(const Geometry& geometry, SceneBounds bounds)
     : geometry_(geometry), bounds_(std::move(bounds)) {}
 
-template <class OfferBounded>
-NearestHit Intersector::closest_of_all(const Ray& ray, const OfferBounded& offer_bounded) const {
+std::size_t Intersector::memory_bytes() const {
+    std::size_t bytes = own_bytes();
+    for (const auto& object : objects_) bytes += object->memory_bytes();
+    return bytes;
+}
+
+void Intersector::offer_instance(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
+                                 TraversalCost* cost) const {
+    const Instance& instance = geometry_.instances[item - geometry_.primitives.size()];
+    Ray ray = to_object(instance, query.ray);
+    ray.tmax = nearest.t;
+    const NearestHit hit = objects_[instance.object]->nearest_hit(ray, cost);
+    if (hit.found()) nearest.offer(hit.t, item, hit.item);
+}
+
+bool Intersector::instance_occludes(std::uint32_t item, const RayQuery& query) const {
+    const Instance& instance = geometry_.instances[item - geometry_.primitives.size()];
+    return objects_[instance.object]->is_occluded(to_object(instance, query.ray));
+}
+
+inline void Intersector::offer(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
+                               TraversalCost* cost) const {
+    if (geometry_.is_instance(item)) return offer_instance(item, query, nearest, cost);
+    nearest.offer(primitive_first_hit(geometry_, item, query), item);
+}
+
+inline bool Intersector::occludes(std::uint32_t item, const RayQuery& query) const {
+    if (geometry_.is_instance(item)) return instance_occludes(item, query);
+    return primitive_first_hit(geometry_, item, query) <= query.ray.tmax;
+}
+
+NearestHit Intersector::nearest_hit(const Ray& ray, TraversalCost* cost) const {
     NearestHit nearest(ray.tmax);
     if (!is_valid(ray)) return nearest;
     const RayQuery query(ray);
     if (!bounds_.space.resolves(ray)) {
-        for (std::uint32_t id = 0; id < geometry_.primitives.size(); ++id) {
-            nearest.offer(primitive_first_hit(geometry_, id, query), id);
+        if (cost != nullptr) cost->primitive_tests += geometry_.item_count();
+        for (std::uint32_t item = 0; item < geometry_.item_count(); ++item) {
+            offer(item, query, nearest, cost);
         }
         return nearest;
     }
-    for (const std::uint32_t id : bounds_.unbounded) {
-        nearest.offer(primitive_first_hit(geometry_, id, query), id);
+    for (const std::uint32_t item : bounds_.unbounded) offer(item, query, nearest, cost);
+    if (cost != nullptr) cost->primitive_tests += bounds_.unbounded.size();
+    const auto local = bounds_.space.ray(ray);
+    if (!local) return nearest;
+    if (cost != nullptr) {
+        closest_counted(query, *local, nearest, *cost);
+    } else {
+        closest_bounded(query, *local, nearest);
     }
-    if (const auto local = bounds_.space.ray(ray)) offer_bounded(query, *local, nearest);
     return nearest;
 }
 
@@ -40,23 +70,16 @@ bool Intersector::is_occluded(const Ray& ray) const {
     if (!is_valid(ray)) return false;
     const RayQuery query(ray);
     if (!bounds_.space.resolves(ray)) {
-        for (std::uint32_t id = 0; id < geometry_.primitives.size(); ++id) {
-            if (reaches(geometry_, id, query)) return true;
+        for (std::uint32_t item = 0; item < geometry_.item_count(); ++item) {
+            if (occludes(item, query)) return true;
         }
         return false;
     }
-    for (const std::uint32_t id : bounds_.unbounded) {
-        if (reaches(geometry_, id, query)) return true;
+    for (const std::uint32_t item : bounds_.unbounded) {
+        if (occludes(item, query)) return true;
     }
     const auto local = bounds_.space.ray(ray);
     return local && occluded_bounded(query, *local);
-}
-
-NearestHit Intersector::nearest_hit(const Ray& ray) const {
-    return closest_of_all(
-        ray, [&](const RayQuery& query, const NormalizedRay& local, NearestHit& nearest) {
-            closest_bounded(query, local, nearest);
-        });
 }
 
 template <class Answer, class AnswerAlone, class AnswerLocal>
@@ -81,29 +104,24 @@ Hit Intersector::closest_local(const Ray& ray, const LocalRays& chunk, std::size
     const bool enters = chunk.way(i) == LocalRays::Way::enters;
     if (enters || !bounds_.unbounded.empty()) {
         const RayQuery query(ray, chunk.dominant(i));
-        for (const std::uint32_t id : bounds_.unbounded) {
-            nearest.offer(primitive_first_hit(geometry_, id, query), id);
-        }
+        for (const std::uint32_t item : bounds_.unbounded) offer(item, query, nearest, nullptr);
         if (enters) closest_bounded(query, chunk.ray(i), nearest);
     }
-    return {nearest.t, nearest.primitive};
+    return hit_of(nearest);
 }
 
 bool Intersector::is_occluded_local(const Ray& ray, const LocalRays& chunk, std::size_t i) const {
     const bool enters = chunk.way(i) == LocalRays::Way::enters;
     if (!enters && bounds_.unbounded.empty()) return false;
     const RayQuery query(ray, chunk.dominant(i));
-    for (const std::uint32_t id : bounds_.unbounded) {
-        if (reaches(geometry_, id, query)) return true;
+    for (const std::uint32_t item : bounds_.unbounded) {
+        if (occludes(item, query)) return true;
     }
     return enters && occluded_bounded(query, chunk.ray(i));
 }
 
 void Intersector::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
-    const auto alone = [&](const Ray& ray) {
-        const NearestHit nearest = nearest_hit(ray);
-        return Hit{nearest.t, nearest.primitive};
-    };
+    const auto alone = [&](const Ray& ray) { return hit_of(nearest_hit(ray)); };
     answer_all(rays, hits, alone, [&](const Ray& ray, const LocalRays& chunk, std::size_t i) {
         return closest_local(ray, chunk, i);
     });
@@ -117,20 +135,22 @@ void Intersector::occluded(std::span<const Ray> rays, std::span<std::uint8_t> bl
                });
 }
 
+namespace {
+
+std::optional<Hit> found(const Hit& hit) {
+    return hit.primitive == no_index ? std::nullopt : std::optional(hit);
+}
+
+}  // namespace
+
 std::optional<Hit> Intersector::closest(const Ray& ray) const {
     const DenormalsCount denormals_count;
-    return nearest_hit(ray).result();
+    return found(hit_of(nearest_hit(ray)));
 }
 
 std::optional<Hit> Intersector::closest(const Ray& ray, TraversalCost& cost) const {
-    if (!is_valid(ray)) return std::nullopt;
     const DenormalsCount denormals_count;
-    const bool resolved = bounds_.space.resolves(ray);
-    cost.primitive_tests += resolved ? bounds_.unbounded.size() : geometry_.primitives.size();
-    return closest_of_all(
-               ray, [&](const RayQuery& query, const NormalizedRay& local,
-                        NearestHit& nearest) { closest_counted(query, local, nearest, cost); })
-        .result();
+    return found(hit_of(nearest_hit(ray, &cost)));
 }
 
 bool Intersector::occluded(const Ray& ray) const {

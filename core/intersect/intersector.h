@@ -17,14 +17,14 @@ namespace etalon {
 class LocalRays;
 
 /// Finds hits in a scene. A backend derives from it and says only *which* kernels are called; what
-/// counts as a hit, ties and unbounded primitives are settled here, alike for all. Thread-safe.
-/// The scene must outlive the intersector.
+/// counts as a hit, ties, unbounded primitives and instances are settled here, alike for all.
+/// Thread-safe. The scene must outlive the intersector.
 class Intersector : public BatchIntersector {
   public:
     explicit Intersector(const Geometry& geometry)
         : Intersector(geometry, SceneBounds::of(geometry)) {}
     Intersector(const Geometry& geometry, SceneBounds bounds);
-    /// The nearest hit with tmin < t <= tmax; at equal t the lower primitive number. A ray with a
+    /// The nearest hit with tmin < t <= tmax; at equal t the one of the lower key. A ray with a
     /// zero or non-finite direction, or a non-finite origin, hits nothing.
     std::optional<Hit> closest(const Ray& ray) const;
 
@@ -37,13 +37,43 @@ class Intersector : public BatchIntersector {
     void closest(std::span<const Ray> rays, std::span<Hit> hits) const override;
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const override;
 
-    /// Bytes of the backend's own structure.
-    virtual std::size_t memory_bytes() const = 0;
+    /// Offers `nearest` the nearest hit on an instance, given by its number among the items: that
+    /// which the intersector of its object finds for the ray taken there. Adds to `cost`, if there
+    /// is one, what it took.
+    void offer_instance(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
+                        TraversalCost* cost = nullptr) const;
+
+    /// Whether an instance is hit with t <= query.ray.tmax.
+    bool instance_occludes(std::uint32_t item, const RayQuery& query) const;
+
+    /// Bytes of the backend's structures, those of objects included.
+    std::size_t memory_bytes() const;
 
     /// The instruction set the traversal uses, e.g. "avx2".
     virtual std::string isa() const { return "baseline"; }
 
   protected:
+    /// Bytes of the backend's own structure, without those of objects.
+    virtual std::size_t own_bytes() const = 0;
+
+    /// Builds an intersector of the backend's own class for each object of the geometry: part of
+    /// each backend's construction.
+    template <class Self, class... Arguments>
+    void build_objects(const Arguments&... arguments) {
+        for (const Geometry& object : geometry_.objects) {
+            objects_.push_back(std::make_unique<Self>(object, arguments...));
+        }
+    }
+
+    /// Returns the hit that `nearest` holds; its primitive is no_index if there is none.
+    Hit hit_of(const NearestHit& nearest) const {
+        if (!nearest.found() || !geometry_.is_instance(nearest.item)) {
+            return {nearest.t, nearest.item};
+        }
+        const auto first = static_cast<std::uint32_t>(geometry_.primitives.size());
+        return {nearest.t, nearest.part, nearest.item - first};
+    }
+
     /// Offers `nearest` every bounded primitive that could be nearer than, or as near as,
     /// nearest.t.
     virtual void closest_bounded(const RayQuery& query, const NormalizedRay& local,
@@ -65,10 +95,11 @@ class Intersector : public BatchIntersector {
     std::vector<BoundedPrimitive> take_bounded() { return std::move(bounds_.bounded); }
 
   private:
-    template <class OfferBounded>
-    NearestHit closest_of_all(const Ray& ray, const OfferBounded& offer_bounded) const;
-    NearestHit nearest_hit(const Ray& ray) const;
+    NearestHit nearest_hit(const Ray& ray, TraversalCost* cost = nullptr) const;
     bool is_occluded(const Ray& ray) const;
+    void offer(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
+               TraversalCost* cost) const;
+    bool occludes(std::uint32_t item, const RayQuery& query) const;
 
     /// Answers rays of a batch: those of LocalRays::Way::by_itself alone, others with what the
     /// chunk of them knows of ray i.
@@ -80,6 +111,7 @@ class Intersector : public BatchIntersector {
 
     const Geometry& geometry_;
     SceneBounds bounds_;
+    std::vector<std::unique_ptr<Intersector>> objects_;
 };
 
 /// A way to build an intersector. Backends publish lists of these; programs pick by name.

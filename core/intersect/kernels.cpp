@@ -1,5 +1,6 @@
 #include "core/intersect/kernels.h"
 
+#include "core/intersect/placement.h"
 #include "core/intersect/shapes/all_shapes.h"
 
 namespace etalon {
@@ -39,6 +40,14 @@ template double shape_first_hit(const Geometry&, const Triangle&, Sides, const R
 template double shape_first_hit(const Geometry&, const Sphere&, Sides, const RayQuery&);
 
 SurfacePoint surface_at(const Geometry& geometry, const Ray& ray, const Hit& hit) {
+    if (hit.instance != no_index) {
+        const Instance& instance = geometry.instances[hit.instance];
+        SurfacePoint point = placed(
+            instance, surface_at(geometry.objects[instance.object],
+                                 to_object(instance, RayQuery(ray).ray), {hit.t, hit.primitive}));
+        point.instance = hit.instance;
+        return point;
+    }
     const Primitive p = geometry.primitives[hit.primitive];
     const RayQuery query(ray);
     return with_shape(p.kind, [&]<class Shape>() {

@@ -1,5 +1,6 @@
 #include "core/intersect/parametrization.h"
 
+#include "core/intersect/placement.h"
 #include "core/intersect/shapes/all_shapes.h"
 
 namespace etalon {
@@ -16,6 +17,11 @@ bool spans_plane(Vec3 dpdu, Vec3 dpdv) {
 }  // namespace
 
 Parametrization parametrization_at(const Geometry& geometry, const SurfacePoint& point) {
+    if (point.instance != no_index) {
+        const Instance& instance = geometry.instances[point.instance];
+        return placed(instance, parametrization_at(geometry.objects[instance.object],
+                                                   local_point(instance, point)));
+    }
     const Primitive p = geometry.primitives[point.primitive];
     Parametrization at = with_shape(p.kind, [&]<class Shape>() {
         return parametrization(geometry, geometry.get<Shape>(p), point);

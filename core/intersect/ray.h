@@ -29,8 +29,17 @@ inline bool is_valid(const Ray& ray) {
 
 struct Hit {
     double t;
-    std::uint32_t primitive;  ///< its number in Scene::primitives
+    std::uint32_t
+        primitive;  ///< its number among the geometry's, or those of the instance's object
+    std::uint32_t instance = no_index;  ///< its number among the geometry's, if one was hit
 };
+
+/// Number of a primitive, or of one of an instance, in the order in which equally near ones win.
+using HitKey = std::uint64_t;
+
+inline HitKey key_of(std::uint32_t primitive, std::uint32_t instance) {
+    return static_cast<HitKey>(instance + 1) << 32 | primitive;  // no_index + 1 is 0
+}
 
 /// A ray and what every triangle and polygon test needs of it, worked out once: the axes permuted
 /// so that z is the direction's dominant one (Woop, Benthin & Wald 2013, JCGT 2(1)).
@@ -69,24 +78,33 @@ inline constexpr double t_tolerance = 0x1p-36;
 inline constexpr double no_hit = nan_value;
 
 /// The nearest hit so far, and the one rule by which all backends keep it: the smaller t, and at
-/// equal t the lower primitive number.
+/// equal t the lower number among the geometry's items.
 struct NearestHit {
     explicit NearestHit(double tmax) : t(tmax) {}
 
+    bool is_beaten_by(double candidate, std::uint32_t id) const {
+        return candidate < t || (candidate == t && id < item && t < infinity);
+    }
+
     void offer(double candidate, std::uint32_t id) {
-        if (candidate < t || (candidate == t && id < primitive && t < infinity)) {
+        if (is_beaten_by(candidate, id)) {
             t = candidate;
-            primitive = id;
+            item = id;
         }
     }
 
-    std::optional<Hit> result() const {
-        if (primitive == no_index) return std::nullopt;
-        return Hit{t, primitive};
+    /// Offers an instance, for the hit on a primitive of its object.
+    void offer(double candidate, std::uint32_t id, std::uint32_t primitive) {
+        if (!is_beaten_by(candidate, id)) return;
+        offer(candidate, id);
+        part = primitive;
     }
 
+    bool found() const { return item != no_index; }
+
     double t;
-    std::uint32_t primitive = no_index;
+    std::uint32_t item = no_index;
+    std::uint32_t part = no_index;  ///< primitive of the object, where the item is an instance
 };
 
 }  // namespace etalon

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/intersect/instance_bounds.h"
 #include "core/intersect/kernels.h"
 #include "core/numerics/luminance.h"
 
@@ -16,6 +17,7 @@ double radius_of(const Geometry& geometry) {
     for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i) {
         box.extendBy(primitive_bounds(geometry, i));
     }
+    for (const Box3& instance : instance_bounds(geometry, box)) box.extendBy(instance);
     return box.isEmpty() ? 1 : box.size().length() / 2;
 }
 

@@ -3,16 +3,11 @@
 #include <optional>
 
 #include "core/intersect/kernels.h"
+#include "core/intersect/placement.h"
 #include "core/oracle/definitions.h"
 
 namespace etalon {
 namespace {
-
-struct Meeting {
-    Tracked t;
-    Certainty exists;
-    std::uint32_t primitive;
-};
 
 Certainty is_visible(const Crossing& c, Sides sides) {
     if (sides == Sides::both) return Certainty::yes;
@@ -29,6 +24,14 @@ Certainty is_within(const Crossing& c, const Ray& ray, double tie) {
     return (start < rounded(c.t)) & (start < rounded(c.passage)) & (rounded(c.t) <= end);
 }
 
+}  // namespace
+
+struct Meeting {
+    Tracked t;
+    Certainty exists;
+    HitKey key;
+};
+
 /// Meetings so far, with the nearest certain one.
 struct Meetings {
     void add(const Meeting& m) {
@@ -40,6 +43,8 @@ struct Meetings {
     std::optional<Meeting> nearest;
 };
 
+namespace {
+
 OracleAnswer answer_from(const Meetings& meetings, double tie) {
     OracleAnswer answer;
     const auto& nearest = meetings.nearest;
@@ -47,7 +52,7 @@ OracleAnswer answer_from(const Meetings& meetings, double tie) {
         const bool tied = nearest && magnitude(m.t.value - nearest->t.value) <=
                                          magnitude(nearest->t.value) * Quad(tie) + nearest->t.error;
         if (tied) {
-            answer.tied.push_back(m.primitive);
+            answer.tied.push_back(m.key);
         } else if (!nearest || m.t.value - m.t.error <= nearest->t.value) {
             answer.kind = OracleAnswer::undecidable;
             return answer;
@@ -59,9 +64,41 @@ OracleAnswer answer_from(const Meetings& meetings, double tie) {
     answer.kind = OracleAnswer::hit;
     answer.exact_t = nearest->t.value;
     answer.t = static_cast<double>(nearest->t.value);
-    answer.primitive = answer.tied.front();
+    answer.primitive = static_cast<std::uint32_t>(answer.tied.front());
+    answer.instance = static_cast<std::uint32_t>(answer.tied.front() >> 32) - 1;
     return answer;
 }
+
+/// Slab test with a margin that dwarfs both its own roundings and any a bounding box may have.
+class WideSlabs {
+  public:
+    WideSlabs(const Ray& ray, double extent) : ray_(ray) {
+        const double margin = 0x1p-30 * (extent + max_abs(ray.origin));
+        const double least = 0x1p-60 * max_abs(ray.direction);
+        for (int k = 0; k < 3; ++k) {
+            const double d = ray.direction[k];
+            inverse_[k] = 1 / (std::abs(d) < least ? std::copysign(least, d) : d);
+            slack_[k] = margin * std::abs(inverse_[k]);
+        }
+    }
+
+    /// Returns a t at which the ray has not yet entered the box, if it may meet it.
+    std::optional<double> entry(const Box3& box) const {
+        double entry = -infinity, exit = infinity;
+        for (int k = 0; k < 3; ++k) {
+            const double a = (box.min[k] - ray_.origin[k]) * inverse_[k];
+            const double b = (box.max[k] - ray_.origin[k]) * inverse_[k];
+            entry = std::max(entry, std::min(a, b) - slack_[k]);
+            exit = std::min(exit, std::max(a, b) + slack_[k]);
+        }
+        if (entry <= exit && exit >= ray_.tmin && entry <= ray_.tmax) return entry;
+        return std::nullopt;
+    }
+
+  private:
+    const Ray& ray_;
+    Vec3 inverse_, slack_;
+};
 
 }  // namespace
 
@@ -75,49 +112,47 @@ Oracle::Oracle(const Geometry& geometry) : geometry_(geometry) {
         const Box3 box = primitive_bounds(geometry, id);
         const bool finite = !box.isEmpty() && is_finite(box.min) && is_finite(box.max);
         boxes_.push_back(finite ? box : everywhere);
+        whole_.extendBy(boxes_.back());
         if (finite) extent_ = std::max({extent_, max_abs(box.min), max_abs(box.max)});
     }
+    for (const Geometry& object : geometry.objects) objects_.emplace_back(object);
 }
 
-/// Primitives whose boxes the ray may meet, the nearest first. A slab test with a margin that
-/// dwarfs both its own roundings and any a bounding box may have.
+/// Primitives whose boxes the ray may meet, the nearest first.
 std::vector<Oracle::Candidate> Oracle::candidates(const Ray& ray) const {
-    const double margin = 0x1p-30 * (extent_ + max_abs(ray.origin));
-    const double least = 0x1p-60 * max_abs(ray.direction);
-    Vec3 inverse, slack;
-    for (int k = 0; k < 3; ++k) {
-        const double d = ray.direction[k];
-        inverse[k] = 1 / (std::abs(d) < least ? std::copysign(least, d) : d);
-        slack[k] = margin * std::abs(inverse[k]);
-    }
+    const WideSlabs slabs(ray, extent_);
     std::vector<Candidate> found;
+    if (!slabs.entry(whole_)) return found;
     for (std::uint32_t id = 0; id < boxes_.size(); ++id) {
-        double entry = -infinity, exit = infinity;
-        for (int k = 0; k < 3; ++k) {
-            const double a = (boxes_[id].min[k] - ray.origin[k]) * inverse[k];
-            const double b = (boxes_[id].max[k] - ray.origin[k]) * inverse[k];
-            entry = std::max(entry, std::min(a, b) - slack[k]);
-            exit = std::min(exit, std::max(a, b) + slack[k]);
-        }
-        if (entry <= exit && exit >= ray.tmin && entry <= ray.tmax) found.push_back({entry, id});
+        if (const auto entry = slabs.entry(boxes_[id])) found.push_back({*entry, id});
     }
     std::sort(found.begin(), found.end(),
               [](const Candidate& a, const Candidate& b) { return a.entry < b.entry; });
     return found;
 }
 
-OracleAnswer Oracle::closest(const Ray& ray, double tie) const {
-    const bool valid = is_finite(ray.origin) && is_finite(ray.direction) &&
-                       max_abs(ray.direction) > 0 && ray.tmin < ray.tmax;
-    if (!valid) return {};
-    Meetings meetings;
+/// Adds meetings with the primitives of an instance, whose object this is, or with all primitives.
+void Oracle::meet(const Ray& ray, double tie, std::uint32_t instance, Meetings& meetings) const {
+    if (!is_valid(ray)) return;
     for (const Candidate& candidate : candidates(ray)) {
         if (meetings.nearest && Quad(candidate.entry) > meetings.nearest->t.value) break;
         const Sides sides = geometry_.primitives[candidate.primitive].sides;
         for (const Crossing& c : crossings(geometry_, candidate.primitive, ray)) {
             const Certainty exists = c.exists & is_visible(c, sides) & is_within(c, ray, tie);
-            if (exists != Certainty::no) meetings.add({c.t, exists, candidate.primitive});
+            if (exists == Certainty::no) continue;
+            meetings.add({c.t, exists, key_of(candidate.primitive, instance)});
         }
+    }
+}
+
+OracleAnswer Oracle::closest(const Ray& ray, double tie) const {
+    if (!is_valid(ray)) return {};
+    Meetings meetings;
+    meet(ray, tie, no_index, meetings);
+    const Ray meant = RayQuery(ray).ray;
+    for (std::uint32_t i = 0; i < geometry_.instances.size(); ++i) {
+        const Instance& instance = geometry_.instances[i];
+        objects_[instance.object].meet(to_object(instance, meant), tie, i, meetings);
     }
     return answer_from(meetings, tie);
 }

@@ -23,9 +23,12 @@ struct OracleAnswer {
     Kind kind = miss;
     double t = 0;      ///< the double nearest to the true t
     Quad exact_t = 0;  ///< good to about 100 bits, less where it is ill-conditioned
-    std::uint32_t primitive = no_index;  ///< the lowest number among `tied`
-    std::vector<std::uint32_t> tied;     ///< primitives (maybe) hit at t, to within `tie`; sorted
+    std::uint32_t primitive = no_index;  ///< that of the lowest key among `tied`
+    std::uint32_t instance = no_index;   ///< likewise
+    std::vector<HitKey> tied;            ///< primitives (maybe) hit at t, to within `tie`; sorted
 };
+
+struct Meetings;
 
 class Oracle {
   public:
@@ -42,9 +45,12 @@ class Oracle {
         std::uint32_t primitive;
     };
     std::vector<Candidate> candidates(const Ray& ray) const;
+    void meet(const Ray& ray, double tie, std::uint32_t instance, Meetings& meetings) const;
 
     const Geometry& geometry_;
+    std::vector<Oracle> objects_;  ///< of the geometry's objects
     std::vector<Box3> boxes_;
+    Box3 whole_;         ///< of all boxes
     double extent_ = 0;  ///< the largest coordinate of any finite box
 };
 

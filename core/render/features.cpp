@@ -100,7 +100,8 @@ std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& int
     const std::size_t pixels = pixels_of(window);
     constexpr float never = std::numeric_limits<float>::infinity();
     CentreHits hits{std::vector(pixels, Vec3f(0)), std::vector(pixels, never),
-                    std::vector(pixels, no_index), std::vector(pixels, TraversalCost())};
+                    std::vector(pixels, no_index), std::vector(pixels, no_index),
+                    std::vector(pixels, TraversalCost())};
     const auto trace = [&](int x, int y, std::size_t pixel) {
         const Ray ray = centre_ray(camera, x, y);
         const std::optional<Hit> hit = intersector.closest(ray, hits.costs[pixel]);
@@ -109,6 +110,7 @@ std::optional<CentreHits> centre_hits(const Scene& scene, const Intersector& int
         hits.positions[pixel] = Vec3f(position);
         hits.depths[pixel] = static_cast<float>(camera.depth(position));
         hits.primitives[pixel] = hit->primitive;
+        hits.instances[pixel] = hit->instance;
     };
     if (!visit_pixels(window, stop, trace)) return std::nullopt;
     return hits;

@@ -24,7 +24,8 @@ struct SurfaceMeans {
 struct CentreHits {
     std::vector<Vec3f> positions;           ///< 0 for a miss
     std::vector<float> depths;              ///< along the camera's axis; infinity for a miss
-    std::vector<std::uint32_t> primitives;  ///< number in Scene::primitives, or no_index
+    std::vector<std::uint32_t> primitives;  ///< as in a Hit, or no_index
+    std::vector<std::uint32_t> instances;   ///< as in a Hit
     std::vector<TraversalCost> costs;       ///< costs as far as the backend counts
 };
 

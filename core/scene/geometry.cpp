@@ -85,6 +85,12 @@ void append(Geometry& geometry, const Geometry& other) {
     append(geometry.vertices, other.vertices);
     append(geometry.decimal_vertices, other.decimal_vertices);
     append(geometry.normals, other.normals);
+    const auto objects = static_cast<std::uint32_t>(geometry.objects.size());
+    append(geometry.objects, other.objects);
+    for (Instance instance : other.instances) {
+        instance.object += objects;
+        geometry.instances.push_back(instance);
+    }
 }
 
 void shrink_to_fit(Geometry& g) {
@@ -93,13 +99,18 @@ void shrink_to_fit(Geometry& g) {
     g.vertices.shrink_to_fit();
     g.normals.shrink_to_fit();
     g.decimal_vertices.shrink_to_fit();
+    g.instances.shrink_to_fit();
+    for (Geometry& object : g.objects) shrink_to_fit(object);
 }
 
 std::size_t memory_bytes(const Geometry& g) {
     const std::size_t shapes =
         std::apply([](const auto&... v) { return (memory_bytes(v) + ...); }, g.shapes);
+    std::size_t objects = memory_bytes(g.objects);
+    for (const Geometry& object : g.objects) objects += memory_bytes(object);
     return shapes + g.primitives.memory_bytes() + memory_bytes(g.vertices) +
-           memory_bytes(g.normals) + memory_bytes(g.decimal_vertices);
+           memory_bytes(g.normals) + memory_bytes(g.decimal_vertices) + memory_bytes(g.instances) +
+           objects;
 }
 
 }  // namespace etalon

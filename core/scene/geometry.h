@@ -7,6 +7,7 @@
 
 #include "core/numerics/decimal.h"
 #include "core/parallel/large_pages.h"
+#include "core/scene/instance.h"
 #include "core/scene/primitive_runs.h"
 #include "core/scene/shapes.h"
 
@@ -18,13 +19,34 @@ using DecimalVertex = std::array<Decimal, 3>;
 /// Bit that is set in the number of a vertex that is among the decimal ones.
 inline constexpr std::uint32_t decimal_vertex = 0x80000000U;
 
+/// Kind of an instance, where kinds of primitives and instances are told apart.
+inline constexpr ShapeKind instance_kind = shape_kinds;
+inline constexpr std::size_t item_kinds = shape_kinds + 1;
+
 /// The primitives are numbered in order of appearance; where two are hit at the same distance the
-/// lower number wins, in every backend.
+/// lower number wins, in every backend. Instances have the numbers after the last primitive: what
+/// has a number is an item. Of equally near primitives of one instance the lower number among those
+/// of its object wins.
 struct Geometry {
     PrimitiveRuns primitives;
     ShapeArrays shapes;
     LargeVector<Vec3> vertices, normals;
     LargeVector<DecimalVertex> decimal_vertices;
+    std::vector<Geometry> objects;    ///< seen only as instances; they have none themselves
+    std::vector<Instance> instances;  ///< of the objects
+
+    std::uint32_t item_count() const {
+        return static_cast<std::uint32_t>(primitives.size() + instances.size());
+    }
+    bool is_instance(std::uint32_t item) const { return item >= primitives.size(); }
+    ShapeKind kind_of_item(std::uint32_t item) const {
+        return is_instance(item) ? instance_kind : primitives[item].kind;
+    }
+
+    /// Returns the geometry in which the primitives of an instance are; this one for no_index.
+    const Geometry& holder(std::uint32_t instance) const {
+        return instance == no_index ? *this : objects[instances[instance].object];
+    }
 
     Vec3 vertex(std::uint32_t number) const {
         if ((number & decimal_vertex) == 0) return vertices[number];
@@ -86,7 +108,8 @@ struct Geometry {
     }
 };
 
-/// Adds the primitives of `other` after those that there are. Materials keep their numbers.
+/// Adds the primitives and instances of `other` after those that there are. Materials keep their
+/// numbers.
 void append(Geometry& geometry, const Geometry& other);
 
 /// Gives back the memory that the arrays hold beyond what is in them: for a geometry that is whole.

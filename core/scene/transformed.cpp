@@ -49,6 +49,11 @@ class Similarity {
         decode_vertices(g);
         std::apply([&](auto&... shapes) { ((*this)(shapes), ...); }, g.shapes);
         (*this)(g.vertices);
+        (*this)(g.instances);
+    }
+    void operator()(Instance& i) const {
+        move(i.origin);
+        for (Vec3& row : i.rows) row /= factor_;
     }
     void operator()(Vec3& point) const { move(point); }
     void operator()(PointLight& l) const { move(l.position); }

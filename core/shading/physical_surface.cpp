@@ -38,8 +38,9 @@ Parametrization with_coordinates(const std::array<std::array<float, 2>, 3>& corn
 Parametrization physical_parametrization(const Scene& scene, const PhysicalSurface& at) {
     const Parametrization own = parametrization_at(scene.geometry, at.point);
     if (at.binding->uv_offset == no_index) return own;
-    const Primitive p = scene.geometry.primitives[at.point.primitive];
-    const TriangleIndices vertices = scene.geometry.get<Triangle>(p).vertices;
+    const Geometry& geometry = scene.geometry.holder(at.point.instance);
+    const Primitive p = geometry.primitives[at.point.primitive];
+    const TriangleIndices vertices = geometry.get<Triangle>(p).vertices;
     std::array<std::array<float, 2>, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
         corners[k] = scene.physical().uvs[vertices[k] - at.binding->uv_offset];

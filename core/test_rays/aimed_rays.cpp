@@ -1,6 +1,7 @@
 #include "core/test_rays/aimed_rays.h"
 
 #include "core/intersect/kernels.h"
+#include "core/intersect/placement.h"
 #include "core/test_rays/targets.h"
 
 namespace etalon {
@@ -12,15 +13,34 @@ constexpr std::uint64_t feature_seed = 7;
 /// exponent: some of the rays ask too much of float, some of all but the last bits of double.
 constexpr double finest = -15;
 
-/// The numbers of the primitives of each kind that there are, degenerate ones left out.
-std::vector<std::vector<std::uint32_t>> primitives_by_kind(const Scene& scene) {
-    std::vector<std::vector<std::uint32_t>> kinds(shape_kinds);
-    for (std::uint32_t id = 0; id < scene.geometry.primitives.size(); ++id) {
-        if (!primitive_bounds(scene.geometry, id).isEmpty())
-            kinds[scene.geometry.primitives[id].kind].push_back(id);
+/// The numbers of the items of each kind that there are, degenerate ones left out.
+std::vector<std::vector<std::uint32_t>> items_by_kind(const Geometry& geometry) {
+    std::vector<std::vector<std::uint32_t>> kinds(item_kinds);
+    for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
+        if (!primitive_bounds(geometry, id).isEmpty())
+            kinds[geometry.primitives[id].kind].push_back(id);
+    }
+    for (std::size_t id = geometry.primitives.size(); id < geometry.item_count(); ++id) {
+        const Instance& instance = geometry.instances[id - geometry.primitives.size()];
+        const bool can_be_hit =
+            instance.exists() && !geometry.objects[instance.object].primitives.empty();
+        if (can_be_hit) kinds[instance_kind].push_back(static_cast<std::uint32_t>(id));
     }
     std::erase_if(kinds, [](const auto& ids) { return ids.empty(); });
     return kinds;
+}
+
+/// A point to aim at on an item, seen from `from`; of an instance on any primitive of its object.
+Vec3 target_on(const Geometry& geometry, std::uint32_t item, const Vec3& from, Random& random) {
+    if (!geometry.is_instance(item)) {
+        const auto targets = targets_of(geometry, item, finest);
+        return targets[random.index(targets.size())](from, random);
+    }
+    const Instance& instance = geometry.instances[item - geometry.primitives.size()];
+    const Geometry& object = geometry.objects[instance.object];
+    const auto primitive = static_cast<std::uint32_t>(random.index(object.primitives.size()));
+    const Vec3 local = target_on(object, primitive, to_object(instance, from), random);
+    return instance.to_world().point(local);
 }
 
 Vec3 anywhere_in(const Box3& box, Random& random) {
@@ -35,15 +55,15 @@ class ImagePlane {
 
     Ray through(const Vec2& pixel) const { return camera_.ray(pixel, Vec2(0.5)); }
 
-    std::uint32_t at(const Vec2& pixel) const {
+    HitKey at(const Vec2& pixel) const {
         const std::optional<Hit> hit = exact_.closest(through(pixel));
-        return hit ? hit->primitive : no_index;
+        return hit ? key_of(hit->primitive, hit->instance) : key_of(no_index, no_index);
     }
 
     /// Brings `a` and `b` together until there is no point between them; `a` goes on showing what
     /// it shows, `b` something else.
     void approach_edge(Vec2& a, Vec2& b) const {
-        const std::uint32_t at_a = at(a);
+        const HitKey at_a = at(a);
         for (Vec2 middle = (a + b) / 2; middle != a && middle != b; middle = (a + b) / 2) {
             (at(middle) == at_a ? a : b) = middle;
         }
@@ -57,14 +77,14 @@ class ImagePlane {
 }  // namespace
 
 std::vector<Ray> rays_at_features(const Scene& scene, const Box3& bounds, std::size_t count) {
-    const auto kinds = primitives_by_kind(scene);
+    const auto kinds = items_by_kind(scene.geometry);
     std::vector<Ray> rays;
     for (std::size_t i = 0; i < count && !kinds.empty(); ++i) {
         Random random(feature_seed, i);
         const auto& ids = kinds[random.index(kinds.size())];
-        const auto targets = targets_of(scene.geometry, ids[random.index(ids.size())], finest);
+        const std::uint32_t item = ids[random.index(ids.size())];
         const Vec3 origin = i % 2 == 0 ? scene.camera.eye : anywhere_in(bounds, random);
-        const Vec3 target = targets[random.index(targets.size())](origin, random);
+        const Vec3 target = target_on(scene.geometry, item, origin, random);
         const Vec3 direction = target - origin;
         if (is_finite(direction) && max_abs(direction) > 0) rays.push_back({origin, direction});
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/intersect/instance_bounds.h"
 #include "core/intersect/kernels.h"
 #include "core/light/lights.h"
 #include "core/render/camera_rays.h"
@@ -38,12 +39,8 @@ Vec3 on_unit_sphere(const Vec2& uv) {
     return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
-Box3 finite_bounds(const Geometry& geometry) {
-    Box3 box;
-    for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
-        const Box3 b = primitive_bounds(geometry, id);
-        if (!b.isEmpty() && is_finite(b.min) && is_finite(b.max)) box.extendBy(b);
-    }
+Box3 bounds_of(const Geometry& geometry) {
+    const Box3 box = finite_bounds(geometry);
     return box.isEmpty() ? Box3(Vec3(-1), Vec3(1)) : box;
 }
 
@@ -84,13 +81,13 @@ class RaySetMaker {
 
     RaySet aimed() const {
         RaySet set{"aimed", false, {}};
-        set.rays = rays_at_features(scene_, finite_bounds(scene_.geometry), (limit_ + 1) / 2);
+        set.rays = rays_at_features(scene_, bounds_of(scene_.geometry), (limit_ + 1) / 2);
         add_rays_at_borders(exact_, camera_, pixels_, limit_, set.rays);
         return set;
     }
 
     RaySet random() const {
-        const Box3 box = finite_bounds(scene_.geometry);
+        const Box3 box = bounds_of(scene_.geometry);
         const Vec3 centre = box.center();
         const double radius = std::sqrt(box.size().dot(box.size())) / 2;
         const ScrambledSobol from(chord_seed), to(chord_seed + 1);

@@ -20,6 +20,7 @@ std::vector<Range> number_leaves(BvhTree& tree) {
 }  // namespace
 
 Bvh::Bvh(const Geometry& geometry) : Intersector(geometry) {
+    build_objects<Bvh>();
     BvhTree tree = build_scene_bvh(geometry, scene_bounds().space, take_bounded());
     if (tree.nodes.empty()) return;
     const std::vector<Range> ranges = number_leaves(tree);
@@ -28,7 +29,7 @@ Bvh::Bvh(const Geometry& geometry) : Intersector(geometry) {
     tree_ = widen(tree.nodes, refs);
 }
 
-std::size_t Bvh::memory_bytes() const {
+std::size_t Bvh::own_bytes() const {
     return tree_.nodes.capacity() * sizeof(WideNode) + clusters_.memory_bytes();
 }
 

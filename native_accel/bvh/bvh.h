@@ -9,10 +9,10 @@ namespace etalon {
 class Bvh final : public Intersector {
   public:
     explicit Bvh(const Geometry& geometry);
-    std::size_t memory_bytes() const override;
     std::string isa() const override;
 
   protected:
+    std::size_t own_bytes() const override;
     void closest_bounded(const RayQuery& query, const NormalizedRay& local,
                          NearestHit& nearest) const override;
     void closest_counted(const RayQuery& query, const NormalizedRay& local, NearestHit& nearest,
@@ -20,7 +20,7 @@ class Bvh final : public Intersector {
     bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const override;
 
   private:
-    BvhView view() const { return {geometry(), tree_, clusters_}; }
+    BvhView view() const { return {geometry(), tree_, clusters_, *this}; }
 
     WideTree tree_;
     Clusters clusters_;

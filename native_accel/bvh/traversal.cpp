@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/accel/clusters/instance_list.h"
 #include "core/numerics/instruction_sets.h"
 #include "native_accel/bvh/lane_select.h"
 #include "native_accel/common/tally.h"
@@ -46,7 +47,12 @@ HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const No
     traversal.finish(tmax, [&](ClusterRef ref) HWY_ATTR {
         const double before = nearest.t;
         traversal.counters().members(bvh.clusters, ref);
-        visit(bvh, ref, filter, tmax, query, offer);
+        if (HWY_UNLIKELY(ref.kind() == ClusterRef::instances)) {
+            offer_instances(bvh.instances, bvh.clusters, ref, query, nearest,
+                            traversal.counters().sum());
+        } else {
+            visit(bvh, ref, filter, tmax, query, offer);
+        }
         if (nearest.t < before) tmax = local.tmax(nearest.t);
         return true;
     });
@@ -79,7 +85,11 @@ HWY_INLINE bool find_any(const BvhView& bvh, const RayQuery& query, const Normal
         return !found;
     };
     traversal.finish(tmax, [&](ClusterRef ref) HWY_ATTR {
-        visit(bvh, ref, filter, tmax, query, offer);
+        if (HWY_UNLIKELY(ref.kind() == ClusterRef::instances)) {
+            found = instances_occlude(bvh.instances, bvh.clusters, ref, query);
+        } else {
+            visit(bvh, ref, filter, tmax, query, offer);
+        }
         return !found;
     });
     return found;

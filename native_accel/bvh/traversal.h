@@ -2,6 +2,7 @@
 // has is taken.
 #pragma once
 
+#include "core/intersect/intersector.h"
 #include "core/intersect/ray.h"
 #include "core/intersect/traversal_cost.h"
 #include "native_accel/bvh/wide_tree.h"
@@ -13,6 +14,7 @@ struct BvhView {
     const Geometry& geometry;
     const WideTree& tree;
     const Clusters& clusters;
+    const Intersector& instances;
 
     /// Whether the ray is likely to take the same way through the tree as those before it: hardly
     /// where it enters very many nodes.

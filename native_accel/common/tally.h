@@ -14,6 +14,7 @@ struct Uncounted {
     template <class Pack>
     void members(const Pack&) const {}
     void members(const Clusters&, ClusterRef) const {}
+    TraversalCost* sum() const { return nullptr; }
 };
 
 struct Counted {
@@ -30,6 +31,7 @@ struct Counted {
     void members(const Clusters& clusters, ClusterRef tested) const {
         cost.primitive_tests += clusters.size(tested);
     }
+    TraversalCost* sum() const { return &cost; }
 
     TraversalCost& cost;
 };

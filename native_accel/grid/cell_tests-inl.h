@@ -44,19 +44,22 @@ class SphereTest {
 };
 
 /// Calls offer(cluster, lane) for the primitives that could be hit, of clusters whose boxes the ray
-/// enters; it returns the tmax from then on. A cluster is tested only in the cell in which the ray
-/// enters its box, so once, however many cells list it. That cell does list it: see GridTraversal.
-template <class Offer, class Counters>
+/// enters, and offer_instances(cluster) for those of instances; they return the tmax from then on.
+/// A cluster is tested only in the cell in which the ray enters its box, so once, however many
+/// cells list it. That cell does list it: see GridTraversal.
+template <class Offer, class OfferInstances, class Counters>
 class ClusterTest {
   public:
     /// Tests only what the ray meets from `entry` on.
     HWY_INLINE ClusterTest(const Clusters& clusters, const RayQuery& query,
-                           const NormalizedRay& ray, float entry, const Offer& offer, Counters to)
+                           const NormalizedRay& ray, float entry, const Offer& offer,
+                           const OfferInstances& offer_instances, Counters to)
         : counters(to),
           clusters_(clusters),
           slabs_(ray, entry),
           filter_(clusters, query, ray, entry),
-          offer_(offer) {}
+          offer_(offer),
+          offer_instances_(offer_instances) {}
 
     HWY_INLINE float operator()(std::span<const BoxPack> packs, float from, float to,
                                 float tmax) const {
@@ -102,6 +105,7 @@ class ClusterTest {
 
     HWY_INLINE float test(ClusterRef ref, float tmax) const {
         counters.members(clusters_, ref);
+        if (HWY_UNLIKELY(ref.kind() == ClusterRef::instances)) return offer_instances_(ref);
         std::uint32_t lanes = filter_.candidates(clusters_, ref, tmax);
         for (; lanes != 0 && tmax >= 0; lanes &= lanes - 1) {
             tmax = offer_(ref, std::countr_zero(lanes));
@@ -113,6 +117,7 @@ class ClusterTest {
     const Slabs slabs_;
     const ClusterFilter filter_;
     const Offer& offer_;
+    const OfferInstances& offer_instances_;
 };
 
 }  // namespace etalon::HWY_NAMESPACE

@@ -23,6 +23,7 @@ std::vector<SphereItem> sphere_items(const Geometry& geometry, const NormalizedS
 }  // namespace
 
 Grid::Grid(const Geometry& geometry) : Intersector(geometry) {
+    build_objects<Grid>();
     const NormalizedSpace& space = scene_bounds().space;
     std::vector<BoundedPrimitive> primitives = take_bounded();
     spheres_ = PackedGrid<SpherePack>(sphere_items(geometry, space, primitives));
@@ -30,7 +31,7 @@ Grid::Grid(const Geometry& geometry) : Intersector(geometry) {
     if (!primitives.empty()) others_ = ClusterGrid(geometry, space, std::move(primitives));
 }
 
-std::size_t Grid::memory_bytes() const {
+std::size_t Grid::own_bytes() const {
     return spheres_.memory_bytes() + others_.memory_bytes();
 }
 

@@ -9,10 +9,10 @@ namespace etalon {
 class Grid final : public Intersector {
   public:
     explicit Grid(const Geometry& geometry);
-    std::size_t memory_bytes() const override;
     std::string isa() const override;
 
   protected:
+    std::size_t own_bytes() const override;
     void closest_bounded(const RayQuery& query, const NormalizedRay& local,
                          NearestHit& nearest) const override;
     void closest_counted(const RayQuery& query, const NormalizedRay& local, NearestHit& nearest,
@@ -20,7 +20,7 @@ class Grid final : public Intersector {
     bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const override;
 
   private:
-    GridView view() const { return {geometry(), spheres_, others_}; }
+    GridView view() const { return {geometry(), spheres_, others_, *this}; }
 
     PackedGrid<SpherePack> spheres_;
     ClusterGrid others_;

@@ -6,6 +6,7 @@
 #define ETALON_GRID_TRACE_INL_H
 #endif
 
+#include "core/accel/clusters/instance_list.h"
 #include "native_accel/common/tally.h"
 #include "native_accel/grid/cell_tests-inl.h"
 #include "native_accel/grid/grid_trace.h"
@@ -15,10 +16,11 @@ HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
 /// Calls offer(t, id), which returns the tmax from then on, for what the ray could hit from tmin to
-/// tmax in normalized space.
-template <class Counters, class Offer>
+/// tmax in normalized space, and offer_instances(cluster) likewise.
+template <class Counters, class Offer, class OfferInstances>
 HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const NormalizedRay& local,
-                      const float& tmax, Counters counters, const Offer& offer) {
+                      const float& tmax, Counters counters, const Offer& offer,
+                      const OfferInstances& offer_instances) {
     const GridRay ray(local);
     const float tmin = local.tmin(query.ray.tmin);
     const PackedGrid<BoxPack>& boxes = grid.others.boxes();
@@ -30,7 +32,8 @@ HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const Normali
             return offer(t, id);
         };
         if (!passage.empty()) {
-            const ClusterTest test(clusters, query, local, passage.entry, ask, counters);
+            const ClusterTest test(clusters, query, local, passage.entry, ask, offer_instances,
+                                   counters);
             GridVisit(boxes, ray, test, tmax).visit(passage);
         }
     }
@@ -50,12 +53,18 @@ template <class Counters>
 HWY_INLINE void find_closest(const GridView& grid, const RayQuery& query,
                              const NormalizedRay& local, NearestHit& nearest, Counters counters) {
     float tmax = local.tmax(nearest.t);
-    trace(grid, query, local, tmax, counters, [&](double t, std::uint32_t id) HWY_ATTR {
+    const auto offer = [&](double t, std::uint32_t id) HWY_ATTR {
         const double before = nearest.t;
         nearest.offer(t, id);
         if (nearest.t < before) tmax = local.tmax(nearest.t);
         return tmax;
-    });
+    };
+    const auto offer_cluster = [&](ClusterRef ref) HWY_ATTR {
+        offer_instances(grid.instances, grid.others.clusters(), ref, query, nearest,
+                        counters.sum());
+        return tmax = local.tmax(nearest.t);
+    };
+    trace(grid, query, local, tmax, counters, offer, offer_cluster);
 }
 
 }  // namespace etalon::HWY_NAMESPACE

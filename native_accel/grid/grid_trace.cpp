@@ -23,11 +23,17 @@ bool trace_occluded(const GridView& grid, const RayQuery& query, const Normalize
     constexpr float nowhere = -std::numeric_limits<float>::infinity();
     float tmax = local.tmax(query.ray.tmax);
     bool found = false;
-    trace(grid, query, local, tmax, Uncounted(), [&](double t, std::uint32_t) HWY_ATTR {
+    const auto offer = [&](double t, std::uint32_t) HWY_ATTR {
         found = t <= query.ray.tmax;
         if (found) tmax = nowhere;
         return tmax;
-    });
+    };
+    const auto offer_cluster = [&](ClusterRef ref) HWY_ATTR {
+        found = instances_occlude(grid.instances, grid.others.clusters(), ref, query);
+        if (found) tmax = nowhere;
+        return tmax;
+    };
+    trace(grid, query, local, tmax, Uncounted(), offer, offer_cluster);
     return found;
 }
 

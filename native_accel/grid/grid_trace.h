@@ -2,6 +2,7 @@
 // the machine has is taken.
 #pragma once
 
+#include "core/intersect/intersector.h"
 #include "core/intersect/ray.h"
 #include "core/intersect/traversal_cost.h"
 #include "native_accel/grid/cluster_grid.h"
@@ -14,6 +15,7 @@ struct GridView {
     const Geometry& geometry;
     const PackedGrid<SpherePack>& spheres;
     const ClusterGrid& others;
+    const Intersector& instances;
 };
 
 /// The code for one instruction set.

@@ -179,7 +179,8 @@ TEST_CASE("a wrong value is shown with what was expected", "[app]") {
         {"--exposure nan", "--exposure nan: expected a number"},
         {"--output a.gif", "--output a.gif: expected a name ending in .exr or .png, or -"},
         {"--aov albdo",
-         "--aov albdo: expected one of albedo, N, P, Z, uv, dpdu, dpdv, primitiveId, variance, "
+         "--aov albdo: expected one of albedo, N, P, Z, uv, dpdu, dpdv, primitiveId, instanceId, "
+         "variance, "
          "sampleCount, cost.boxTests, cost.primitiveTests; did you mean 'albedo'?"},
         {"--sampler sobel",
          "--sampler sobel: expected one of sobol, random; did you mean 'sobol'?"}};

@@ -17,7 +17,7 @@ namespace {
 Hit hit_alone(const Geometry& geometry, const Ray& ray) {
     NearestHit nearest(ray.tmax);
     nearest.offer(primitive_first_hit(geometry, 0, RayQuery(ray)), 0);
-    return {nearest.t, nearest.primitive};
+    return {nearest.t, nearest.item};
 }
 
 bool same_bits(const Hit& a, const Hit& b) {

@@ -14,8 +14,9 @@ Clusters::Clusters(const Geometry& geometry, const NormalizedSpace& space,
     refs.clear();
     refs.reserve(ranges.size());
     for (const Range& range : ranges) {
-        const ClusterRef::Kind kind = cluster_kind(geometry.primitives[ids[range.first]].kind);
-        refs.emplace_back(kind, counts[kind]++);
+        const ClusterRef::Kind kind = cluster_kind(geometry.kind_of_item(ids[range.first]));
+        const ClusterRef::Kind array = kind == ClusterRef::instances ? ClusterRef::list : kind;
+        refs.emplace_back(kind, counts[array]++);
     }
     triangles_.resize(counts[ClusterRef::triangles]);
     spheres_.resize(counts[ClusterRef::spheres]);

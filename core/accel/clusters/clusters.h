@@ -11,7 +11,7 @@ namespace etalon {
 
 /// Reference to a cluster, in 32 bits for the leaves of trees.
 struct ClusterRef {
-    enum Kind : std::uint32_t { list, triangles, spheres };
+    enum Kind : std::uint32_t { list, triangles, spheres, instances };
 
     ClusterRef(Kind kind, std::size_t index)
         : bits(kind << 29 | static_cast<std::uint32_t>(index)) {}
@@ -26,6 +26,7 @@ struct ClusterRef {
 /// Returns the kind of cluster that primitives of a kind are in.
 constexpr ClusterRef::Kind cluster_kind(ShapeKind kind) {
     if (kind == kind_of<Triangle>()) return ClusterRef::triangles;
+    if (kind == instance_kind) return ClusterRef::instances;
     return kind == kind_of<Sphere>() ? ClusterRef::spheres : ClusterRef::list;
 }
 
@@ -34,7 +35,8 @@ struct Range {
     std::uint32_t first, count;
 };
 
-/// A scene's primitives in clusters. Those that no filter is for are in lists of numbers.
+/// A scene's primitives in clusters. Those that no filter is for, and instances, are in lists of
+/// numbers.
 class Clusters {
   public:
     Clusters() = default;
@@ -52,11 +54,15 @@ class Clusters {
     };
 
     /// Intersects the primitive at a lane that is taken; at any lane of a list, no_index if none.
+    /// Not for instances: see instance_list.h.
     Candidate intersect_lane(const Geometry& geometry, ClusterRef ref, std::size_t lane,
                              const RayQuery& query) const;
 
     const TriangleCluster& triangles(ClusterRef ref) const { return triangles_[ref.index()]; }
     const SphereCluster& spheres(ClusterRef ref) const { return spheres_[ref.index()]; }
+
+    /// The item at a lane of a list, of primitives or of instances; no_index if none.
+    std::uint32_t item(ClusterRef ref, std::size_t lane) const { return lists_[ref.index()][lane]; }
 
     bool has_spheres() const { return !spheres_.empty(); }
 

@@ -14,13 +14,15 @@ struct LeafCost {
     float cost;
 };
 
-using LeafCosts = std::array<LeafCost, shape_kinds>;
+using LeafCosts = std::array<LeafCost, item_kinds>;
 
-/// Costs where triangles and spheres are filtered eight at once, and others tested one by one.
+/// Costs where triangles and spheres are filtered eight at once, and others tested one by one. For
+/// an instance there is a tree to be traversed.
 constexpr LeafCosts default_leaf_costs() {
     LeafCosts costs{};
     costs.fill({1, 2.0F});
     costs[kind_of<Triangle>()] = costs[kind_of<Sphere>()] = {8, 0.7F};
+    costs[instance_kind] = {1, 8.0F};
     return costs;
 }
 
@@ -30,7 +32,7 @@ constexpr LeafCosts default_leaf_costs() {
 class LeafWeights {
   public:
     LeafWeights(const LeafCosts& costs, ShapeKind commonest) : block_cost_(costs[commonest].cost) {
-        for (std::size_t kind = 0; kind < shape_kinds; ++kind) {
+        for (std::size_t kind = 0; kind < item_kinds; ++kind) {
             const float blocks =
                 costs[kind].cost / (block_cost_ * static_cast<float>(costs[kind].lanes));
             weights_[kind] = std::max(1U, static_cast<std::uint32_t>(block * blocks));
@@ -49,7 +51,7 @@ class LeafWeights {
     static constexpr std::uint64_t block = 64;
 
     float block_cost_;
-    std::array<std::uint32_t, shape_kinds> weights_{};
+    std::array<std::uint32_t, item_kinds> weights_{};
 };
 
 }  // namespace etalon

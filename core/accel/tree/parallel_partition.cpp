@@ -61,7 +61,7 @@ SplitSets scatter_chunks(Primitives primitives, Primitives target, const Binning
 
 void BoundsSummary::add(const BoundsSummary& other) {
     set.extend(other.set);
-    for (std::size_t kind = 0; kind < shape_kinds; ++kind) of_kind[kind] += other.of_kind[kind];
+    for (std::size_t kind = 0; kind < item_kinds; ++kind) of_kind[kind] += other.of_kind[kind];
 }
 
 BoundsSummary summarize_bounds(Primitives primitives) {

@@ -11,7 +11,7 @@ struct BoundsSummary {
     void add(const BoundsSummary& other);
 
     PrimitiveSet set;
-    std::array<std::size_t, shape_kinds> of_kind{};  ///< number of primitives of each kind
+    std::array<std::size_t, item_kinds> of_kind{};  ///< number of primitives of each kind
 };
 
 BoundsSummary summarize_bounds(std::span<BoundedPrimitive> primitives);

@@ -12,7 +12,7 @@ double cost(const BvhTree& tree, const Geometry& geometry, const LeafCosts& cost
         if (i == 1) continue;
         const BvhNode& node = tree.nodes[i];
         if (node.is_leaf()) {
-            const LeafCost& c = costs[geometry.primitives[tree.ids[node.first]].kind];
+            const LeafCost& c = costs[geometry.kind_of_item(tree.ids[node.first])];
             const double tests = (node.count + c.lanes - 1) / c.lanes;
             sum += half_area(node.box) * c.cost * tests;
         } else {

@@ -72,7 +72,7 @@ void build_mesh(ShapeBuilder& s, const MeshData& mesh) {
     const std::uint32_t first = add_vertices(s, mesh);
     SurfaceBinding binding;
     binding.corner_normals = has_normals;
-    binding.flipped = has_normals ? mesh.flipped : s.flips_winding();
+    binding.flipped = has_normals ? mesh.flipped : s.flips_normals();
     if (!mesh.uvs.empty()) {
         binding.uv_offset = static_cast<std::uint32_t>(g.vertices.size() - s.b.look().uvs.size());
     }

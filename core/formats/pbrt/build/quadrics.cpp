@@ -17,7 +17,7 @@ std::optional<double> scale_of_circles(const ShapeBuilder& s) {
 
 void begin_curved(ShapeBuilder& s) {
     SurfaceBinding binding;
-    binding.flipped = s.flips_outward();
+    binding.flipped = s.flips_normals();
     s.begin(binding);
 }
 

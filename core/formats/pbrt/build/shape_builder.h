@@ -7,15 +7,9 @@ namespace etalon::pbrt {
 /// A shape on its way to primitives: where it goes, and what it has in common with others.
 class ShapeBuilder {
   public:
-    /// `own` is the map of the shape; `instance` that of the instance it belongs to, if there is
-    /// one.
-    ShapeBuilder(SceneBuilder& builder, const pbrt::Shape& of, const Affine& own,
-                 const Affine* instance)
-        : b(builder),
-          shape(of),
-          to_world(instance ? *instance * own : own),
-          swaps_hand_(own.determinant() < 0),
-          mirrored_(instance && instance->determinant() < 0) {}
+    /// `map` takes the shape into the space of its geometry: the world's or an object's.
+    ShapeBuilder(SceneBuilder& builder, const pbrt::Shape& of, const Affine& map)
+        : b(builder), shape(of), to_world(map), swaps_hand_(map.determinant() < 0) {}
 
     SceneBuilder& b;
     const pbrt::Shape& shape;
@@ -30,10 +24,9 @@ class ShapeBuilder {
     /// The normal, as long as it is, across the image of what `n` is across.
     Vec3 normal(const Vec3& n) const;
 
-    /// Whether normals of the format are opposite to those that point outward from a closed shape.
-    bool flips_outward() const { return shape.reverse_orientation != swaps_hand_; }
-    /// The same for normals that the winding of corners in the world gives.
-    bool flips_winding() const { return flips_outward() != mirrored_; }
+    /// Whether normals of the format are opposite to those that point outward from a closed shape,
+    /// and to those that the winding of corners gives.
+    bool flips_normals() const { return shape.reverse_orientation != swaps_hand_; }
 
     /// Whether its material shows a texture, and so asks for surface coordinates.
     bool has_texture() const;
@@ -54,8 +47,7 @@ class ShapeBuilder {
   private:
     void add_light();
 
-    bool swaps_hand_;  ///< the shape's own map mirrors
-    bool mirrored_;    ///< the instance's map mirrors
+    bool swaps_hand_;  ///< the map mirrors
     std::uint32_t binding_ = 0;
 };
 

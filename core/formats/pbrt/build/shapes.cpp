@@ -1,5 +1,6 @@
 // Shapes of a frame, each by one line of a table, and instances of objects.
 #include <array>
+#include <utility>
 
 #include "core/formats/pbrt/build/shape_builder.h"
 
@@ -25,10 +26,8 @@ constexpr std::array entries = {
     Entry{"hyperboloid", build_hyperboloid},
 };
 
-/// More copies than this would take more memory than most machines have: some 100 bytes each.
-constexpr std::size_t most_primitives = 50'000'000;
-
-void build_shape(SceneBuilder& b, const pbrt::Shape& shape, const Affine* instance = nullptr) {
+/// Builds a shape into the builder's geometry.
+void build_shape(SceneBuilder& b, const pbrt::Shape& shape) {
     const auto* const entry = std::ranges::find(entries, shape.plugin.type->name, &Entry::name);
     if (entry == entries.end()) {
         b.warn(shape.plugin.where, "stand-in", "shape \"{}\" is not rendered yet; it is left out",
@@ -43,26 +42,38 @@ void build_shape(SceneBuilder& b, const pbrt::Shape& shape, const Affine* instan
                "is at first",
                shape.plugin.type->name);
     }
-    ShapeBuilder s(b, shape, *own, instance);
+    ShapeBuilder s(b, shape, *own);
     entry->build(s);
+}
+
+/// Builds what instances are made of. Returns its number.
+std::uint32_t build_object(SceneBuilder& b, const Object& object) {
+    std::vector<Geometry>& objects = b.scene().geometry.objects;
+    Geometry around = std::exchange(b.scene().geometry, {});
+    for (const pbrt::Shape& shape : object.shapes) build_shape(b, shape);
+    std::swap(around, b.scene().geometry);
+    shrink_to_fit(around);
+    objects.push_back(std::move(around));
+    return static_cast<std::uint32_t>(objects.size() - 1);
+}
+
+void build_instances(SceneBuilder& b) {
+    std::vector<std::uint32_t> numbers(b.frame.objects.size(), none);
+    b.scene().geometry.instances.reserve(b.frame.instances.size());
+    for (const pbrt::Instance& instance : b.frame.instances) {
+        const std::optional<Affine> map = b.affine(instance.to_world.start, instance.where);
+        if (!map) continue;
+        std::uint32_t& number = numbers[instance.object];
+        if (number == none) number = build_object(b, b.frame.objects[instance.object]);
+        b.scene().geometry.instances.emplace_back(*map, number);
+    }
 }
 
 }  // namespace
 
 void build_shapes(SceneBuilder& b) {
     for (const pbrt::Shape& shape : b.frame.shapes) build_shape(b, shape);
-    for (const Instance& instance : b.frame.instances) {
-        const std::optional<Affine> map = b.affine(instance.to_world.start, instance.where);
-        if (!map) continue;
-        for (const pbrt::Shape& shape : b.frame.objects[instance.object].shapes) {
-            build_shape(b, shape, &*map);
-        }
-        if (b.geometry().primitives.size() > most_primitives) {
-            return b.warn(instance.where, "instances",
-                          "instances left out from here on: copies of more than {} primitives",
-                          most_primitives);
-        }
-    }
+    build_instances(b);
 }
 
 }  // namespace etalon::pbrt

@@ -73,7 +73,7 @@ void sweep(ShapeBuilder& s, const Profile& profile, const Row& row_of) {
         add_row(profile(v), v, turn, mesh);
     }
     add_corners(mesh);
-    build_mesh(s, {mesh.points, mesh.normals, mesh.uvs, mesh.corners, s.flips_outward()});
+    build_mesh(s, {mesh.points, mesh.normals, mesh.uvs, mesh.corners, s.flips_normals()});
 }
 
 /// x^2 + y^2 = radius2 + widening z^2.

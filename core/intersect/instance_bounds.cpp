@@ -1,0 +1,131 @@
+#include "core/intersect/instance_bounds.h"
+
+#include "core/intersect/kernels.h"
+#include "core/intersect/placement.h"
+#include "core/parallel/chunks.h"
+
+namespace etalon {
+namespace {
+
+constexpr std::size_t chunk_size = 1024;
+
+const Box3& everywhere() {
+    static const Box3 box(Vec3(-infinity), Vec3(infinity));
+    return box;
+}
+
+bool is_bounded(const Box3& box) {
+    return is_finite(box.min) && is_finite(box.max);
+}
+
+/// An object by the boxes of what lies in the octants about its centre: turned into the world they
+/// reach less far than one box of all.
+using Outline = std::vector<Box3>;
+
+Box3 box_of(const Geometry& object) {
+    Box3 all;
+    for (std::uint32_t id = 0; id < object.primitives.size(); ++id) {
+        all.extendBy(primitive_bounds(object, id));
+    }
+    return all;
+}
+
+Outline outline_of(const Geometry& object) {
+    const Box3 all = box_of(object);
+    if (all.isEmpty() || !is_bounded(all)) return {all};
+    const Vec3 centre = all.center();
+    Outline octants(8);
+    for (std::uint32_t id = 0; id < object.primitives.size(); ++id) {
+        const Box3 box = primitive_bounds(object, id);
+        if (box.isEmpty()) continue;
+        const Vec3 c = box.center();
+        octants[(c.x < centre.x ? 1U : 0U) + (c.y < centre.y ? 2U : 0U) +
+                (c.z < centre.z ? 4U : 0U)]
+            .extendBy(box);
+    }
+    std::erase_if(octants, [](const Box3& box) { return box.isEmpty(); });
+    return octants;
+}
+
+std::vector<Outline> outlines_of(const std::vector<Geometry>& objects) {
+    std::vector<Outline> outlines(objects.size());
+    Chunks(objects.size(), 1)
+        .parallel_for_each([&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) outlines[i] = outline_of(objects[i]);
+        });
+    return outlines;
+}
+
+/// Returns the box of the image of a box.
+Box3 image(const Affine& map, const Box3& box) {
+    const Vec3 half = box.size() / 2, centre = map.point(box.center());
+    const Vec3 reach = half.x * abs(map.x) + half.y * abs(map.y) + half.z * abs(map.z);
+    return {centre - reach, centre + reach};
+}
+
+Box3 unpadded(const Instance& instance, const Outline& outline) {
+    if (!instance.exists()) return {};
+    if (!outline.empty() && !outline.front().isEmpty() && !is_bounded(outline.front())) {
+        return everywhere();
+    }
+    const Affine map = instance.to_world();
+    Box3 world;
+    for (const Box3& box : outline) {
+        if (!box.isEmpty()) world.extendBy(image(map, box));
+    }
+    return is_bounded(world) ? world : everywhere();
+}
+
+/// Pads a box by what roundings of rays to the object move a hit. A ray's origin o and the place of
+/// the hit are within 2^24 S of the scene's centre, S half its size (NormalizedSpace::resolves);
+/// o' and t d' are good to 4 u |A| (|o - c| + t |d|), which the inverse spreads. The factors leave
+/// room for three times as much.
+Box3 padded(const Instance& instance, const Box3& box, const Vec3& centre, double half) {
+    if (box.isEmpty() || !is_bounded(box)) return box;
+    const double reach = 0x1p-24 * half + 0x1p-48 * max_abs(instance.origin - centre);
+    const Vec3 margin = reach * spread(instance);
+    if (!(max_abs(margin) <= half / 8)) return everywhere();
+    return {box.min - margin, box.max + margin};
+}
+
+}  // namespace
+
+std::vector<Box3> instance_bounds(const Geometry& geometry, const Box3& others) {
+    const std::vector<Instance>& instances = geometry.instances;
+    std::vector<Box3> boxes(instances.size());
+    if (instances.empty()) return boxes;
+    const std::vector<Outline> outlines = outlines_of(geometry.objects);
+    const Chunks chunks(instances.size(), chunk_size);
+    std::vector<Box3> of_chunk(chunks.number());
+    chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            boxes[i] = unpadded(instances[i], outlines[instances[i].object]);
+            if (!boxes[i].isEmpty() && is_bounded(boxes[i])) of_chunk[chunk].extendBy(boxes[i]);
+        }
+    });
+    Box3 world = others;
+    for (const Box3& box : of_chunk) world.extendBy(box);
+    if (world.isEmpty()) return boxes;
+    const Vec3 centre = world.center();
+    const double half = 1.5 * max_abs(world.max - centre);  // with room for the margins
+    chunks.parallel_for_each([&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            boxes[i] = padded(instances[i], boxes[i], centre, half);
+        }
+    });
+    return boxes;
+}
+
+Box3 finite_bounds(const Geometry& geometry) {
+    Box3 all;
+    const auto add = [&](const Box3& box) {
+        if (!box.isEmpty() && is_bounded(box)) all.extendBy(box);
+    };
+    for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
+        add(primitive_bounds(geometry, id));
+    }
+    for (const Box3& box : instance_bounds(geometry, all)) add(box);
+    return all;
+}
+
+}  // namespace etalon

@@ -1,0 +1,91 @@
+#include "core/intersect/placement.h"
+
+#include "core/intersect/kernels.h"
+
+namespace etalon {
+namespace {
+
+Vec3 times(const std::array<Vec3, 3>& rows, const Vec3& v) {
+    return {rows[0].dot(v), rows[1].dot(v), rows[2].dot(v)};
+}
+
+Vec3 times_magnitudes(const std::array<Vec3, 3>& rows, const Vec3& v) {
+    return {abs(rows[0]).dot(v), abs(rows[1]).dot(v), abs(rows[2]).dot(v)};
+}
+
+Vec3 transpose_times(const std::array<Vec3, 3>& rows, const Vec3& v) {
+    return v.x * rows[0] + v.y * rows[1] + v.z * rows[2];
+}
+
+}  // namespace
+
+Vec3 to_object(const Instance& instance, const Vec3& point) {
+    return times(instance.rows, point - instance.origin);
+}
+
+Ray to_object(const Instance& instance, const Ray& ray) {
+    Ray local{to_object(instance, ray.origin), times(instance.rows, ray.direction), ray.tmin,
+              ray.tmax};
+    local.coherent = ray.coherent;
+    return local;
+}
+
+Vec3 spread(const Instance& instance) {
+    const Vec3 once = times_magnitudes(instance.rows, Vec3(1));
+    const auto [x, y, z, origin] = instance.to_world();
+    return once.x * abs(x) + once.y * abs(y) + once.z * abs(z);
+}
+
+/// The point is corrected once; what then remains of it in the object's space is measured. A ray
+/// from there comes back with at most 8 roundings of |A| (|p| + |c|): one each for the point, the
+/// spawned origin and the difference p - c, and five for the product with A. All of this is
+/// projected on the object's normal n. A step along the world's normal A^T n / |A^T n| leads
+/// |A^T n| as far along n.
+SurfacePoint placed(const Instance& instance, const SurfacePoint& local) {
+    const Affine map = instance.to_world();
+    SurfacePoint p = local;
+    p.position = map.point(local.position);
+    p.position += map.vector(local.position - to_object(instance, p.position));
+    const Vec3 residual = abs(local.position - to_object(instance, p.position));
+    const Vec3 roundings =
+        8 * unit_roundoff * times_magnitudes(instance.rows, abs(p.position) + abs(instance.origin));
+    const Vec3 across = transpose_times(instance.rows, local.normal);
+    p.normal = normalized(across);
+    p.shading_normal = normalized(transpose_times(instance.rows, local.shading_normal));
+    const double clearance =
+        abs(local.normal).dot(local.error + residual + roundings) / across.dot(p.normal);
+    p.error = clearance * abs(p.normal);  // whose product with the normal is the clearance
+    p.convexity = Convexity::any;         // no ray excludes a part of an instance
+    return p;
+}
+
+SurfacePoint local_point(const Instance& instance, const SurfacePoint& point) {
+    const Affine map = instance.to_world();
+    const auto back = [&](const Vec3& n) {
+        return normalized(Vec3(map.x.dot(n), map.y.dot(n), map.z.dot(n)));
+    };
+    SurfacePoint local = point;
+    local.position = to_object(instance, point.position);
+    local.error = Vec3(0);
+    local.normal = back(point.normal);
+    local.shading_normal = back(point.shading_normal);
+    local.instance = no_index;
+    return local;
+}
+
+Parametrization placed(const Instance& instance, const Parametrization& local) {
+    const Affine map = instance.to_world();
+    return {local.uv, map.vector(local.dpdu), map.vector(local.dpdv)};
+}
+
+double first_hit(const Geometry& geometry, HitKey key, const Ray& ray) {
+    const std::uint32_t instance = static_cast<std::uint32_t>(key >> 32) - 1;
+    const auto primitive = static_cast<std::uint32_t>(key);
+    const Geometry& holder = geometry.holder(instance);
+    const RayQuery query(ray);
+    if (instance == no_index) return primitive_first_hit(holder, primitive, query);
+    return primitive_first_hit(holder, primitive,
+                               RayQuery(to_object(geometry.instances[instance], query.ray)));
+}
+
+}  // namespace etalon

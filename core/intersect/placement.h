@@ -1,0 +1,35 @@
+// The way between the world and the objects of instances: all that knows of it is here.
+#pragma once
+
+#include "core/intersect/parametrization.h"
+#include "core/intersect/surface.h"
+#include "core/scene/geometry.h"
+
+namespace etalon {
+
+/// Takes a point of the world into the object's space.
+Vec3 to_object(const Instance& instance, const Vec3& point);
+
+/// Takes a ray into the object's space. This defines what is hit of an instance: that which the
+/// ray returned here hits of the object. Its t is the world's, as its direction is not normalized.
+/// No primitive is excluded from it.
+Ray to_object(const Instance& instance, const Ray& ray);
+
+/// A bound on |A^-1| |A| v, where A is the instance's matrix and v has three components 1: how far
+/// a relative error of a point in the object's space moves it in the world, for each axis.
+Vec3 spread(const Instance& instance);
+
+/// Takes a point of the object's surface into the world. Its error is such that a ray which leaves
+/// the point starts off the object's surface after all roundings on its way into the object.
+SurfacePoint placed(const Instance& instance, const SurfacePoint& local);
+
+/// Returns a point of an instance as the object's shape has it; it has no error bound.
+SurfacePoint local_point(const Instance& instance, const SurfacePoint& point);
+
+/// Takes coordinates of an object's surface into the world.
+Parametrization placed(const Instance& instance, const Parametrization& local);
+
+/// Calls the kernel of a primitive, or of one of an instance, for a ray of the world.
+double first_hit(const Geometry& geometry, HitKey key, const Ray& ray);
+
+}  // namespace etalon

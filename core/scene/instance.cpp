@@ -1,0 +1,61 @@
+#include "core/scene/instance.h"
+
+#include "core/numerics/double_double.h"
+#include "core/numerics/rounding.h"
+
+namespace etalon {
+namespace {
+
+TwoTerm minor(double a, double b, double c, double d) {
+    return two_product(a, d) + -two_product(b, c);
+}
+
+Vec3TwoTerm fine_cross(const Vec3& a, const Vec3& b) {
+    return {minor(a.y, a.z, b.y, b.z), minor(a.z, a.x, b.z, b.x), minor(a.x, a.y, b.x, b.y)};
+}
+
+double quotient(const TwoTerm& a, const TwoTerm& b) {
+    const double value = a.value / b.value;
+    const TwoTerm rest = a + -(TwoTerm{value, 0} * b);
+    return value + rest.value / b.value;
+}
+
+/// Rows of the inverse of the matrix with columns x, y and z, by Cramer's rule. The columns are
+/// first scaled, exactly, so that no product leaves the range of double.
+std::array<Vec3, 3> inverse_rows(const Vec3& x, const Vec3& y, const Vec3& z) {
+    const double scale = power_of_two_reciprocal(std::max({max_abs(x), max_abs(y), max_abs(z)}));
+    const Vec3 a = x * scale, b = y * scale, c = z * scale;
+    const std::array<Vec3TwoTerm, 3> cofactors = {fine_cross(b, c), fine_cross(c, a),
+                                                  fine_cross(a, b)};
+    const Vec3TwoTerm& bc = cofactors[0];
+    const TwoTerm determinant =
+        TwoTerm{a.x, 0} * bc[0] + TwoTerm{a.y, 0} * bc[1] + TwoTerm{a.z, 0} * bc[2];
+    std::array<Vec3, 3> rows;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            rows[i][k] = quotient(cofactors[i][static_cast<std::size_t>(k)], determinant) * scale;
+        }
+    }
+    return rows;
+}
+
+}  // namespace
+
+Instance::Instance(const Affine& to_world, std::uint32_t object_number)
+    : rows(inverse_rows(to_world.x, to_world.y, to_world.z)),
+      origin(to_world.origin),
+      object(object_number) {}
+
+Affine Instance::to_world() const {
+    const auto columns = inverse_rows(rows[0], rows[1], rows[2]);
+    // The rows were taken for columns: their inverse is the map transposed.
+    return {columns[0], columns[1], columns[2], origin};
+}
+
+bool Instance::exists() const {
+    const auto& [a, b, c] = rows;
+    return is_finite(a) && is_finite(b) && is_finite(c) && is_finite(origin) &&
+           is_finite(to_world());
+}
+
+}  // namespace etalon

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/numerics/affine.h"
+
+namespace etalon {
+
+/// An object that is seen where an affine map puts it. The object's primitives are stored once,
+/// however many instances it has.
+///
+/// The instance is defined by the numbers below, not by the map they were made from: a point p of
+/// the world is at A (p - origin) of the object, where A has the rows `rows`. Nothing cancels in
+/// that far from the world's origin.
+struct Instance {
+    Instance(const Affine& to_world, std::uint32_t object_number);
+
+    /// Returns the map from the object to the world, up to roundings; not finite where the rows are
+    /// singular.
+    Affine to_world() const;
+
+    /// Whether rays can be taken into the object: false for a map that is singular or not finite,
+    /// whose instance nothing hits.
+    bool exists() const;
+
+    std::array<Vec3, 3> rows;  ///< of the inverse of the map's matrix, each number rounded once
+    Vec3 origin;               ///< point of the world at which the object's origin is
+    std::uint32_t object;      ///< number among Geometry::objects
+};
+
+static_assert(sizeof(Instance) == 104);
+
+}  // namespace etalon
