@@ -52,9 +52,11 @@ EmbreeBuiltin::EmbreeBuiltin(const Geometry& geometry, Traversal traversal)
 
 bool EmbreeBuiltin::has_own_kernels(const Geometry& geometry) {
     const SceneBounds bounds = SceneBounds::of(geometry);
-    return std::ranges::any_of(bounds.bounded, [&](const BoundedPrimitive& p) {
-        return embree_type_of(geometry, bounds.space, p.id).has_value();
-    });
+    return std::ranges::any_of(bounds.bounded,
+                               [&](const BoundedPrimitive& p) {
+                                   return embree_type_of(geometry, bounds.space, p.id).has_value();
+                               }) ||
+           std::ranges::any_of(geometry.objects, has_own_kernels);
 }
 
 std::size_t EmbreeBuiltin::own_bytes() const {

@@ -223,11 +223,16 @@ class Render {
     }
 
     void summarise(const Rendering& rendering) const {
-        print_message("{}{}: {} primitives, {}, {} in {}{} -> {}\n", a_.scene.path,
+        print_message("{}{}: {} primitives{}, {}, {} in {}{} -> {}\n", a_.scene.path,
                       stats_.stopped.empty() ? "" : fmt::format(" (stopped: {})", stats_.stopped),
-                      scene_.geometry.primitives.size(), stats_.backend,
+                      scene_.geometry.primitives.size(), instances_text(), stats_.backend,
                       rays_text(rendering.counts.total()), seconds_text(stats_.render.wall),
                       error_reached(rendering), output_names());
+    }
+
+    std::string instances_text() const {
+        const std::size_t count = scene_.geometry.instances.size();
+        return count == 0 ? std::string() : fmt::format(", {} instances", count);
     }
 
     std::string output_names() const {

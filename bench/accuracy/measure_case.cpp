@@ -96,7 +96,7 @@ class Measurement {
     }
 
     bool takes_part(const TracerEntry& entry, std::uint64_t first_ray) const {
-        const std::uint64_t all = first_ray * setup_.scene.geometry.primitives.size();
+        const std::uint64_t all = first_ray * setup_.scene.geometry.item_count();
         return entry.tracer->name() != reference_backend || all < budget_.tests;
     }
 

@@ -26,6 +26,7 @@ std::vector<HardCase> aimed_cases();
 std::vector<HardCase> mesh_cases();
 std::vector<HardCase> random_scene_cases();
 std::vector<HardCase> tree_cases();
+std::vector<HardCase> instance_cases();
 std::vector<HardCase> adversarial_cases();
 std::vector<HardCase> grid_cases();
 std::vector<HardCase> range_cases();

@@ -42,6 +42,7 @@ std::vector<HardCase> hard_cases() {
     add(mesh_cases());
     add(random_scene_cases());
     add(tree_cases());
+    add(instance_cases());
     add(adversarial_cases());
     add(grid_cases());
     add(range_cases());

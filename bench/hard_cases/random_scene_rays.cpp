@@ -2,6 +2,7 @@
 
 #include "bench/hard_cases/random_scene.h"
 #include "bench/hard_cases/ray_targets.h"
+#include "core/intersect/instance_bounds.h"
 #include "core/intersect/kernels.h"
 
 namespace etalon::hard {
@@ -17,13 +18,16 @@ class Surroundings {
     Surroundings(Scene scene, double finest) : scene_(std::make_shared<Scene>(std::move(scene))) {
         std::vector<Box3> boxes;
         Box3 all;
-        for (std::uint32_t id = 0; id < scene_->geometry.primitives.size(); ++id) {
-            const Box3 box = primitive_bounds(scene_->geometry, id);
+        const auto add = [&](const Box3& box) {
             if (!box.isEmpty() && is_finite(box.size())) all.extendBy(box);
             boxes.push_back(box);
-        }
-        if (!all.isEmpty()) whole_ = middle_of(all);
+        };
         for (std::uint32_t id = 0; id < scene_->geometry.primitives.size(); ++id) {
+            add(primitive_bounds(scene_->geometry, id));
+        }
+        for (const Box3& box : instance_bounds(scene_->geometry, all)) add(box);
+        if (!all.isEmpty()) whole_ = middle_of(all);
+        for (std::uint32_t id = 0; id < scene_->geometry.item_count(); ++id) {
             if (boxes[id].isEmpty()) continue;
             const bool bounded = is_finite(boxes[id].size());
             things_.push_back({bounded ? middle_of(boxes[id]) : whole_,
@@ -34,7 +38,7 @@ class Surroundings {
     const Scene& scene() const { return *scene_; }
     const Place& whole() const { return whole_; }
 
-    /// One primitive: where it is and what to aim at.
+    /// One primitive or instance: where it is and what to aim at.
     struct Thing {
         Place place;
         std::vector<Target> targets;

@@ -32,7 +32,7 @@ SceneFigures measure_scene(const std::string& name, Scene scene, const Imath::V2
     hard::CaseSetup setup;
     setup.scene = std::move(scene);
     const Geometry& geometry = setup.scene.geometry;
-    SceneFigures figures{name, geometry.primitives.size(), shape_of(geometry), {}, {}};
+    SceneFigures figures{name, geometry.item_count(), shape_of(geometry), {}, {}};
     std::vector<Tracer> tracers = enter(plan);
     figures.builds = measure_builds(tracers, setup.scene, plan, observer.is_over);
     if (figures.builds.empty()) return figures;

@@ -80,7 +80,7 @@ SceneFigures measure(const SpeedArguments& a, const std::string& name, Scene sce
                      const Imath::V2i& resolution, const std::atomic<bool>& stop) {
     constexpr int name_width = 70;
     write_table(a.json, fmt::format("{}: {} primitives\n", shortened(name, name_width),
-                                    scene.geometry.primitives.size()));
+                                    scene.geometry.item_count()));
     const auto show = [&](const SceneFigures& figures) {
         write_table(a.json, table_of(figures, a.detail()));
     };

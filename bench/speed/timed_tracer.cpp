@@ -59,7 +59,7 @@ std::vector<BuildFigures> measure_builds(std::vector<Tracer>& tracers, const Sce
         all[i].tracer = tracers[i].name();
         all[i].isa = built.isa();
         all[i].bytes_per_primitive = static_cast<double>(built.memory_bytes()) /
-                                     static_cast<double>(scene.geometry.primitives.size());
+                                     static_cast<double>(scene.geometry.item_count());
     }
     compare_with_baselines(all);
     return all;

@@ -64,11 +64,11 @@ Box3 image(const Affine& map, const Box3& box) {
 }
 
 Box3 unpadded(const Instance& instance, const Outline& outline) {
-    if (!instance.exists()) return {};
+    const Affine map = instance.to_world();
+    if (!is_finite(map)) return {};
     if (!outline.empty() && !outline.front().isEmpty() && !is_bounded(outline.front())) {
         return everywhere();
     }
-    const Affine map = instance.to_world();
     Box3 world;
     for (const Box3& box : outline) {
         if (!box.isEmpty()) world.extendBy(image(map, box));

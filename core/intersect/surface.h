@@ -15,8 +15,8 @@ struct SurfacePoint {
     Vec3 shading_normal;  ///< unit; interpolated where the shape has corner normals
     std::uint32_t primitive = no_index;
     std::uint32_t material = no_index;     ///< number in the scene's look
-    std::uint32_t instance = no_index;     ///< that the primitive belongs to, if to one
     Convexity convexity = Convexity::any;  ///< convexity of the primitive
+    std::uint32_t instance = no_index;     ///< that the primitive belongs to, if to one
 };
 
 /// The bound used by the kernels: both the position's rounding and the kernel's own evaluation are

@@ -44,18 +44,23 @@ std::array<Vec3, 3> inverse_rows(const Vec3& x, const Vec3& y, const Vec3& z) {
 Instance::Instance(const Affine& to_world, std::uint32_t object_number)
     : rows(inverse_rows(to_world.x, to_world.y, to_world.z)),
       origin(to_world.origin),
-      object(object_number) {}
+      object(object_number) {
+    if (!exists()) rows.fill(Vec3(nan_value));  // so that no ray in the object's space is valid
+}
 
+/// By Cramer's rule in double: what that lacks for an ill-conditioned map is measured where it
+/// matters.
 Affine Instance::to_world() const {
-    const auto columns = inverse_rows(rows[0], rows[1], rows[2]);
-    // The rows were taken for columns: their inverse is the map transposed.
-    return {columns[0], columns[1], columns[2], origin};
+    const double scale =
+        power_of_two_reciprocal(std::max({max_abs(rows[0]), max_abs(rows[1]), max_abs(rows[2])}));
+    const Vec3 a = rows[0] * scale, b = rows[1] * scale, c = rows[2] * scale;
+    const Vec3 bc = b.cross(c);
+    const double factor = scale / a.dot(bc);
+    return {factor * bc, factor * c.cross(a), factor * a.cross(b), origin};
 }
 
 bool Instance::exists() const {
-    const auto& [a, b, c] = rows;
-    return is_finite(a) && is_finite(b) && is_finite(c) && is_finite(origin) &&
-           is_finite(to_world());
+    return is_finite(to_world());
 }
 
 }  // namespace etalon

@@ -1,7 +1,6 @@
 #include "core/test_rays/aimed_rays.h"
 
 #include "core/intersect/kernels.h"
-#include "core/intersect/placement.h"
 #include "core/test_rays/targets.h"
 
 namespace etalon {
@@ -28,19 +27,6 @@ std::vector<std::vector<std::uint32_t>> items_by_kind(const Geometry& geometry) 
     }
     std::erase_if(kinds, [](const auto& ids) { return ids.empty(); });
     return kinds;
-}
-
-/// A point to aim at on an item, seen from `from`; of an instance on any primitive of its object.
-Vec3 target_on(const Geometry& geometry, std::uint32_t item, const Vec3& from, Random& random) {
-    if (!geometry.is_instance(item)) {
-        const auto targets = targets_of(geometry, item, finest);
-        return targets[random.index(targets.size())](from, random);
-    }
-    const Instance& instance = geometry.instances[item - geometry.primitives.size()];
-    const Geometry& object = geometry.objects[instance.object];
-    const auto primitive = static_cast<std::uint32_t>(random.index(object.primitives.size()));
-    const Vec3 local = target_on(object, primitive, to_object(instance, from), random);
-    return instance.to_world().point(local);
 }
 
 Vec3 anywhere_in(const Box3& box, Random& random) {
@@ -82,9 +68,9 @@ std::vector<Ray> rays_at_features(const Scene& scene, const Box3& bounds, std::s
     for (std::size_t i = 0; i < count && !kinds.empty(); ++i) {
         Random random(feature_seed, i);
         const auto& ids = kinds[random.index(kinds.size())];
-        const std::uint32_t item = ids[random.index(ids.size())];
+        const auto targets = targets_of(scene.geometry, ids[random.index(ids.size())], finest);
         const Vec3 origin = i % 2 == 0 ? scene.camera.eye : anywhere_in(bounds, random);
-        const Vec3 target = target_on(scene.geometry, item, origin, random);
+        const Vec3 target = targets[random.index(targets.size())](origin, random);
         const Vec3 direction = target - origin;
         if (is_finite(direction) && max_abs(direction) > 0) rays.push_back({origin, direction});
     }

@@ -1,5 +1,6 @@
 #include "core/test_rays/targets.h"
 
+#include "core/intersect/placement.h"
 #include "core/test_rays/directions.h"
 #include "core/test_rays/frustum.h"
 #include "core/test_rays/outline.h"
@@ -139,13 +140,27 @@ std::vector<Target> targets(const Outline& face) {
     return list;
 }
 
+/// Any target of any primitive of an instance's object.
+Target target_on(const Geometry& geometry, const Instance& instance, double finest) {
+    const Geometry& object = geometry.objects[instance.object];
+    return [&object, instance, finest](const Vec3& from, Random& random) {
+        const auto any = static_cast<std::uint32_t>(random.index(object.primitives.size()));
+        const std::vector<Target> targets = targets_of(object, any, finest);
+        const Target& target = targets[random.index(targets.size())];
+        return instance.to_world().point(target(to_object(instance, from), random));
+    };
+}
+
 }  // namespace
 
-std::vector<Target> targets_of(const Geometry& geometry, std::uint32_t primitive, double finest) {
-    const Primitive p = geometry.primitives[primitive];
+std::vector<Target> targets_of(const Geometry& geometry, std::uint32_t item, double finest) {
+    if (geometry.is_instance(item)) {
+        return {target_on(geometry, geometry.instances[item - geometry.primitives.size()], finest)};
+    }
+    const Primitive p = geometry.primitives[item];
     return with_shape(p.kind, [&]<class Shape>() {
         if constexpr (std::is_same_v<Shape, Triangle> || std::is_same_v<Shape, Polygon>) {
-            return targets(Outline(geometry, primitive));
+            return targets(Outline(geometry, item));
         } else {
             return targets(geometry.get<Shape>(p), finest);
         }

@@ -14,9 +14,10 @@ namespace etalon {
 using Target = std::function<Vec3(const Vec3& from, Random& random)>;
 
 /// Silhouettes, rims and apexes are missed by down to 10^finest of the shape's size, corners and
-/// edges by nothing at all: of flat faces kernels promise to know on which side they are passed.
-/// The scene must outlive the targets.
-std::vector<Target> targets_of(const Geometry& geometry, std::uint32_t primitive, double finest);
+/// edges by nothing at all: of flat faces kernels promise to know on which side they are passed. Of
+/// an instance the targets are those of its object's primitives, which must be there. The geometry
+/// must outlive the targets.
+std::vector<Target> targets_of(const Geometry& geometry, std::uint32_t item, double finest);
 
 /// A point with `fixed` of its coordinates on faces: 0 inside, 1 a face, 2 an edge, 3 a corner.
 Vec3 on_faces(const Box& box, int fixed, Random& random);

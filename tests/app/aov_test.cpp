@@ -27,11 +27,11 @@ ProgramResult render(const Folder& f, const std::string& options) {
 TEST_CASE("--aov writes what was asked for as channels of the EXR", "[app]") {
     const Folder f;
     REQUIRE(render(f,
-                   "--spp 4 --aov albedo,N,P,Z,uv,dpdu,dpdv,primitiveId -o a.exr "
+                   "--spp 4 --aov albedo,N,P,Z,uv,dpdu,dpdv,primitiveId,instanceId -o a.exr "
                    "--aov variance,sampleCount,cost.boxTests,cost.primitiveTests -b bvh")
                 .status == 0);
-    std::map<std::string, Imf::PixelType> expected = {{"primitiveId", Imf::UINT},
-                                                      {"sampleCount", Imf::FLOAT}};
+    std::map<std::string, Imf::PixelType> expected = {
+        {"primitiveId", Imf::UINT}, {"instanceId", Imf::UINT}, {"sampleCount", Imf::FLOAT}};
     std::istringstream floats(
         "R G B albedo.R albedo.G albedo.B N.X N.Y N.Z P.X P.Y P.Z Z uv.U uv.V dpdu.X dpdu.Y dpdu.Z "
         "dpdv.X dpdv.Y dpdv.Z variance.R variance.G variance.B cost.boxTests cost.primitiveTests");
@@ -44,6 +44,7 @@ TEST_CASE("--aov writes what was asked for as channels of the EXR", "[app]") {
     const auto albedo = channel<float>(path, "albedo.G");
     const std::size_t middle = 12 * 32 + 16;
     CHECK(ids[middle] == 1);
+    CHECK(channel<unsigned>(path, "instanceId")[middle] == 4294967295U);
     CHECK(depths[middle] == Approx(std::sqrt(26) - 1).margin(0.02));
     const auto at = [&](const char* name) { return channel<float>(path, name)[middle]; };
     const double x = at("P.X"), y = at("P.Y"), z = at("P.Z");  // of the unit sphere

@@ -278,3 +278,57 @@ TEST_CASE("An interrupted render writes what there is", "[app]") {
     }
     CHECK(f.shell("ls").out == "ball.p3f\ncut.exr\n");  // nothing half-written stays
 }
+
+TEST_CASE("trace, info and crosscheck know instances", "[app]") {
+    const Folder f;
+    f.write("i.pbrt",
+            "LookAt 0 0 -9  0 0 0  0 1 0 Camera \"perspective\" WorldBegin\n"
+            "ObjectBegin \"o\" Shape \"disk\" \"float height\" [ 3 ] Shape \"sphere\" ObjectEnd\n"
+            "Shape \"sphere\"\n"
+            "TransformBegin Translate 3 0 0 ObjectInstance \"o\" TransformEnd\n"
+            "TransformBegin Translate -3 0 0 Scale 1 2 -.5 ObjectInstance \"o\" TransformEnd\n"
+            "WorldEnd\n");
+    f.write("rays.txt", "0 0 -9 0 0 1\n3 0 -9 0 0 1\n-3 0 -9 0 0 1\n-3 1.9 -9 0 0 1\n");
+    for (const char* backend : {"none", "grid", "bvh", "embree", "embree-user"}) {
+        const auto r = f.etalon(std::string("trace i.pbrt --rays rays.txt -b ") + backend);
+        REQUIRE(r.status == 0);
+        CHECK(r.out.find("hit 8 sphere 0 ") == 0);
+        CHECK(r.out.find("\nhit 8 sphere 0/1 0 0 -1\n") != std::string::npos);
+        CHECK(r.out.find("\nhit 7.5 ring 1/0 0 0 -1\n") != std::string::npos);
+    }
+    const json info = json::parse(f.etalon("info i.pbrt --json").out);
+    CHECK(info["primitives"] == json{{"sphere", 2}, {"ring", 1}});
+    CHECK(info["instances"] == 2);
+    CHECK(info["objects"] == 1);
+    const auto r = f.etalon("crosscheck i.pbrt --rays 500 -b grid,bvh,embree");
+    CHECK(r.status == 0);
+}
+
+TEST_CASE("An image of instances is that of their copies, but for roundings", "[app]") {
+    const Folder f;
+    const std::string head =
+        "LookAt 0 3 -9  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" [ 45 ] "
+        "Film \"image\" \"integer xresolution\" [ 48 ] \"integer yresolution\" [ 48 ] "
+        "Sampler \"random\" \"integer pixelsamples\" [ 4 ] Integrator \"path\" WorldBegin\n"
+        "LightSource \"infinite\" \"rgb L\" [ 1 .9 .8 ] Shape \"disk\" \"float radius\" [ 9 ]\n";
+    const std::string object =
+        "Material \"uber\" Shape \"cone\" Shape \"sphere\" \"float radius\" [ .8 ]\n"
+        "Shape \"trianglemesh\" \"integer indices\" [ 0 1 2 0 2 3 ] \"point P\" "
+        "[ -1 -1 0  1 -1 0  1 1 .5  -1 1 0 ]\n";
+    std::string instances = head + "ObjectBegin \"o\" " + object + "ObjectEnd\n", copies = head;
+    for (const char* map : {"Translate 2 0 0", "Translate -2 0 1 Rotate 40 0 1 0 Scale 1 2 .25",
+                            "Translate 0 1 3 Scale -2 1 1"}) {
+        const std::string begin = std::string("AttributeBegin ") + map + " ";
+        instances += begin + "ObjectInstance \"o\" AttributeEnd\n";
+        copies += begin + object + "AttributeEnd\n";
+    }
+    f.write("instances.pbrt", instances + "WorldEnd\n");
+    f.write("copies.pbrt", copies + "WorldEnd\n");
+    REQUIRE(f.etalon("render instances.pbrt -q").status == 0);
+    REQUIRE(f.etalon("render copies.pbrt -q").status == 0);
+    const auto r =
+        f.etalon("compare instances.exr copies.exr --json c.json --fail-above relmse=1e-6");
+    CHECK(r.status == 0);
+    const json same = json::parse(f.read("c.json"));
+    for (const char* channel : {"mean_a", "mean_b"}) CHECK(same[channel][0] > .01);
+}

@@ -11,12 +11,12 @@ using etalon::test::small_scene;
 
 namespace {
 
-OracleAnswer hit_at(double t, std::vector<std::uint32_t> tied) {
+OracleAnswer hit_at(double t, std::vector<HitKey> tied) {
     OracleAnswer truth;
     truth.kind = OracleAnswer::hit;
     truth.t = t;
     truth.exact_t = t;
-    truth.primitive = tied.front();
+    truth.primitive = static_cast<std::uint32_t>(tied.front());
     truth.tied = std::move(tied);
     return truth;
 }

@@ -93,7 +93,7 @@ TEST_CASE("Oracle: given equal distances, then all are named and the lowest numb
     const OracleAnswer answer = Oracle(scene.geometry).closest({{0, 0, 0}, {0, 0, 1}});
     REQUIRE(answer.kind == OracleAnswer::hit);
     REQUIRE(answer.primitive == 1);
-    REQUIRE(answer.tied == std::vector<std::uint32_t>{1, 2, 3});
+    REQUIRE(answer.tied == std::vector<HitKey>{1, 2, 3});
 }
 
 TEST_CASE("Oracle: given many shapes, then the nearest of all single answers is the scene's") {

@@ -1,0 +1,176 @@
+// Objects seen under maps that ask much of the way into the object's space.
+#include "bench/hard_cases/case_families.h"
+#include "bench/hard_cases/closed_meshes.h"
+#include "bench/hard_cases/random_scene.h"
+#include "bench/hard_cases/ray_targets.h"
+#include "core/numerics/transforms.h"
+#include "core/scene/transformed.h"
+
+namespace etalon::hard {
+namespace {
+
+/// Shapes of all kinds that are bounded, in the cube [-1, 1]^3.
+Geometry shapes(std::uint64_t seed) {
+    return random_scene(
+               {.count = 24,
+                .seed = seed,
+                .kinds = {kind_of<Sphere>(), kind_of<Triangle>(), kind_of<Polygon>(),
+                          kind_of<Box>(), kind_of<Cone>(), kind_of<Ring>(), kind_of<Quadric>(),
+                          kind_of<Ellipsoid>(), kind_of<ClosedCylinder>()},
+                .one_sided = true})
+        .geometry;
+}
+
+/// A map that stretches by 1, by the root of `condition` and by `condition`, at random angles.
+Affine stretch(double condition, Random& random) {
+    const Affine first = rotation(random.uniform(0, 360), random.direction());
+    const Affine second = rotation(random.uniform(0, 360), random.direction());
+    const double root = std::sqrt(condition);
+    return second * scaling({1 / root, 1, root}) * first;
+}
+
+/// Twenty instances of two objects, and a few primitives of the scene itself among them.
+template <class Map>
+Scene instances_of_shapes(const Map& map) {
+    Scene scene = random_scene({.count = 12, .seed = 5});
+    scene.geometry.objects = {shapes(3), shapes(4)};
+    Random random(19, 0);
+    for (std::uint32_t i = 0; i < 20; ++i) {
+        scene.geometry.instances.emplace_back(map(random), i % 2);
+    }
+    return scene;
+}
+
+Affine placed_at(const Vec3& place, Affine map) {
+    map.origin = place;
+    return map;
+}
+
+CaseSetup of_condition(double condition) {
+    return aimed_at_scene(instances_of_shapes([=](Random& random) {
+        return placed_at(2.0 * random.in_cube(), stretch(condition, random));
+    }));
+}
+
+CaseSetup mirrored() {
+    return aimed_at_scene(instances_of_shapes([](Random& random) {
+        return placed_at(2.0 * random.in_cube(), stretch(4, random) * scaling({1, -1, 1}));
+    }));
+}
+
+/// Objects whose shapes are far from the object's origin, in a scene far from the world's.
+CaseSetup far_away(double distance) {
+    const Vec3 far = distance * tilted(0.3, -0.5, 0.8);
+    Scene scene;
+    const Scene object = random_scene({.count = 24, .seed = 3, .kinds = {kind_of<Sphere>()}});
+    scene.geometry.objects = {transformed(object, 1, far).geometry};
+    Random random(23, 0);
+    for (int i = 0; i < 20; ++i) {
+        const Affine map = stretch(2, random);
+        const Vec3 place = -far + 2.0 * random.in_cube();
+        scene.geometry.instances.emplace_back(placed_at(place - map.vector(far), map), 0);
+    }
+    return aimed_at_scene(std::move(scene));
+}
+
+/// Maps that leave no volume, or hardly any, among others.
+CaseSetup singular() {
+    int number = 0;
+    return aimed_at_scene(instances_of_shapes([&](Random& random) {
+        const double flat[] = {0, 1e-300, 1e-14, 1};
+        return placed_at(2.0 * random.in_cube(), stretch(2, random)) *
+               scaling({1, flat[number++ % 4], 1});
+    }));
+}
+
+/// The same object again and again, moved by 1e-17 to 1e-6 of its size.
+CaseSetup nearly_the_same() {
+    Scene scene;
+    scene.geometry.objects = {shapes(3)};
+    Random random(29, 0);
+    const Affine map = stretch(3, random);
+    for (int i = 0; i < 20; ++i) {
+        const Vec3 place = usual_place() + random.magnitude(-17, -6) * random.direction();
+        scene.geometry.instances.emplace_back(placed_at(place, map), 0);
+    }
+    return aimed_at_scene(std::move(scene));
+}
+
+/// The same instance many times over: the first one is hit.
+CaseSetup copies() {
+    Scene scene;
+    scene.geometry.objects = {shapes(3)};
+    Random random(31, 0);
+    const Affine map = placed_at(usual_place(), stretch(3, random));
+    for (int i = 0; i < 100; ++i) scene.geometry.instances.emplace_back(map, 0);
+    return aimed_at_scene(std::move(scene));
+}
+
+/// Objects with planes, which no box holds.
+CaseSetup unbounded() {
+    Scene scene;
+    scene.geometry.objects = {
+        random_scene({.count = 12, .seed = 6, .kinds = {kind_of<Plane>(), kind_of<Sphere>()}})
+            .geometry};
+    Random random(37, 0);
+    for (int i = 0; i < 8; ++i) {
+        const Vec3 place = 2.0 * random.in_cube();
+        scene.geometry.instances.emplace_back(placed_at(place, stretch(5, random)), 0);
+    }
+    return aimed_at_scene(std::move(scene));
+}
+
+/// Sizes from 1e-4 to 1e4 in one scene.
+CaseSetup nested_sizes() {
+    return aimed_at_scene(instances_of_shapes([](Random& random) {
+        const double size = random.magnitude(-4, 4);
+        return placed_at(random.magnitude(-2, 4) * random.direction(),
+                         stretch(2, random) * scaling({size, size, size}));
+    }));
+}
+
+/// A closed mesh under a map of some condition, from inside, with all rays at its corners.
+CaseSetup inside_mesh(double condition) {
+    CaseSetup setup;
+    setup.scene.geometry.objects = {uv_sphere(Vec3(0), Vec3(1), Faces::triangles).geometry};
+    Random random(41, 0);
+    const Affine map = placed_at(usual_place(), stretch(condition, random));
+    setup.scene.geometry.instances.emplace_back(map, 0);
+    const std::vector<Vec3> corners = setup.scene.geometry.objects[0].vertices;
+    setup.ray = [=](Random& random) {
+        const Vec3 from = map.point(0.5 * in_ball(random));
+        return towards(from, map.point(corners[random.index(corners.size())]));
+    };
+    return setup;
+}
+
+}  // namespace
+
+std::vector<HardCase> instance_cases() {
+    Rows rows("scene");
+    for (const int exponent : {0, 2, 4, 6}) {
+        rows.add("INST-1", "condition " + power_of_ten(exponent),
+                 [=] { return of_condition(std::pow(10, exponent)); });
+    }
+    rows.add("INST-1", "mirrored", mirrored);
+    rows.add("INST-2", "1e3 sizes away", [] { return far_away(1e3); });
+    rows.add("INST-2", "1e7 sizes away", [] { return far_away(1e7); });
+    rows.add("INST-2", "sizes from 1e-4 to 1e4", nested_sizes);
+    rows.add("INST-3", "singular", singular);
+    rows.add("INST-3", "unbounded", unbounded);
+    rows.add("INST-4", "nearly the same place", nearly_the_same);
+    rows.add("INST-4", "copies", copies);
+    for (const int exponent : {1, 4}) {
+        rows.add(
+            "INST-5", "closed mesh, condition " + power_of_ten(exponent),
+            [=] { return inside_mesh(std::pow(10, exponent)); }, Criterion::enclosed);
+        rows.add(
+            "INST-6", "leaving, condition " + power_of_ten(exponent),
+            [=] { return of_condition(std::pow(10, exponent)); }, Criterion::spawned);
+    }
+    rows.add(
+        "INST-6", "leaving, 1e7 sizes away", [] { return far_away(1e7); }, Criterion::spawned);
+    return rows.take();
+}
+
+}  // namespace etalon::hard

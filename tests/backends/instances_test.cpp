@@ -1,0 +1,134 @@
+// Instances: every exact backend finds what the kernels find for rays taken into the objects.
+#include "bench/hard_cases/hard_case.h"
+#include "core/intersect/placement.h"
+#include "core/scene/transformed.h"
+#include "tests/backends/tracers.h"
+#include "tests/catch.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+/// Every primitive, and every one of every instance, by the rule for ties.
+Hit all_tested(const Geometry& geometry, const Ray& ray) {
+    Hit best{ray.tmax, no_index};
+    const auto offer = [&](std::uint32_t primitive, std::uint32_t instance) {
+        const double t = first_hit(geometry, key_of(primitive, instance), ray);
+        const bool is_first = best.primitive == no_index && t <= ray.tmax && t < infinity;
+        if (is_first || t < best.t) best = {t, primitive, instance};
+    };
+    for (std::uint32_t p = 0; p < geometry.primitives.size(); ++p) offer(p, no_index);
+    for (std::uint32_t i = 0; i < geometry.instances.size(); ++i) {
+        if (!geometry.instances[i].exists()) continue;
+        for (std::uint32_t p = 0; p < geometry.holder(i).primitives.size(); ++p) offer(p, i);
+    }
+    return best;
+}
+
+bool same(const Hit& a, const Hit& b) {
+    if (a.primitive == no_index || b.primitive == no_index) return a.primitive == b.primitive;
+    return a.t == b.t && a.primitive == b.primitive && a.instance == b.instance;
+}
+
+std::vector<Ray> rays_of(const hard::CaseSetup& setup, std::uint64_t count) {
+    std::vector<Ray> rays;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        Random random(9, i);
+        rays.push_back(setup.ray(random));
+    }
+    return rays;
+}
+
+/// Counts rays of which any question to the backend gets another answer than `expected`.
+std::size_t count_wrong(const Backend& backend, const Geometry& geometry,
+                        const std::vector<Ray>& rays, const std::vector<Hit>& expected) {
+    const auto intersector = backend.build(geometry);
+    std::vector<Hit> hits(rays.size());
+    std::vector<std::uint8_t> blocked(rays.size());
+    intersector->closest(rays, hits);
+    intersector->occluded(rays, blocked);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const bool is_hit = expected[i].primitive != no_index;
+        const Hit alone = intersector->closest(rays[i]).value_or(Hit{0, no_index});
+        TraversalCost cost;
+        const Hit counted = intersector->closest(rays[i], cost).value_or(Hit{0, no_index});
+        wrong += !same(hits[i], expected[i]) || !same(alone, expected[i]) ||
+                 !same(counted, expected[i]) || (blocked[i] != 0) != is_hit ||
+                 intersector->occluded(rays[i]) != is_hit;
+    }
+    return wrong;
+}
+
+template <class Visit>
+void for_each_case(const Visit& visit) {
+    for (const hard::HardCase& c : hard::hard_cases()) {
+        if (!c.id.starts_with("INST") || c.criterion == hard::Criterion::enclosed) continue;
+        INFO(c.id << ", " << c.variant);
+        visit(c.make());
+    }
+}
+
+}  // namespace
+
+TEST_CASE("Given instances, exact backends find what the kernels find", "[instances]") {
+    for_each_case([](const hard::CaseSetup& setup) {
+        const Geometry& geometry = setup.scene.geometry;
+        const std::vector<Ray> rays = rays_of(setup, 400);
+        std::vector<Hit> expected;
+        for (const Ray& ray : rays) expected.push_back(all_tested(geometry, ray));
+        for (const Backend& backend : exact_backends()) {
+            INFO("backend " << backend.name);
+            CHECK(count_wrong(backend, geometry, rays, expected) == 0);
+        }
+    });
+}
+
+TEST_CASE("Given instances in a scene scaled by a power of two, hits are the same", "[instances]") {
+    for_each_case([](const hard::CaseSetup& setup) {
+        const double k = 0x1p-9;
+        const Scene small = transformed(setup.scene, k);
+        for (const Backend& backend : exact_backends()) {
+            if (backend.name == "none") continue;
+            const auto large = backend.build(setup.scene.geometry);
+            const auto scaled = backend.build(small.geometry);
+            for (Ray ray : rays_of(setup, 200)) {
+                const Hit a = large->closest(ray).value_or(Hit{0, no_index});
+                ray.origin *= k, ray.direction *= k;
+                CHECK(same(scaled->closest(ray).value_or(Hit{0, no_index}), a));
+            }
+        }
+    });
+}
+
+TEST_CASE("Given a primitive and instances at the same distance, the primitive wins",
+          "[instances]") {
+    Geometry geometry;
+    geometry.objects.resize(2);
+    for (Geometry& object : geometry.objects) {
+        object.add(Sphere{{0, 0, 5}, 1}, 0);
+        object.add(Sphere{{0, 0, 0}, 1}, 0);
+        object.add(Sphere{{0, 0, 0}, 1}, 0);
+    }
+    for (const std::uint32_t object : {1, 0, 1}) geometry.instances.emplace_back(Affine{}, object);
+    const Ray ray{{0, 0, -3}, {0, 0, 1}};
+    for (const Backend& backend : exact_backends()) {
+        INFO("backend " << backend.name);
+        const auto only_instances = backend.build(geometry);
+        CHECK(same(only_instances->closest(ray).value(), {2, 1, 0}));
+        Geometry with_primitive = geometry;
+        with_primitive.add(Sphere{{0, 0, 0}, 1}, 0);
+        CHECK(same(backend.build(with_primitive)->closest(ray).value(), {2, 0}));
+    }
+}
+
+TEST_CASE("Given instances of empty objects, nothing is hit", "[instances]") {
+    Geometry geometry;
+    geometry.objects.resize(1);
+    geometry.instances.assign(3, Instance(Affine{}, 0));
+    for (const Backend& backend : exact_backends()) {
+        INFO("backend " << backend.name);
+        CHECK_FALSE(backend.build(geometry)->closest(Ray{{0, 0, -3}, {0, 0, 1}}));
+    }
+}

@@ -1,0 +1,155 @@
+// The way of rays and points between the world and the object of an instance.
+#include "core/intersect/instance_bounds.h"
+#include "core/intersect/kernels.h"
+#include "core/intersect/placement.h"
+#include "core/numerics/transforms.h"
+#include "core/oracle/oracle.h"
+#include "tests/catch.h"
+#include "tests/intersect/rays_at_shapes.h"
+
+using namespace etalon;
+
+namespace {
+
+Affine random_map(Random& random, double condition) {
+    const double root = std::sqrt(condition);
+    Affine map = rotation(random.uniform(0, 360), random.direction()) *
+                 scaling({1 / root, -1, root}) *
+                 rotation(random.uniform(0, 360), random.direction());
+    map.origin = 3.0 * random.in_cube();
+    return map;
+}
+
+/// A unit sphere under a map.
+Geometry sphere_under(const Affine& map) {
+    Geometry geometry;
+    geometry.objects.resize(1);
+    geometry.objects[0].add(Sphere{{0, 0, 0}, 1}, 7);
+    geometry.instances.emplace_back(map, 0);
+    return geometry;
+}
+
+}  // namespace
+
+TEST_CASE("Instance: given a map, then points and directions are taken back by its inverse") {
+    Random random(1);
+    for (int i = 0; i < 1000; ++i) {
+        const double condition = random.magnitude(0, 4);
+        const Affine map = random_map(random, condition);
+        const Instance instance(map, 0);
+        const Vec3 local = random.in_cube(), direction = random.direction();
+        const Ray ray = to_object(instance, Ray{map.point(local), map.vector(direction), 1, 2});
+        const double tolerance = 64 * condition * unit_roundoff;
+        CAPTURE(i, condition);
+        REQUIRE(max_abs(ray.origin - local) < tolerance);
+        REQUIRE(max_abs(ray.direction - direction) < tolerance);
+        REQUIRE((ray.tmin == 1 && ray.tmax == 2 && ray.exclude == no_index));
+    }
+}
+
+TEST_CASE("Instance: given an object far from the world's origin, then nothing cancels") {
+    const Vec3 far(1e9, -3e9, 2e9);
+    Affine map = rotation(30, {1, 2, 3});
+    map.origin = far;
+    const Instance instance(map, 0);
+    const Vec3 local(0.25, -0.5, 0.125), world = far + map.vector(local);
+    const Vec3 exact = world - far;  // what the world's point, rounded, is from there
+    const Affine back = rotation(-30, {1, 2, 3});
+    CHECK(max_abs(to_object(instance, world) - back.vector(exact)) < 1e-15);
+}
+
+TEST_CASE("Instance: given a scale by a power of two, then hits have the same bits") {
+    Random random(2);
+    for (int i = 0; i < 200; ++i) {
+        const Affine map = random_map(random, 100);
+        const Ray ray{5.0 * random.in_cube(), random.direction()};
+        const double k = 0x1p-13;
+        const Affine smaller{k * map.x, k * map.y, k * map.z, k * map.origin};
+        const Ray nearer{k * ray.origin, k * ray.direction};
+        const Ray a = to_object(Instance(map, 0), ray);
+        const Ray b = to_object(Instance(smaller, 0), nearer);
+        REQUIRE((a.origin == b.origin && a.direction == b.direction));
+    }
+}
+
+TEST_CASE("Instance: given a map that is singular or not finite, then nothing is hit") {
+    for (const Affine& map : {scaling({1, 0, 1}), scaling({1, nan_value, 1}), scaling({0, 0, 0}),
+                              translation({infinity, 0, 0})}) {
+        CHECK_FALSE(Instance(map, 0).exists());
+        const Geometry geometry = sphere_under(map);
+        CHECK(instance_bounds(geometry, {}).front().isEmpty());
+    }
+    CHECK(Instance(scaling({1e-100, 1e-100, 1e-100}), 0).exists());
+    CHECK(Instance(scaling({1e100, 1, 1e-100}), 0).exists());
+}
+
+TEST_CASE("Instance: given a hit, then its point is on the image, with the image's normal") {
+    Random random(3);
+    int hits = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const Affine map = random_map(random, random.magnitude(0, 4));
+        const Geometry geometry = sphere_under(map);
+        const Vec3 from = map.point(4.0 * random.direction());
+        const Ray ray{from, map.point(random.in_cube()) - from};
+        const OracleAnswer answer = Oracle(geometry).closest(ray);
+        if (answer.kind != OracleAnswer::hit) continue;
+        ++hits;
+        REQUIRE((answer.instance == 0 && answer.primitive == 0));
+        const SurfacePoint p = surface_at(geometry, ray, {answer.t, 0, 0});
+        const Vec3 local = to_object(geometry.instances[0], p.position);
+        CAPTURE(i);
+        REQUIRE(std::abs(local.length() - 1) < 1e-11);
+        REQUIRE((p.material == 7 && p.instance == 0));
+        const Vec3 tangent = map.vector(local.cross(random.direction()));
+        REQUIRE(std::abs(p.normal.dot(normalized(tangent))) < 1e-10);
+        REQUIRE(p.normal.dot(p.position - map.origin) > 0);  // outward, though the map mirrors
+        const Parametrization at = parametrization_at(geometry, p);
+        REQUIRE(std::abs(p.normal.dot(normalized(at.dpdu))) < 1e-10);
+    }
+    CHECK(hits > 300);
+}
+
+TEST_CASE("Instance: given a ray that leaves one outward, then it does not meet it again") {
+    Random random(4);
+    int leaving = 0, again = 0;
+    for (int i = 0; i < 20000; ++i) {
+        Affine map = random_map(random, random.magnitude(0, 4));
+        map.origin = random.magnitude(0, 7) * random.direction();
+        const Geometry geometry = sphere_under(map);
+        const Instance& instance = geometry.instances[0];
+        const Vec3 from = map.point(2.0 * random.direction());
+        const Ray ray{from, map.point(random.in_cube()) - from};
+        const double t = first_hit(geometry, key_of(0, 0), ray);
+        if (!(t < infinity)) continue;
+        const SurfacePoint p = surface_at(geometry, ray, {t, 0, 0});
+        Vec3 direction = random.direction();
+        if (p.normal.dot(direction) < 0) direction = -direction;
+        const Vec3 local = to_object(instance, spawn_origin(p, direction));
+        // Beyond the surface as the kernel sees it: then a ray outward does not meet it.
+        again += !(local.dot(local) > 1);
+        again += first_hit(geometry, key_of(0, 0), spawn_ray(p, direction)) < infinity;
+        ++leaving;
+    }
+    CHECK(leaving > 10000);
+    CHECK(again == 0);
+}
+
+TEST_CASE("Instance: given any map, then its box holds what it shows, and is tight") {
+    Random random(5);
+    for (int i = 0; i < 300; ++i) {
+        const Affine map = random_map(random, random.magnitude(0, 3));
+        const Geometry geometry = sphere_under(map);
+        const Box3 box = instance_bounds(geometry, {}).front();
+        for (int k = 0; k < 100; ++k) {
+            REQUIRE(box.intersects(map.point(random.direction())));
+        }
+        const Vec3 reach = abs(map.x) + abs(map.y) + abs(map.z);
+        REQUIRE(max_abs((box.size() / 2 - reach) / reach) < 1e-2);
+    }
+}
+
+TEST_CASE("Instance: given an object without a bound, then neither has its instance one") {
+    Geometry geometry = sphere_under({});
+    geometry.objects[0].add(Plane{{0, 0, 0}, {0, 0, 1}}, 0);
+    CHECK(instance_bounds(geometry, {}).front().max.x == infinity);
+}
