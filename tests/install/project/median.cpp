@@ -35,12 +35,13 @@ Box3f box_around(std::span<const BoundedPrimitive> primitives) {
 }  // namespace
 
 Median::Median(const Geometry& geometry) : Intersector(geometry) {
+    build_objects<Median>();
     std::vector<BoundedPrimitive> bounded = take_bounded();
     if (!bounded.empty()) build(bounded, 0);
     for (const BoundedPrimitive& primitive : bounded) primitives_.push_back(primitive.id);
 }
 
-std::size_t Median::memory_bytes() const {
+std::size_t Median::own_bytes() const {
     return nodes_.size() * sizeof(Node) + primitives_.size() * sizeof(std::uint32_t);
 }
 
@@ -81,8 +82,12 @@ void Median::closest_bounded(const RayQuery& query, const NormalizedRay& local,
                              NearestHit& nearest) const {
     traverse(
         query, local, [&] { return nearest.t; },
-        [&](std::uint32_t primitive) {
-            nearest.offer(primitive_first_hit(geometry(), primitive, query), primitive);
+        [&](std::uint32_t item) {
+            if (geometry().is_instance(item)) {
+                offer_instance(item, query, nearest);
+            } else {
+                nearest.offer(primitive_first_hit(geometry(), item, query), item);
+            }
             return false;
         });
 }
@@ -90,8 +95,9 @@ void Median::closest_bounded(const RayQuery& query, const NormalizedRay& local,
 bool Median::occluded_bounded(const RayQuery& query, const NormalizedRay& local) const {
     return traverse(
         query, local, [&] { return query.ray.tmax; },
-        [&](std::uint32_t primitive) {
-            return primitive_first_hit(geometry(), primitive, query) <= query.ray.tmax;
+        [&](std::uint32_t item) {
+            if (geometry().is_instance(item)) return instance_occludes(item, query);
+            return primitive_first_hit(geometry(), item, query) <= query.ray.tmax;
         });
 }
 

@@ -8,9 +8,9 @@ namespace laboratory {
 class Median final : public etalon::Intersector {
   public:
     explicit Median(const etalon::Geometry& geometry);
-    std::size_t memory_bytes() const override;
 
   protected:
+    std::size_t own_bytes() const override;
     void closest_bounded(const etalon::RayQuery& query, const etalon::NormalizedRay& local,
                          etalon::NearestHit& nearest) const override;
     bool occluded_bounded(const etalon::RayQuery& query,
@@ -32,7 +32,7 @@ class Median final : public etalon::Intersector {
                   const Tmax& tmax, const Offer& offer) const;
 
     std::vector<Node> nodes_;
-    std::vector<std::uint32_t> primitives_;
+    std::vector<std::uint32_t> primitives_;  ///< and instances
 };
 
 }  // namespace laboratory
