@@ -91,7 +91,7 @@ Box3 padded(const Instance& instance, const Box3& box, const Vec3& centre, doubl
 }  // namespace
 
 std::vector<Box3> instance_bounds(const Geometry& geometry, const Box3& others) {
-    const std::vector<Instance>& instances = geometry.instances;
+    const auto& instances = geometry.instances;
     std::vector<Box3> boxes(instances.size());
     if (instances.empty()) return boxes;
     const std::vector<Outline> outlines = outlines_of(geometry.objects);

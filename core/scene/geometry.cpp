@@ -86,7 +86,7 @@ void append(Geometry& geometry, const Geometry& other) {
     append(geometry.decimal_vertices, other.decimal_vertices);
     append(geometry.normals, other.normals);
     const auto objects = static_cast<std::uint32_t>(geometry.objects.size());
-    append(geometry.objects, other.objects);
+    geometry.objects.insert(geometry.objects.end(), other.objects.begin(), other.objects.end());
     for (Instance instance : other.instances) {
         instance.object += objects;
         geometry.instances.push_back(instance);
@@ -106,7 +106,7 @@ void shrink_to_fit(Geometry& g) {
 std::size_t memory_bytes(const Geometry& g) {
     const std::size_t shapes =
         std::apply([](const auto&... v) { return (memory_bytes(v) + ...); }, g.shapes);
-    std::size_t objects = memory_bytes(g.objects);
+    std::size_t objects = g.objects.capacity() * sizeof(Geometry);
     for (const Geometry& object : g.objects) objects += memory_bytes(object);
     return shapes + g.primitives.memory_bytes() + memory_bytes(g.vertices) +
            memory_bytes(g.normals) + memory_bytes(g.decimal_vertices) + memory_bytes(g.instances) +

@@ -33,7 +33,7 @@ struct Geometry {
     LargeVector<Vec3> vertices, normals;
     LargeVector<DecimalVertex> decimal_vertices;
     std::vector<Geometry> objects;    ///< seen only as instances; they have none themselves
-    std::vector<Instance> instances;  ///< of the objects
+    LargeVector<Instance> instances;  ///< of the objects
 
     std::uint32_t item_count() const {
         return static_cast<std::uint32_t>(primitives.size() + instances.size());
