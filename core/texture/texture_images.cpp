@@ -3,7 +3,7 @@
 #include <map>
 
 #include "core/image/io.h"
-#include "core/image/srgb.h"
+#include "core/color/srgb.h"
 #include "core/numerics/luminance.h"
 #include "core/parallel/parallel.h"
 

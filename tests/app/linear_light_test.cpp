@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "core/image/io.h"
-#include "core/image/srgb.h"
+#include "core/color/srgb.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 

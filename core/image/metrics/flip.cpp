@@ -3,7 +3,7 @@
 #include "core/image/metrics/flip_colors.h"
 #include "core/image/metrics/flip_parts.h"
 #include "core/image/metrics/fold.h"
-#include "core/image/srgb.h"
+#include "core/color/srgb.h"
 
 namespace etalon {
 namespace {

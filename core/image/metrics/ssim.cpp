@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "core/image/metrics/convolve.h"
-#include "core/image/srgb.h"
+#include "core/color/srgb.h"
 
 namespace etalon {
 namespace {
