@@ -1,5 +1,7 @@
 #include "core/convert/physical_scene.h"
 
+#include <algorithm>
+
 #include "core/convert/physical_lights.h"
 #include "core/convert/physical_material.h"
 
@@ -31,6 +33,7 @@ void make_physical(Scene& scene, RenderSettings& settings) {
     settings.integrator = "path";
     settings.display_colors = false;
     settings.whitted = {};
+    settings.max_depth = std::max(settings.max_depth, physical_depth);
     if (settings.samples_per_pixel == 0) settings.samples_per_pixel = physical_samples;
 }
 
