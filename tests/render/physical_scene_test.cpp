@@ -96,7 +96,7 @@ TEST_CASE("Every scene of features renders by path, to finite pixels that are no
         scene.settings.resolution = {32, 24};
         const std::vector<Color> pixels = image(scene);
         for (const Color& c : pixels) REQUIRE(is_finite(c));
-        CHECK(luminance(mean(pixels)) > 0.01);
+        CHECK(mean(pixels).y > 0.01);
         ++count;
     }
     CHECK(count >= 15);
