@@ -11,6 +11,9 @@ const Color black(0.0F), white(1.0F);
 /// Index of the dielectric whose gloss stands for a highlight.
 constexpr float gloss_index = 1.5F;
 
+/// Mean of what such a dielectric reflects of light from all around.
+constexpr float gloss_albedo = 0.09F;
+
 /// What is left of a material: the weights of its parts, as light.
 struct Weights {
     Color diffuse, specular, reflection, transmission;
@@ -21,14 +24,16 @@ Color larger(const Color& a, const Color& b) {
 }
 
 /// Reduces weights until no more light leaves than comes. Light that is mirrored is not
-/// transmitted. The highlight, the image of lamps, is part of what is mirrored.
+/// transmitted.
 Weights conserving(Weights w) {
     for (int k = 0; k < 3; ++k) {
-        const float sum = w.diffuse[k] + std::max(w.reflection[k], w.transmission[k]);
+        const float sum = w.diffuse[k] + gloss_albedo * w.specular[k] +
+                          std::max(w.reflection[k], w.transmission[k]);
         if (!(sum > 1)) continue;
-        for (Color* part : {&w.diffuse, &w.reflection, &w.transmission}) (*part)[k] /= sum;
+        for (Color* part : {&w.diffuse, &w.specular, &w.reflection, &w.transmission}) {
+            (*part)[k] /= sum;
+        }
     }
-    for (int k = 0; k < 3; ++k) w.specular[k] = std::min(w.specular[k], 1.0F);
     return w;
 }
 
