@@ -30,8 +30,8 @@ class LightMaker {
         const Vec3 way = camera_.at - centre;
         const double cosine = std::abs(normal.dot(way)) / (area * way.length());
         const double facing = cosine > smallest_part ? cosine : smallest_part;
-        add_quadrilateral(
-            l, light_(l.color) * intensity(centre) / static_cast<float>(area * facing));
+        add_quadrilateral(l,
+                          light_(l.color) * intensity(centre) / static_cast<float>(area * facing));
     }
 
   private:

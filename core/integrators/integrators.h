@@ -21,9 +21,9 @@ struct IntegratorType {
     /// The render settings that only some integrators obey, and this one does, as the command line
     /// spells them. Others are refused with it.
     std::span<const std::string_view> options;
-    /// Scene, one made ready by prepare_scene(), and intersector must outlive the integrator. `problems` gets
-    /// the reasons why parts of the scene are replaced: a skybox that cannot be read by the
-    /// background's colour.
+    /// Scene, one made ready by prepare_scene(), and intersector must outlive the integrator.
+    /// `problems` gets the reasons why parts of the scene are replaced: a skybox that cannot be
+    /// read by the background's colour.
     std::unique_ptr<Integrator> (*make)(const Scene& scene, const BatchIntersector& intersector,
                                         const RenderSettings& settings,
                                         std::vector<std::string>& problems);

@@ -10,10 +10,10 @@
 
 namespace etalon {
 
-/// Light from all around, from an image by latitude and longitude, a skybox or of one colour. Directions are
-/// sampled where the image is brighter than its mean (MIS compensation: Karlik et al. 2019); what
-/// is darker is left to the directions that surfaces choose. A light of one colour is left to them
-/// altogether.
+/// Light from all around, from an image by latitude and longitude, a skybox or of one colour.
+/// Directions are sampled where the image is brighter than its mean (MIS compensation: Karlik et
+/// al. 2019); what is darker is left to the directions that surfaces choose. A light of one colour
+/// is left to them altogether.
 class InfiniteLight {
   public:
     /// `problems` gets the reason where the image cannot be read; the light has no image then. A

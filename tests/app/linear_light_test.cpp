@@ -3,8 +3,8 @@
 
 #include <cstring>
 
-#include "core/image/io.h"
 #include "core/color/srgb.h"
+#include "core/image/io.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 

@@ -24,8 +24,8 @@ constexpr const char* scenes[] = {"killeroo/killeroo-simple",
 
 /// The pixels of the image of a scene.
 std::vector<float> rendered(const Folder& f, const std::string& scene, const std::string& options) {
-    const auto r = f.etalon("render '" + scene + "' --resolution 60x40 --spp 1 --quiet -o a.exr " +
-                            options);
+    const auto r =
+        f.etalon("render '" + scene + "' --resolution 60x40 --spp 1 --quiet -o a.exr " + options);
     INFO(r.err);
     REQUIRE(r.status == 0);
     const auto read = etalon::read_image(f.path("a.exr"));

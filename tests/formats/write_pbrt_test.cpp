@@ -211,8 +211,7 @@ TEST_CASE("materials become the nearest of PBRT's") {
     };
     CHECK(types("mat 1 1 1 0.5 1 1 1 0 10 0 1") == Strings{"\"matte\""});
     CHECK(types("mat 0 0 0 0 1 1 1 0 10 1 1.5") == Strings{"\"glass\""});
-    CHECK(types("mat 1 1 1 0.5 1 1 1 0.5 10 0 1") ==
-          Strings{"\"uber\"", "\"mirror\"", "\"mix\""});
+    CHECK(types("mat 1 1 1 0.5 1 1 1 0.5 10 0 1") == Strings{"\"uber\"", "\"mirror\"", "\"mix\""});
     CHECK(types("mat 1 1 1 0.5 1 1 1 -0.5 10 0 1") == Strings{"\"matte\""});
 }
 
@@ -222,7 +221,8 @@ TEST_CASE("a light is as bright at the point looked at as it was") {
     CHECK(light.type == "point");
     CHECK(number(light, "rgb I") == Approx(srgb_decoded(0.5) * M_PI * 4));
     const auto area = converted(load_statements("light quad 0 0 2 1 1 1 2 0 2 0 2 2 9"));
-    CHECK(number(find(area, "AreaLightSource"), "rgb L") == Approx(M_PI * 6 / 4 / (2 / std::sqrt(6.0))));
+    CHECK(number(find(area, "AreaLightSource"), "rgb L") ==
+          Approx(M_PI * 6 / 4 / (2 / std::sqrt(6.0))));
 }
 
 TEST_CASE("what PBRT cannot say is listed") {

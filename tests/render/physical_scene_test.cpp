@@ -51,7 +51,8 @@ double whitted_light(const TestScene& scene) {
 /// How far sRGB's curve of a product may be from the product of those of its factors, here.
 constexpr double decoding_error = 0.15;
 
-const std::string floor_of_half = "mat 1 0.5 0.25 0.8 1 1 1 0 10 0 1\np 4\n-9 -9 0\n9 -9 0\n9 9 0\n-9 9 0\n";
+const std::string floor_of_half =
+    "mat 1 0.5 0.25 0.8 1 1 1 0 10 0 1\np 4\n-9 -9 0\n9 -9 0\n9 9 0\n-9 9 0\n";
 
 }  // namespace
 
@@ -69,9 +70,8 @@ TEST_CASE("A diffuse surface that faces a light is as bright by path as by whitt
 TEST_CASE("Mirrors and glass show by path what they show by whitted", "[path]") {
     const std::string sky = "bclr 0.8 0.6 0.4\n";
     const std::string ball = "s 0 0 0 1\n";
-    for (const std::string& material :
-         {std::string("mat 0 0 0 0 1 0.5 1 0.7 10 0 1\n"),
-          std::string("mat 0 0 0 0 1 1 1 0 10 1 1.5\n")}) {
+    for (const std::string& material : {std::string("mat 0 0 0 0 1 0.5 1 0.7 10 0 1\n"),
+                                        std::string("mat 0 0 0 0 1 1 1 0 10 1 1.5\n")}) {
         CAPTURE(material);
         // Absorption is lost: an `f` has none.
         const std::string statement = material.substr(3);
