@@ -2,6 +2,7 @@
 # in $prefix Etalon, installed and then moved.
 set -euo pipefail
 
+tests=$(cd "$(dirname "$0")" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 prefix="$scratch/moved here"
@@ -16,3 +17,9 @@ cmake --install "$2" --prefix "$scratch/prefix" >"$scratch/log" || fail "$(cat "
 mv "$scratch/prefix" "$prefix"
 mkdir "$scratch/elsewhere"
 cd "$scratch/elsewhere"
+export PATH="$prefix/bin:$PATH"
+
+# Names of the commands in the help of a program.
+commands_of() {
+    "$1" --help | awk '/^Commands:/ { on = 1; next } /^$/ { on = 0 } on && /^  [a-z]/ { print $1 }'
+}
