@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# installed_completion.sh SOURCE BINARY SHELL: whether a shell, bash, fish or zsh, completes the
+# installed_completion.sh SOURCE BINARY|PREFIX SHELL: whether a shell, bash, fish or zsh, completes the
 # command lines of the installed programs. Status 77 where the shell is not installed.
 shell=$3
 command -v "$shell" >/dev/null || exit 77
@@ -18,9 +18,7 @@ bash_candidates() {
 }
 
 fish_candidates() {
-    HOME=$scratch fish -N -c "
-        source '$prefix/share/fish/vendor_completions.d/${1%% *}.fish'
-        complete -C '$1'" | cut -f 1
+    HOME=$scratch XDG_DATA_DIRS=$prefix/share fish -c "complete -C '$1'" | cut -f 1
 }
 
 zsh_candidates() {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# installed_programs.sh SOURCE BINARY: whether the installed programs work wherever they are moved,
+# installed_programs.sh SOURCE BINARY|PREFIX: whether the installed programs work wherever they are moved,
 # and have a manual page for each command with each of its options.
 source "$(dirname "$0")/installed.sh"
 
