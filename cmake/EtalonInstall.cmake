@@ -63,6 +63,12 @@ function(etalon_install_package)
     DESTINATION ${ETALON_INSTALL_CMAKEDIR} COMPONENT development)
   install(EXPORT EtalonTargets NAMESPACE etalon::
     DESTINATION ${ETALON_INSTALL_CMAKEDIR} COMPONENT development)
+  # What etalon-bench report renders.
+  install(DIRECTORY scenes/features scenes/pbrt scenes/skybox
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/etalon/scenes COMPONENT programs
+    PATTERN "*.py" EXCLUDE)
+  install(FILES scenes/showcase.p3f
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/etalon/scenes COMPONENT programs)
   install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/etalon RENAME copyright
     COMPONENT programs)
 endfunction()

@@ -17,6 +17,11 @@ check_render() {
     [[ -s image.png ]] || fail "no image"
     etalon-scenes tetra --size 1 -o tetra.p3f
     etalon-bench speed --list >/dev/null
+    etalon render "$prefix/share/etalon/scenes/showcase.p3f" -q --strict --spp 0 --resolution 8x6 \
+        -o showcase.png
+    # The report renders the shipped scenes from there, among the first things.
+    timeout -s INT 3 etalon-bench report --quick -o report >/dev/null 2>log || true
+    if grep 'scenes/' log; then fail "the report does not find the scenes that come with it"; fi
 }
 
 # check_page NAME COMMAND...: the page NAME.1 against the help of the command.
