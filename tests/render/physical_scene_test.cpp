@@ -59,8 +59,8 @@ const std::string floor_of_half =
 TEST_CASE("A diffuse surface that faces a light is as bright by path as by whitted", "[path]") {
     for (const std::string light :
          {"l 0 0 3 1 1 1\n", "l 0 0 3 0.5 0.5 0.5\n", "l 0 0 40 0.7 0.8 0.9\n",
-          "light quad 1.95 -0.05 3 1 1 1 0.1 0 0 0 0.1 0 4\n",
-          "light quad 1.95 -0.05 3 1 1 1 0.1 0 0 0 0.1 0.1 4\n"}) {
+          "light quad 0.45 -0.05 3 1 1 1 0.55 -0.05 3 0.45 0.05 3 4\n",
+          "light quad 0.45 -0.05 3 1 1 1 0.55 -0.05 3 0.45 0.05 3.1 4\n"}) {
         CAPTURE(light);
         const TestScene scene = p3f_scene(light + floor_of_half);
         CHECK_THAT(mean(scene, "path").y, WithinRel(whitted_light(scene), decoding_error));
