@@ -43,8 +43,8 @@ struct DistantSource {
 struct InfiniteSource {
     Color radiance;
     std::string image{};
-    Affine to_light{};  ///< from the world's directions to the light's
-    int samples = 1;    ///< how many a vertex takes where every light is asked
+    Affine to_light{};                    ///< from the world's directions to the light's
+    int samples = 1;                      ///< how many a vertex takes where every light is asked
     std::optional<Environment> skybox{};  ///< what is seen instead of all the above
     bool decode_srgb = false;             ///< the skybox is of display values
 };
