@@ -31,8 +31,19 @@ function(etalon_install_program target)
       COMMAND_ERROR_IS_FATAL ANY)"
     COMPONENT programs)
   install(DIRECTORY ${folder}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT programs)
-  install(DIRECTORY ${folder}/completions
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion COMPONENT programs)
+  install(DIRECTORY ${folder}/completions/bash/
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT programs)
+  install(DIRECTORY ${folder}/completions/fish/
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT programs)
+  # Debian's zsh looks for the functions of packages elsewhere than for those of /usr/local.
+  install(CODE "
+    set(place site-functions)
+    if(CMAKE_INSTALL_PREFIX MATCHES \"/usr$\")
+      set(place vendor-completions)
+    endif()
+    file(INSTALL \"${folder}/completions/zsh/\"
+      DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/zsh/\${place}\")"
+    COMPONENT programs)
 endfunction()
 
 # etalon_install_package() installs the headers and the configuration for find_package(Etalon).
@@ -52,6 +63,12 @@ function(etalon_install_package)
     DESTINATION ${ETALON_INSTALL_CMAKEDIR} COMPONENT development)
   install(EXPORT EtalonTargets NAMESPACE etalon::
     DESTINATION ${ETALON_INSTALL_CMAKEDIR} COMPONENT development)
+  # What etalon-bench report renders.
+  install(DIRECTORY scenes/features scenes/pbrt scenes/skybox
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/etalon/scenes COMPONENT programs
+    PATTERN "*.py" EXCLUDE)
+  install(FILES scenes/showcase.p3f
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/etalon/scenes COMPONENT programs)
   install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/etalon RENAME copyright
     COMPONENT programs)
 endfunction()

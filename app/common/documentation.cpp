@@ -27,8 +27,12 @@ bool write_documentation(const CLI::App& program, const ValueChoices& choices,
                          const fs::path& folder) {
     const std::string& name = program.get_name();
     const fs::path pages = folder / "man1";
-    bool written = write(folder / "completions" / name, completion_script(program, choices)) &&
-                   write(pages / (name + ".1"), man_page(program, name));
+    const fs::path completions = folder / "completions";
+    bool written =
+        write(completions / "bash" / name, bash_completion(program, choices)) &&
+        write(completions / "fish" / (name + ".fish"), fish_completion(program, choices)) &&
+        write(completions / "zsh" / ("_" + name), zsh_completion(program, choices)) &&
+        write(pages / (name + ".1"), man_page(program, name));
     for (const CLI::App* command : program.get_subcommands({})) {
         const std::string& sub = command->get_name();
         written = written &&

@@ -20,4 +20,11 @@ inline void choose_integrator(std::string_view choice, RenderSettings& settings)
     if (choice != scene_integrator) settings.integrator = choice;
 }
 
+/// Makes a scene ready for one of the choices, if that can render it.
+inline void prepare_scene(std::string_view choice, Scene& scene, RenderSettings& settings) {
+    if (choice == scene_integrator) return;
+    const IntegratorType& type = *find_integrator(choice);
+    if (type.renders(scene)) type.prepare_scene(scene, settings);
+}
+
 }  // namespace etalon

@@ -48,7 +48,10 @@ std::string usage_of(const CLI::App& command, const std::string& name) {
     const auto positionals = command.get_options([](const auto* o) { return o->get_positional(); });
     if (!command.get_subcommands({}).empty()) text += " COMMAND";
     text += " [OPTIONS]";
-    for (const CLI::Option* option : positionals) text += " " + name_of(*option);
+    for (const CLI::Option* option : positionals) {
+        const std::string argument = name_of(*option);
+        text += option->get_required() ? " " + argument : " [" + argument + "]";
+    }
     return text;
 }
 

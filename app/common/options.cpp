@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -55,6 +56,20 @@ auto range_check(T least, T most) {
     const char* what = is_whole<T> ? "a whole number" : "a number";
     return number_check<T>(fmt::format("{} from {} to {}", what, least, most),
                            [=](T value) { return least <= value && value <= most; });
+}
+
+/// Name of the check that a narrower one replaces.
+constexpr const char* any_number = "any number";
+
+/// Takes all that T can hold but NaN.
+template <class T>
+CLI::Validator any_check() {
+    std::string expected = "a number";
+    if constexpr (is_whole<T>) {
+        using Limits = std::numeric_limits<T>;
+        expected = fmt::format("a whole number from {} to {}", Limits::min(), Limits::max());
+    }
+    return CLI::Validator(number_check<T>(expected, [](T x) { return x == x; }), "", any_number);
 }
 
 }  // namespace
@@ -122,12 +137,12 @@ Option& Option::within(double least, double most) {
 }
 
 Option& Option::positive() {
-    return explain("Above 0").check(
+    return explain("Above 0").narrow(
         number_check<double>("a number above 0", [](double x) { return x > 0; }));
 }
 
 Option& Option::not_negative() {
-    return explain("0 or above").check(number_check<double>("0 or a number above", [](double x) {
+    return explain("0 or above").narrow(number_check<double>("0 or a number above", [](double x) {
         return x >= 0;
     }));
 }
@@ -139,7 +154,12 @@ Option& Option::explain(const std::string& rule) {
 
 template <class T>
 Option& Option::within_range(T least, T most) {
-    return explain(fmt::format("{} to {}", least, most)).check(range_check(least, most));
+    return explain(fmt::format("{} to {}", least, most)).narrow(range_check(least, most));
+}
+
+Option& Option::narrow(std::function<std::string(const std::string&)> find_fault) {
+    option_->get_validator(any_number)->active(false);
+    return check(std::move(find_fault));
 }
 
 Option& Option::check(std::function<std::string(const std::string&)> find_fault) {
@@ -153,8 +173,7 @@ Option Options::add(const std::string& names, T& value, const std::string& help)
     CLI::Option* const option = app_.add_option(names, value, help);
     if constexpr (std::is_arithmetic_v<Value>) {
         option->type_name(is_whole<Value> ? "N" : "X");
-        const char* expected = is_whole<Value> ? "a whole number" : "a number";
-        option->check(number_check<Value>(expected, [](Value x) { return x == x; }));  // no NaN
+        option->check(any_check<Value>());
     } else {
         option->type_name("NAME");
     }

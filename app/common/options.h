@@ -51,6 +51,8 @@ class Option {
     Option& explain(const std::string& rule);
     template <class T>
     Option& within_range(T least, T most);
+    /// Checks a number by this alone.
+    Option& narrow(std::function<std::string(const std::string&)> find_fault);
 
     CLI::Option* option_;
     ValueChoices* choices_;

@@ -45,6 +45,7 @@ class Render {
         if (!loaded.scene) return loaded.status;
         scene_ = std::move(*loaded.scene);
         settings_ = std::move(loaded.settings);
+        prepare_scene(a_.integrator, scene_, settings_);
         stats_.parse = watch_.lap();
         const std::string error = apply_overrides(a_, scene_, settings_);
         if (!error.empty()) return complain(error), exit_usage;

@@ -106,7 +106,8 @@ int measure_convergence(ConvergenceArguments a) {
         const auto done = static_cast<double>(i);
         const RunProgress run{signals.raised(),
                               [&](double part) { progress.update((done + part) / count); }};
-        RenderSettings settings = named.settings;
+        bench::NamedScene scene = named;
+        RenderSettings& settings = scene.settings;
         choose_integrator(a.integrators[i], settings);
         if (!find_integrator(settings.integrator)->renders(*named.scene)) {
             return fail(exit_usage, fmt::format("--integrators: {} cannot render a {} scene; "
@@ -114,7 +115,8 @@ int measure_convergence(ConvergenceArguments a) {
                                                 settings.integrator, named.scene->format,
                                                 fmt::join(integrators_for(*named.scene), " or ")));
         }
-        Result<Measured> one = measure_integrator(a, named, settings, run);
+        prepare_scene(a.integrators[i], *scene.scene, settings);
+        Result<Measured> one = measure_integrator(a, scene, settings, run);
         if (!one) return fail(exit_unusable, one.error);
         all.reference = one.value.reference;
         std::ranges::move(one.value.curves, std::back_inserter(all.curves));

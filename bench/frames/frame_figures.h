@@ -10,6 +10,7 @@ struct FrameFigures {
     std::string scene, backend;
     int width = 0, height = 0, samples = 0;
     std::uint64_t rays = 0;
+    int repeats = 0;          ///< how many times the parts were measured
     double start = 0;         ///< the process until main
     double load = 0;          ///< reading the scene file, without its images
     double build = 0;         ///< the backend's structure

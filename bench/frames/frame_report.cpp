@@ -53,9 +53,9 @@ std::string table_of(std::span<const FrameFigures> frames, Detail detail) {
 nlohmann::ordered_json json_of(const FrameFigures& f) {
     nlohmann::ordered_json cpu;
     for (const Stage& stage : stages()) cpu[stage.key] = stage.seconds(f);
-    return {{"scene", f.scene},   {"backend", f.backend},    {"width", f.width},
-            {"height", f.height}, {"spp", f.samples},        {"rays", f.rays},
-            {"cpu_seconds", cpu}, {"overhead", f.overhead()}};
+    return {{"scene", f.scene},     {"backend", f.backend}, {"width", f.width},
+            {"height", f.height},   {"spp", f.samples},     {"rays", f.rays},
+            {"repeats", f.repeats}, {"cpu_seconds", cpu},   {"overhead", f.overhead()}};
 }
 
 }  // namespace etalon::frames

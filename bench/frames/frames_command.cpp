@@ -28,13 +28,14 @@ struct FramesArguments {
     table::Detail detail() const { return wide ? table::Detail::wide : table::Detail::narrow; }
 };
 
-int measure_frames(const FramesArguments& a) {
+int measure_frames(FramesArguments a) {
     const std::string error = a.json.empty() || a.json == "-" ? "" : check_writable(a.json);
     if (!error.empty()) {
         print_message("etalon-bench: error: {}\n", error);
         return exit_not_written;
     }
     const SignalGuard signals;
+    a.plan.stop = &signals.raised();
     std::vector<frames::FrameFigures> figures;
     Json json = provenance();
     json["repeats"] = a.plan.repeats;
@@ -46,13 +47,15 @@ int measure_frames(const FramesArguments& a) {
             print_message("etalon-bench: error: {}\n", frame.error);
             return exit_unusable;
         }
+        if (frame.value.repeats == 0) break;
         frame.value.scene = std::filesystem::path(scene).stem().string();
         json["frames"].push_back(json_of(frame.value));
         figures.push_back(std::move(frame.value));
     }
     write_table(a.json, table_of(figures, a.detail()));
     json["stopped"] = signals.signal() != 0 ? Json("signal") : Json();
-    if (signals.signal() != 0) write_table(a.json, "Stopped by a signal: not all frames.\n");
+    if (signals.signal() != 0)
+        write_table(a.json, "Stopped by a signal: not all frames and repeats.\n");
     if (!a.json.empty() && !write_json(a.json, json)) return exit_not_written;
     return signals.signal() != 0 ? exit_signal + signals.signal() : exit_done;
 }

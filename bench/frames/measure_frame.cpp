@@ -38,12 +38,14 @@ class Black : public Integrator {
 /// One frame, measured again and again.
 class Frame {
   public:
-    Frame(const Scene& scene, const RenderSettings& settings)
-        : scene_(scene), settings_(settings) {}
+    Frame(const Scene& scene, const RenderSettings& settings, const std::atomic<bool>* stop)
+        : scene_(scene), settings_(settings) {
+        control_.stop = stop;
+    }
 
     FrameFigures measure(int repeats) {
         const ThreadLimit one_thread(1);
-        std::vector<double> builds, renders, cameras, intersections, films, writes;
+        std::vector<Repeat> all;
         const std::unique_ptr<Intersector> intersector = built();
         Stopwatch cold;
         const std::unique_ptr<Integrator> integrator = made(*intersector);
@@ -51,32 +53,59 @@ class Frame {
         const double first_seconds = cold.lap().cpu;
         RecordedRays recorded(*intersector, 1 + first.counts.total() / recorded_rays);
         rendered(*made(recorded));
-        for (int i = 0; i < repeats; ++i) {
-            Stopwatch watch;
-            built();
-            builds.push_back(watch.lap().cpu);
-            rendered(*integrator);
-            renders.push_back(watch.lap().cpu);
-            intersections.push_back(recorded.replay());
-            films.push_back(add_samples(first.film));
-            watch.lap();
-            render(scene_.camera, Black(), settings_);
-            cameras.push_back(watch.lap().cpu - films.back());
-            writes.push_back(written(first.film));
+        while (std::ssize(all) < repeats && !is_stopped()) {
+            const Repeat repeat = measure_again(*integrator, recorded, first.film);
+            if (is_stopped()) break;
+            all.push_back(repeat);
         }
+        if (all.empty()) return {};
+        take_medians(all);
         figures_.start = seconds_before_main();
-        figures_.build = median(builds);
-        figures_.render = median(renders);
         figures_.images = std::max(0.0, first_seconds - figures_.render);
-        figures_.camera = median(cameras);
-        figures_.intersection = median(intersections);
-        figures_.film = median(films);
-        figures_.write = median(writes);
         describe(first);
         return figures_;
     }
 
   private:
+    /// CPU seconds of the parts that are measured again and again.
+    struct Repeat {
+        double build, render, intersection, film, camera, write;
+    };
+
+    Repeat measure_again(const Integrator& integrator, const RecordedRays& recorded,
+                         const Film& film) const {
+        Repeat r;
+        Stopwatch watch;
+        built();
+        r.build = watch.lap().cpu;
+        rendered(integrator);
+        r.render = watch.lap().cpu;
+        r.intersection = recorded.replay();
+        r.film = add_samples(film);
+        watch.lap();
+        rendered(Black());
+        r.camera = watch.lap().cpu - r.film;
+        r.write = written(film);
+        return r;
+    }
+
+    void take_medians(const std::vector<Repeat>& all) {
+        const auto median_of = [&](double Repeat::*part) {
+            std::vector<double> values;
+            for (const Repeat& repeat : all) values.push_back(repeat.*part);
+            return median(values);
+        };
+        figures_.repeats = static_cast<int>(all.size());
+        figures_.build = median_of(&Repeat::build);
+        figures_.render = median_of(&Repeat::render);
+        figures_.camera = median_of(&Repeat::camera);
+        figures_.intersection = median_of(&Repeat::intersection);
+        figures_.film = median_of(&Repeat::film);
+        figures_.write = median_of(&Repeat::write);
+    }
+
+    bool is_stopped() const { return control_.stop && *control_.stop; }
+
     std::unique_ptr<Intersector> built() const {
         return chosen_backend(settings_).build(scene_.geometry);
     }
@@ -88,7 +117,7 @@ class Frame {
     }
 
     Rendering rendered(const Integrator& integrator) const {
-        return render(scene_.camera, integrator, settings_);
+        return render(scene_.camera, integrator, settings_, control_);
     }
 
     /// Seconds that adding so many samples to a film takes.
@@ -131,14 +160,11 @@ class Frame {
 
     const Scene& scene_;
     const RenderSettings& settings_;
+    RunControl control_;
     FrameFigures figures_;
 };
 
 }  // namespace
-
-FrameFigures measure_frame(const Scene& scene, const RenderSettings& settings, int repeats) {
-    return Frame(scene, settings).measure(repeats);
-}
 
 Result<FrameFigures> measure_frame(const std::string& name, const Plan& plan) {
     Stopwatch watch;
@@ -149,7 +175,7 @@ Result<FrameFigures> measure_frame(const std::string& name, const Plan& plan) {
     bench::set_width(named.settings.resolution, plan.width);
     if (plan.samples > 0) named.settings.samples_per_pixel = plan.samples;
     if (!plan.backend.empty()) named.settings.backend = plan.backend;
-    FrameFigures figures = measure_frame(*named.scene, named.settings, plan.repeats);
+    FrameFigures figures = Frame(*named.scene, named.settings, plan.stop).measure(plan.repeats);
     figures.scene = name;
     figures.load = load;
     return {figures, {}};

@@ -19,9 +19,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const Machine& m) {
-    return {{"processor", m.processor},  {"cores", m.cores}, {"memory_bytes", m.memory_bytes},
-            {"system", m.system},        {"load", m.load},   {"version", m.version},
-            {"compiler", m.compiler},    {"flags", m.flags}, {"embree", m.embree},
+    return {{"processor", m.processor},
+            {"cores", m.cores},
+            {"memory_bytes", m.memory_bytes},
+            {"system", m.system},
+            {"load", m.load},
+            {"version", m.version},
+            {"commit", m.commit},
+            {"compiler", m.compiler},
+            {"flags", m.flags},
+            {"embree", m.embree},
             {"embree_isa", m.embree_isa}};
 }
 

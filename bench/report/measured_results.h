@@ -31,7 +31,7 @@ struct Measured {
 
 /// Machine and software on which the results were measured.
 struct Machine {
-    std::string processor, system, compiler, flags, version, embree, embree_isa;
+    std::string processor, system, compiler, flags, version, commit, embree, embree_isa;
     int cores = 0;
     double memory_bytes = 0;
     double load = 0;  ///< average of the last minute when the run began: what else there was to do

@@ -1,6 +1,6 @@
 #include "core/image/encode.h"
 
-#include "core/image/srgb.h"
+#include "core/color/srgb.h"
 
 namespace etalon {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/image/srgb.h"
+#include "core/color/srgb.h"
 #include "core/parallel/parallel.h"
 
 namespace etalon {

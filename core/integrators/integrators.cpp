@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/convert/physical_scene.h"
 #include "core/integrators/ao/ambient_occlusion.h"
 #include "core/integrators/path/path.h"
 #include "core/integrators/whitted/whitted.h"
@@ -30,6 +31,10 @@ constexpr IntegratorType integrators[] = {
 };
 
 }  // namespace
+
+void IntegratorType::prepare_scene(Scene& scene, RenderSettings& settings) const {
+    if (!takes_whitted) make_physical(scene, settings);
+}
 
 bool IntegratorType::obeys(std::string_view option) const {
     return std::ranges::find(options, option) != options.end();

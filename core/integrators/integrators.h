@@ -21,19 +21,23 @@ struct IntegratorType {
     /// The render settings that only some integrators obey, and this one does, as the command line
     /// spells them. Others are refused with it.
     std::span<const std::string_view> options;
-    /// Scene, one that it renders(), and intersector must outlive the integrator. `problems` gets
-    /// the reasons why parts of the scene are replaced: a skybox that cannot be read by the
-    /// background's colour.
+    /// Scene, one made ready by prepare_scene(), and intersector must outlive the integrator.
+    /// `problems` gets the reasons why parts of the scene are replaced: a skybox that cannot be
+    /// read by the background's colour.
     std::unique_ptr<Integrator> (*make)(const Scene& scene, const BatchIntersector& intersector,
                                         const RenderSettings& settings,
                                         std::vector<std::string>& problems);
 
-    bool renders_whitted, renders_physical;  ///< scenes of these looks
+    bool takes_whitted, takes_physical;  ///< looks that it renders as they are
 
     bool obeys(std::string_view option) const;
-    bool renders(const Scene& scene) const {
-        return scene.is_physical() ? renders_physical : renders_whitted;
-    }
+
+    /// Whether it can render the scene, as it is or with a physical look.
+    bool renders(const Scene& scene) const { return takes_physical || !scene.is_physical(); }
+
+    /// Gives the scene, one that it renders(), a physical look where the integrator needs one, and
+    /// settings to go with it: see make_physical().
+    void prepare_scene(Scene& scene, RenderSettings& settings) const;
 };
 
 /// Returns all integrators, in the order of help texts. CONTRIBUTING.md lists what a new one takes.

@@ -10,6 +10,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+/// Columns of the image by which directions to a skybox are chosen.
+constexpr int overview_width = 512;
+
 /// The inverse of a map whose columns are at right angles to each other, or any other.
 Affine inverse_directions(const Affine& m) {
     const double d = m.determinant();
@@ -33,6 +36,11 @@ InfiniteLight::InfiniteLight(const InfiniteSource& source, std::vector<std::stri
       to_world_(inverse_directions(source.to_light)),
       image_(source.image, problems),
       mean_(source.radiance) {
+    if (source.skybox) {
+        skybox_ = std::make_unique<SkyboxLight>(*source.skybox, source.decode_srgb, problems);
+        image_ = skybox_->overview(overview_width, overview_width / 2);
+        source_.radiance = Color(1.0F);
+    }
     if (!image_.empty()) prepare_sampling();
 }
 
@@ -40,7 +48,14 @@ Vec2 InfiniteLight::place_of(const Vec3& direction) const {
     return SphericalImage::place_of(normalized(source_.to_light.vector(direction)));
 }
 
+/// The light of a place that sample() has chosen.
+Color InfiniteLight::lookup(const Vec2& place) const {
+    if (skybox_) return skybox_->radiance(SphericalImage::direction_at(place));
+    return image_.at(place) * source_.radiance;
+}
+
 Color InfiniteLight::radiance(const Vec3& direction) const {
+    if (skybox_) return skybox_->radiance(direction);
     return image_.empty() ? source_.radiance : lookup(place_of(direction));
 }
 
@@ -98,9 +113,8 @@ LightSample InfiniteLight::sample(const Vec2& uv) const {
     const auto [column, u] = find_in(cells, width, uv.x * cells[width - 1]);
     const Vec2 place((static_cast<double>(column) + u) / image_.width(),
                      (static_cast<double>(row) + v) / image_.height());
-    const double theta = pi * place.y, phi = 2 * pi * place.x, sine = std::sin(theta);
-    s.wi =
-        normalized(to_world_.vector({sine * std::cos(phi), sine * std::sin(phi), std::cos(theta)}));
+    const double sine = std::sin(pi * place.y);
+    s.wi = normalized(to_world_.vector(SphericalImage::direction_at(place)));
     s.pdf = static_cast<float>(cells_[row * width + column] / (2 * pi * pi * sine));
     s.radiance = lookup(place);
     return s;

@@ -4,18 +4,20 @@
 #include <vector>
 
 #include "core/light/light_sample.h"
+#include "core/light/skybox_light.h"
 #include "core/light/spherical_image.h"
 #include "core/scene/physical_light.h"
 
 namespace etalon {
 
-/// Light from all around, from an image by latitude and longitude or of one colour. Directions are
-/// sampled where the image is brighter than its mean (MIS compensation: Karlik et al. 2019); what
-/// is darker is left to the directions that surfaces choose. A light of one colour is left to them
-/// altogether.
+/// Light from all around, from an image by latitude and longitude, a skybox or of one colour.
+/// Directions are sampled where the image is brighter than its mean (MIS compensation: Karlik et
+/// al. 2019); what is darker is left to the directions that surfaces choose. A light of one colour
+/// is left to them altogether.
 class InfiniteLight {
   public:
-    /// `problems` gets the reason where the image cannot be read; the light has no image then.
+    /// `problems` gets the reason where the image cannot be read; the light has no image then. A
+    /// source with a skybox must outlive the light.
     InfiniteLight(const InfiniteSource& source, std::vector<std::string>& problems);
 
     Color radiance(const Vec3& direction) const;
@@ -33,13 +35,14 @@ class InfiniteLight {
     bool can_be_sampled() const { return !row_sums_.empty(); }
 
   private:
-    Color lookup(const Vec2& place) const { return image_.at(place) * source_.radiance; }
+    Color lookup(const Vec2& place) const;
     Vec2 place_of(const Vec3& direction) const;
     void prepare_sampling();
 
     InfiniteSource source_;
     Affine to_world_;
-    SphericalImage image_;
+    std::unique_ptr<const SkyboxLight> skybox_;
+    SphericalImage image_;  ///< of a skybox an overview, by which directions are sampled
     Color mean_{0.0F};
     std::vector<double> cells_;     ///< densities over the unit square, by rows
     std::vector<double> sums_;      ///< of each row, up to and with each cell

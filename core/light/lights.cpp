@@ -15,7 +15,8 @@ constexpr double pi = std::numbers::pi;
 double radius_of(const Geometry& geometry) {
     Box3 box;
     for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i) {
-        box.extendBy(primitive_bounds(geometry, i));
+        const Box3 bounds = primitive_bounds(geometry, i);
+        if (is_finite(bounds.min) && is_finite(bounds.max)) box.extendBy(bounds);
     }
     for (const Box3& instance : instance_bounds(geometry, box)) box.extendBy(instance);
     return box.isEmpty() ? 1 : box.size().length() / 2;

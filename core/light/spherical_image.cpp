@@ -42,4 +42,10 @@ Vec2 SphericalImage::place_of(const Vec3& d) {
     return {(phi < 0 ? phi + 2 * pi : phi) / (2 * pi), std::atan2(std::hypot(d.x, d.y), d.z) / pi};
 }
 
+Vec3 SphericalImage::direction_at(const Vec2& place) {
+    constexpr double pi = std::numbers::pi;
+    const double theta = pi * place.y, phi = 2 * pi * place.x, sine = std::sin(theta);
+    return {sine * std::cos(phi), sine * std::sin(phi), std::cos(theta)};
+}
+
 }  // namespace etalon

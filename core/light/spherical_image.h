@@ -14,6 +14,10 @@ class SphericalImage {
     /// Empty without a file. `problems` gets the reason why a file cannot be read.
     SphericalImage(const std::string& file, std::vector<std::string>& problems);
 
+    /// An image of these texels, by rows from +z.
+    SphericalImage(int width, int height, std::vector<Color> texels)
+        : width_(width), height_(height), texels_(std::move(texels)) {}
+
     bool empty() const { return texels_.empty(); }
     int width() const { return width_; }
     int height() const { return height_; }
@@ -26,6 +30,9 @@ class SphericalImage {
 
     /// Place of a unit vector.
     static Vec2 place_of(const Vec3& direction);
+
+    /// The unit vector whose place this is.
+    static Vec3 direction_at(const Vec2& place);
 
   private:
     int width_ = 0, height_ = 0;

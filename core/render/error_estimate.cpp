@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/image/srgb.h"
+#include "core/color/srgb.h"
 #include "core/parallel/parallel.h"
 
 namespace etalon {

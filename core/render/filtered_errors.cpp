@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/image/srgb.h"
+#include "core/color/srgb.h"
 #include "core/parallel/parallel.h"
 #include "core/render/filter_axis.h"
 

@@ -17,8 +17,8 @@ class ImageFilm {
     ImageFilm(const Imath::Box2i& window, const RenderSettings& settings);
 
     /// Adds samples, each at its place, in pixels, of the pixel in which it lies; `colors` becomes
-    /// what was added. One that is infinite or no number counts as black, as in pbrt-v3. Returns how
-    /// many were of that kind.
+    /// what was added. One that is infinite or no number counts as black, as in pbrt-v3. Returns
+    /// how many were of that kind.
     std::size_t add(std::span<const Imath::V2i> pixels, std::span<const Vec2> places,
                     std::span<Color> colors);
 

@@ -1,10 +1,12 @@
 // Sources of light by physical rules. Plain data; core/light samples them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 
 #include "core/numerics/affine.h"
+#include "core/scene/environment.h"
 #include "core/scene/shapes.h"
 
 namespace etalon {
@@ -41,8 +43,10 @@ struct DistantSource {
 struct InfiniteSource {
     Color radiance;
     std::string image{};
-    Affine to_light{};  ///< from the world's directions to the light's
-    int samples = 1;    ///< how many a vertex takes where every light is asked
+    Affine to_light{};                    ///< from the world's directions to the light's
+    int samples = 1;                      ///< how many a vertex takes where every light is asked
+    std::optional<Environment> skybox{};  ///< what is seen instead of all the above
+    bool decode_srgb = false;             ///< the skybox is of display values
 };
 
 /// A primitive that shines from its front, or from both sides.

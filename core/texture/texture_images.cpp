@@ -2,8 +2,8 @@
 
 #include <map>
 
+#include "core/color/srgb.h"
 #include "core/image/io.h"
-#include "core/image/srgb.h"
 #include "core/numerics/luminance.h"
 #include "core/parallel/parallel.h"
 

@@ -162,9 +162,10 @@ TEST_CASE("an unknown integrator is refused with the list, and what one would ig
     const auto unknown = f.etalon("render ball.p3f --integrator bdpt");
     CHECK(unknown.status == 2);
     CHECK_THAT(unknown.err + unknown.out, ContainsSubstring("auto, whitted, path, ao"));
-    const auto other = f.etalon("render ball.p3f --integrator path");
+    f.write("ball.pbrt", "WorldBegin Shape \"sphere\" WorldEnd");
+    const auto other = f.etalon("render ball.pbrt --integrator whitted");
     CHECK(other.status == 2);
-    CHECK_THAT(other.err, ContainsSubstring("cannot render a p3f scene; expected whitted or ao"));
+    CHECK_THAT(other.err, ContainsSubstring("cannot render a pbrt scene; expected path or ao"));
     const std::pair<std::string, std::string> ignored[] = {
         {"--max-distance 2", "--integrator ao"},
         {"--integrator whitted --max-distance 2", "--integrator ao"},

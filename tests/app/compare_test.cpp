@@ -193,7 +193,7 @@ TEST_CASE("compare draws where the difference is seen", "[app]") {
     REQUIRE(map.error == "");
     CHECK(map.value.width == 60);
     CHECK(map.value.height == 30);
-    const auto& bytes = std::get<PixelBytes>(map.value.pixels);
+    const auto& bytes = std::get<etalon::PixelBytes>(map.value.pixels);
     const auto color = [&](int x, int y) {
         const auto* p = &bytes[3 * (y * 60 + x)];
         return std::array<std::uint8_t, 3>{p[0], p[1], p[2]};

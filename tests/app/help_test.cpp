@@ -93,6 +93,16 @@ TEST_CASE("help names each value by what it is and fits 80 columns", "[app]") {
     }
 }
 
+TEST_CASE("help marks what may be left out", "[app]") {
+    const Folder f;
+    const auto usage = [&](const std::string& command) {
+        return lines_of(run(f, command + " --help").out).front();
+    };
+    CHECK(usage("etalon render") == "Usage: etalon render [OPTIONS] SCENE");
+    CHECK(usage("etalon-bench frames") == "Usage: etalon-bench frames [OPTIONS] SCENE...");
+    CHECK(usage("etalon-bench report") == "Usage: etalon-bench report [OPTIONS] [SCENE...]");
+}
+
 TEST_CASE("help says the range of a number that a wrong one is answered with", "[app]") {
     const Folder f;
     const std::tuple<std::string, std::string, std::string> cases[] = {
@@ -172,8 +182,12 @@ TEST_CASE("a wrong value is shown with what was expected", "[app]") {
     const Folder f;
     const std::pair<std::string, std::string> cases[] = {
         {"--target-error 0", "--target-error 0: expected a number above 0"},
-        {"--spp many", "--spp many: expected a whole number"},
+        {"--spp many", "--spp many: expected a whole number from 0 to 16777216"},
         {"--spp -1", "--spp -1: expected a whole number from 0 to 16777216"},
+        {"--spp 99999999999", "--spp 99999999999: expected a whole number from 0 to 16777216"},
+        {"--seed 18446744073709551616",
+         "--seed 18446744073709551616: expected a whole number from 0 to 18446744073709551615"},
+        {"--seed -1", "--seed -1: expected a whole number from 0 to 18446744073709551615"},
         {"--spp", "--spp: expected a value"},
         {"--spp 1 --spp 2", "--spp: given more than once"},
         {"--exposure nan", "--exposure nan: expected a number"},

@@ -58,3 +58,43 @@ TEST_CASE("An interrupted etalon-bench accuracy gives the cases until then", "[a
                   "/bin/etalon-bench' accuracy --case PLN-1 --rays 1 --json no/such/a.json")
               .status == 4);
 }
+
+TEST_CASE("An interrupted etalon-bench frames gives the repeats until then", "[app]") {
+    const Folder f;
+    constexpr int repeats = 100;
+    const auto r = interrupted(f,
+                               "etalon-bench frames spheres:20 spheres:300000 --width 100 "
+                               "--repeat 100 --json f.json",
+                               has_worked(400));
+    CHECK(r.status == 130);
+    CHECK_THAT(r.out, ContainsSubstring("Stopped by a signal"));
+    const json j = json::parse(f.read("f.json"));
+    CHECK(j["stopped"] == "signal");
+    REQUIRE_FALSE(j["frames"].empty());
+    for (const json& frame : j["frames"]) {
+        CHECK(frame["cpu_seconds"]["render"] > 0);
+        CHECK(frame["repeats"] >= 1);
+        CHECK((frame["repeats"] < repeats) == (frame == j["frames"].back()));
+    }
+    const auto none = interrupted(f,
+                                  "etalon-bench frames spheres:200000 --width 4000 --repeat 1 "
+                                  "--json f.json",
+                                  has_worked(100));
+    CHECK(none.status == 130);
+    CHECK(json::parse(f.read("f.json"))["frames"].empty());
+}
+
+TEST_CASE("An interrupted etalon-bench convergence gives the curves until then", "[app]") {
+    const Folder f;
+    const auto r = interrupted(f,
+                               "etalon-bench convergence spheres:200000 --samplers sobol "
+                               "--backends bvh,none --seeds 200 --spp 4 --width 16 --json c.json",
+                               has_worked(200));
+    CHECK(r.status == 130);
+    CHECK_THAT(r.out, ContainsSubstring("Stopped by a signal"));
+    const json j = json::parse(f.read("c.json"));
+    CHECK(j["stopped"] == "signal");
+    REQUIRE(j["curves"].size() == 1);
+    CHECK(j["curves"][0]["backend"] == "bvh");
+    CHECK(j["curves"][0]["points"].size() == 3);
+}

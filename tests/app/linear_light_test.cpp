@@ -3,8 +3,8 @@
 
 #include <cstring>
 
+#include "core/color/srgb.h"
 #include "core/image/io.h"
-#include "core/image/srgb.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 

@@ -73,11 +73,12 @@ TEST_CASE("Files that a PBRT scene lacks are said at the statement that names th
 
 TEST_CASE("An image of no pixels, or of more than there are, is replaced by grey", "[app]") {
     const Folder f;
-    for (const std::string size :
-         {std::string("\0\0\0\0\0\0\0\0", 8), std::string("\x7F\xFF\xFF\xFF"
-                                                          "\x7F\xFF\xFF\xFF")}) {
-        f.write("none.png", "\x89PNG\r\n\x1A\n" + std::string("\0\0\0\rIHDR", 8) + size +
-                                std::string("\x08\x02\0\0\0abcd", 9));
+    const std::string nothing("\0\0\0\0\0\0\0\0", 8), most("\x7F\xFF\xFF\xFF\x7F\xFF\xFF\xFF");
+    for (const std::string& size : {nothing, most}) {
+        std::string png("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16);
+        png += size;
+        png.append("\x08\x02\0\0\0abcd", 9);
+        f.write("none.png", png);
         check_said(f, grey_texture, "bad.pbrt:7:1: warning: none.png: cannot be read: the PNG is ");
     }
     f.write("none.png", "");

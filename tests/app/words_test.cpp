@@ -50,8 +50,10 @@ TEST_CASE("an input that cannot be read is named with the system's reason", "[ap
           "none.txt: error: cannot be opened: No such file or directory\n");
     CHECK(error_of("trace ball.p3f --rays .", 3) == ".: error: is a directory\n");
     folder().write("text.txt", "no image\n");
-    CHECK_THAT(error_of("compare text.txt text.txt", 3),
-               ContainsSubstring("is no image; expected EXR, PNG, JPEG, HDR or PFM\n"));
+    CHECK_THAT(
+        error_of("compare text.txt text.txt", 3),
+        ContainsSubstring(
+            "text.txt: cannot be read: it is no image; expected EXR, PNG, JPEG, HDR or PFM\n"));
 }
 
 TEST_CASE("a damaged image is named with its format, in no library's words", "[app]") {
@@ -79,7 +81,7 @@ TEST_CASE("a damaged image is named with its format, in no library's words", "[a
         }
         says(whole.substr(0, 12) + std::string(whole.size(), '\x5a'), reason);
         says("", "the file is empty\n");
-        says(std::string(5000, '\x5a'), "is no image; expected EXR, PNG, JPEG, HDR or PFM\n");
+        says(std::string(5000, '\x5a'), "it is no image; expected EXR, PNG, JPEG, HDR or PFM\n");
     }
 }
 

@@ -60,6 +60,18 @@ TEST_CASE("A report has a speed for each kind of scene, and what it lies between
     }
 }
 
+TEST_CASE("A report's speed of builds has a spread as well, and its page the commit") {
+    Results results = sample_results();
+    results.machine.commit = "0123456789ab";
+    speed::SceneFigures other = results.scenes.list.front();
+    for (speed::BuildFigures& b : other.builds) b.by_threads.front().ratio.median = 0.5;
+    results.scenes.add(other);
+    const Page page = page_of(results);
+    const KeyFigure& figure = key_figure(page, "build speed", "bvh");
+    CHECK_THAT(figure.note, ContainsSubstring("×0.500 to ×") && ContainsSubstring("over 2 scenes"));
+    CHECK_THAT(html(page), ContainsSubstring("commit 0123456789ab"));
+}
+
 TEST_CASE("The time of a build on several threads is short, and its heading says on how many") {
     Results results = sample_results();
     for (speed::BuildFigures& b : results.scenes.list[0].builds) {
@@ -69,6 +81,9 @@ TEST_CASE("The time of a build on several threads is short, and its heading says
     const Section section = builds_section(results);
     const BarGroup& times = std::get<Bars>(section.figures.at(0).content).groups.at(0);
     CHECK(times.note == "on 2 threads");
+    CHECK_THAT(section.figures[0].caption, ContainsSubstring("the time on several threads"));
+    const Section on_one = builds_section(sample_results());
+    CHECK_THAT(on_one.figures[0].caption, !ContainsSubstring("several threads"));
     for (const Bar& bar : times.bars) CHECK(bar.note.text.ends_with(" ms"));
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# installed_package.sh SOURCE BINARY COMPILER: whether a project finds the installed Etalon, and its
+# installed_package.sh SOURCE BINARY|PREFIX COMPILER: whether a project finds the installed Etalon, and its
 # backend and its loader work in the commands of Etalon.
 source "$(dirname "$0")/installed.sh"
 compiler=$3

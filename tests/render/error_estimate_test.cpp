@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/image/srgb.h"
+#include "core/color/srgb.h"
 #include "core/sampling/sample_source.h"
 #include "tests/catch.h"
 

@@ -117,10 +117,15 @@ TEST_CASE("Bright samples are darkened to the largest luminance, and all are sca
     settings.film_scale = 3;
     ImageFilm film({{0, 0}, {0, 0}}, settings);
     const Color dim(0.1F, 0.2F, 0.3F), bright(1, 2, 3);
-    film.add({0, 0}, {0.5, 0.5}, dim);
+    const std::array pixel{Imath::V2i(0, 0)};
+    const std::array place{Vec2(0.5, 0.5)};
+    const auto add = [&](Color color) { return film.add(pixel, place, {&color, 1}); };
+    CHECK(add(dim) == 0);
     CHECK(film.samples().pixels()[0] == dim * 3);
-    film.add({0, 0}, {0.5, 0.5}, bright);
+    CHECK(add(bright) == 0);
     const Color expected = (dim + bright * (0.5F / luminance(bright))) * 1.5F;
     const Color mean = film.samples().pixels()[0];
     for (int k = 0; k < 3; ++k) CHECK(mean[k] == Approx(expected[k]));
+    CHECK(add(Color(std::numeric_limits<float>::quiet_NaN())) == 1);
+    CHECK(film.samples().pixels()[0].x == Approx(mean.x * 2 / 3));  // the third is black
 }

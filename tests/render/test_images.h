@@ -17,7 +17,8 @@ inline Rendering render_with(const Scene& scene, const Backend& backend,
     return render(scene.camera, *integrator, settings, control);
 }
 
-inline Rendering rendered(const TestScene& scene, std::string_view backend = default_backend) {
+inline Rendering rendered(TestScene scene, std::string_view backend = default_backend) {
+    find_integrator(scene.settings.integrator)->prepare_scene(scene, scene.settings);
     return render_with(scene, *find_backend(backend), scene.settings);
 }
 

@@ -32,6 +32,7 @@ Machine this_machine() {
             std::string(build.compiler),
             std::string(build.flags),
             std::string(build.version),
+            std::string(build.commit),
             embree.version,
             embree.isa,
             here.cores,

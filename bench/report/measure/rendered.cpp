@@ -14,10 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Below the working directory, beside the build folder, or where Etalon is installed.
 fs::path scenes_folder() {
     std::error_code none;
-    const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();
-    for (const fs::path& root : {fs::path("."), program.parent_path().parent_path()}) {
+    const fs::path prefix = fs::read_symlink("/proc/self/exe", none).parent_path().parent_path();
+    for (const fs::path& root :
+         {fs::path("."), prefix.parent_path(), prefix / "share" / "etalon"}) {
         if (fs::exists(root / "scenes" / "showcase.p3f", none)) return root / "scenes";
     }
     return "scenes";

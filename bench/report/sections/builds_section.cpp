@@ -45,20 +45,25 @@ BarGroup memory_of(const SceneFigures& scene) {
     return group;
 }
 
+bool has_threads(const SceneFigures& scene) {
+    return !scene.builds.empty() && scene.builds.front().by_threads.size() > 1;
+}
+
 }  // namespace
 
 Section builds_section(const Results& results) {
     Section section{"builds", "Build time and memory", {}, {}};
     section.prose = {
         "What each backend needs before the first ray: CPU time on one pinned thread, "
-        "and how many times as fast embree-builtin’s own build that is; and the memory "
+        "and how many times as fast as embree-builtin’s own build that is; and the memory "
         "that its structure keeps, the scene itself not counted."};
     for (const SceneFigures& scene : results.scenes.list) {
         section.figures.push_back(
             {fmt::format("{}, {}", scene.scene, count_of(scene.primitives, "primitive")),
-             "CPU time to build on one thread, times as fast as embree-builtin; the time on "
-             "several "
-             "threads; bytes a primitive.",
+             fmt::format(
+                 "CPU time to build on one thread, times as fast as embree-builtin{}; bytes "
+                 "a primitive.",
+                 has_threads(scene) ? "; the time on several threads" : ""),
              builds_command(results.settings, scene.scene), results.scenes.date,
              Bars{{times_of(scene), memory_of(scene)}}});
     }

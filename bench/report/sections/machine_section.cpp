@@ -17,7 +17,7 @@ Table facts(const Results& results) {
                   {{"memory"}, {bytes(m.memory_bytes)}},
                   {{"system"}, {m.system}},
                   {{"load when it began"}, {fmt::format("{:.2f}", m.load)}},
-                  {{"Etalon"}, {m.version}},
+                  {{"Etalon"}, {fmt::format("{}, commit {}", m.version, m.commit)}},
                   {{"compiler"}, {m.compiler}},
                   {{"flags"}, {m.flags}},
                   {{"Embree"}, {fmt::format("{}, {}", m.embree, m.embree_isa)}}};

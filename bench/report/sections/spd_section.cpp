@@ -12,7 +12,7 @@ Table counts(const std::vector<SpdFigures>& all) {
     Table table{{{"scene", false},
                  {"size"},
                  {"primitives"},
-                 {"eye"},
+                 {"camera"},
                  {"that hit"},
                  {"background"},
                  {"shadow"},

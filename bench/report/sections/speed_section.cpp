@@ -153,8 +153,9 @@ Figure all_numbers(const Results& results) {
         }
     }
     return {"All numbers of this section",
-            "“Other hits” counts rays on which an exact backend hits something else; rays are "
-            "disputed where not all backends answer alike, to the last bit where they are exact.",
+            "“Other hits” counts rays on which this backend does not hit what an exact one hits; "
+            "rays are disputed where not all backends answer alike, to the last bit where they are "
+            "exact.",
             speed_command(results.settings),
             results.scenes.date,
             std::move(table),

@@ -47,9 +47,12 @@ void add_builds(const std::vector<SceneFigures>& scenes, std::vector<KeyFigure>&
         }
     }
     if (ratios.empty()) return;
-    key_figures.push_back({"×" + three_digits(geometric_mean(ratios)), "build speed",
-                           fmt::format("{} to {}; {} bytes a primitive", default_backend,
-                                       baseline_backend, three_digits(geometric_mean(sizes)))});
+    const auto [least, most] = std::ranges::minmax(ratios);
+    key_figures.push_back(
+        {"×" + three_digits(geometric_mean(ratios)), "build speed",
+         fmt::format("{} to {}: ×{} to ×{} over {}; {} bytes a primitive", default_backend,
+                     baseline_backend, three_digits(least), three_digits(most),
+                     count_of(ratios.size(), "scene"), three_digits(geometric_mean(sizes)))});
 }
 
 /// Wrong answers of a group of tracers, to rays that are counted once however many answer them.

@@ -2,14 +2,19 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/formats/write/conversion_warnings.h"
 #include "core/scene/material.h"
+#include "core/scene/physical_material.h"
 
 namespace etalon {
 
-/// The PBRT v3 directives that make a named material as like this one as can be (lines, the last
-/// without its end), and what of it is lost.
-std::string to_pbrt(const Material& material, std::string_view name, ConversionWarnings& lost);
+/// Adds what of a material of a Whitted-style format its physical one lacks.
+void warn_of_losses(const Material& material, ConversionWarnings& lost);
+
+/// PBRT v3's directive for material `number` of the list, one that add_physical() made, under the
+/// name "m<number>". A mix refers to its parts by theirs.
+std::string to_pbrt(const std::vector<PhysicalMaterial>& materials, std::uint32_t number);
 
 }  // namespace etalon

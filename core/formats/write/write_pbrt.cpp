@@ -1,9 +1,10 @@
-// Scenes as PBRT v3. Its lights are of another kind than ours, so that the image is another one;
-// shapes and the camera are the same.
+// Scenes of the Whitted-style formats as PBRT v3: with the physical look by which `path` renders
+// them, so that its image is the same. Infinite planes and quadrics are lost.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/convert/physical_scene.h"
 #include "core/formats/triangulation.h"
 #include "core/formats/write/mesh_run.h"
 #include "core/formats/write/pbrt_material.h"
@@ -18,21 +19,20 @@ constexpr double radian = std::numbers::pi / 180;
 
 class PbrtScene {
   public:
-    PbrtScene(const Scene& scene, const RenderSettings& settings)
-        : scene_(scene), settings_(settings) {}
+    /// `scene` is one of a physical look that make_physical() made.
+    PbrtScene(const Scene& scene, const RenderSettings& settings, ConversionWarnings& lost)
+        : scene_(scene), look_(scene.physical()), settings_(settings), lost_(lost) {}
 
-    WrittenScene write() {
+    std::string write() {
         write_camera();
         write_sampling();
         out_.line("WorldBegin");
-        write_environment();
-        for (const Light& light : scene_.whitted().lights) {
-            std::visit([&](const auto& l) { write_light(l); }, light);
-        }
+        write_materials();
+        for (const PhysicalLight& light : look_.lights) write_light(light);
         for (std::size_t i = 0; i < scene_.geometry.primitives.size();) i = write_primitives(i);
         out_.line("WorldEnd");
         out_.flush();
-        return {std::move(text_), "PBRT", lost_.take()};
+        return std::move(text_);
     }
 
   private:
@@ -58,7 +58,7 @@ class PbrtScene {
     /// Returns the lens as text; `height` is half of the image's, at distance 1.
     std::string lens(double height) const {
         const Camera& c = scene_.camera;
-        if (c.aperture == 0 || settings_.samples_per_pixel == 0) return {};
+        if (c.aperture == 0) return {};
         const double distance = distance_to_view_plane();
         return fmt::format(" \"float lensradius\" [ {} ] \"float focaldistance\" [ {} ]",
                            c.aperture * height * distance / settings_.resolution.y,
@@ -66,73 +66,60 @@ class PbrtScene {
     }
 
     void write_sampling() {
-        const int samples = settings_.samples_per_pixel;
-        out_.line("Sampler \"halton\" \"integer pixelsamples\" [ {} ]{}", std::max(samples, 1),
-                  samples == 0 ? " \"bool samplepixelcenter\" \"true\"" : "");
+        out_.line("Sampler \"halton\" \"integer pixelsamples\" [ {} ]",
+                  settings_.samples_per_pixel);
         out_.line("PixelFilter \"box\"");
         out_.line("Film \"image\" \"integer xresolution\" [ {} ] \"integer yresolution\" [ {} ]",
                   settings_.resolution.x, settings_.resolution.y);
-        out_.line("Integrator \"whitted\" \"integer maxdepth\" [ {} ]", settings_.max_depth);
+        out_.line("Integrator \"path\" \"integer maxdepth\" [ {} ]", settings_.max_depth - 1);
     }
 
-    void write_environment() {
-        if (scene_.whitted().environment.skybox) lost_.add("skybox, now one colour");
-        const Color& background = scene_.whitted().environment.background;
-        if (background == Color(0.0F)) return;
-        lost_.add("background that lights nothing, now one that does");
-        out_.line("LightSource \"infinite\" \"rgb L\" [ {} ]", background);
+    void write_materials() {
+        for (std::uint32_t i = 0; i < look_.materials.size(); ++i) {
+            out_.line("{}", to_pbrt(look_.materials, i));
+        }
     }
 
-    /// Intensity that makes up, at the point looked at, for PBRT's fall-off with the square of the
-    /// distance and for diffuse surfaces that send back 1 / pi of the light into every direction.
-    float intensity_at(const Vec3& position) const {
-        const Vec3 way = scene_.camera.at - position;
-        return static_cast<float>(std::numbers::pi * way.dot(way));
+    /// Writes a light that is no shape.
+    void write_light(const PhysicalLight& light) {
+        if (const auto* point = std::get_if<PointSource>(&light)) {
+            out_.line("LightSource \"point\" \"rgb I\" [ {} ] \"point from\" [ {} ]",
+                      point->intensity, point->position);
+        } else if (const auto* infinite = std::get_if<InfiniteSource>(&light)) {
+            out_.line("LightSource \"infinite\" \"rgb L\" [ {} ]", infinite->radiance);
+        }
     }
 
-    void write_light(const PointLight& l) {
-        lost_.add("light that does not fall off, now one that does");
-        out_.line("LightSource \"point\" \"rgb I\" [ {} ] \"point from\" [ {} ]",
-                  l.color * intensity_at(l.position), l.position);
-    }
-
-    void write_light(const QuadLight& l) {
-        const Vec3 normal = l.edge1.cross(l.edge2);
-        const auto area = static_cast<float>(std::sqrt(normal.dot(normal)));
-        const Vec3 centre = l.corner + (l.edge1 + l.edge2) / 2;
-        if (!(area > 0)) return write_light(PointLight{centre, l.color});
-        lost_.add("area light that is not seen, now one that is, and falls off");
-        out_.line(
-            "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [ {} ] \"bool twosided\" "
-            "\"true\"",
-            l.color * (intensity_at(centre) / area));
-        out_.line(
-            "Shape \"trianglemesh\" \"integer indices\" [ 0 1 2 0 2 3 ] \"point P\" [ {}  {}  "
-            "{}  {} ]\nAttributeEnd",
-            l.corner, l.corner + l.edge1, l.corner + l.edge1 + l.edge2, l.corner + l.edge2);
-    }
-
-    /// Uses a material, and writes it at its first use.
+    /// Sets the material of what follows, if it is another one.
     void use_material(std::uint32_t i) {
         if (i == material_) return;
         material_ = i;
-        const std::string name = fmt::format("m{}", i);
-        if (!known_[i]) out_.line("{}", to_pbrt(scene_.whitted().materials[i], name, lost_));
-        known_[i] = true;
-        out_.line("NamedMaterial \"{}\"", name);
+        out_.line("NamedMaterial \"m{}\"", i);
     }
 
     std::size_t write_primitives(std::size_t first) {
         const Primitive p = scene_.geometry.primitives[first];
-        use_material(p.material);
+        const SurfaceBinding& binding = look_.bindings[p.material];
+        use_material(binding.material);
         if (p.sides != Sides::both) lost_.add("shape of which one side is seen");
         if (p.kind == kind_of<Triangle>()) {
             const MeshRun mesh = mesh_from(scene_, first);
+            const bool shines = binding.light != no_index;
+            if (shines) write_area_light(std::get<AreaSource>(look_.lights[binding.light]));
             write_mesh(mesh.vertices, mesh.normals, mesh.faces);
+            if (shines) out_.line("AttributeEnd");
             return first + mesh.faces.size();
         }
         with_shape(p.kind, [&]<class Shape>() { write_shape(scene_.geometry.get<Shape>(p)); });
         return first + 1;
+    }
+
+    /// Makes the shapes up to AttributeEnd a light.
+    void write_area_light(const AreaSource& light) {
+        out_.line(
+            "AttributeBegin\nAreaLightSource \"diffuse\" \"rgb L\" [ {} ] \"bool twosided\" "
+            "\"true\"",
+            light.radiance);
     }
 
     void write_mesh(std::span<const Vec3> vertices, std::span<const Vec3> normals,
@@ -242,19 +229,40 @@ class PbrtScene {
     }
 
     const Scene& scene_;
+    const PhysicalLook& look_;
     const RenderSettings& settings_;
+    ConversionWarnings& lost_;
     std::string text_;
     LineWriter out_{[this](std::string_view piece) { text_ += piece; }};
-    ConversionWarnings lost_;
     std::uint32_t material_ = no_index;
-    std::vector<bool> known_ = std::vector<bool>(scene_.whitted().materials.size());
 };
+
+/// Adds what of the look path tracing renders otherwise than the format means it.
+void warn_of_losses(const WhittedLook& look, ConversionWarnings& lost) {
+    if (look.environment.skybox) {
+        lost.add("skybox, now one colour");
+    } else if (look.environment.background != Color(0.0F)) {
+        lost.add("background that lights nothing, now one that does");
+    }
+    for (const Light& light : look.lights) {
+        lost.add(std::holds_alternative<PointLight>(light)
+                     ? "light that does not fall off, now one that does"
+                     : "area light that is not seen, now one that is, and falls off");
+    }
+    for (const Material& material : look.materials) warn_of_losses(material, lost);
+}
 
 }  // namespace
 
 WrittenScene write_pbrt(const Scene& scene, const RenderSettings& settings,
                         const std::filesystem::path&) {
-    return PbrtScene(scene, settings).write();
+    ConversionWarnings lost;
+    warn_of_losses(scene.whitted(), lost);
+    Scene physical = scene;
+    RenderSettings physical_settings = settings;
+    make_physical(physical, physical_settings);
+    std::string text = PbrtScene(physical, physical_settings, lost).write();
+    return {std::move(text), "PBRT", lost.take()};
 }
 
 }  // namespace etalon

@@ -1,9 +1,9 @@
 #include "core/image/metrics/flip.h"
 
+#include "core/color/srgb.h"
 #include "core/image/metrics/flip_colors.h"
 #include "core/image/metrics/flip_parts.h"
 #include "core/image/metrics/fold.h"
-#include "core/image/srgb.h"
 
 namespace etalon {
 namespace {

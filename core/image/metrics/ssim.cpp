@@ -2,8 +2,8 @@
 
 #include <numeric>
 
+#include "core/color/srgb.h"
 #include "core/image/metrics/convolve.h"
-#include "core/image/srgb.h"
 
 namespace etalon {
 namespace {

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "app/common/completion_words.h"
 #include "app/common/option_text.h"
 
 namespace etalon {
@@ -17,33 +18,12 @@ std::string script_case(const std::string& pattern, const std::vector<std::strin
     return fmt::format("        {}) words=\"{}\"{} ;;\n", pattern, fmt::join(words, " "), before);
 }
 
-std::vector<std::string> names_of(const CLI::Option& option) {
-    std::vector<std::string> names;
-    for (const std::string& name : option.get_snames()) names.push_back("-" + name);
-    for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
-    return names;
-}
-
-/// The names of all options but those that the help hides, having no group.
 std::vector<std::string> option_names(const CLI::App& command) {
     std::vector<std::string> all;
-    for (const CLI::Option* option : command.get_options()) {
-        if (option->get_group().empty()) continue;
+    for (const CLI::Option* option : named_options(command)) {
         for (const std::string& name : names_of(*option)) all.push_back(name);
     }
     return all;
-}
-
-/// Returns what a word may be that is neither an option nor the value of one.
-std::vector<std::string> plain_words(const CLI::App& command, const ValueChoices& choices) {
-    std::vector<std::string> words;
-    for (const CLI::App* sub : command.get_subcommands({})) words.push_back(sub->get_name());
-    for (const CLI::Option* option : command.get_options()) {
-        const auto known = choices.find(option);
-        if (!option->get_positional() || known == choices.end()) continue;
-        words.insert(words.end(), known->second.begin(), known->second.end());
-    }
-    return words;
 }
 
 /// Returns the cases of values: the word before is the name of an option.
@@ -52,13 +32,12 @@ std::string value_cases(const CLI::App& command, const std::string& name,
     std::string cases;
     for (const CLI::Option* option : command.get_options()) {
         if (option->get_positional() || !has_value(*option)) continue;
-        const char* before =
-            option->get_delimiter() == ',' ? " before=${word%\"${word##*,}\"}" : "";
-        const auto known = choices.find(option);
+        const char* before = is_list(*option) ? " before=${word%\"${word##*,}\"}" : "";
+        const std::vector<std::string> known = values_of(*option, choices);
         for (const std::string& option_name : names_of(*option)) {
             const std::string pattern = fmt::format("\"{} {} \"*", name, option_name);
-            cases += known == choices.end() ? fmt::format("        {}) ;;\n", pattern)
-                                            : script_case(pattern, known->second, before);
+            cases += known.empty() ? fmt::format("        {}) ;;\n", pattern)
+                                   : script_case(pattern, known, before);
         }
     }
     return cases;
@@ -98,7 +77,13 @@ complete -o bashdefault -o default -F _{function} {program}
 
 }  // namespace
 
-std::string completion_script(const CLI::App& program, const ValueChoices& choices) {
+std::string function_name(const CLI::App& program) {
+    std::string name = program.get_name();
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+std::string bash_completion(const CLI::App& program, const ValueChoices& choices) {
     std::vector<std::string> names;
     std::string cases;
     for (const CLI::App* command : program.get_subcommands({})) {
@@ -106,10 +91,9 @@ std::string completion_script(const CLI::App& program, const ValueChoices& choic
         cases += command_cases(*command, command->get_name(), choices);
     }
     cases += command_cases(program, "", choices);
-    std::string function = program.get_name();
-    std::replace(function.begin(), function.end(), '-', '_');
     return fmt::format(
-        script, fmt::arg("program", program.get_name()), fmt::arg("function", function),
+        script, fmt::arg("program", program.get_name()),
+        fmt::arg("function", function_name(program)),
         fmt::arg("commands", names.empty() ? "\"\"" : fmt::format("{}", fmt::join(names, " | "))),
         fmt::arg("cases", cases));
 }

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/color/srgb.h"
+#include "core/numerics/vec.h"
+
+namespace etalon {
+
+/// The light that colours and weights stand for. A product of display values is about the display
+/// value of the product of what they stand for, so that weights are decoded like colours.
+class LightValues {
+  public:
+    /// `are_displayed`: colours are display values, not light already.
+    explicit LightValues(bool are_displayed) : are_displayed_(are_displayed) {}
+
+    Color operator()(const Color& c) const {
+        const auto decoded = [](float value) {
+            return static_cast<float>(srgb_decoded(std::max(value, 0.0F)));
+        };
+        return are_displayed_ ? Color(decoded(c.x), decoded(c.y), decoded(c.z)) : c;
+    }
+
+    bool are_displayed() const { return are_displayed_; }
+
+  private:
+    bool are_displayed_;
+};
+
+}  // namespace etalon

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/light/spherical_image.h"
+#include "core/scene/environment.h"
+#include "core/shading/environment_map.h"
+
+namespace etalon {
+
+/// The light of a skybox.
+class SkyboxLight {
+  public:
+    /// `decode_srgb`: its images and its background are display values. `problems`: see
+    /// EnvironmentMap. All faces are read.
+    SkyboxLight(const Environment& skybox, bool decode_srgb, std::vector<std::string>& problems);
+
+    Color radiance(const Vec3& direction) const;
+
+    /// An image of it whose texels are means over parts of their cells.
+    SphericalImage overview(int width, int height) const;
+
+  private:
+    EnvironmentMap map_;
+    bool decode_srgb_;
+};
+
+}  // namespace etalon

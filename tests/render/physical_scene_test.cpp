@@ -1,0 +1,134 @@
+// Scenes of the Whitted-style formats under the physical rules that they are converted to.
+#include <filesystem>
+
+#include "core/color/srgb.h"
+#include "core/convert/physical_scene.h"
+#include "core/formats/load.h"
+#include "core/formats/write/write.h"
+#include "tests/catch.h"
+#include "tests/render/test_images.h"
+
+using namespace etalon;
+using namespace etalon::test;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+TestScene loaded(LoadResult result) {
+    REQUIRE(result.scene);
+    TestScene scene;
+    static_cast<Scene&>(scene) = std::move(*result.scene);
+    scene.settings = result.settings;
+    return scene;
+}
+
+/// A scene of P3F's statements in front of a narrow camera at (0, 0, 5) that looks at the origin.
+TestScene p3f_scene(const std::string& statements, int samples = 64) {
+    return loaded(load_scene_text("p3f\nspp " + std::to_string(samples) + "\n" + statements +
+                                      "camera\neye 0 0 5\nat 0 0 0\nup 0 1 0\nangle 1\n"
+                                      "hither 0.01\nresolution 8 8\naperture 0\nfocal 1\n",
+                                  "a.p3f", {"p3f"}));
+}
+
+Color mean(const std::vector<Color>& pixels) {
+    Color sum(0.0F);
+    for (const Color& c : pixels) sum += c;
+    return sum / static_cast<float>(pixels.size());
+}
+
+Color mean(TestScene scene, const char* integrator) {
+    scene.settings.integrator = integrator;
+    return mean(image(scene));
+}
+
+/// What a scene's green shows by the Whitted rules, as light.
+double whitted_light(const TestScene& scene) {
+    return srgb_decoded(mean(scene, "whitted").y);
+}
+
+/// How far sRGB's curve of a product may be from the product of those of its factors, here.
+constexpr double decoding_error = 0.15;
+
+const std::string floor_of_half =
+    "mat 1 0.5 0.25 0.8 1 1 1 0 10 0 1\np 4\n-9 -9 0\n9 -9 0\n9 9 0\n-9 9 0\n";
+
+}  // namespace
+
+TEST_CASE("A diffuse surface that faces a light is as bright by path as by whitted", "[path]") {
+    for (const std::string light :
+         {"l 0 0 3 1 1 1\n", "l 0 0 3 0.5 0.5 0.5\n", "l 0 0 40 0.7 0.8 0.9\n",
+          "light quad 0.45 -0.05 3 1 1 1 0.55 -0.05 3 0.45 0.05 3 4\n",
+          "light quad 0.45 -0.05 3 1 1 1 0.55 -0.05 3 0.45 0.05 3.1 4\n"}) {
+        CAPTURE(light);
+        const TestScene scene = p3f_scene(light + floor_of_half);
+        CHECK_THAT(mean(scene, "path").y, WithinRel(whitted_light(scene), decoding_error));
+    }
+}
+
+TEST_CASE("Mirrors and glass show by path what they show by whitted", "[path]") {
+    const std::string sky = "bclr 0.8 0.6 0.4\n";
+    const std::string ball = "s 0 0 0 1\n";
+    for (const std::string& material : {std::string("mat 0 0 0 0 1 0.5 1 0.7 10 0 1\n"),
+                                        std::string("mat 0 0 0 0 1 1 1 0 10 1 1.5\n")}) {
+        CAPTURE(material);
+        // Absorption is lost: an `f` has none.
+        const std::string statement = material.substr(3);
+        const TestScene scene = p3f_scene(sky + "f" + statement + ball);
+        CHECK_THAT(mean(scene, "path").y, WithinRel(whitted_light(scene), decoding_error));
+    }
+}
+
+TEST_CASE("A material sends back no more light than it gets", "[path]") {
+    const TestScene scene =
+        p3f_scene("bclr 1 1 1\nmat 1 1 1 0.9 1 1 1 0.9 10 0 1\ns 0 0 0 1\n", 256);
+    CHECK(mean(scene, "path").y < 1.02);
+    CHECK(mean(scene, "path").y > 0.9);
+}
+
+TEST_CASE("Every scene of features renders by path, to finite pixels that are not black",
+          "[path]") {
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator(ETALON_SOURCE_DIR "/scenes/features")) {
+        if (entry.path().extension() != ".p3f") continue;
+        CAPTURE(entry.path());
+        TestScene scene = loaded(load_scene(entry.path().string()));
+        find_integrator("path")->prepare_scene(scene, scene.settings);
+        scene.settings.samples_per_pixel = 2;
+        scene.settings.resolution = {32, 24};
+        const std::vector<Color> pixels = image(scene);
+        for (const Color& c : pixels) REQUIRE(is_finite(c));
+        CHECK(mean(pixels).y > 0.01);
+        ++count;
+    }
+    CHECK(count >= 15);
+}
+
+TEST_CASE("A scene that is converted to PBRT has the image that path gives of it", "[path]") {
+    for (const char* name : {"lights", "mirrors", "glass", "glossy", "soft_shadows"}) {
+        CAPTURE(name);
+        TestScene scene =
+            loaded(load_scene(ETALON_SOURCE_DIR "/scenes/features/" + std::string(name) + ".p3f"));
+        scene.settings.resolution = {32, 24};
+        const WrittenScene written = write_pbrt(scene, scene.settings, "");
+        TestScene converted = loaded(load_scene_text(written.text, "a.pbrt", {}));
+        find_integrator("path")->prepare_scene(scene, scene.settings);
+        CHECK(converted.settings.integrator == "path");
+        CHECK(converted.settings.samples_per_pixel == scene.settings.samples_per_pixel);
+        CHECK(converted.settings.max_depth == scene.settings.max_depth);
+        const std::vector<Color> own = image(scene), other = image(converted);
+        for (int k = 0; k < 3; ++k) CHECK_THAT(mean(other)[k], WithinRel(mean(own)[k], 0.03F));
+    }
+}
+
+TEST_CASE("A skybox lights a scene by path", "[path]") {
+    TestScene scene = loaded(load_scene(ETALON_SOURCE_DIR "/scenes/features/skybox.p3f"));
+    scene.settings.resolution = {32, 24};
+    scene.settings.samples_per_pixel = 64;
+    const std::vector<Color> as_seen = image(scene);
+    scene.settings.integrator = "path";
+    const std::vector<Color> as_light = image(scene);
+    // The upper left corner shows the sky itself.
+    CHECK_THAT(as_light[0].y, WithinRel(static_cast<float>(srgb_decoded(as_seen[0].y)), 0.02F));
+}
