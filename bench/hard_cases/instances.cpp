@@ -136,10 +136,10 @@ CaseSetup inside_mesh(double condition) {
     Random random(41, 0);
     const Affine map = placed_at(usual_place(), stretch(condition, random));
     setup.scene.geometry.instances.emplace_back(map, 0);
-    const std::vector<Vec3> corners = setup.scene.geometry.objects[0].vertices;
-    setup.ray = [=](Random& random) {
-        const Vec3 from = map.point(0.5 * in_ball(random));
-        return towards(from, map.point(corners[random.index(corners.size())]));
+    const LargeVector<Vec3> corners = setup.scene.geometry.objects[0].vertices;
+    setup.ray = [=](Random& choice) {
+        const Vec3 from = map.point(0.5 * in_ball(choice));
+        return towards(from, map.point(corners[choice.index(corners.size())]));
     };
     return setup;
 }
