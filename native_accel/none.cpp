@@ -68,15 +68,17 @@ void None::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
         for (const std::uint32_t id : scene_bounds().unbounded) {
             offer_to_group(geometry(), id, group);
         }
+        const bool has_instances = !geometry().instances.empty();
         for (std::size_t i = 0; i < group.count; ++i) {
-            hits[group.rays[i] - rays.data()] = with_instances(*group.rays[i], group.hit(i));
+            const Hit hit = group.hit(i);
+            hits[group.rays[i] - rays.data()] =
+                has_instances ? with_instances(*group.rays[i], hit) : hit;
         }
     });
 }
 
 /// Returns the nearer of the hit on a primitive that is the nearest one, and those on instances.
 Hit None::with_instances(const Ray& ray, const Hit& hit) const {
-    if (geometry().instances.empty()) return hit;
     const RayQuery query(ray);
     NearestHit nearest(hit.t);
     nearest.item = hit.primitive;
@@ -103,6 +105,7 @@ void None::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) 
                 group.remove(i);
             }
         }
+        if (geometry().instances.empty()) return;
         for (std::size_t i = 0; i < group.count; ++i) {
             blocked[group.rays[i] - rays.data()] = instances_occlude(*group.rays[i]) ? 1 : 0;
         }
