@@ -24,9 +24,10 @@ constexpr Measured copper[] = {{1.0, 0.433, 8.46},  {1.5, 0.260, 5.26}, {1.7, 0.
                                {3.2, 1.232, 2.07},  {3.4, 1.270, 1.95}, {3.6, 1.310, 1.87}};
 
 /// Interpolates by the cubic through the two values on either side, as the edge of absorption at
-/// 2.1 eV is too steep for straight lines. There must be two on either side.
+/// 2.1 eV is too steep for straight lines; near the table's ends through the four next to them.
 double interpolated(double energy, double Measured::*value) {
-    const Measured* const next = std::ranges::upper_bound(copper, energy, {}, &Measured::energy);
+    const Measured* const above = std::ranges::upper_bound(copper, energy, {}, &Measured::energy);
+    const Measured* const next = std::clamp(above, std::begin(copper) + 2, std::end(copper) - 2);
     double sum = 0;
     for (const Measured* a = next - 2; a != next + 2; ++a) {
         double weight = 1;
