@@ -12,15 +12,15 @@ namespace {
 using Kinds = std::vector<ShapeKind>;
 
 /// Kinds whose surfaces a ray that leaves one to its outside never meets again, and a ray that goes
-/// inside from the outside. Boxes are not among them: a point within a rounding of an edge may be
-/// outside of the next face once it is in the world, and a ray into the box then meets that face.
-const Kinds convex = {kind_of<Sphere>(), kind_of<Triangle>(),  kind_of<Polygon>(),
-                      kind_of<Ring>(),   kind_of<Ellipsoid>(), kind_of<ClosedCylinder>()};
+/// inside from the outside.
+const Kinds convex = {kind_of<Sphere>(),        kind_of<Triangle>(), kind_of<Polygon>(),
+                      kind_of<Box>(),           kind_of<Ring>(),     kind_of<Ellipsoid>(),
+                      kind_of<ClosedCylinder>()};
 
 /// All kinds that are bounded.
 const Kinds bounded = [] {
     Kinds kinds = convex;
-    kinds.insert(kinds.end(), {kind_of<Box>(), kind_of<Cone>(), kind_of<Quadric>()});
+    kinds.insert(kinds.end(), {kind_of<Cone>(), kind_of<Quadric>()});
     return kinds;
 }();
 

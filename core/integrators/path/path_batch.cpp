@@ -23,7 +23,7 @@ float balance_weight(float a, float b) {
 
 PathBatch::PathBatch(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors,
                      RayCounts& counts)
-    : t_(scene), samples_(samples), colors_(colors), counts_(counts) {
+    : shared_(scene), samples_(samples), colors_(colors), counts_(counts) {
     rays_.assign(samples.rays.begin(), samples.rays.end());
     paths_.reserve(rays_.size());
     for (std::uint32_t i = 0; i < rays_.size(); ++i) paths_.push_back({i, camera_ray_name});
@@ -34,7 +34,7 @@ void PathBatch::run() {
     std::ranges::fill(colors_, Color(0.0F));
     for (bool from_camera = true; !paths_.empty(); from_camera = false) {
         hits_.resize(rays_.size());
-        t_.intersector.closest(rays_, hits_);
+        shared_.intersector.closest(rays_, hits_);
         make_points();
         shade_all(from_camera);
         add_answers();
@@ -50,16 +50,16 @@ void PathBatch::make_points() {
         if (!may_scatter(i)) continue;
         const SampleSource& source = samples_.sources[paths_[i].sample];
         source.add_vertex(paths_[i].name, points_);
-        if (!t_.asks_all) continue;
-        for (std::uint32_t light = 0; light < t_.lights.size(); ++light) {
-            const auto samples = static_cast<std::uint32_t>(t_.lights.samples(light));
+        if (!shared_.asks_all) continue;
+        for (std::uint32_t light = 0; light < shared_.lights.size(); ++light) {
+            const auto samples = static_cast<std::uint32_t>(shared_.lights.samples(light));
             const std::uint32_t dimension = light_dimension(paths_[i].name, light);
             for (std::uint32_t k = 0; k < samples; ++k) {
                 source.add_stratified(dimension, k, samples, light_points_);
             }
         }
     }
-    points_.make(t_.sampler);
+    points_.make(shared_.sampler);
     on_lights_ = light_points_.make();
 }
 
@@ -83,10 +83,10 @@ void PathBatch::shade_all(bool from_camera) {
 void PathBatch::shade(std::size_t ray, std::size_t vertex) {
     Path& path = paths_[ray];
     const Vec3& direction = rays_[ray].direction;
-    const PhysicalSurface surface = physical_surface(t_.scene, rays_[ray], hits_[ray]);
-    const bool cut_out = t_.shading.is_cut_out(surface, PhysicalShading::RayKind::seeing);
+    const PhysicalSurface surface = physical_surface(shared_.scene, rays_[ray], hits_[ray]);
+    const bool cut_out = shared_.shading.is_cut_out(surface, PhysicalShading::RayKind::seeing);
     if (!cut_out) add_emitted(path, surface, direction);
-    if (cut_out || t_.shading.is_passed(surface)) {
+    if (cut_out || shared_.shading.is_passed(surface)) {
         next_rays_.push_back(ray_beyond(rays_[ray], hits_[ray], surface.point.convexity));
         next_paths_.push_back(path);
         ++counts_.refracted;
@@ -94,24 +94,25 @@ void PathBatch::shade(std::size_t ray, std::size_t vertex) {
     }
     if (!may_scatter(ray)) return;
     std::optional<LobeList> room;
-    const auto [frame, lobes] = t_.shading.scattering(surface, room);
+    const auto [frame, lobes] = shared_.shading.scattering(surface, room);
     const Vertex at{surface, frame.ns, BsdfFrom(frame, lobes, -normalized(direction)), vertex};
     const bool is_above = surface.ng.dot(direction) < 0;
     path.last.position = surface.point.position;
     path.last.normal = lobes.has_smooth_transmission() ? Vec3(0)
                        : is_above                      ? surface.ng
                                                        : -surface.ng;
-    if (lobes.has_smooth() && !t_.lights.empty()) ask_lights(path, at);
+    if (lobes.has_smooth() && !shared_.lights.empty()) ask_lights(path, at);
     scatter(path, at);
 }
 
 void PathBatch::add_escaped(const Path& path, const Vec3& direction) {
-    for (const std::uint32_t light : t_.lights.infinite()) {
-        const InfiniteLight& infinite = t_.lights.infinite_light(light);
+    for (const std::uint32_t light : shared_.lights.infinite()) {
+        const InfiniteLight& infinite = shared_.lights.infinite_light(light);
         const Color radiance = infinite.radiance(direction);
         float weight = 1;
         if (!path.specular && infinite.can_be_sampled()) {
-            const double asked = t_.expected_samples(path.last, light) * infinite.pdf(direction);
+            const double asked =
+                shared_.expected_samples(path.last, light) * infinite.pdf(direction);
             weight = balance_weight(path.pdf, static_cast<float>(asked));
         }
         add(path, weight * radiance);
@@ -122,29 +123,29 @@ void PathBatch::add_emitted(const Path& path, const PhysicalSurface& at, const V
     const SurfaceBinding& binding = *at.binding;
     if (binding.light == no_index) return;
     const std::uint32_t light =
-        t_.lights.number_of(binding.light + (at.point.primitive - binding.first));
-    const Color radiance = t_.lights.emitted(light, at.point, direction);
+        shared_.lights.number_of(binding.light + (at.point.primitive - binding.first));
+    const Color radiance = shared_.lights.emitted(light, at.point, direction);
     if (radiance == Color(0.0F)) return;
     float weight = 1;
     if (!path.specular) {
-        const double asked = t_.expected_samples(path.last, light) *
-                             t_.lights.pdf(light, path.last.position, at.point);
+        const double asked = shared_.expected_samples(path.last, light) *
+                             shared_.lights.pdf(light, path.last.position, at.point);
         weight = power_weight(path.pdf, static_cast<float>(asked));
     }
     add(path, weight * radiance);
 }
 
 void PathBatch::ask_lights(Path& path, const Vertex& at) {
-    if (!t_.asks_all) {
+    if (!shared_.asks_all) {
         const VertexPoint point = points_[at.number];
-        const auto pick = t_.lights.pick(path.last, point.light);
+        const auto pick = shared_.lights.pick(path.last, point.light);
         if (!pick) return;
         ask_light(path, at, {pick->light, static_cast<float>(pick->probability), point.on_light});
         return;
     }
-    std::size_t next = at.number * t_.lights.samples();
-    for (std::uint32_t light = 0; light < t_.lights.size(); ++light) {
-        const int samples = t_.lights.samples(light);
+    std::size_t next = at.number * shared_.lights.samples();
+    for (std::uint32_t light = 0; light < shared_.lights.size(); ++light) {
+        const int samples = shared_.lights.samples(light);
         for (int k = 0; k < samples; ++k) {
             ask_light(path, at, {light, static_cast<float>(samples), on_lights_[next++]});
         }
@@ -152,7 +153,8 @@ void PathBatch::ask_lights(Path& path, const Vertex& at) {
 }
 
 void PathBatch::ask_light(const Path& path, const Vertex& at, const Question& question) {
-    const LightSample light = t_.lights.sample(question.light, path.last.position, question.uv);
+    const LightSample light =
+        shared_.lights.sample(question.light, path.last.position, question.uv);
     if (!(light.pdf > 0)) return;
     const Evaluation scattered = at.scattering.evaluate(light.wi);
     if (scattered.f == Color(0.0F)) return;
@@ -174,9 +176,9 @@ void PathBatch::ask_light(const Path& path, const Vertex& at, const Question& qu
 
 void PathBatch::add_answers() {
     blocked_.resize(shadow_rays_.size());
-    t_.intersector.occluded(shadow_rays_, blocked_);
+    shared_.intersector.occluded(shadow_rays_, blocked_);
     counts_.shadow += shadow_rays_.size();
-    if (t_.shading.has_cut_outs()) pass_cut_outs();
+    if (shared_.shading.has_cut_outs()) pass_cut_outs();
     for (std::size_t i = 0; i < answers_.size(); ++i) {
         counts_.shadow_blocked += blocked_[i];
         if (blocked_[i] == 0) colors_[answers_[i].sample] += answers_[i].color;
@@ -189,11 +191,11 @@ void PathBatch::pass_cut_outs() {
         Ray ray = shadow_rays_[i];
         while (blocked_[i] != 0) {
             Hit hit;
-            t_.intersector.closest({&ray, 1}, {&hit, 1});
+            shared_.intersector.closest({&ray, 1}, {&hit, 1});
             blocked_[i] = hit.primitive != no_index ? 1 : 0;
             if (blocked_[i] == 0) break;
-            const PhysicalSurface at = physical_surface(t_.scene, ray, hit);
-            if (!t_.shading.is_cut_out(at, PhysicalShading::RayKind::shadow)) break;
+            const PhysicalSurface at = physical_surface(shared_.scene, ray, hit);
+            if (!shared_.shading.is_cut_out(at, PhysicalShading::RayKind::shadow)) break;
             ray = ray_beyond(ray, hit, at.point.convexity);
             ++counts_.shadow;
         }
@@ -211,7 +213,7 @@ void PathBatch::scatter(const Path& path, const Vertex& at) {
     next.pdf = s->pdf;
     next.specular = s->specular;
     // From between the horizons pbrt-v3 takes the light of lights only.
-    next.last_ray = s->turned || (t_.direct_only && !s->specular);
+    next.last_ray = s->turned || (shared_.direct_only && !s->specular);
     next.eta_scale *= s->eta * s->eta;
     ++next.depth;
     next.name = ray_name(path.name, false);
@@ -233,7 +235,7 @@ bool PathBatch::survives(Path& path, double choice) const {
     if (path.depth < first_at_stake) return true;
     const Color expected = path.throughput * path.eta_scale;
     const float most = std::max({expected.x, expected.y, expected.z});
-    const float survival = part_kept * most / t_.roulette_threshold;
+    const float survival = part_kept * most / shared_.roulette_threshold;
     if (!(survival < 1)) return true;
     if (choice >= survival) return false;
     path.throughput /= survival;

@@ -57,7 +57,8 @@ class PathBatch {
     /// Whether a ray's path may be scattered where the ray ends.
     bool may_scatter(std::size_t ray) const {
         const Path& path = paths_[ray];
-        return hits_[ray].primitive != no_index && !path.last_ray && path.depth < t_.most_vertices;
+        return hits_[ray].primitive != no_index && !path.last_ray &&
+               path.depth < shared_.most_vertices;
     }
 
     /// Makes the choices of all vertices.
@@ -79,7 +80,7 @@ class PathBatch {
     void scatter(const Path& path, const Vertex& at);
     bool survives(Path& path, double choice) const;
 
-    const PathScene& t_;
+    const PathScene& shared_;
     const CameraSamples& samples_;
     std::span<Color> colors_;
     RayCounts& counts_;
