@@ -103,6 +103,12 @@ class SampleSource {
         to.add(pixel_.seed(name), index_);
     }
 
+    /// Sample number `k` of the `parts` into which this one splits. Over all samples of the pixel
+    /// the points of all parts make one well distributed set.
+    SampleSource part(std::uint32_t k, std::uint32_t parts) const {
+        return {pixel_, index_ * parts + k};
+    }
+
   private:
     PixelSamples pixel_;
     std::uint32_t index_;

@@ -26,7 +26,9 @@ PathBatch::PathBatch(const PathScene& scene, const CameraSamples& samples, std::
     : shared_(scene), samples_(samples), colors_(colors), counts_(counts) {
     rays_.assign(samples.rays.begin(), samples.rays.end());
     paths_.reserve(rays_.size());
-    for (std::uint32_t i = 0; i < rays_.size(); ++i) paths_.push_back({i, camera_ray_name});
+    for (std::uint32_t i = 0; i < rays_.size(); ++i) {
+        paths_.push_back({i, camera_ray_name, samples.sources[i]});
+    }
     counts_.camera += rays_.size();
 }
 
@@ -48,8 +50,13 @@ void PathBatch::make_points() {
     light_points_.clear();
     for (std::size_t i = 0; i < rays_.size(); ++i) {
         if (!may_scatter(i)) continue;
-        const SampleSource& source = samples_.sources[paths_[i].sample];
+        const SampleSource& source = paths_[i].source;
         source.add_vertex(paths_[i].name, points_);
+        if (may_split(paths_[i])) {
+            for (std::uint32_t way = 0; way < split_ways; ++way) {
+                source.part(way, split_ways).add_vertex(paths_[i].name, points_);
+            }
+        }
         if (!shared_.asks_all) continue;
         for (std::uint32_t light = 0; light < shared_.lights.size(); ++light) {
             const auto samples = static_cast<std::uint32_t>(shared_.lights.samples(light));
@@ -76,7 +83,7 @@ void PathBatch::shade_all(bool from_camera) {
         }
         ++(from_camera ? counts_.camera_hits : counts_.secondary_hits);
         shade(i, vertex);
-        vertex += may_scatter(i);
+        if (may_scatter(i)) vertex += may_split(paths_[i]) ? 1 + split_ways : 1;
     }
 }
 
@@ -95,7 +102,8 @@ void PathBatch::shade(std::size_t ray, std::size_t vertex) {
     if (!may_scatter(ray)) return;
     std::optional<LobeList> room;
     const auto [frame, lobes] = shared_.shading.scattering(surface, room);
-    const Vertex at{surface, frame.ns, BsdfFrom(frame, lobes, -normalized(direction)), vertex};
+    const Vertex at{surface, frame.ns, BsdfFrom(frame, lobes, -normalized(direction)), vertex,
+                    may_split(path) && lobes.has_smooth() ? split_ways : 1};
     const bool is_above = surface.ng.dot(direction) < 0;
     path.last.position = surface.point.position;
     path.last.normal = lobes.has_smooth_transmission() ? Vec3(0)
@@ -113,7 +121,7 @@ void PathBatch::add_escaped(const Path& path, const Vec3& direction) {
         if (!path.specular && infinite.can_be_sampled()) {
             const double asked =
                 shared_.expected_samples(path.last, light) * infinite.pdf(direction);
-            weight = balance_weight(path.pdf, static_cast<float>(asked));
+            weight = balance_weight(path.density, static_cast<float>(asked));
         }
         add(path, weight * radiance);
     }
@@ -130,7 +138,7 @@ void PathBatch::add_emitted(const Path& path, const PhysicalSurface& at, const V
     if (!path.specular) {
         const double asked = shared_.expected_samples(path.last, light) *
                              shared_.lights.pdf(light, path.last.position, at.point);
-        weight = power_weight(path.pdf, static_cast<float>(asked));
+        weight = power_weight(path.density, static_cast<float>(asked));
     }
     add(path, weight * radiance);
 }
@@ -162,8 +170,9 @@ void PathBatch::ask_light(const Path& path, const Vertex& at, const Question& qu
     const float asked = question.expected_samples * light.pdf;
     float weight = 1;
     if (!light.is_delta) {
-        weight = light.at_infinity ? balance_weight(asked, scattered.pdf)
-                                   : power_weight(asked, scattered.pdf);
+        const float scattered_density = static_cast<float>(at.ways) * scattered.pdf;
+        weight = light.at_infinity ? balance_weight(asked, scattered_density)
+                                   : power_weight(asked, scattered_density);
     }
     const auto cosine = static_cast<float>(std::abs(at.ns.dot(light.wi)));
     const Color color = scattered.f * light.radiance * (cosine * weight / asked);
@@ -203,14 +212,24 @@ void PathBatch::pass_cut_outs() {
 }
 
 void PathBatch::scatter(const Path& path, const Vertex& at) {
-    const VertexPoint point = points_[at.number];
+    if (at.ways == 1) return scatter(path, at, points_[at.number]);
+    Path way = path;
+    way.is_split = true;
+    way.throughput /= static_cast<float>(at.ways);
+    for (std::uint32_t i = 0; i < at.ways; ++i) {
+        way.source = path.source.part(i, at.ways);
+        scatter(way, at, points_[at.number + 1 + i]);
+    }
+}
+
+void PathBatch::scatter(const Path& path, const Vertex& at, const VertexPoint& point) {
     const std::optional<BsdfSample> s =
         at.scattering.sample(static_cast<float>(point.lobe), point.direction);
     if (!s || s->f == Color(0.0F) || !(s->pdf > 0)) return;
     const auto cosine = static_cast<float>(std::abs(at.ns.dot(s->wi)));
     Path& next = next_paths_.emplace_back(path);
     next.throughput *= s->f * (cosine / s->pdf);
-    next.pdf = s->pdf;
+    next.density = static_cast<float>(at.ways) * s->pdf;
     next.specular = s->specular;
     // From between the horizons pbrt-v3 takes the light of lights only.
     next.last_ray = s->turned || (shared_.direct_only && !s->specular);
@@ -233,7 +252,8 @@ bool PathBatch::survives(Path& path, double choice) const {
     constexpr int first_at_stake = 3;
     constexpr float part_kept = 2.5F;
     if (path.depth < first_at_stake) return true;
-    const Color expected = path.throughput * path.eta_scale;
+    const float parts = path.is_split ? static_cast<float>(split_ways) : 1.0F;
+    const Color expected = path.throughput * (path.eta_scale * parts);
     const float most = std::max({expected.x, expected.y, expected.z});
     const float survival = part_kept * most / shared_.roulette_threshold;
     if (!(survival < 1)) return true;

@@ -24,21 +24,29 @@ class PathBatch {
     struct Path {
         std::uint32_t sample;  ///< number in the batch
         std::uint32_t name;    ///< of its ray, for sample dimensions
+        SampleSource source;   ///< of its choices
         Color throughput{1.0F};
-        float pdf = 0;          ///< density of the ray's direction at the last vertex
+        float density = 0;      ///< of the last vertex's rays in this direction, per steradian
         Receiver last{};        ///< that vertex
         float eta_scale = 1;    ///< square of the index that throughput has been divided by
         int depth = 0;          ///< number of vertices that scattered
         bool specular = true;   ///< no light could have been asked for that direction
         bool last_ray = false;  ///< only what shines at its end counts
+        bool is_split = false;  ///< one of the ways on from the first vertex with a smooth lobe
     };
+
+    /// Number of ways in which a path goes on from its first vertex with a smooth lobe. The
+    /// camera's ray and the light asked there are shared by them, and are less noisy than what
+    /// comes after.
+    static constexpr std::uint32_t split_ways = 2;
 
     /// Where a path is scattered.
     struct Vertex {
         const PhysicalSurface& surface;
         Vec3 ns;
         BsdfFrom scattering;  ///< to where the path came from
-        std::size_t number;   ///< of its choices
+        std::size_t number;   ///< of its choices, which those of its ways follow
+        std::uint32_t ways;   ///< in which the path goes on
     };
 
     /// A direction to a light that a vertex asks for.
@@ -61,6 +69,9 @@ class PathBatch {
                path.depth < shared_.most_vertices;
     }
 
+    /// Whether the path splits where it meets a smooth lobe.
+    bool may_split(const Path& path) const { return !path.is_split && !shared_.asks_all; }
+
     /// Makes the choices of all vertices.
     void make_points();
     void shade_all(bool from_camera);
@@ -78,6 +89,7 @@ class PathBatch {
     void pass_cut_outs();
 
     void scatter(const Path& path, const Vertex& at);
+    void scatter(const Path& path, const Vertex& at, const VertexPoint& point);
     bool survives(Path& path, double choice) const;
 
     const PathScene& shared_;
