@@ -90,6 +90,11 @@ bool Lights::AreaLight::shines(const Vec3& normal, const Vec3& ray) const {
     return front.dot(ray) < 0;
 }
 
+/// Whether a flat light of one side shines to the other side of its plane only.
+bool Lights::AreaLight::turns_from(const Vec3& point) const {
+    return flat_front && !two_sided && flat_front->dot(point - bounds.centre) <= 0;
+}
+
 /// Bound on the cosine between the front's normal and directions to a point, `back` seen from the
 /// middle of the light.
 double Lights::AreaLight::facing(const Vec3& back) const {
@@ -259,6 +264,7 @@ LightSample Lights::sample(std::uint32_t light, const Vec3& from, const Vec2& uv
         return sample_delta(source, from);
     }
     const AreaLight& area = area_lights_[source.index];
+    if (area.turns_from(from)) return {};
     const AreaPoint point =
         std::visit([&](const auto& shape) { return shape.sample(from, uv); }, area.shape);
     const Vec3 way = point.position - from;

@@ -77,6 +77,7 @@ class Lights {
         bool flipped, two_sided;
         double exitance;  ///< area times luminance
 
+        bool turns_from(const Vec3& point) const;
         bool shines(const Vec3& normal, const Vec3& ray) const;
         double facing(const Vec3& back) const;
     };

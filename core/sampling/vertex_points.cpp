@@ -70,8 +70,8 @@ void VertexPoints::add(std::uint32_t seed, std::uint32_t index) {
 void VertexPoints::make(Sampler sampler) {
     const std::size_t whole =
         (size_ + SobolBatch::lanes - 1) / SobolBatch::lanes * SobolBatch::lanes;
-    for (std::uint32_t set = 0; set < sets; ++set) {
-        std::vector<Vec2>& points = points_[set];
+    auto set = static_cast<std::uint32_t>(points_.size()) * static_cast<std::uint32_t>(decision_);
+    for (std::vector<Vec2>& points : points_) {
         if (points.size() < whole) points.resize(whole);
         if (sampler == Sampler::sobol) {
             HWY_DYNAMIC_DISPATCH(make_set)
@@ -81,6 +81,7 @@ void VertexPoints::make(Sampler sampler) {
                 points[i] = uniform_random(indices_[i], hash(seeds_[i], set));
             }
         }
+        ++set;
     }
 }
 

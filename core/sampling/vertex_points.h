@@ -10,19 +10,18 @@
 
 namespace etalon {
 
-/// What decides at a vertex of a path; all in [0, 1).
-struct VertexPoint {
-    Vec2 on_light;    ///< point of the light that is asked
-    Vec2 direction;   ///< of the lobe that scatters
-    double light;     ///< which light is asked
-    double lobe;      ///< which lobe scatters
-    double survival;  ///< whether the path goes on
+/// What a vertex of a path decides by a place and up to two choices, all in [0, 1).
+enum class Decision : std::uint32_t {
+    light,  ///< a light by the first choice, and the place on it
+    way,    ///< a lobe and survival by the choices, and the place among the lobe's directions
 };
 
-/// The choices at vertices, made together. Those of the samples of a pixel at vertices of one name
-/// make well distributed sets, one for each pair of choices.
+/// The points by which vertices take one of their decisions, made together. Those of the samples of
+/// a pixel at vertices of one name make well distributed sets, one of places and one of choices.
 class VertexPoints {
   public:
+    explicit VertexPoints(Decision decision) : decision_(decision) {}
+
     void clear();
 
     /// Adds sample number `index` of the vertices that `seed` names.
@@ -31,19 +30,15 @@ class VertexPoints {
     /// Makes all that were added since clear().
     void make(Sampler sampler);
 
-    /// The choices of the i-th that was added.
-    VertexPoint operator[](std::size_t i) const {
-        const auto& [on_light, direction, choices, survival] = points_;
-        return {on_light[i], direction[i], choices[i].x, choices[i].y, survival[i].x};
-    }
-
-    /// Number of two-dimensional sets.
-    static constexpr std::size_t sets = 4;
+    /// The place and the choices of the i-th that was added.
+    const Vec2& place(std::size_t i) const { return points_[0][i]; }
+    const Vec2& choices(std::size_t i) const { return points_[1][i]; }
 
   private:
+    Decision decision_;
     std::size_t size_ = 0;
     std::vector<std::uint32_t> seeds_, indices_;
-    std::array<std::vector<Vec2>, sets> points_;
+    std::array<std::vector<Vec2>, 2> points_;
 };
 
 }  // namespace etalon

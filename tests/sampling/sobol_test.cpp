@@ -113,45 +113,59 @@ TEST_CASE("Points made together are those made one by one", "[sampling]") {
     });
 }
 
-TEST_CASE("The choices at vertices are pairs of Sobol' points, each of its own sequence",
+TEST_CASE("The decisions of vertices are by Sobol' points, each of its own sequence",
           "[sampling]") {
-    std::vector<VertexPoint> expected;
+    std::vector<Vec2> expected;  // the same in all targets
     for_each_target([&] {
-        VertexPoints vertices;
-        for (std::uint32_t i = 0; i < 64; ++i) {
-            SampleSource({1, 2, 3}, i).add_vertex(4, vertices);
-            SampleSource({1, 2, 3}, i).add_vertex(5, vertices);
-        }
-        vertices.make(Sampler::sobol);
-        for (const std::size_t name : {0, 1}) {
-            std::vector<Vec2> on_light, direction, choices;
-            for (std::size_t i = name; i < 128; i += 2) {
-                const VertexPoint p = vertices[i];
-                on_light.push_back(p.on_light);
-                direction.push_back(p.direction);
-                choices.push_back({p.light, p.lobe});
-                expected.push_back(p);
-                CHECK((p.survival >= 0 && p.survival < 1));
-                // Of one number in all targets.
-                CHECK(expected[name * 64 + i / 2].on_light == p.on_light);
+        std::vector<Vec2> all;
+        for (const Decision decision : {Decision::light, Decision::way}) {
+            VertexPoints vertices(decision);
+            for (std::uint32_t i = 0; i < 64; ++i) {
+                SampleSource({1, 2, 3}, i).add_vertex(4, vertices);
+                SampleSource({1, 2, 3}, i).add_vertex(5, vertices);
             }
-            for (const std::vector<Vec2>* points : {&on_light, &direction, &choices}) {
-                CHECK(one_point_in_every_cell(*points, 8, 8));
+            vertices.make(Sampler::sobol);
+            for (const std::size_t name : {0, 1}) {
+                std::vector<Vec2> places, choices;
+                for (std::size_t i = name; i < 128; i += 2) {
+                    places.push_back(vertices.place(i));
+                    choices.push_back(vertices.choices(i));
+                }
+                for (const std::vector<Vec2>& points : {places, choices}) {
+                    CHECK(one_point_in_every_cell(points, 8, 8));
+                    CHECK(std::ranges::find(all, points[0]) == all.end());
+                    all.insert(all.end(), points.begin(), points.end());
+                }
             }
-            CHECK(on_light != direction);
-            CHECK(on_light != choices);
         }
+        if (expected.empty()) expected = all;
+        CHECK(all == expected);
     });
-    CHECK(expected[0].on_light != expected[64].on_light);
 }
 
 TEST_CASE("Random choices at vertices are apart from each other", "[sampling]") {
-    VertexPoints vertices;
-    for (std::uint32_t i = 0; i < 2; ++i) {
-        SampleSource({1, 2, 3, Sampler::random}, i).add_vertex(4, vertices);
+    VertexPoints lights(Decision::light), ways(Decision::way);
+    for (VertexPoints* vertices : {&lights, &ways}) {
+        for (std::uint32_t i = 0; i < 2; ++i) {
+            SampleSource({1, 2, 3, Sampler::random}, i).add_vertex(4, *vertices);
+        }
+        vertices->make(Sampler::random);
+        CHECK(vertices->place(0) != vertices->place(1));
+        CHECK(vertices->place(0) != vertices->choices(0));
     }
-    vertices.make(Sampler::random);
-    CHECK(vertices[0].on_light != vertices[1].on_light);
-    CHECK(vertices[0].on_light != vertices[0].direction);
-    CHECK(vertices[0].light != vertices[0].lobe);
+    CHECK(lights.place(0) != ways.place(0));
+    CHECK(lights.choices(0) != ways.choices(0));
+}
+
+TEST_CASE("The points of the parts of samples make one set", "[sampling]") {
+    VertexPoints parts(Decision::way), samples(Decision::way);
+    for (std::uint32_t i = 0; i < 32; ++i) {
+        SampleSource({1, 2, 3}, i).part(0, 2).add_vertex(4, parts);
+        SampleSource({1, 2, 3}, i).part(1, 2).add_vertex(4, parts);
+        SampleSource({1, 2, 3}, 2 * i).add_vertex(4, samples);
+        SampleSource({1, 2, 3}, 2 * i + 1).add_vertex(4, samples);
+    }
+    parts.make(Sampler::sobol);
+    samples.make(Sampler::sobol);
+    for (std::size_t i = 0; i < 64; ++i) CHECK(parts.place(i) == samples.place(i));
 }

@@ -46,28 +46,35 @@ void PathBatch::run() {
 }
 
 void PathBatch::make_points() {
-    points_.clear();
+    asked_.clear();
+    ways_.clear();
     light_points_.clear();
     for (std::size_t i = 0; i < rays_.size(); ++i) {
         if (!may_scatter(i)) continue;
-        const SampleSource& source = paths_[i].source;
-        source.add_vertex(paths_[i].name, points_);
-        if (may_split(paths_[i])) {
-            for (std::uint32_t way = 0; way < split_ways; ++way) {
-                source.part(way, split_ways).add_vertex(paths_[i].name, points_);
-            }
+        const Path& path = paths_[i];
+        const std::uint32_t ways = ways_of(path);
+        for (std::uint32_t way = 0; way < ways; ++way) {
+            path.source.part(way, ways).add_vertex(path.name, ways_);
         }
-        if (!shared_.asks_all) continue;
-        for (std::uint32_t light = 0; light < shared_.lights.size(); ++light) {
-            const auto samples = static_cast<std::uint32_t>(shared_.lights.samples(light));
-            const std::uint32_t dimension = light_dimension(paths_[i].name, light);
-            for (std::uint32_t k = 0; k < samples; ++k) {
-                source.add_stratified(dimension, k, samples, light_points_);
-            }
+        if (shared_.asks_all) {
+            add_light_points(path);
+        } else {
+            path.source.add_vertex(path.name, asked_);
         }
     }
-    points_.make(shared_.sampler);
+    asked_.make(shared_.sampler);
+    ways_.make(shared_.sampler);
     on_lights_ = light_points_.make();
+}
+
+void PathBatch::add_light_points(const Path& path) {
+    for (std::uint32_t light = 0; light < shared_.lights.size(); ++light) {
+        const auto samples = static_cast<std::uint32_t>(shared_.lights.samples(light));
+        const std::uint32_t dimension = light_dimension(path.name, light);
+        for (std::uint32_t k = 0; k < samples; ++k) {
+            path.source.add_stratified(dimension, k, samples, light_points_);
+        }
+    }
 }
 
 void PathBatch::shade_all(bool from_camera) {
@@ -75,19 +82,21 @@ void PathBatch::shade_all(bool from_camera) {
     next_paths_.clear();
     shadow_rays_.clear();
     answers_.clear();
-    std::size_t vertex = 0;
+    Numbers numbers;
     for (std::size_t i = 0; i < rays_.size(); ++i) {
         if (hits_[i].primitive == no_index) {
             add_escaped(paths_[i], rays_[i].direction);
             continue;
         }
         ++(from_camera ? counts_.camera_hits : counts_.secondary_hits);
-        shade(i, vertex);
-        if (may_scatter(i)) vertex += may_split(paths_[i]) ? 1 + split_ways : 1;
+        shade(i, numbers);
+        if (!may_scatter(i)) continue;
+        ++numbers.vertex;
+        numbers.first_way += ways_of(paths_[i]);
     }
 }
 
-void PathBatch::shade(std::size_t ray, std::size_t vertex) {
+void PathBatch::shade(std::size_t ray, const Numbers& numbers) {
     Path& path = paths_[ray];
     const Vec3& direction = rays_[ray].direction;
     const PhysicalSurface surface = physical_surface(shared_.scene, rays_[ray], hits_[ray]);
@@ -102,8 +111,8 @@ void PathBatch::shade(std::size_t ray, std::size_t vertex) {
     if (!may_scatter(ray)) return;
     std::optional<LobeList> room;
     const auto [frame, lobes] = shared_.shading.scattering(surface, room);
-    const Vertex at{surface, frame.ns, BsdfFrom(frame, lobes, -normalized(direction)), vertex,
-                    may_split(path) && lobes.has_smooth() ? split_ways : 1};
+    const Vertex at{surface, frame.ns, BsdfFrom(frame, lobes, -normalized(direction)), numbers,
+                    lobes.has_smooth() ? ways_of(path) : 1};
     const bool is_above = surface.ng.dot(direction) < 0;
     path.last.position = surface.point.position;
     path.last.normal = lobes.has_smooth_transmission() ? Vec3(0)
@@ -145,13 +154,14 @@ void PathBatch::add_emitted(const Path& path, const PhysicalSurface& at, const V
 
 void PathBatch::ask_lights(Path& path, const Vertex& at) {
     if (!shared_.asks_all) {
-        const VertexPoint point = points_[at.number];
-        const auto pick = shared_.lights.pick(path.last, point.light);
+        const std::size_t number = at.numbers.vertex;
+        const auto pick = shared_.lights.pick(path.last, asked_.choices(number).x);
         if (!pick) return;
-        ask_light(path, at, {pick->light, static_cast<float>(pick->probability), point.on_light});
+        ask_light(path, at,
+                  {pick->light, static_cast<float>(pick->probability), asked_.place(number)});
         return;
     }
-    std::size_t next = at.number * shared_.lights.samples();
+    std::size_t next = at.numbers.vertex * shared_.lights.samples();
     for (std::uint32_t light = 0; light < shared_.lights.size(); ++light) {
         const int samples = shared_.lights.samples(light);
         for (int k = 0; k < samples; ++k) {
@@ -212,19 +222,20 @@ void PathBatch::pass_cut_outs() {
 }
 
 void PathBatch::scatter(const Path& path, const Vertex& at) {
-    if (at.ways == 1) return scatter(path, at, points_[at.number]);
-    Path way = path;
-    way.is_split = true;
-    way.throughput /= static_cast<float>(at.ways);
+    if (at.ways == 1) return scatter(path, at, at.numbers.first_way);
+    Path part = path;
+    part.is_split = true;
+    part.throughput /= static_cast<float>(at.ways);
     for (std::uint32_t i = 0; i < at.ways; ++i) {
-        way.source = path.source.part(i, at.ways);
-        scatter(way, at, points_[at.number + 1 + i]);
+        part.source = path.source.part(i, at.ways);
+        scatter(part, at, at.numbers.first_way + i);
     }
 }
 
-void PathBatch::scatter(const Path& path, const Vertex& at, const VertexPoint& point) {
+void PathBatch::scatter(const Path& path, const Vertex& at, std::size_t way) {
+    const Vec2 choices = ways_.choices(way);
     const std::optional<BsdfSample> s =
-        at.scattering.sample(static_cast<float>(point.lobe), point.direction);
+        at.scattering.sample(static_cast<float>(choices.x), ways_.place(way));
     if (!s || s->f == Color(0.0F) || !(s->pdf > 0)) return;
     const auto cosine = static_cast<float>(std::abs(at.ns.dot(s->wi)));
     Path& next = next_paths_.emplace_back(path);
@@ -236,7 +247,7 @@ void PathBatch::scatter(const Path& path, const Vertex& at, const VertexPoint& p
     next.eta_scale *= s->eta * s->eta;
     ++next.depth;
     next.name = ray_name(path.name, false);
-    if (!survives(next, point.survival)) {
+    if (!survives(next, choices.y)) {
         next_paths_.pop_back();
         return;
     }

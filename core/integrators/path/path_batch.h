@@ -40,13 +40,19 @@ class PathBatch {
     /// comes after.
     static constexpr std::uint32_t split_ways = 2;
 
+    /// Where the choices of a vertex are.
+    struct Numbers {
+        std::size_t vertex = 0;     ///< among those that may scatter
+        std::size_t first_way = 0;  ///< among the ways that they may go on
+    };
+
     /// Where a path is scattered.
     struct Vertex {
         const PhysicalSurface& surface;
         Vec3 ns;
         BsdfFrom scattering;  ///< to where the path came from
-        std::size_t number;   ///< of its choices, which those of its ways follow
-        std::uint32_t ways;   ///< in which the path goes on
+        Numbers numbers;
+        std::uint32_t ways;  ///< in which the path goes on
     };
 
     /// A direction to a light that a vertex asks for.
@@ -69,13 +75,16 @@ class PathBatch {
                path.depth < shared_.most_vertices;
     }
 
-    /// Whether the path splits where it meets a smooth lobe.
-    bool may_split(const Path& path) const { return !path.is_split && !shared_.asks_all; }
+    /// Number of ways in which the path goes on where it meets a smooth lobe.
+    std::uint32_t ways_of(const Path& path) const {
+        return path.is_split || shared_.asks_all ? 1 : split_ways;
+    }
 
     /// Makes the choices of all vertices.
     void make_points();
+    void add_light_points(const Path& path);
     void shade_all(bool from_camera);
-    void shade(std::size_t ray, std::size_t vertex);
+    void shade(std::size_t ray, const Numbers& numbers);
 
     void add(const Path& path, const Color& color) {
         colors_[path.sample] += path.throughput * color;
@@ -89,7 +98,7 @@ class PathBatch {
     void pass_cut_outs();
 
     void scatter(const Path& path, const Vertex& at);
-    void scatter(const Path& path, const Vertex& at, const VertexPoint& point);
+    void scatter(const Path& path, const Vertex& at, std::size_t way);
     bool survives(Path& path, double choice) const;
 
     const PathScene& shared_;
@@ -100,7 +109,8 @@ class PathBatch {
     std::vector<Ray> rays_, next_rays_;
     std::vector<Path> paths_, next_paths_;
     std::vector<Hit> hits_;
-    VertexPoints points_;  ///< of the rays that may scatter, in their order
+    VertexPoints asked_{Decision::light};  ///< of the rays that may scatter, in their order
+    VertexPoints ways_{Decision::way};     ///< of all ways that they may go on
     PointBatch light_points_;
     std::span<const Vec2> on_lights_;  ///< of each of these for all samples of all lights
 
