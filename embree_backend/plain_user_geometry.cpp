@@ -8,51 +8,61 @@
 namespace etalon {
 namespace {
 
-bool is_bounded(const Box3& box) {
-    return !box.isEmpty() && is_finite(box.min) && is_finite(box.max);
-}
-
-/// Returns the boxes of all instances.
-std::vector<Box3> boxes_of_instances(const Geometry& geometry) {
-    Box3 others;
-    for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
-        const Box3 box = primitive_bounds(geometry, id);
-        if (is_bounded(box)) others.extendBy(box);
+/// The boxes of all items, worked out one primitive after the other: see the class.
+class PlainBoxes {
+  public:
+    explicit PlainBoxes(const Geometry& geometry) : geometry_(geometry) {
+        instances_ = boxes_of_instances();
+        FurthestItems furthest;
+        for (std::uint32_t item = 0; item < geometry.item_count(); ++item) {
+            if (is_bounded(item)) furthest.add(reach_of(box(item)));
+        }
+        limit_ = furthest.limit();
+        if (limit_ < FurthestItems::no_limit) instances_ = boxes_of_instances();
     }
-    return instance_bounds(geometry, others);
-}
+
+    Box3 box(std::uint32_t item) const {
+        if (!geometry_.is_instance(item)) return primitive_bounds(geometry_, item);
+        return instances_[item - geometry_.primitives.size()];
+    }
+
+    bool is_bounded(std::uint32_t item) const { return etalon::is_bounded(box(item), limit_); }
+
+  private:
+    std::vector<Box3> boxes_of_instances() const {
+        Box3 others;
+        for (std::uint32_t id = 0; id < geometry_.primitives.size(); ++id) {
+            if (is_bounded(id)) others.extendBy(primitive_bounds(geometry_, id));
+        }
+        return instance_bounds(geometry_, others, limit_);
+    }
+
+    const Geometry& geometry_;
+    double limit_ = FurthestItems::no_limit;
+    std::vector<Box3> instances_;
+};
 
 /// Returns what SceneBounds::of does but for the bounded primitives, which Embree asks for by
-/// number. It is worked out anew, one primitive after the other: see the class.
+/// number.
 SceneBounds plain_bounds(const Geometry& geometry) {
+    const PlainBoxes boxes(geometry);
     SceneBounds result;
     Box3 world;
-    const auto add = [&](std::uint32_t item, const Box3& box) {
-        if (is_bounded(box)) {
-            world.extendBy(box);
-        } else if (!box.isEmpty()) {
+    for (std::uint32_t item = 0; item < geometry.item_count(); ++item) {
+        if (boxes.is_bounded(item)) {
+            world.extendBy(boxes.box(item));
+        } else if (!boxes.box(item).isEmpty()) {
             result.unbounded.push_back(item);
         }
-    };
-    for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
-        add(id, primitive_bounds(geometry, id));
     }
-    auto item = static_cast<std::uint32_t>(geometry.primitives.size());
-    for (const Box3& box : boxes_of_instances(geometry)) add(item++, box);
     result.space = NormalizedSpace(world);
     return result;
 }
 
 /// Input of the callback for boxes, for as long as the scene is built.
 struct BoundsQuery {
-    const Geometry& geometry;
+    PlainBoxes boxes;
     const NormalizedSpace& space;
-    std::vector<Box3> instances;
-
-    Box3 box(std::uint32_t item) const {
-        if (!geometry.is_instance(item)) return primitive_bounds(geometry, item);
-        return instances[item - geometry.primitives.size()];
-    }
 };
 
 /// Gives each box nine times the margin that NormalizedSpace::padding derives, roundings to float
@@ -62,9 +72,9 @@ void bounds_of_primitive(const RTCBoundsFunctionArguments* arguments) {
     constexpr double margin = 0x1p-16;
     const DenormalsCount denormals_count;
     const auto& data = *static_cast<const BoundsQuery*>(arguments->geometryUserPtr);
-    const Box3 world = data.box(arguments->primID);
     Box3f box;
-    if (is_bounded(world)) {
+    if (data.boxes.is_bounded(arguments->primID)) {
+        const Box3 world = data.boxes.box(arguments->primID);
         box.min = Vec3f(data.space.point(world.min) - Vec3(margin));
         box.max = Vec3f(data.space.point(world.max) + Vec3(margin));
     }
@@ -127,7 +137,7 @@ PlainUserGeometry::PlainUserGeometry(const Geometry& geometry)
     const EmbreeOwned<RTCGeometry> owned(rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER));
     device_.check();
     RTCGeometry primitives = owned.get();
-    BoundsQuery data{geometry, scene_bounds().space, boxes_of_instances(geometry)};
+    BoundsQuery data{PlainBoxes(geometry), scene_bounds().space};
     rtcSetGeometryUserPrimitiveCount(primitives, geometry.item_count());
     rtcSetGeometryUserData(primitives, &data);
     rtcSetGeometryBoundsFunction(primitives, bounds_of_primitive, nullptr);

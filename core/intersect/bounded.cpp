@@ -4,6 +4,7 @@
 
 #include "core/intersect/instance_bounds.h"
 #include "core/intersect/kernels.h"
+#include "core/intersect/outliers.h"
 #include "core/parallel/chunks.h"
 
 namespace etalon {
@@ -11,58 +12,77 @@ namespace {
 
 constexpr std::size_t chunk_size = 4096;
 
-bool is_bounded(const Box3& box) {
-    return !box.isEmpty() && is_finite(box.min) && is_finite(box.max);
-}
-
 /// Summary of a piece of the scene before there is a normalized space.
 struct BoundsSummary {
+    explicit BoundsSummary(double limit_of_reach = FurthestItems::no_limit)
+        : limit(limit_of_reach) {}
+
+    double limit;
+    FurthestItems furthest;
     Box3 world;
     std::size_t bounded = 0;
     std::vector<std::uint32_t> unbounded;
 
     void add(const Box3& box, std::uint32_t id) {
-        if (is_bounded(box)) {
+        if (is_bounded(box, limit)) {
             world.extendBy(box);
+            furthest.add(reach_of(box));
             ++bounded;
         } else if (!box.isEmpty()) {
             unbounded.push_back(id);
         }
     }
+
+    void add(const BoundsSummary& next) {
+        world.extendBy(next.world);
+        furthest.add(next.furthest);
+        bounded += next.bounded;
+        unbounded.insert(unbounded.end(), next.unbounded.begin(), next.unbounded.end());
+    }
 };
 
-BoundsSummary summarize_bounds(const Geometry& geometry, std::size_t begin, std::size_t end) {
-    BoundsSummary result;
-    for (std::size_t i = begin; i < end; ++i) {
-        const auto id = static_cast<std::uint32_t>(i);
-        result.add(primitive_bounds(geometry, id), id);
-    }
-    return result;
-}
+/// A scene's items, sorted.
+struct SortedItems {
+    BoundsSummary all;
+    std::vector<Box3> instances;
+    std::vector<std::size_t> offsets;  ///< of what is bounded in each chunk, and of the instances
+};
 
-/// Summary of all instances, whose boxes are given.
-BoundsSummary summarize_bounds(const Geometry& geometry, const std::vector<Box3>& instances) {
-    BoundsSummary result;
+SortedItems sort_items(const Geometry& geometry, const Chunks& chunks, double limit) {
+    std::vector<BoundsSummary> summaries(chunks.number(), BoundsSummary(limit));
+    chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto id = static_cast<std::uint32_t>(i);
+            summaries[chunk].add(primitive_bounds(geometry, id), id);
+        }
+    });
+    SortedItems sorted{BoundsSummary(limit), {}, {}};
+    for (const BoundsSummary& s : summaries) {
+        sorted.offsets.push_back(sorted.all.bounded);
+        sorted.all.add(s);
+    }
+    sorted.offsets.push_back(sorted.all.bounded);
+    sorted.instances = instance_bounds(geometry, sorted.all.world, limit);
     auto id = static_cast<std::uint32_t>(geometry.primitives.size());
-    for (const Box3& box : instances) result.add(box, id++);
-    return result;
+    for (const Box3& box : sorted.instances) sorted.all.add(box, id++);
+    return sorted;
 }
 
 /// The boxes are asked for a second time: that costs less than to keep them in double.
-void bound(const Geometry& geometry, const NormalizedSpace& space, std::size_t begin,
+void bound(const Geometry& geometry, const NormalizedSpace& space, double limit, std::size_t begin,
            std::size_t end, BoundedPrimitive* out) {
     for (std::size_t i = begin; i < end; ++i) {
         const auto id = static_cast<std::uint32_t>(i);
         const Box3 box = primitive_bounds(geometry, id);
-        if (is_bounded(box)) *out++ = {space.box(box), id, geometry.primitives[i].kind};
+        if (is_bounded(box, limit)) *out++ = {space.box(box), id, geometry.primitives[i].kind};
     }
 }
 
-void bound_instances(const Geometry& geometry, const NormalizedSpace& space,
+void bound_instances(const Geometry& geometry, const NormalizedSpace& space, double limit,
                      const std::vector<Box3>& boxes, BoundedPrimitive* out) {
     auto id = static_cast<std::uint32_t>(geometry.primitives.size());
     for (const Box3& box : boxes) {
-        if (is_bounded(box)) *out++ = {space.box(box), id, instance_kind};
+        if (is_bounded(box, limit)) *out++ = {space.box(box), id, instance_kind};
         ++id;
     }
 }
@@ -71,30 +91,20 @@ void bound_instances(const Geometry& geometry, const NormalizedSpace& space,
 
 SceneBounds SceneBounds::of(const Geometry& geometry) {
     const Chunks chunks(geometry.primitives.size(), chunk_size);
-    std::vector<BoundsSummary> summaries(chunks.number());
-    chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        summaries[chunk] = summarize_bounds(geometry, begin, end);
-    });
+    SortedItems sorted = sort_items(geometry, chunks, FurthestItems::no_limit);
+    const double limit = sorted.all.furthest.limit();
+    if (limit < FurthestItems::no_limit) sorted = sort_items(geometry, chunks, limit);
 
     SceneBounds result;
-    Box3 world;
-    std::vector<std::size_t> offsets;
-    std::size_t count = 0;
-    for (const BoundsSummary& s : summaries) world.extendBy(s.world);
-    const std::vector<Box3> instances = instance_bounds(geometry, world);
-    summaries.push_back(summarize_bounds(geometry, instances));
-    world.extendBy(summaries.back().world);
-    for (const BoundsSummary& s : summaries) {
-        offsets.push_back(count);
-        count += s.bounded;
-        result.unbounded.insert(result.unbounded.end(), s.unbounded.begin(), s.unbounded.end());
-    }
-    result.space = NormalizedSpace(world);
-    result.bounded.resize(count);
+    result.unbounded = std::move(sorted.all.unbounded);
+    result.space = NormalizedSpace(sorted.all.world);
+    result.bounded.resize(sorted.all.bounded);
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        bound(geometry, result.space, begin, end, result.bounded.data() + offsets[chunk]);
+        bound(geometry, result.space, limit, begin, end,
+              result.bounded.data() + sorted.offsets[chunk]);
     });
-    bound_instances(geometry, result.space, instances, result.bounded.data() + offsets.back());
+    bound_instances(geometry, result.space, limit, sorted.instances,
+                    result.bounded.data() + sorted.offsets.back());
     return result;
 }
 

@@ -90,7 +90,7 @@ Box3 padded(const Instance& instance, const Box3& box, const Vec3& centre, doubl
 
 }  // namespace
 
-std::vector<Box3> instance_bounds(const Geometry& geometry, const Box3& others) {
+std::vector<Box3> instance_bounds(const Geometry& geometry, const Box3& others, double limit) {
     const auto& instances = geometry.instances;
     std::vector<Box3> boxes(instances.size());
     if (instances.empty()) return boxes;
@@ -100,7 +100,7 @@ std::vector<Box3> instance_bounds(const Geometry& geometry, const Box3& others) 
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             boxes[i] = unpadded(instances[i], outlines[instances[i].object]);
-            if (!boxes[i].isEmpty() && is_bounded(boxes[i])) of_chunk[chunk].extendBy(boxes[i]);
+            if (is_bounded(boxes[i], limit)) of_chunk[chunk].extendBy(boxes[i]);
         }
     });
     Box3 world = others;

@@ -43,11 +43,15 @@ inline bool Intersector::occludes(std::uint32_t item, const RayQuery& query) con
     return primitive_first_hit(geometry_, item, query) <= query.ray.tmax;
 }
 
+bool Intersector::must_test_all(const Ray& ray) const {
+    return !bounds_.space.resolves(ray) && !bounds_.space.surely_misses(ray);
+}
+
 NearestHit Intersector::nearest_hit(const Ray& ray, TraversalCost* cost) const {
     NearestHit nearest(ray.tmax);
     if (!is_valid(ray)) return nearest;
     const RayQuery query(ray);
-    if (!bounds_.space.resolves(ray)) {
+    if (must_test_all(ray)) {
         if (cost != nullptr) cost->primitive_tests += geometry_.item_count();
         for (std::uint32_t item = 0; item < geometry_.item_count(); ++item) {
             offer(item, query, nearest, cost);
@@ -56,6 +60,7 @@ NearestHit Intersector::nearest_hit(const Ray& ray, TraversalCost* cost) const {
     }
     for (const std::uint32_t item : bounds_.unbounded) offer(item, query, nearest, cost);
     if (cost != nullptr) cost->primitive_tests += bounds_.unbounded.size();
+    if (!bounds_.space.resolves(ray)) return nearest;
     const auto local = bounds_.space.ray(ray);
     if (!local) return nearest;
     if (cost != nullptr) {
@@ -69,7 +74,7 @@ NearestHit Intersector::nearest_hit(const Ray& ray, TraversalCost* cost) const {
 bool Intersector::is_occluded(const Ray& ray) const {
     if (!is_valid(ray)) return false;
     const RayQuery query(ray);
-    if (!bounds_.space.resolves(ray)) {
+    if (must_test_all(ray)) {
         for (std::uint32_t item = 0; item < geometry_.item_count(); ++item) {
             if (occludes(item, query)) return true;
         }
@@ -78,6 +83,7 @@ bool Intersector::is_occluded(const Ray& ray) const {
     for (const std::uint32_t item : bounds_.unbounded) {
         if (occludes(item, query)) return true;
     }
+    if (!bounds_.space.resolves(ray)) return false;
     const auto local = bounds_.space.ray(ray);
     return local && occluded_bounded(query, *local);
 }

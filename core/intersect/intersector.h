@@ -95,6 +95,8 @@ class Intersector : public BatchIntersector {
     std::vector<BoundedPrimitive> take_bounded() { return std::move(bounds_.bounded); }
 
   private:
+    /// Whether only tests of everything tell what the ray meets.
+    bool must_test_all(const Ray& ray) const;
     NearestHit nearest_hit(const Ray& ray, TraversalCost* cost = nullptr) const;
     bool is_occluded(const Ray& ray) const;
     void offer(std::uint32_t item, const RayQuery& query, NearestHit& nearest,

@@ -64,8 +64,12 @@ class NormalizedSpace {
     /// coordinates is no longer small against the padding, and for those that pass the scene in so
     /// little or so much of t (2^+-900) that t would leave the range of double on its way into the
     /// normalized space, and for all rays where there is no space. They must be tested against
-    /// everything.
+    /// everything, but for those that surely miss.
     bool resolves(const Ray& ray) const;
+
+    /// Whether the ray's line passes the bounded part of the scene by, beyond all roundings of its
+    /// coordinates, however far it comes from.
+    bool surely_misses(const Ray& ray) const;
 
   private:
     Vec3 centre_{0};

@@ -52,3 +52,58 @@ TEST_CASE("Given any number of threads, primitives are sorted in the order of th
         CHECK(wrong == 0);
     }
 }
+
+TEST_CASE("Given a few primitives that reach far beyond all others, only those are not bounded") {
+    for (const double size : {1.0, 0x1p-80, 0x1p60}) {
+        for (const std::size_t far : {0U, 1U, 16U, 17U}) {
+            Scene scene;
+            Random random(2);
+            for (std::uint32_t id = 0; id < 10'000; ++id) {
+                scene.geometry.add(Sphere{size * random.in_cube(), size * 0.01}, 0);
+            }
+            std::vector<std::uint32_t> outliers;
+            for (std::uint32_t i = 0; i < far; ++i) {
+                outliers.push_back(static_cast<std::uint32_t>(scene.geometry.primitives.size()));
+                scene.geometry.add(Sphere{size * 1e23 * random.in_cube(), size}, 0);
+            }
+            const SceneBounds found = SceneBounds::of(scene.geometry);
+            if (far > 16) outliers.clear();
+            CHECK(found.unbounded == outliers);
+            CHECK(found.bounded.size() + outliers.size() == scene.geometry.primitives.size());
+            if (far <= 16) CHECK(found.space.scale() * size > 0.125);
+        }
+    }
+}
+
+TEST_CASE("A far instance leaves the others their place in normalized space") {
+    Scene scene;
+    Geometry object;
+    object.add(Sphere{Vec3(0), 1}, 0);
+    scene.geometry.objects.push_back(std::move(object));
+    for (const Vec3& place : {Vec3(0), Vec3(3, 0, 0), Vec3(0, 1e20, 0)}) {
+        Affine map;
+        map.origin = place;
+        scene.geometry.instances.push_back(Instance(map, 0));
+    }
+    const SceneBounds found = SceneBounds::of(scene.geometry);
+    CHECK(found.unbounded == std::vector<std::uint32_t>{2});
+    REQUIRE(found.bounded.size() == 2);
+    CHECK(found.bounded[0].max.x < found.bounded[1].min.x);
+}
+
+TEST_CASE("Rays from beyond all resolution that pass the scene by are known to miss") {
+    Scene scene;
+    Random random(3);
+    for (int i = 0; i < 100; ++i) scene.geometry.add(Sphere{random.in_cube(), 0.1}, 0);
+    const NormalizedSpace space = SceneBounds::of(scene.geometry).space;
+    std::size_t missing = 0;
+    for (int i = 0; i < 10'000; ++i) {
+        const Vec3 origin = random.magnitude(9, 100) * random.direction();
+        REQUIRE_FALSE(space.resolves({origin, random.direction()}));
+        missing += space.surely_misses({origin, random.direction()});
+        const Vec3 there = scene.geometry.all<Sphere>()[random.index(100)].centre;
+        CHECK_FALSE(space.surely_misses({origin, there - origin}));
+        CHECK_FALSE(space.surely_misses({origin, 1e-200 * (there - origin)}));
+    }
+    CHECK(missing > 9'900);
+}

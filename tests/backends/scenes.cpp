@@ -179,6 +179,14 @@ Scene huge_and_tiny(std::size_t count) {
     return scene;
 }
 
+/// Scene of which two primitives reach far beyond all others.
+Scene outliers(std::size_t count) {
+    Scene scene = mix(count);
+    add_triangle(scene, Vec3(-1, -1, 0.1), Vec3(1, -1, 0), Vec3(0, 1e23, 0), Sides::both);
+    scene.geometry.add(Sphere{Vec3(0, 1e12, 1), 1e12}, 0);
+    return scene;
+}
+
 Scene slivers(std::size_t count) {
     Scene scene;
     Random random(16);
@@ -255,6 +263,7 @@ const std::vector<SceneFamily>& scene_families() {
         {"duplicates", duplicates},
         {"coplanar", coplanar},
         {"huge_and_tiny", huge_and_tiny},
+        {"outliers", outliers},
         {"slivers", slivers},
         {"flat", flat},
         {"closed_mesh", closed_mesh},

@@ -39,7 +39,8 @@ std::size_t count_different(const Backend& backend, const Scene& scene,
 TEST_CASE("Given a scene moved by 2^20 of its extents, every exact backend gives the same hits",
           "[backends]") {
     for (const SceneFamily& family : scene_families()) {
-        if (family.name == "far") continue;  // it is where others are moved to
+        if (family.name == "far") continue;       // it is where others are moved to
+        if (family.name == "outliers") continue;  // no sum with 1e23 is exact
         const Scene scene = snapped(family.make(200));
         Random random(8);
         const std::vector<Ray> rays = make_rays(scene, 1000, random);
