@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "core/image/io.h"
+#include "core/parallel/large_pages.h"
 #include "core/texture/power_of_two.h"
 
 namespace etalon {
@@ -12,6 +13,7 @@ namespace {
 TexelGrid texels_of(const Image& image) {
     TexelGrid grid{image.width, image.height, 3, {}};
     grid.values.reserve(std::size_t{3} * image.width * image.height);
+    prefer_large_pages(grid.values.data(), grid.values.capacity() * sizeof(float));
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             const Color c = image.color(x, y);
@@ -35,6 +37,7 @@ SphericalImage::SphericalImage(const std::string& file, std::vector<std::string>
     width_ = grid.width;
     height_ = grid.height;
     texels_.reserve(grid.values.size() / 3);
+    prefer_large_pages(texels_.data(), texels_.capacity() * sizeof(Color));
     for (std::size_t i = 0; i < grid.values.size(); i += 3) {
         texels_.emplace_back(grid.values[i], grid.values[i + 1], grid.values[i + 2]);
     }

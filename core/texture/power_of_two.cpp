@@ -5,7 +5,9 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <span>
 
+#include "core/parallel/large_pages.h"
 #include "core/parallel/parallel.h"
 
 namespace etalon {
@@ -55,51 +57,56 @@ std::vector<Sources> all_sources(int count, Wrap wrap) {
     return list;
 }
 
-/// Adds up what `width` numbers at each source give.
-void add_sources(const Sources& from, const float* values, std::size_t width, std::size_t stride,
-                 float* sums) {
-    std::fill_n(sums, width, 0.0F);
-    for (std::size_t j = 0; j < 4; ++j) {
-        if (from.texels[j] < 0) continue;
-        const float* const source = values + static_cast<std::size_t>(from.texels[j]) * stride;
-        for (std::size_t i = 0; i < width; ++i) sums[i] += from.weights[j] * source[i];
+/// Makes a row of texels longer.
+template <std::size_t channels>
+void stretch_row(const float* row, const std::vector<Sources>& columns, float* stretched) {
+    for (const Sources& from : columns) {
+        std::array<float, channels> sums{};
+        for (std::size_t j = 0; j < 4; ++j) {
+            if (from.texels[j] < 0) continue;
+            const float* const texel = row + static_cast<std::size_t>(from.texels[j]) * channels;
+            for (std::size_t k = 0; k < channels; ++k) sums[k] += from.weights[j] * texel[k];
+        }
+        stretched = std::copy_n(sums.data(), channels, stretched);
     }
 }
 
-template <class Line>
-void for_all_lines(int count, const Line& line) {
-    parallel_for(static_cast<std::size_t>(count), 16, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) line(i);
-    });
-}
+/// The rows of an image, made longer, of which the last few asked for are kept.
+class LongerRows {
+  public:
+    LongerRows(const TexelGrid& image, const std::vector<Sources>& columns)
+        : image_(image), columns_(columns), length_(columns.size() * image.channels) {
+        for (std::vector<float>& row : rows_) row.resize(length_);
+    }
 
-TexelGrid stretched_rows(const TexelGrid& image, Wrap wrap) {
-    const std::vector<Sources> columns = all_sources(image.width, wrap);
-    TexelGrid result{static_cast<int>(columns.size()), image.height, image.channels, {}};
-    const auto channels = static_cast<std::size_t>(image.channels);
-    const std::size_t before = static_cast<std::size_t>(image.width) * channels;
-    const std::size_t after = columns.size() * channels;
-    result.values.resize(after * static_cast<std::size_t>(image.height));
-    for_all_lines(image.height, [&](std::size_t y) {
-        for (std::size_t x = 0; x < columns.size(); ++x) {
-            add_sources(columns[x], &image.values[y * before], channels, channels,
-                        &result.values[y * after + x * channels]);
-        }
-    });
-    return result;
-}
+    const float* operator[](int number) {
+        const auto place = static_cast<std::size_t>(number) % rows_.size();
+        float* const row = rows_[place].data();
+        if (numbers_[place] == number) return row;
+        numbers_[place] = number;
+        const auto channels = static_cast<std::size_t>(image_.channels);
+        const float* const from = &image_.values[number * channels * image_.width];
+        channels == 1 ? stretch_row<1>(from, columns_, row) : stretch_row<3>(from, columns_, row);
+        return row;
+    }
 
-TexelGrid stretched_columns(const TexelGrid& image, Wrap wrap) {
-    const std::vector<Sources> rows = all_sources(image.height, wrap);
-    TexelGrid result{image.width, static_cast<int>(rows.size()), image.channels, {}};
-    const std::size_t row = static_cast<std::size_t>(image.width) * image.channels;
-    result.values.resize(row * rows.size());
-    for_all_lines(result.height, [&](std::size_t y) {
-        float* const sums = &result.values[y * row];
-        add_sources(rows[y], image.values.data(), row, row, sums);
-        for (std::size_t i = 0; i < row; ++i) sums[i] = std::max(sums[i], 0.0F);
-    });
-    return result;
+  private:
+    const TexelGrid& image_;
+    const std::vector<Sources>& columns_;
+    std::size_t length_;
+    std::array<std::vector<float>, 4> rows_;
+    std::array<int, 4> numbers_ = {-1, -1, -1, -1};
+};
+
+/// The mean of four rows, of numbers not below 0.
+void mix_rows(const Sources& from, LongerRows& rows, std::span<float> mixed) {
+    std::ranges::fill(mixed, 0.0F);
+    for (std::size_t j = 0; j < 4; ++j) {
+        if (from.texels[j] < 0) continue;
+        const float* const row = rows[from.texels[j]];
+        for (std::size_t i = 0; i < mixed.size(); ++i) mixed[i] += from.weights[j] * row[i];
+    }
+    for (float& value : mixed) value = std::max(value, 0.0F);
 }
 
 }  // namespace
@@ -110,7 +117,22 @@ bool has_power_of_two_sides(int width, int height) {
 }
 
 TexelGrid stretched_to_powers_of_two(const TexelGrid& image, Wrap wrap) {
-    return stretched_columns(stretched_rows(image, wrap), wrap);
+    const std::vector<Sources> columns = all_sources(image.width, wrap);
+    const std::vector<Sources> rows = all_sources(image.height, wrap);
+    const std::size_t length = columns.size() * image.channels;
+    TexelGrid result{
+        static_cast<int>(columns.size()), static_cast<int>(rows.size()), image.channels, {}};
+    result.values.reserve(length * rows.size());
+    prefer_large_pages(result.values.data(), length * rows.size() * sizeof(float));
+    result.values.resize(length * rows.size());
+    constexpr std::size_t rows_a_task = 32;
+    parallel_for(rows.size(), rows_a_task, [&](std::size_t begin, std::size_t end) {
+        LongerRows longer(image, columns);
+        for (std::size_t y = begin; y < end; ++y) {
+            mix_rows(rows[y], longer, std::span(result.values).subspan(y * length, length));
+        }
+    });
+    return result;
 }
 
 }  // namespace etalon

@@ -9,7 +9,7 @@ namespace etalon {
 
 /// Values of the texels of an image by rows, channels interleaved.
 struct TexelGrid {
-    int width = 0, height = 0, channels = 0;
+    int width = 0, height = 0, channels = 0;  ///< 1 or 3 channels
     std::vector<float> values;
 };
 

@@ -61,10 +61,10 @@ TEST_CASE("an image of one colour keeps it, and rows and columns are stretched a
 
 TEST_CASE("channels are stretched apart from each other", "[texture]") {
     const TexelGrid grid =
-        stretched_to_powers_of_two({3, 1, 2, {0.2F, 1, 0.8F, 1, 0.5F, 1}}, Wrap::repeat);
-    check_near({grid.values[0], grid.values[2], grid.values[4], grid.values[6]},
+        stretched_to_powers_of_two({3, 1, 3, {0.2F, 1, 0, 0.8F, 1, 0, 0.5F, 1, 0}}, Wrap::repeat);
+    check_near({grid.values[0], grid.values[3], grid.values[6], grid.values[9]},
                {0.1911913028778647, 0.6006883920347823, 0.7542353213509225, 0.4510343531280255});
-    check_near({grid.values[1], grid.values[3]}, {1, 1});
+    check_near({grid.values[1], grid.values[4], grid.values[2]}, {1, 1, 0});
 }
 
 TEST_CASE("sides of powers of two are left as they are", "[texture]") {
