@@ -74,7 +74,8 @@ bool is_pbrt_to_pbrt(const ConvertArguments& a, std::string_view text) {
 
 int normalize_pbrt(const ConvertArguments& a, std::string_view text) {
     const pbrt::NormalizedFile file =
-        pbrt::normalize(text, a.scene.path, output_directory(a), a.scene.options.strict);
+        pbrt::normalize(text, a.scene.path, output_directory(a), a.scene.options);
+    if (file.text && refuse_frame(a.scene, file.frames)) return exit_usage;
     write_message(report(file.diagnostics));
     if (!file.text) return exit_unusable;
     return write_text(a.output, *file.text) ? exit_done : exit_not_written;

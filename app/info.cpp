@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -144,6 +145,8 @@ Json describe(const InfoArguments& a, const LoadedScene& loaded) {
     return {{"schema", json_schema},
             {"scene", a.scene.path},
             {"format", s.format},
+            {"frame", std::max(a.scene.options.frame, 1)},
+            {"frames", loaded.frames},
             {"primitives", primitive_counts(s)},
             {"objects", s.geometry.objects.size()},
             {"instances", s.geometry.instances.size()},
@@ -184,14 +187,16 @@ std::string as_text(const Json& j) {
     const Json& camera = j["camera"];
     const auto needed = j["needs"].get<std::vector<std::string>>();
     return fmt::format(
-        "{}: {}\n  primitives  {}\n  instances   {}\n  materials   {}\n  lights      {}\n  picture "
+        "{}: {}\n  frame       {} of {}\n  primitives  {}\n  instances   {}\n  materials   {}\n  "
+        "lights      {}\n  picture "
         "    {} x {}, {} "
         "samples per pixel\n  integrator  {}\n  backend     {}\n  needs       {}\n  memory      {} "
         "bytes\n  "
         "diagnostics {}\n",
-        j["scene"].get<std::string>(), j["format"].get<std::string>(), counts_line(j["primitives"]),
-        instances_line(j), j["materials"].get<std::size_t>(), counts_line(j["lights"]),
-        camera["width"].get<int>(), camera["height"].get<int>(), j["samples_per_pixel"].get<int>(),
+        j["scene"].get<std::string>(), j["format"].get<std::string>(), j["frame"].get<int>(),
+        j["frames"].get<int>(), counts_line(j["primitives"]), instances_line(j),
+        j["materials"].get<std::size_t>(), counts_line(j["lights"]), camera["width"].get<int>(),
+        camera["height"].get<int>(), j["samples_per_pixel"].get<int>(),
         j["integrator"].get<std::string>(), j["backend"].get<std::string>(),
         needed.empty() ? "nothing special" : fmt::format("{}", fmt::join(needed, ", ")),
         j["memory_bytes"].get<std::size_t>(), j["diagnostics"].size());

@@ -39,14 +39,28 @@ void declare_scene(Options& options, SceneArguments& a) {
         .one_of(strings(legacy_names()))
         .group(group);
     options
+        .add("--frame", a.options.frame,
+             "Frame of a PBRT file with several, each of which ends with WorldEnd (default: the "
+             "first; convert: all)")
+        .within(1, most_frames)
+        .group(group);
+    options
         .add_flag("--one-sided", a.options.one_sided, "Show opaque surfaces from their front only")
         .group(group);
+}
+
+bool refuse_frame(const SceneArguments& a, int frames) {
+    if (a.options.frame <= frames) return false;
+    print_message("etalon: error: --frame {}: {} holds {}\n", a.options.frame, a.path,
+                  frames == 1 ? "one frame" : fmt::format("{0} frames; expected 1 to {0}", frames));
+    return true;
 }
 
 LoadedScene load(SceneArguments a, std::optional<std::string_view> text) {
     a.options.legacy = !a.legacy.empty();
     LoadResult result =
         text ? load_scene_text(*text, a.path, a.options) : load_scene(a.path, a.options);
+    if (result.scene && refuse_frame(a, result.frames)) return {std::nullopt, {}, exit_usage, {}};
     note_no_shapes(result, a);
     write_message(report(result.diagnostics));
     if (!result.scene) return {std::nullopt, {}, exit_unusable, std::move(result.diagnostics)};
@@ -56,7 +70,7 @@ LoadedScene load(SceneArguments a, std::optional<std::string_view> text) {
         return {std::nullopt, {}, exit_usage, {}};
     }
     return {std::move(result.scene), std::move(result.settings), exit_done,
-            std::move(result.diagnostics)};
+            std::move(result.diagnostics), result.frames};
 }
 
 }  // namespace etalon

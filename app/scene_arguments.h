@@ -24,7 +24,11 @@ struct LoadedScene {
     RenderSettings settings;     ///< what the file says about how to render it
     int status = 0;
     std::vector<Diagnostic> diagnostics;
+    int frames = 1;  ///< frames in the file
 };
+
+/// Says that a file holds fewer frames than --frame asks for; false if it does not.
+bool refuse_frame(const SceneArguments& arguments, int frames);
 
 /// Loads the scene and prints its diagnostics on standard error. `text` is that of the file where
 /// it was read already.

@@ -13,17 +13,24 @@
 
 namespace etalon {
 
+inline constexpr int most_frames = 1000;  ///< that are read of one file
+
 struct LoadOptions {
     std::string format;      ///< a format's name; empty: told from the content, then the extension
     bool strict = false;     ///< warnings are errors
     bool legacy = false;     ///< shade as the format's own old programs did
     bool one_sided = false;  ///< opaque surfaces are seen from their front only
+
+    /// The frame that is wanted of a file with several, from 1; the last one where there are fewer.
+    /// 0: the first, with a warning if there are more.
+    int frame = 0;
 };
 
 struct LoadResult {
     std::optional<Scene> scene;  ///< nothing if the file holds nothing that can be rendered
     RenderSettings settings{};   ///< settings that the file gives for rendering it
     std::vector<Diagnostic> diagnostics{};
+    int frames = 1;  ///< frames in the file
 };
 
 /// Reads a scene file; "-" is standard input.

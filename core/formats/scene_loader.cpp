@@ -1,6 +1,9 @@
 #include "core/formats/scene_loader.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "core/formats/expected_growth.h"
 
 namespace etalon {
 namespace {
@@ -61,6 +64,18 @@ Sides SceneLoader::sides() {
 void SceneLoader::add_light(const Vec3& position) {
     uncolored_lights.push_back(scene.whitted().lights.size());
     scene.whitted().lights.emplace_back(PointLight{position, Color(1.0F)});
+}
+
+void SceneLoader::look_ahead() {
+    const std::size_t read = in.tokens().offset();
+    const double whole =
+        1 + static_cast<double>(in.tokens().remaining()) / static_cast<double>(read);
+    constexpr std::size_t farthest = 32;  // a text may go on otherwise than it began
+    constexpr double margin = 0.02;       // lines are not all of one length
+    if (whole > 2) {
+        make_room_for_growth(scene.geometry, std::min<double>(whole, farthest) * (1 + margin));
+    }
+    looks_ahead_at = read * farthest;
 }
 
 LoadResult SceneLoader::finish(DiagnosticLog& log) {

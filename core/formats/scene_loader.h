@@ -38,6 +38,7 @@ struct SceneLoader {
     std::vector<std::size_t> uncolored_lights{};      ///< lights that the file gives no colour
     Corners corners{};  ///< kept from one polygon to the next for their room
     SmoothVertices smooth_vertices{};
+    std::size_t looks_ahead_at = 1 << 18;  ///< bytes of text before look_ahead()
 
     /// Sets the material of the objects to come, if such a surface can be; if not, says why.
     void set_material(const Material& material);
@@ -59,7 +60,11 @@ struct SceneLoader {
     template <class Shape>
     void add(const Shape& shape, Sides which) {
         scene.geometry.add(shape, current_material(), which);
+        if (in.tokens().offset() >= looks_ahead_at) look_ahead();
     }
+
+    /// Makes room for what the rest of the text holds if it goes on as it began.
+    void look_ahead();
 
     /// The current statement's shape cannot be seen.
     void skip_degenerate(std::string_view why) {

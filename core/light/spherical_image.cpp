@@ -3,8 +3,28 @@
 #include <numbers>
 
 #include "core/image/io.h"
+#include "core/parallel/large_pages.h"
+#include "core/texture/power_of_two.h"
 
 namespace etalon {
+namespace {
+
+/// The colours of an image with sides of powers of two, as pbrt-v3 makes it of any other.
+TexelGrid texels_of(const Image& image) {
+    TexelGrid grid{image.width, image.height, 3, {}};
+    grid.values.reserve(std::size_t{3} * image.width * image.height);
+    prefer_large_pages(grid.values.data(), grid.values.capacity() * sizeof(float));
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const Color c = image.color(x, y);
+            grid.values.insert(grid.values.end(), {c.x, c.y, c.z});
+        }
+    }
+    if (has_power_of_two_sides(image.width, image.height)) return grid;
+    return stretched_to_powers_of_two(grid, Wrap::repeat);
+}
+
+}  // namespace
 
 SphericalImage::SphericalImage(const std::string& file, std::vector<std::string>& problems) {
     if (file.empty()) return;
@@ -13,11 +33,13 @@ SphericalImage::SphericalImage(const std::string& file, std::vector<std::string>
         problems.push_back(image.error);
         return;
     }
-    width_ = image.value.width;
-    height_ = image.value.height;
-    texels_.reserve(static_cast<std::size_t>(width_) * height_);
-    for (int y = 0; y < height_; ++y) {
-        for (int x = 0; x < width_; ++x) texels_.push_back(image.value.color(x, y));
+    const TexelGrid grid = texels_of(image.value);
+    width_ = grid.width;
+    height_ = grid.height;
+    texels_.reserve(grid.values.size() / 3);
+    prefer_large_pages(texels_.data(), texels_.capacity() * sizeof(Color));
+    for (std::size_t i = 0; i < grid.values.size(); i += 3) {
+        texels_.emplace_back(grid.values[i], grid.values[i + 1], grid.values[i + 2]);
     }
 }
 

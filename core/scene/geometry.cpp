@@ -1,11 +1,13 @@
 #include "core/scene/geometry.h"
 
+#include "core/scene/spare_room.h"
+
 namespace etalon {
 namespace {
 
 template <class T>
 std::size_t memory_bytes(const LargeVector<T>& v) {
-    return v.capacity() * sizeof(T);
+    return written_bytes(v);
 }
 
 std::size_t memory_bytes(const TriangleList& triangles) {
@@ -93,13 +95,25 @@ void append(Geometry& geometry, const Geometry& other) {
     }
 }
 
+namespace {
+
+void give_back_room(TriangleList& triangles) {
+    triangles.shrink_to_fit();
+}
+
+void give_back_room(PolygonList& polygons) {
+    polygons.shrink_to_fit();
+}
+
+}  // namespace
+
 void shrink_to_fit(Geometry& g) {
-    std::apply([](auto&... v) { (v.shrink_to_fit(), ...); }, g.shapes);
+    std::apply([](auto&... list) { (give_back_room(list), ...); }, g.shapes);
     g.primitives.shrink_to_fit();
-    g.vertices.shrink_to_fit();
-    g.normals.shrink_to_fit();
-    g.decimal_vertices.shrink_to_fit();
-    g.instances.shrink_to_fit();
+    give_back_room(g.vertices);
+    give_back_room(g.normals);
+    give_back_room(g.decimal_vertices);
+    give_back_room(g.instances);
     for (Geometry& object : g.objects) shrink_to_fit(object);
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/scene/spare_room.h"
+
 namespace etalon {
 namespace {
 
@@ -42,16 +44,15 @@ void PolygonList::work_out(Entry& entry) {
 }
 
 void PolygonList::shrink_to_fit() {
-    entries_.shrink_to_fit();
-    corners_.shrink_to_fit();
-    normals_.shrink_to_fit();
-    columns_.shrink_to_fit();
+    give_back_room(entries_);
+    give_back_room(corners_);
+    give_back_room(normals_);
+    give_back_room(columns_);
 }
 
 std::size_t PolygonList::memory_bytes() const {
-    return entries_.capacity() * sizeof(Entry) +
-           (corners_.capacity() + normals_.capacity()) * sizeof(Vec3) +
-           columns_.capacity() * sizeof(double);
+    return written_bytes(entries_) + written_bytes(corners_) + written_bytes(normals_) +
+           written_bytes(columns_);
 }
 
 }  // namespace etalon

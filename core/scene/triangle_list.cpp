@@ -3,14 +3,10 @@
 #include <algorithm>
 
 #include "core/base/make_room.h"
+#include "core/scene/spare_room.h"
 
 namespace etalon {
 namespace {
-
-template <class T>
-std::size_t bytes(const LargeVector<T>& v) {
-    return v.capacity() * sizeof(T);
-}
 
 template <class Difference>
 void append_differences(const std::vector<TriangleIndices>& triangles, std::uint32_t base,
@@ -51,14 +47,14 @@ void TriangleList::close_block() {
 }
 
 void TriangleList::shrink_to_fit() {
-    blocks_.shrink_to_fit();
-    narrow_.shrink_to_fit();
-    wide_.shrink_to_fit();
+    give_back_room(blocks_);
+    give_back_room(narrow_);
+    give_back_room(wide_);
     open_.shrink_to_fit();
 }
 
 std::size_t TriangleList::memory_bytes() const {
-    return bytes(blocks_) + bytes(narrow_) + bytes(wide_) +
+    return written_bytes(blocks_) + written_bytes(narrow_) + written_bytes(wide_) +
            open_.capacity() * sizeof(TriangleIndices);
 }
 

@@ -6,6 +6,7 @@
 #include "core/image/io.h"
 #include "core/numerics/luminance.h"
 #include "core/parallel/parallel.h"
+#include "core/texture/power_of_two.h"
 
 namespace etalon {
 namespace {
@@ -96,6 +97,37 @@ SharedImage luminance_image(const SharedImage& image, bool decode_srgb) {
     return result;
 }
 
+/// The numbers that an image shows, of one channel or three, by rows.
+TexelGrid texels_of(const Image& image, bool decode_srgb) {
+    const int channels = image.channels < 3 ? 1 : 3;
+    const auto& bytes = decode_srgb ? decoded_byte_values() : detail::byte_values;
+    const auto width = static_cast<std::size_t>(image.width) * channels;
+    const auto number = [&](auto stored) {
+        if constexpr (sizeof(stored) == 1) {
+            return bytes[stored];
+        } else {
+            return stored;
+        }
+    };
+    return {image.width, image.height, channels,
+            std::visit(
+                [&](const auto& stored) {
+                    return values_of(width * image.height, [&](std::size_t i) {
+                        return number(stored[i / channels * image.channels + i % channels]);
+                    });
+                },
+                image.pixels)};
+}
+
+/// An image with sides of powers of two, as pbrt-v3 makes it of any other. Its floats are what they
+/// say.
+SharedImage stretched(const SharedImage& image, const TextureImage& how) {
+    if (has_power_of_two_sides(image->width, image->height)) return image;
+    TexelGrid grid = stretched_to_powers_of_two(texels_of(*image, how.decode_srgb), how.wrap);
+    return std::make_shared<const Image>(
+        Image{grid.width, grid.height, grid.channels, std::move(grid.values), {}, {}});
+}
+
 }  // namespace
 
 TextureImages read_texture_images(const Textures& textures, std::vector<std::string>& problems) {
@@ -112,10 +144,12 @@ TextureImages read_texture_images(const Textures& textures, std::vector<std::str
     for (std::size_t i = 0; i < count; ++i) {
         const TextureImage& how = textures.images[i];
         if (as_colors[i]) {
-            result.colors[i] = {decoded_floats(files.image(file_of[i]), how.decode_srgb), how};
+            result.colors[i] = {
+                stretched(decoded_floats(files.image(file_of[i]), how.decode_srgb), how), how};
         }
         if (as_numbers[i]) {
-            result.numbers[i] = {luminance_image(files.image(file_of[i]), how.decode_srgb), how};
+            result.numbers[i] = {
+                stretched(luminance_image(files.image(file_of[i]), how.decode_srgb), how), how};
         }
     }
     return result;

@@ -40,6 +40,23 @@ TEST_CASE("A light of one colour is left to the directions that surfaces choose"
     CHECK(light.pdf({0, 1, 0}) == 0);
 }
 
+TEST_CASE("A map has sides of powers of two, as pbrt-v3 makes it of any other", "[light]") {
+    const test::TemporaryFolder folder;
+    RenderedImage image{5, 3, {{0, 0}, {4, 2}}, std::vector(5 * 3, Color(0.25F, 1, 3)), false, {}};
+    REQUIRE(write_image(folder / "sky.exr", image).empty());
+    std::vector<std::string> problems;
+    const SphericalImage map(folder / "sky.exr", problems);
+    REQUIRE(problems.empty());
+    CHECK(map.width() == 8);
+    CHECK(map.height() == 4);
+    CHECK(std::abs(map.texel(6, 1).z - 3) < 1e-5);
+    image.pixels[7] = Color(100.0F);
+    REQUIRE(write_image(folder / "sky.exr", image).empty());
+    const SphericalImage bright(folder / "sky.exr", problems);
+    CHECK(std::abs(bright.texel(4, 2).x - 58.49738) < 1e-3);  // by the formulas of the filter
+    CHECK(bright.texel(0, 0).x >= 0);
+}
+
 TEST_CASE("Directions are sampled as often as their density says", "[light]") {
     const test::TemporaryFolder folder;
     std::vector<std::string> problems;

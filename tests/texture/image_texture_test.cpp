@@ -124,6 +124,16 @@ TEST_CASE("the values of an image are decoded, if at all, and then scaled", "[te
     CHECK(std::abs(number_at(small.image, 0.125, 0.75) - 3 * (0.212671 * 10 / 255 / 12.92)) < 1e-7);
 }
 
+TEST_CASE("an image of three columns is shown as the four that pbrt-v3 makes of them",
+          "[texture]") {
+    const TemporaryFolder folder;
+    const TextureImage image{folder / "three.png", Wrap::repeat, false, 2};
+    write_png(image.file, 3, 1, {{51, 0, 0}, {204, 0, 0}, {128, 0, 255}});
+    const Color left = color_at(image, 0.125, 0.5), right = color_at(image, 0.625, 0.5);
+    CHECK(std::abs(left.x - 2 * 0.1911913) < 2e-3);
+    CHECK(std::abs(right.x - 2 * 0.7542353) < 2e-3);
+}
+
 TEST_CASE("a texture of numbers shows an image's luminance", "[texture]") {
     const SmallImage small;
     CHECK(std::abs(number_at(small.image, 0.125, 0.75) - 0.212671F * 10 / 255) < 1e-6);

@@ -11,19 +11,27 @@ namespace {
 /// Numbers of the vertices of the mesh being read among those of the scene.
 using Vertices = std::vector<std::uint32_t>;
 
+template <class Vector>
+void keep_first(Vector& v, std::size_t count) {
+    v.erase(v.begin() + static_cast<std::ptrdiff_t>(count), v.end());
+}
+
 Vertices read_vertices(Loader& loader, std::size_t count) {
-    std::vector<Vec3> positions;
-    positions.reserve(count);
-    for (std::size_t i = 0; i < count && loader.in.ok(); ++i) {
-        positions.push_back(loader.in.vector("vertex"));
-    }
-    if (!loader.in.ok()) return {};
     Geometry& geometry = loader.scene.geometry;
+    const std::size_t before = geometry.vertices.size();
+    const std::size_t decimal_before = geometry.decimal_vertices.size();
     make_room(geometry.decimal_vertices, count);
     Vertices numbers;
     numbers.reserve(count);
-    for (const Vec3& p : positions) numbers.push_back(geometry.add_compact_vertex(p));
-    return numbers;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 position = loader.in.vector("vertex");
+        if (!loader.in.ok()) break;
+        numbers.push_back(geometry.add_compact_vertex(position));
+    }
+    if (loader.in.ok()) return numbers;
+    keep_first(geometry.vertices, before);
+    keep_first(geometry.decimal_vertices, decimal_before);
+    return {};
 }
 
 /// A vertex is named by its number from 1, or from the end by -1, -2, ... Says which is wrong.

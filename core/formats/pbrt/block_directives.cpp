@@ -1,13 +1,11 @@
 // Statements that begin and end blocks: the world, attributes, objects, included files.
 #include "core/formats/diagnostic_log.h"
+#include "core/formats/load.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/pbrt/parser.h"
 
 namespace etalon::pbrt {
 namespace {
-
-// A frame takes more memory than the words that begin and end it.
-constexpr std::size_t most_frames = 1000;
 
 void begin_world(Parser& p) {
     p.now.block = Block::world;
@@ -16,7 +14,8 @@ void begin_world(Parser& p) {
 }
 
 void end_world(Parser& p) {
-    if (p.frames.size() == most_frames) {
+    // A frame takes more memory than the words that begin and end it.
+    if (p.frames.size() == std::size_t{most_frames}) {
         p.log.error(p.in.where(), "frames", "only {} frames are read of one file", most_frames);
         p.now = {};
         return;

@@ -1,5 +1,7 @@
 #include "core/formats/pbrt/load_pbrt.h"
 
+#include <algorithm>
+
 #include "core/formats/pbrt/build/scene_builder.h"
 
 namespace etalon {
@@ -32,10 +34,13 @@ LoadResult load_pbrt(std::string_view text, const std::string& path, const LoadO
         result.diagnostics = std::move(file.diagnostics);
         return result;
     }
-    if (file.frames.size() > 1) {
+    result.frames = static_cast<int>(file.frames.size());
+    if (options.frame == 0 && result.frames > 1) {
         file.diagnostics.push_back(about_file(
             file, options.strict ? Severity::error : Severity::warning,
-            fmt::format("{} frames in one file; only the first is rendered", file.frames.size())));
+            fmt::format(
+                "{} frames in one file, of which this is the first; --frame N chooses another",
+                result.frames)));
     }
     if (options.one_sided) {
         file.diagnostics.push_back(
@@ -44,7 +49,8 @@ LoadResult load_pbrt(std::string_view text, const std::string& path, const LoadO
     }
     result.scene.emplace();
     result.scene->look = PhysicalLook{};
-    SceneBuilder b{file, file.frames.front(), options.strict, result};
+    const int number = std::clamp(options.frame, 1, result.frames);
+    SceneBuilder b{file, file.frames[static_cast<std::size_t>(number - 1)], options.strict, result};
     build_settings(b);
     build_camera(b);
     build_textures(b);

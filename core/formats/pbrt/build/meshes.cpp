@@ -1,7 +1,5 @@
 #include "core/base/make_room.h"
-#include "core/formats/mapped_file.h"
 #include "core/formats/pbrt/build/shape_builder.h"
-#include "core/formats/ply/ply.h"
 #include "core/parallel/parallel.h"
 #include "core/tessellate/loop_subdivision.h"
 
@@ -123,15 +121,12 @@ void build_triangle_mesh(ShapeBuilder& s) {
 }
 
 void build_ply_mesh(ShapeBuilder& s) {
-    const std::string path(s.parameters().string("filename"));
-    const MappedFile file(path);
-    if (!file.error().empty()) return s.skip(fmt::format("{}: {}", path, file.error()));
-    DiagnosticLog log(path, file.text(), s.b.strict);
-    const std::optional<PlyMesh> ply = read_ply(file.text(), log);
-    s.b.log.append(log.list());
-    if (!ply) return s.skip(fmt::format("{} cannot be read", path));
-    build_mesh(s,
-               {ply->positions, ply->normals, ply->uvs, ply->indices, s.shape.reverse_orientation});
+    PlyFile file = s.b.ply_files.take(s.shape);
+    if (!file.error.empty()) return s.skip(fmt::format("{}: {}", file.path, file.error));
+    s.b.log.append(file.said);
+    if (!file.mesh) return s.skip(fmt::format("{} cannot be read", file.path));
+    const PlyMesh& ply = *file.mesh;
+    build_mesh(s, {ply.positions, ply.normals, ply.uvs, ply.indices, s.shape.reverse_orientation});
 }
 
 void build_loop_subdivision(ShapeBuilder& s) {

@@ -1,0 +1,32 @@
+#include "core/formats/expected_growth.h"
+
+namespace etalon {
+namespace {
+
+constexpr std::size_t much = 1000;  ///< items; fewer say little of what is to come
+
+std::size_t grown(std::size_t size, double factor) {
+    return static_cast<std::size_t>(static_cast<double>(size) * factor);
+}
+
+template <class T>
+void make_room(LargeVector<T>& v, double factor) {
+    if (v.size() >= much) v.reserve(grown(v.size(), factor));
+}
+
+void make_room(TriangleList& v, double factor) {
+    if (v.size() >= much) v.reserve(grown(v.size(), factor) - v.size());
+}
+
+/// Nobody knows how many corners are to come.
+void make_room(PolygonList&, double) {}
+
+}  // namespace
+
+void make_room_for_growth(Geometry& g, double factor) {
+    std::apply([&](auto&... list) { (make_room(list, factor), ...); }, g.shapes);
+    make_room(g.vertices, factor);
+    make_room(g.normals, factor);
+}
+
+}  // namespace etalon
