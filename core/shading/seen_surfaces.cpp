@@ -143,11 +143,5 @@ void SeenSurfaces::add_run(const Scene& scene, std::span<const Ray> rays, std::s
     }
 }
 
-SurfacePoint SeenSurfaces::point(std::size_t i) const {
-    const Traits& t = traits[i];
-    return {positions[i], errors[i], normals[i], shading_normals[i],
-            t.primitive,  no_index,  t.convexity};
-}
-
 }  // namespace etalon
 #endif

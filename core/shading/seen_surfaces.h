@@ -32,13 +32,7 @@ class SeenSurfaces {
 
     std::size_t size() const { return traits.size(); }
 
-    /// The point of a surface; without an instance.
-    SurfacePoint point(std::size_t i) const;
-
     bool entering(std::size_t i) const { return fronts[i] > 0; }
-
-    /// The geometric normal on the ray's side.
-    Vec3 near_normal(std::size_t i) const { return entering(i) ? normals[i] : -normals[i]; }
 
     /// Padded, of any value there.
     std::vector<Vec3> directions;  ///< of the rays

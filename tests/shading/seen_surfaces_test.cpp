@@ -36,7 +36,6 @@ void check_surface(const SeenSurfaces& seen, std::size_t i, const SurfaceInterac
     CHECK(seen.errors[i] == at.surface.error);
     CHECK(seen.normals[i] == at.surface.normal);
     CHECK(seen.shading_normals[i] == at.ns);
-    CHECK(seen.near_normal(i) == at.ng);
     CHECK(seen.entering(i) == at.entering);
     CHECK(seen.traits[i].material == at.material);
     CHECK(seen.traits[i].primitive == at.surface.primitive);

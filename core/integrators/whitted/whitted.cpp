@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/sampling/dimensions.h"
-#include "core/shading/fresnel.h"
 
 namespace etalon {
 namespace {
@@ -170,7 +169,13 @@ void Whitted::add_secondary(const RaysView& batch, int depth, const SeenSurfaces
                             std::span<Color> colors, RayCounts& counts) const {
     SecondaryRays secondary;
     secondary.reserve(surfaces.size());
-    for (std::size_t i = 0; i < surfaces.size(); ++i) leave(batch, i, surfaces, secondary, counts);
+    LeavingRays leaving(surfaces, {rules_.schlick, rules_.fixed_bias});
+    for (std::size_t first = 0, count = 0; first < surfaces.size(); first += count) {
+        count = leaving.make(first);
+        for (std::size_t i = 0; i < count; ++i) {
+            leave(batch, surfaces.traits[first + i], leaving, first, i, secondary, counts);
+        }
+    }
     std::vector<Color> sums(surfaces.size(), Color(0.0F)), incoming(secondary.rays.size());
     const RaysView all{secondary.rays, secondary.paths};
     for (std::size_t first = 0; first < incoming.size(); first += batch_size) {
@@ -184,63 +189,39 @@ void Whitted::add_secondary(const RaysView& batch, int depth, const SeenSurfaces
     for (std::size_t i = 0; i < sums.size(); ++i) colors[surfaces.traits[i].ray] += sums[i];
 }
 
-/// Appends the rays that leave a surface: the mirrored one first.
-void Whitted::leave(const RaysView& batch, std::size_t i, const SeenSurfaces& surfaces,
-                    SecondaryRays& to, RayCounts& counts) const {
-    const Material& m = *surfaces.traits[i].material;
-    const bool counted = rules_.mirror_all_glass && !is_black(m.transmission);
+/// Appends the rays that leave surface number first + i: the mirrored one first.
+void Whitted::leave(const RaysView& batch, const SeenSurfaces::Traits& from,
+                    const LeavingRays& leaving, std::size_t first, std::size_t i, SecondaryRays& to,
+                    RayCounts& counts) const {
+    const Material& m = *from.material;
     if (is_black(m.reflection) && is_black(m.transmission)) return;
-    const Vec3 &direction = surfaces.directions[i], &ns = surfaces.shading_normals[i];
-    const Vec3 normal = direction.dot(ns) < 0 ? ns : surfaces.near_normal(i);
-    const double cosine = std::clamp(-direction.dot(normal), 0.0, 1.0);
-    const bool entering = surfaces.entering(i);
-    const double eta = entering ? 1 / m.ior : m.ior;
-    const auto add = [&](const Color& weight, const Vec3& leaving, bool inside) {
-        to.surfaces.push_back(i);
-        to.weights.push_back(weight);
-        follow(batch, i, surfaces, leaving, inside, to);
-    };
+    const bool counted = rules_.mirror_all_glass && !is_black(m.transmission);
     Color reflection = m.reflection, transmission = m.transmission;
-    Vec3 refracted;
     if (!is_black(m.transmission)) {
-        const FresnelTerms fresnel =
-            rules_.schlick ? fresnel_schlick(eta, cosine) : fresnel_dielectric(eta, cosine);
         if (m.fresnel) {
-            reflection *= static_cast<float>(fresnel.reflectance);
-            transmission *= static_cast<float>(1 - fresnel.reflectance);
+            const double reflectance = leaving.reflectance(i);
+            reflection *= static_cast<float>(reflectance);
+            transmission *= static_cast<float>(1 - reflectance);
         }
-        if (fresnel.total) transmission = Color(0.0F);
-        refracted = normalized(refract(direction, normal, eta, cosine, fresnel.cos_refracted));
+        if (leaving.is_total(i)) transmission = Color(0.0F);
     }
+    const Path& path = batch.paths[from.ray];
+    const auto add = [&](const Color& weight, const Ray& ray, bool crosses, const Color& within) {
+        to.surfaces.push_back(first + i);
+        to.weights.push_back(weight);
+        to.rays.push_back(ray);
+        to.rays.back().coherent = batch.rays[from.ray].coherent;
+        to.paths.push_back({path.sample, ray_name(path.name, crosses), within});
+    };
     if (!is_black(reflection) || counted) {
         ++counts.reflected;
-        add(reflection, normalized(reflect(direction, normal)), !entering);
+        add(reflection, leaving.mirrored(i), false, path.absorption);
     }
     if (!is_black(transmission)) {
         ++counts.refracted;
-        add(transmission, refracted, entering);
+        const Color beyond = leaving.enters(i) ? m.absorption : Color(0.0F);
+        add(transmission, leaving.refracted(i), true, beyond);
     }
-}
-
-/// Appends a ray from a surface; `inside`: the new ray runs behind the surface.
-void Whitted::follow(const RaysView& batch, std::size_t i, const SeenSurfaces& surfaces,
-                     const Vec3& direction, bool inside, Rays& to) const {
-    const SeenSurfaces::Traits& traits = surfaces.traits[i];
-    const Path& from = batch.paths[traits.ray];
-    const bool crosses = inside == surfaces.entering(i);
-    Color absorption = from.absorption;
-    if (crosses) absorption = inside ? traits.material->absorption : Color(0.0F);
-    to.rays.push_back(leaving_ray(surfaces, i, direction, crosses));
-    to.rays.back().coherent = batch.rays[traits.ray].coherent;
-    to.paths.push_back({from.sample, ray_name(from.name, crosses), absorption});
-}
-
-Ray Whitted::leaving_ray(const SeenSurfaces& surfaces, std::size_t i, const Vec3& direction,
-                         bool crosses) const {
-    const double bias = rules_.fixed_bias;
-    if (bias == 0) return spawn_ray(surfaces.point(i), direction);
-    const Vec3 ng = surfaces.near_normal(i);
-    return {surfaces.positions[i] + (crosses ? -bias : bias) * ng, direction};
 }
 
 }  // namespace etalon

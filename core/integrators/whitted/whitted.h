@@ -8,9 +8,9 @@
 #include "core/intersect/batch_intersector.h"
 #include "core/scene/render_settings.h"
 #include "core/shading/environment_map.h"
+#include "core/shading/leaving_rays.h"
 #include "core/shading/light_samples.h"
 #include "core/shading/shadow_rays.h"
-#include "core/shading/surface_interaction.h"
 
 namespace etalon {
 
@@ -66,12 +66,8 @@ class Whitted final : public Integrator {
                    std::span<Color> reflected, RayCounts& counts) const;
     void add_secondary(const RaysView& batch, int depth, const SeenSurfaces& surfaces,
                        std::span<Color> colors, RayCounts& counts) const;
-    void leave(const RaysView& batch, std::size_t i, const SeenSurfaces& surfaces,
-               SecondaryRays& to, RayCounts& counts) const;
-    void follow(const RaysView& batch, std::size_t i, const SeenSurfaces& surfaces,
-                const Vec3& direction, bool inside, Rays& to) const;
-    Ray leaving_ray(const SeenSurfaces& surfaces, std::size_t i, const Vec3& direction,
-                    bool crosses) const;
+    void leave(const RaysView& batch, const SeenSurfaces::Traits& from, const LeavingRays& leaving,
+               std::size_t first, std::size_t i, SecondaryRays& to, RayCounts& counts) const;
 
     const Scene& scene_;
     const BatchIntersector& intersector_;
