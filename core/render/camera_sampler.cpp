@@ -19,10 +19,8 @@ Imath::Box2i CameraSampler::sampled(Imath::Box2i window) const {
 
 void CameraBatch::add(int x, int y, std::uint32_t first, std::uint32_t last) {
     const PixelSamples pixel(x, y, sampler_.seed_, sampler_.sampler_);
-    for (std::uint32_t i = first; i < last; ++i) {
-        pixels_.emplace_back(x, y);
-        sources_.emplace_back(pixel, i);
-    }
+    pixels_.resize(size() + (last - first), {x, y});
+    for (std::uint32_t i = first; i < last; ++i) sources_.emplace_back(pixel, i);
     if (!sampler_.has_samples_) return;
     in_pixel_.add(pixel.points(pixel_dimension), first, last);
     if (sampler_.camera_.has_lens()) on_lens_.add(pixel.points(lens_dimension), first, last);

@@ -88,40 +88,24 @@ bool leaves_for_good(Convexity convexity, double leaving, double moving) {
 
 }  // namespace
 
-LitSurfaces::LitSurfaces(std::size_t most) {
-    constexpr std::size_t lanes = HWY_NAMESPACE::padded_doubles;
-    for (auto* column : {&positions_, &errors_, &normals_, &shading_normals_}) {
-        column->resize((most + lanes - 1) / lanes * lanes);
-    }
-    traits_.reserve(most);
-}
-
-void LitSurfaces::add(const SurfaceInteraction& at) {
-    const SurfacePoint& p = at.surface;
-    const std::size_t i = size();
-    positions_[i] = p.position;
-    errors_[i] = p.error;
-    normals_[i] = p.normal;
-    shading_normals_[i] = at.ns;
-    traits_.push_back({at.entering ? 1.0 : -1.0, p.primitive, p.convexity});
-}
-
-ShadowRays::ShadowRays(const LitSurfaces& surfaces, std::span<const Vec3> lights,
+ShadowRays::ShadowRays(const SeenSurfaces& surfaces, std::span<const Vec3> lights,
                        double fixed_bias) {
     rays.reserve(surfaces.size());
     facing.reserve(surfaces.size());
     AimedChunk c;
     for (std::size_t first = 0; first < surfaces.size(); first += AimedChunk::most) {
-        c.positions = &surfaces.positions_[first];
-        c.errors = &surfaces.errors_[first];
-        c.normals = &surfaces.normals_[first];
-        c.shading_normals = &surfaces.shading_normals_[first];
+        c.positions = &surfaces.positions[first];
+        c.errors = &surfaces.errors[first];
+        c.normals = &surfaces.normals[first];
+        c.shading_normals = &surfaces.shading_normals[first];
         c.count = std::min(AimedChunk::most, surfaces.size() - first);
         std::ranges::copy(lights.subspan(first, c.count), c.lights.begin());
         HWY_DYNAMIC_DISPATCH(aim)(c, fixed_bias);
         for (std::size_t i = 0; i < c.count; ++i) {
-            const LitSurfaces::Traits& traits = surfaces.traits_[first + i];
-            if (!(c.cosine[i] > 0) || !(traits.front * c.facing[i] > 0)) continue;
+            const double facing_it = surfaces.fronts[first + i] * c.facing[i];
+            if (!(c.cosine[i] > 0) || !(facing_it > 0)) continue;
+            const SeenSurfaces::Traits& traits = surfaces.traits[first + i];
+            if (!traits.scatters) continue;
             const bool for_good =
                 fixed_bias == 0 && leaves_for_good(traits.convexity, c.leaving[i], c.moving[i]);
             Ray& ray = rays.emplace_back();

@@ -14,6 +14,7 @@ SurfaceInteraction random_surface(Random& random) {
     SurfacePoint& p = at.surface;
     p.position = random.in_cube();
     p.error = random.uniform(0, 1) < 0.1 ? Vec3(0) : Vec3(random.uniform(0, 1e-9));
+    at.material = nullptr;
     p.normal = random.direction();
     p.primitive = 7;
     p.convexity = kinds[static_cast<int>(random.uniform(0, 3))];
@@ -44,11 +45,11 @@ TEST_CASE("Shadow rays made together are those that leave each surface", "[shadi
         for (const std::size_t count : {0U, 1U, 5U, 64U, 200U}) {
             std::vector<SurfaceInteraction> surfaces;
             std::vector<Vec3> lights;
-            LitSurfaces lit(count);
+            SeenSurfaces lit(count);
             for (std::size_t i = 0; i < count; ++i) {
                 surfaces.push_back(random_surface(random));
                 lights.push_back(random_light(surfaces[i], static_cast<int>(i), random));
-                lit.add(surfaces[i]);
+                lit.add(surfaces[i], Vec3(0), static_cast<std::uint32_t>(i));
             }
             const ShadowRays shadow(lit, lights, 0);
             std::size_t next = 0;
@@ -72,9 +73,11 @@ TEST_CASE("Shadow rays made together are those that leave each surface", "[shadi
 
 TEST_CASE("Shadow rays with a fixed bias start that far along the normal", "[shading]") {
     Random random(6);
-    LitSurfaces lit(20);
+    SeenSurfaces lit(20);
     std::vector<SurfaceInteraction> surfaces;
-    for (int i = 0; i < 20; ++i) lit.add(surfaces.emplace_back(random_surface(random)));
+    for (std::uint32_t i = 0; i < 20; ++i) {
+        lit.add(surfaces.emplace_back(random_surface(random)), Vec3(0), i);
+    }
     const Vec3 light(100, 0, 0);
     const ShadowRays shadow(lit, std::vector(20, light), 0.5);
     CHECK(!shadow.rays.empty());

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/sampling/dimensions.h"
-#include "core/shading/fresnel.h"
 
 namespace etalon {
 namespace {
@@ -39,12 +38,11 @@ double highlight_of(const Material& m, const Vec3& direction, const Vec3& normal
 }
 
 /// Part of a white light from `towards` that the surface sends back along the ray.
-Color scattered(const SurfaceInteraction& at, const Vec3& direction, const Vec3& towards,
+Color scattered(const Material& m, const Vec3& direction, const Vec3& normal, const Vec3& towards,
                 double cosine) {
-    const Material& m = *at.material;
     Color sum = m.diffuse * static_cast<float>(cosine);
     if (is_black(m.specular)) return sum;
-    return sum += m.specular * static_cast<float>(highlight_of(m, direction, at.ns, towards));
+    return sum += m.specular * static_cast<float>(highlight_of(m, direction, normal, towards));
 }
 
 }  // namespace
@@ -78,80 +76,74 @@ void Whitted::radiance(const CameraSamples& samples, std::span<Color> colors,
 void Whitted::trace(const RaysView& batch, int depth, std::span<Color> colors,
                     RayCounts& counts) const {
     std::vector<Hit> hits(batch.rays.size());
-    const std::vector<Vertex> vertices = find_vertices(batch, hits, colors);
-    (depth == 1 ? counts.camera_hits : counts.secondary_hits) += vertices.size();
-    add_direct(batch, vertices, colors, counts);
-    if (depth < max_depth_) add_secondary(batch, depth, vertices, colors, counts);
-    for (const Vertex& v : vertices) {
-        const Color& absorption = batch.paths[v.ray].absorption;
-        if (!is_black(absorption)) colors[v.ray] *= transmittance(absorption, hits[v.ray].t);
+    const SeenSurfaces surfaces = find_surfaces(batch, hits, colors);
+    (depth == 1 ? counts.camera_hits : counts.secondary_hits) += surfaces.size();
+    add_direct(batch, surfaces, colors, counts);
+    if (depth < max_depth_) add_secondary(batch, depth, surfaces, colors, counts);
+    for (const auto& traits : surfaces.traits) {
+        const Color& absorption = batch.paths[traits.ray].absorption;
+        if (is_black(absorption)) continue;
+        colors[traits.ray] *= transmittance(absorption, hits[traits.ray].t);
     }
     if (!rules_.clamp_each_ray) return;
     for (Color& color : colors) color = clamped(color);
 }
 
 /// Finds where the rays hit, and sets their colours to what does not depend on other rays.
-std::vector<Whitted::Vertex> Whitted::find_vertices(const RaysView& batch, std::span<Hit> hits,
-                                                    std::span<Color> colors) const {
+SeenSurfaces Whitted::find_surfaces(const RaysView& batch, std::span<Hit> hits,
+                                    std::span<Color> colors) const {
     intersector_.closest(batch.rays, hits);
-    std::vector<Vertex> vertices;
-    vertices.reserve(hits.size());
     for (std::size_t i = 0; i < hits.size(); ++i) {
-        const Ray& ray = batch.rays[i];
-        if (hits[i].primitive == no_index) {
-            colors[i] = environment_.radiance(ray.direction);
-        } else {
-            vertices.push_back({i, surface_interaction(scene_, ray, hits[i])});
-            colors[i] = vertices.back().at.material->ambient;
-        }
+        if (hits[i].primitive != no_index) continue;
+        colors[i] = environment_.radiance(batch.rays[i].direction);
     }
-    return vertices;
+    SeenSurfaces surfaces(scene_, batch.rays, hits);
+    for (const auto& traits : surfaces.traits) colors[traits.ray] = traits.material->ambient;
+    return surfaces;
 }
 
 /// Adds what the lights send along each ray, by surfaces that scatter or shine.
-void Whitted::add_direct(const RaysView& batch, std::span<const Vertex> vertices,
+void Whitted::add_direct(const RaysView& batch, const SeenSurfaces& surfaces,
                          std::span<Color> colors, RayCounts& counts) const {
-    Lit lit{{}, LitSurfaces(vertices.size())};
-    for (const Vertex& v : vertices) {
-        const Material& m = *v.at.material;
-        if (is_black(m.diffuse) && is_black(m.specular)) continue;
-        lit.vertices.push_back(&v);
-        lit.surfaces.add(v.at);
-    }
-    const std::size_t count = lit.vertices.size();
+    const std::size_t count = surfaces.size();
     std::vector<Color> sums(count, Color(0.0F)), reflected(count);
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         std::ranges::fill(reflected, Color(0.0F));
         for (int k = 0; k < lights_[i].count(); ++k) {
-            add_light(i, k, batch, lit, reflected, counts);
+            add_light(i, k, batch, surfaces, reflected, counts);
         }
         for (std::size_t j = 0; j < count; ++j) sums[j] += reflected[j] * lights_[i].color();
     }
-    for (std::size_t j = 0; j < count; ++j) colors[lit.vertices[j]->ray] += sums[j];
+    for (std::size_t j = 0; j < count; ++j) {
+        const auto& traits = surfaces.traits[j];
+        if (traits.scatters) colors[traits.ray] += sums[j];
+    }
 }
 
 /// Returns the light's point k for each surface.
 std::vector<Vec3> Whitted::light_points(std::size_t light, int k, const RaysView& batch,
-                                        const Lit& lit) const {
+                                        const SeenSurfaces& surfaces) const {
     const LightSamples& samples = lights_[light];
-    if (!samples.is_random()) return std::vector(lit.vertices.size(), samples.position(k));
+    if (!samples.is_random()) return std::vector(surfaces.size(), samples.position(k));
     PointBatch points;
-    for (const Vertex* v : lit.vertices) {
-        const Path& path = batch.paths[v->ray];
+    for (const auto& traits : surfaces.traits) {
+        const Path& path = batch.paths[traits.ray];
         path.sample->add_stratified(light_dimension(path.name, light), k, samples.count(), points);
     }
     std::vector<Vec3> positions;
-    positions.reserve(lit.vertices.size());
+    positions.reserve(surfaces.size());
     for (const Vec2& uv : points.make()) positions.push_back(samples.position(uv));
     return positions;
 }
 
 /// Adds the part of the light's point k, taken as white, that each surface sends back.
-void Whitted::add_light(std::size_t light, int k, const RaysView& batch, const Lit& lit,
-                        std::span<Color> reflected, RayCounts& counts) const {
-    ShadowRays shadow(lit.surfaces, light_points(light, k, batch, lit), rules_.fixed_bias);
+void Whitted::add_light(std::size_t light, int k, const RaysView& batch,
+                        const SeenSurfaces& surfaces, std::span<Color> reflected,
+                        RayCounts& counts) const {
+    ShadowRays shadow(surfaces, light_points(light, k, batch, surfaces), rules_.fixed_bias);
     for (std::size_t i = 0; i < shadow.rays.size(); ++i) {
-        shadow.rays[i].coherent = batch.rays[lit.vertices[shadow.facing[i].surface]->ray].coherent;
+        const std::uint32_t ray = surfaces.traits[shadow.facing[i].surface].ray;
+        shadow.rays[i].coherent = batch.rays[ray].coherent;
     }
     std::vector<std::uint8_t> blocked(shadow.rays.size());
     intersector_.occluded(shadow.rays, blocked);
@@ -160,26 +152,31 @@ void Whitted::add_light(std::size_t light, int k, const RaysView& batch, const L
         counts.shadow_blocked += blocked[i];
         if (blocked[i] != 0) continue;
         const auto& [j, towards, cosine] = shadow.facing[i];
-        const auto& [ray, at] = *lit.vertices[j];
-        reflected[j] += scattered(at, batch.rays[ray].direction, towards, cosine);
+        reflected[j] += scattered(*surfaces.traits[j].material, surfaces.directions[j],
+                                  surfaces.shading_normals[j], towards, cosine);
     }
 }
 
 void Whitted::SecondaryRays::reserve(std::size_t count) {
     rays.reserve(count);
     paths.reserve(count);
-    vertices.reserve(count);
+    surfaces.reserve(count);
     weights.reserve(count);
 }
 
 /// Adds what mirrors and glass let come back.
-void Whitted::add_secondary(const RaysView& batch, int depth, std::span<const Vertex> vertices,
+void Whitted::add_secondary(const RaysView& batch, int depth, const SeenSurfaces& surfaces,
                             std::span<Color> colors, RayCounts& counts) const {
     SecondaryRays secondary;
-    secondary.reserve(vertices.size());
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        leave(batch, i, vertices[i], secondary, counts);
-    std::vector<Color> sums(vertices.size(), Color(0.0F)), incoming(secondary.rays.size());
+    secondary.reserve(surfaces.size());
+    LeavingRays leaving(surfaces, {rules_.schlick, rules_.fixed_bias});
+    for (std::size_t first = 0, count = 0; first < surfaces.size(); first += count) {
+        count = leaving.make(first);
+        for (std::size_t i = 0; i < count; ++i) {
+            leave(batch, surfaces.traits[first + i], leaving, first, i, secondary, counts);
+        }
+    }
+    std::vector<Color> sums(surfaces.size(), Color(0.0F)), incoming(secondary.rays.size());
     const RaysView all{secondary.rays, secondary.paths};
     for (std::size_t first = 0; first < incoming.size(); first += batch_size) {
         const std::size_t count = std::min(batch_size, incoming.size() - first);
@@ -187,65 +184,44 @@ void Whitted::add_secondary(const RaysView& batch, int depth, std::span<const Ve
               std::span(incoming).subspan(first, count), counts);
     }
     for (std::size_t i = 0; i < incoming.size(); ++i) {
-        sums[secondary.vertices[i]] += secondary.weights[i] * incoming[i];
+        sums[secondary.surfaces[i]] += secondary.weights[i] * incoming[i];
     }
-    for (std::size_t i = 0; i < vertices.size(); ++i) colors[vertices[i].ray] += sums[i];
+    for (std::size_t i = 0; i < sums.size(); ++i) colors[surfaces.traits[i].ray] += sums[i];
 }
 
-/// Appends the rays that leave a vertex: the mirrored one first.
-void Whitted::leave(const RaysView& batch, std::size_t vertex, const Vertex& v, SecondaryRays& to,
+/// Appends the rays that leave surface number first + i: the mirrored one first.
+void Whitted::leave(const RaysView& batch, const SeenSurfaces::Traits& from,
+                    const LeavingRays& leaving, std::size_t first, std::size_t i, SecondaryRays& to,
                     RayCounts& counts) const {
-    const SurfaceInteraction& at = v.at;
-    const Material& m = *at.material;
-    const Vec3& direction = batch.rays[v.ray].direction;
-    const bool counted = rules_.mirror_all_glass && !is_black(m.transmission);
+    const Material& m = *from.material;
     if (is_black(m.reflection) && is_black(m.transmission)) return;
-    const Vec3& normal = direction.dot(at.ns) < 0 ? at.ns : at.ng;
-    const double cosine = std::clamp(-direction.dot(normal), 0.0, 1.0);
-    const double eta = at.entering ? 1 / m.ior : m.ior;
-    const auto add = [&](const Color& weight, const Vec3& leaving, bool inside) {
-        to.vertices.push_back(vertex);
-        to.weights.push_back(weight);
-        follow(batch, v, leaving, inside, to);
-    };
+    const bool counted = rules_.mirror_all_glass && !is_black(m.transmission);
     Color reflection = m.reflection, transmission = m.transmission;
-    Vec3 refracted;
     if (!is_black(m.transmission)) {
-        const FresnelTerms fresnel =
-            rules_.schlick ? fresnel_schlick(eta, cosine) : fresnel_dielectric(eta, cosine);
         if (m.fresnel) {
-            reflection *= static_cast<float>(fresnel.reflectance);
-            transmission *= static_cast<float>(1 - fresnel.reflectance);
+            const double reflectance = leaving.reflectance(i);
+            reflection *= static_cast<float>(reflectance);
+            transmission *= static_cast<float>(1 - reflectance);
         }
-        if (fresnel.total) transmission = Color(0.0F);
-        refracted = normalized(refract(direction, normal, eta, cosine, fresnel.cos_refracted));
+        if (leaving.is_total(i)) transmission = Color(0.0F);
     }
+    const Path& path = batch.paths[from.ray];
+    const auto add = [&](const Color& weight, const Ray& ray, bool crosses, const Color& within) {
+        to.surfaces.push_back(first + i);
+        to.weights.push_back(weight);
+        to.rays.push_back(ray);
+        to.rays.back().coherent = batch.rays[from.ray].coherent;
+        to.paths.push_back({path.sample, ray_name(path.name, crosses), within});
+    };
     if (!is_black(reflection) || counted) {
         ++counts.reflected;
-        add(reflection, normalized(reflect(direction, normal)), !at.entering);
+        add(reflection, leaving.mirrored(i), false, path.absorption);
     }
     if (!is_black(transmission)) {
         ++counts.refracted;
-        add(transmission, refracted, at.entering);
+        const Color beyond = leaving.enters(i) ? m.absorption : Color(0.0F);
+        add(transmission, leaving.refracted(i), true, beyond);
     }
-}
-
-/// Appends a ray from a vertex; `inside`: the new ray runs behind the surface.
-void Whitted::follow(const RaysView& batch, const Vertex& v, const Vec3& direction, bool inside,
-                     Rays& to) const {
-    const Path& from = batch.paths[v.ray];
-    const bool crosses = inside == v.at.entering;
-    Color absorption = from.absorption;
-    if (crosses) absorption = inside ? v.at.material->absorption : Color(0.0F);
-    to.rays.push_back(leaving_ray(v.at, direction, crosses));
-    to.rays.back().coherent = batch.rays[v.ray].coherent;
-    to.paths.push_back({from.sample, ray_name(from.name, crosses), absorption});
-}
-
-Ray Whitted::leaving_ray(const SurfaceInteraction& at, const Vec3& direction, bool crosses) const {
-    const double bias = rules_.fixed_bias;
-    if (bias == 0) return spawn_ray(at.surface, direction);
-    return {at.surface.position + (crosses ? -bias : bias) * at.ng, direction};
 }
 
 }  // namespace etalon

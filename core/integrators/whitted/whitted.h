@@ -8,9 +8,9 @@
 #include "core/intersect/batch_intersector.h"
 #include "core/scene/render_settings.h"
 #include "core/shading/environment_map.h"
+#include "core/shading/leaving_rays.h"
 #include "core/shading/light_samples.h"
 #include "core/shading/shadow_rays.h"
-#include "core/shading/surface_interaction.h"
 
 namespace etalon {
 
@@ -46,43 +46,28 @@ class Whitted final : public Integrator {
         std::span<const Path> paths;
     };
 
-    /// Where a ray of a batch has hit.
-    struct Vertex {
-        std::size_t ray;
-        SurfaceInteraction at;
-    };
-
-    /// The vertices of a batch that scatter or shine, and the same as lights see them.
-    struct Lit {
-        std::vector<const Vertex*> vertices;
-        LitSurfaces surfaces;
-    };
-
-    /// The rays that leave the vertices of a batch for mirrors and glass: each one's vertex, and
+    /// The rays that leave the surfaces of a batch for mirrors and glass: each one's surface, and
     /// the weight of its colour there.
     struct SecondaryRays : Rays {
         void reserve(std::size_t count);
 
-        std::vector<std::size_t> vertices;
+        std::vector<std::size_t> surfaces;
         std::vector<Color> weights;
     };
 
     void trace(const RaysView& batch, int depth, std::span<Color> colors, RayCounts& counts) const;
-    std::vector<Vertex> find_vertices(const RaysView& batch, std::span<Hit> hits,
-                                      std::span<Color> colors) const;
-    void add_direct(const RaysView& batch, std::span<const Vertex> vertices,
-                    std::span<Color> colors, RayCounts& counts) const;
+    SeenSurfaces find_surfaces(const RaysView& batch, std::span<Hit> hits,
+                               std::span<Color> colors) const;
+    void add_direct(const RaysView& batch, const SeenSurfaces& surfaces, std::span<Color> colors,
+                    RayCounts& counts) const;
     std::vector<Vec3> light_points(std::size_t light, int k, const RaysView& batch,
-                                   const Lit& lit) const;
-    void add_light(std::size_t light, int k, const RaysView& batch, const Lit& lit,
+                                   const SeenSurfaces& surfaces) const;
+    void add_light(std::size_t light, int k, const RaysView& batch, const SeenSurfaces& surfaces,
                    std::span<Color> reflected, RayCounts& counts) const;
-    void add_secondary(const RaysView& batch, int depth, std::span<const Vertex> vertices,
+    void add_secondary(const RaysView& batch, int depth, const SeenSurfaces& surfaces,
                        std::span<Color> colors, RayCounts& counts) const;
-    void leave(const RaysView& batch, std::size_t vertex, const Vertex& v, SecondaryRays& to,
-               RayCounts& counts) const;
-    void follow(const RaysView& batch, const Vertex& v, const Vec3& direction, bool inside,
-                Rays& to) const;
-    Ray leaving_ray(const SurfaceInteraction& at, const Vec3& direction, bool crosses) const;
+    void leave(const RaysView& batch, const SeenSurfaces::Traits& from, const LeavingRays& leaving,
+               std::size_t first, std::size_t i, SecondaryRays& to, RayCounts& counts) const;
 
     const Scene& scene_;
     const BatchIntersector& intersector_;

@@ -12,15 +12,50 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
+struct TwoTermLanes {
+    Doubles value, error;
+};
+
+/// See core/numerics/exact.h.
+HWY_INLINE TwoTermLanes two_sum(Doubles a, Doubles b) {
+    const Doubles s = a + b, bb = s - a;
+    return {s, (a - (s - bb)) + (b - bb)};
+}
+
+/// See fine_gap(), of which this has the bits where multiply-adds of vectors round once.
+HWY_INLINE Doubles fine_gap(const Sphere& s, const Vec3Lanes& origin) {
+    const TwoTerm square = two_product(s.radius, s.radius);
+    Doubles sum = broadcast(-square.value), rest = broadcast(-square.error);
+    const auto add = [&](Doubles coordinate, double centre) HWY_ATTR {
+        const TwoTermLanes f = two_sum(coordinate, broadcast(-centre));
+        const Doubles f2 = f.value * f.value, f2_error = hn::MulSub(f.value, f.value, f2);
+        const TwoTermLanes next = two_sum(sum, f2);
+        sum = next.value;
+        rest = rest + (next.error + f2_error + broadcast(2) * f.value * f.error);
+    };
+    add(origin.x, s.centre.x);
+    add(origin.y, s.centre.y);
+    add(origin.z, s.centre.z);
+    return sum + rest;
+}
+
 HWY_INLINE HitLanes first_hits(const Sphere& s, Sides sides, const RayLanes& rays) {
     constexpr double u = unit_roundoff, worst = t_tolerance / 2;
     const double radius2 = s.radius * s.radius;
     if (!(s.radius > 0) || !(radius2 > 0x1p-900)) return all_doubtful();
     const Doubles zero = broadcast(0), r2 = broadcast(radius2);
     const Vec3Lanes f = rays.origin - broadcast(s.centre), &d = rays.direction;
-    const Doubles a = d.dot(d), b = hn::Neg(f.dot(d)), f2 = f.dot(f), c = f2 - r2;
-    const Doubles error_bound_of_c = broadcast(8 * u) * (f2 + r2);
-    const DoubleMask next_to_surface = broadcast(worst) * hn::Abs(c) < error_bound_of_c;
+    const Doubles a = d.dot(d), b = hn::Neg(f.dot(d)), f2 = f.dot(f);
+    Doubles c = f2 - r2, error_bound_of_c = broadcast(8 * u) * (f2 + r2);
+    DoubleMask next_to_surface = broadcast(worst) * hn::Abs(c) < error_bound_of_c;
+    if constexpr (HWY_NATIVE_FMA != 0) {
+        if (!hn::AllFalse(DoubleTag(), next_to_surface)) {
+            c = hn::IfThenElse(next_to_surface, fine_gap(s, rays.origin), c);
+            error_bound_of_c = hn::IfThenElse(
+                next_to_surface, broadcast(fine_error_bound) * (f2 + r2), error_bound_of_c);
+            next_to_surface = hn::FirstN(DoubleTag(), 0);
+        }
+    }
     const DoubleMask on_its_way_out = hn::And(c > error_bound_of_c, b <= zero);
 
     const Vec3Lanes m = f.cross(d);

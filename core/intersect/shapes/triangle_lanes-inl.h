@@ -31,28 +31,51 @@ HWY_INLINE Doubles edge_function(const Vec3Lanes& a, const Vec3Lanes& b) {
     return a.x * b.y - a.y * b.x;
 }
 
+/// cross_triangle(), as far as doubles decide.
+struct TriangleCrossings {
+    /// All in the rays' frame: corners, origins and directions.
+    HWY_INLINE TriangleCrossings(const Vec3Lanes& p, const Vec3Lanes& q, const Vec3Lanes& r,
+                                 const Vec3Lanes& o, const Vec3Lanes& d)
+        : a(shear(p, o, d)), b(shear(q, o, d)), c(shear(r, o, d)) {
+        u = edge_function(b, c);
+        v = edge_function(c, a);
+        w = edge_function(a, b);
+        // See edge_error().
+        const Doubles extent = hn::Max(max_abs(a.x, b.x, c.x), max_abs(a.y, b.y, c.y));
+        deepest = max_abs(a.z, b.z, c.z);
+        const Doubles e = broadcast(5 * unit_roundoff) * (extent + hn::Abs(d.z) * deepest);
+        error_bound = e * (broadcast(5) * extent + broadcast(2) * e);
+        least = hn::Min(u, hn::Min(v, w));
+        most = hn::Max(u, hn::Max(v, w));
+    }
+
+    HWY_INLINE DoubleMask surely_outside() const {
+        return hn::And(least<hn::Neg(error_bound), most> error_bound);
+    }
+
+    /// `size`: the magnitude of the weights' sum.
+    HWY_INLINE DoubleMask surely_inside(Doubles size) const {
+        return hn::And(hn::Or(least > error_bound, most < hn::Neg(error_bound)),
+                       size > broadcast(0x1p28) * error_bound);
+    }
+
+    Vec3Lanes a, b, c;  ///< sheared corners
+    Doubles u, v, w;    ///< their weights
+    Doubles deepest, error_bound, least, most;
+};
+
 template <int dominant>
 HWY_INLINE HitLanes first_hits(const TriangleCorners& p, Sides sides, const RayLanes& rays) {
-    const Vec3Lanes o = in_ray_frame<dominant>(rays.origin),
-                    d = in_ray_frame<dominant>(rays.direction);
-    const auto sheared = [&](std::size_t k) HWY_ATTR {
-        return shear(in_ray_frame<dominant>(broadcast(p[k])), o, d);
-    };
-    const Vec3Lanes a = sheared(0), b = sheared(1), c = sheared(2);
-    const Doubles u = edge_function(b, c), v = edge_function(c, a), w = edge_function(a, b);
-
-    // See edge_error().
-    const Doubles extent = hn::Max(max_abs(a.x, b.x, c.x), max_abs(a.y, b.y, c.y));
-    const Doubles deepest = max_abs(a.z, b.z, c.z);
-    const Doubles e = broadcast(5 * unit_roundoff) * (extent + hn::Abs(d.z) * deepest);
-    const Doubles error_bound = e * (broadcast(5) * extent + broadcast(2) * e);
-    const Doubles least = hn::Min(u, hn::Min(v, w)), most = hn::Max(u, hn::Max(v, w));
-    const DoubleMask missed = hn::And(least<hn::Neg(error_bound), most> error_bound);
+    const Vec3Lanes d = in_ray_frame<dominant>(rays.direction);
+    const TriangleCrossings crossing(
+        in_ray_frame<dominant>(broadcast(p[0])), in_ray_frame<dominant>(broadcast(p[1])),
+        in_ray_frame<dominant>(broadcast(p[2])), in_ray_frame<dominant>(rays.origin), d);
+    const DoubleMask missed = crossing.surely_outside();
     if (hn::AllTrue(DoubleTag(), missed)) return misses();
 
+    const auto& [a, b, c, u, v, w, deepest, error_bound, least, most] = crossing;
     const Doubles zero = broadcast(0), sum = u + v + w, size = hn::Abs(sum);
-    const DoubleMask is_inside = hn::And(hn::Or(least > error_bound, most < hn::Neg(error_bound)),
-                                         size > broadcast(0x1p28) * error_bound);
+    const DoubleMask is_inside = crossing.surely_inside(size);
     // See distance_of().
     const Doubles depth = (u * a.z + v * b.z + w * c.z) / sum, t = depth / d.z;
     const Doubles spread = hn::Max(a.z, hn::Max(b.z, c.z)) - hn::Min(a.z, hn::Min(b.z, c.z));

@@ -1,0 +1,97 @@
+#include "core/intersect/surface_group.h"
+
+#define ETALON_WITH_AVX3
+#include "core/numerics/instruction_sets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/intersect/surface_group.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "core/intersect/shapes/surface_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+/// Whether a RayQuery leaves the component of a direction as it is.
+HWY_INLINE DoubleMask is_kept(Doubles size, Doubles least) {
+    return hn::Or(size >= least, size == broadcast(0));
+}
+
+HWY_INLINE DoubleMask is_kept(const Vec3Lanes& direction) {
+    const Vec3Lanes size = abs(direction);
+    const Doubles least = broadcast(0x1p-500) * hn::Max(size.x, hn::Max(size.y, size.z));
+    return hn::And(is_kept(size.x, least), hn::And(is_kept(size.y, least), is_kept(size.z, least)));
+}
+
+HWY_INLINE std::uint64_t bits(DoubleMask mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(DoubleTag(), mask, bytes);
+    return bytes[0];
+}
+
+/// Sets the points to what surfaces() of the shape gives.
+template <class Shape>
+std::uint64_t find(const Shape& shape, const SurfacePoint& any, const SurfaceGroup& g) {
+    const DoubleTag tag;
+    std::uint64_t decided = 0;
+    for (std::size_t i = 0; i < g.count; i += hn::Lanes(tag)) {
+        const HitRays hits{load(&g.origins[i]), load(g.directions + i), hn::LoadU(tag, &g.ts[i])};
+        const SurfaceLanes s = surfaces(shape, any, hits);
+        store(s.position, g.positions + i);
+        store(s.error, g.errors + i);
+        store(s.normal, g.normals + i);
+        store(s.normal, g.shading_normals + i);
+        decided |= bits(hn::And(s.decided, is_kept(hits.direction))) << i;
+    }
+    return decided;
+}
+
+std::uint64_t find_sphere(const Sphere& s, const SurfacePoint& any, const SurfaceGroup& group) {
+    return find(s, any, group);
+}
+std::uint64_t find_box(const Box& b, const SurfacePoint& any, const SurfaceGroup& group) {
+    return find(b, any, group);
+}
+std::uint64_t find_plane(const Plane& p, const SurfacePoint& any, const SurfaceGroup& group) {
+    return find(p, any, group);
+}
+std::uint64_t find_triangle(const TriangleCorners& p, const SurfacePoint& any,
+                            const SurfaceGroup& group) {
+    return find(p, any, group);
+}
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace etalon {
+
+HWY_EXPORT(find_sphere);
+HWY_EXPORT(find_box);
+HWY_EXPORT(find_plane);
+HWY_EXPORT(find_triangle);
+
+bool has_surface_group(const Primitive& p) {
+    if (p.kind == kind_of<Triangle>()) return p.normal_offset == no_index;
+    return p.kind == kind_of<Sphere>() || p.kind == kind_of<Box>() || p.kind == kind_of<Plane>();
+}
+
+std::uint64_t find_surfaces(const Geometry& geometry, const Primitive& p, const SurfacePoint& any,
+                            const SurfaceGroup& group) {
+    switch (p.kind) {
+        case kind_of<Sphere>():
+            return HWY_DYNAMIC_DISPATCH(find_sphere)(geometry.get<Sphere>(p), any, group);
+        case kind_of<Box>():
+            return HWY_DYNAMIC_DISPATCH(find_box)(geometry.get<Box>(p), any, group);
+        case kind_of<Plane>():
+            return HWY_DYNAMIC_DISPATCH(find_plane)(geometry.get<Plane>(p), any, group);
+        default: {
+            const TriangleCorners corners(geometry, geometry.get<Triangle>(p));
+            return HWY_DYNAMIC_DISPATCH(find_triangle)(corners, any, group);
+        }
+    }
+}
+
+}  // namespace etalon
+#endif

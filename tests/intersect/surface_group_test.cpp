@@ -1,0 +1,92 @@
+// Points of several hits found together, against those found alone, for every instruction set that
+// the code is compiled for and this machine has.
+#include "core/intersect/surface_group.h"
+
+#include <cstring>
+
+#include "core/intersect/kernels.h"
+#include "tests/each_instruction_set.h"
+#include "tests/intersect/rays_at_shapes.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+constexpr std::size_t padded = SurfaceGroup::most + 8;
+
+bool same_bits(const Vec3& a, const Vec3& b) {
+    return std::memcmp(&a, &b, sizeof(Vec3)) == 0;
+}
+
+/// Compares a group's points with surface_at(). Returns how many were found together.
+int check_group(const Geometry& geometry, std::span<const Ray> rays, std::span<const Hit> hits) {
+    std::vector<Vec3> directions(padded), positions(padded), errors(padded), normals(padded),
+        shading_normals(padded);
+    SurfaceGroup group;
+    group.count = rays.size();
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        group.origins[i] = rays[i].origin;
+        directions[i] = rays[i].direction;
+        group.ts[i] = hits[i].t;
+    }
+    group.directions = directions.data();
+    group.positions = positions.data();
+    group.errors = errors.data();
+    group.normals = normals.data();
+    group.shading_normals = shading_normals.data();
+    const SurfacePoint any = surface_at(geometry, rays[0], hits[0]);
+    const std::uint64_t decided = find_surfaces(geometry, geometry.primitives[0], any, group);
+    int together = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if ((decided >> i & 1) == 0) continue;
+        ++together;
+        const SurfacePoint alone = surface_at(geometry, rays[i], hits[i]);
+        CAPTURE(i, rays.size(), rays[i].origin, rays[i].direction, hits[i].t);
+        CAPTURE(alone.position, positions[i], alone.normal, normals[i]);
+        REQUIRE(same_bits(positions[i], alone.position));
+        REQUIRE(same_bits(errors[i], alone.error));
+        REQUIRE(same_bits(normals[i], alone.normal));
+        REQUIRE(same_bits(shading_normals[i], alone.shading_normal));
+    }
+    return together;
+}
+
+/// Rays of components so small that a RayQuery takes them as zeros are among these.
+Ray ray_at(const ShapeCase& shape, int i, Random& random) {
+    Ray ray = aimed_ray(shape, i, random).ray;
+    if (i % 50 == 0) ray.direction.x = 1e-200 * ray.direction.z;
+    return ray;
+}
+
+}  // namespace
+
+TEST_CASE("Surfaces: points of hits found together are those found alone, to the bit") {
+    for_each_target([] {
+        int found = 0, together = 0;
+        for (const ShapeCase& shape : shape_cases()) {
+            const Geometry& geometry = shape.scene.geometry;
+            if (!has_surface_group(geometry.primitives[0])) continue;
+            CAPTURE(shape.name);
+            Random random(21);
+            std::vector<Ray> rays;
+            std::vector<Hit> hits;
+            std::size_t size = 1;
+            for (int i = 0; i < 8000; ++i) {
+                const Ray ray = ray_at(shape, i, random);
+                if (!is_valid(ray)) continue;
+                const double t = primitive_first_hit(geometry, 0, RayQuery(ray));
+                if (!(t <= ray.tmax)) continue;
+                rays.push_back(ray);
+                hits.push_back({t, 0});
+                if (rays.size() < size) continue;
+                together += check_group(geometry, rays, hits);
+                found += static_cast<int>(rays.size());
+                size = size % SurfaceGroup::most + 1;
+                rays.clear();
+                hits.clear();
+            }
+        }
+        CHECK(2 * together > found);  // nearly all but those of slivers and on edges
+    });
+}

@@ -1,0 +1,72 @@
+#include "core/shading/seen_surfaces.h"
+
+#include "core/intersect/kernels.h"
+#include "core/numerics/random.h"
+#include "tests/each_instruction_set.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+/// Shapes that are looked at together and one that is not, of two materials.
+Scene some_shapes() {
+    Scene scene;
+    scene.look = WhittedLook{{Material{}, Material{.diffuse = Color(1.0F)}}, {}, {}};
+    Geometry& g = scene.geometry;
+    g.add(Sphere{Vec3(-1, 0, 0), 0.8}, 0);
+    g.add(Box{Vec3(0.2, -0.5, -0.5), Vec3(1, 0.5, 0.5)}, 1);
+    g.add(Plane{Vec3(0, -1, 0), Vec3(0, 2, 0)}, 1);
+    g.add(Cone{Vec3(0, 1, 0), Vec3(0, 2, 0), 1, 0}, 0);
+    return scene;
+}
+
+Hit nearest(const Geometry& geometry, const Ray& ray) {
+    NearestHit nearest(ray.tmax);
+    for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i) {
+        nearest.offer(primitive_first_hit(geometry, i, RayQuery(ray)), i);
+    }
+    return {nearest.t, nearest.item};
+}
+
+void check_surface(const SeenSurfaces& seen, std::size_t i, const SurfaceInteraction& at,
+                   const Ray& ray) {
+    CHECK(seen.directions[i] == ray.direction);
+    CHECK(seen.positions[i] == at.surface.position);
+    CHECK(seen.errors[i] == at.surface.error);
+    CHECK(seen.normals[i] == at.surface.normal);
+    CHECK(seen.shading_normals[i] == at.ns);
+    CHECK(seen.entering(i) == at.entering);
+    CHECK(seen.traits[i].material == at.material);
+    CHECK(seen.traits[i].primitive == at.surface.primitive);
+    CHECK(seen.traits[i].convexity == at.surface.convexity);
+    CHECK(seen.traits[i].scatters == (at.surface.material == 1));
+}
+
+}  // namespace
+
+TEST_CASE("Surfaces seen by many rays are those that each sees", "[shading]") {
+    const Scene scene = some_shapes();
+    for_each_target([&] {
+        Random random(9);
+        for (const std::size_t count : {0U, 1U, 7U, 40U, 700U}) {
+            std::vector<Ray> rays;
+            std::vector<Hit> hits;
+            std::size_t hit_count = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                rays.push_back({2.0 * random.in_cube(), random.direction()});
+                hits.push_back(nearest(scene.geometry, rays[i]));
+                hit_count += hits[i].primitive != no_index;
+            }
+            const SeenSurfaces seen(scene, rays, hits);
+            REQUIRE(seen.size() == hit_count);
+            std::vector<int> times(count, 0);
+            for (std::size_t i = 0; i < seen.size(); ++i) {
+                const std::uint32_t ray = seen.traits[i].ray;
+                CAPTURE(count, i, ray, hits[ray].primitive);
+                REQUIRE(++times[ray] == 1);
+                check_surface(seen, i, surface_interaction(scene, rays[ray], hits[ray]), rays[ray]);
+            }
+        }
+    });
+}
