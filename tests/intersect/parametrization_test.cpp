@@ -237,8 +237,8 @@ TEST_CASE(
     for (const Vec3& from : {Vec3(9, 1, 2), Vec3(-9, 0, 2), Vec3(1, 9, 2), Vec3(1, 0.5, 9)}) {
         CHECK(mirror * along_normal(known(one(Ellipsoid(map)), from, {0.5, 0, 2})) > 0);
         CHECK(mirror * along_normal(known(one(ClosedCylinder(map)), from, {0.5, 0, 2})) > 0);
-        const Revolved half(map, profiles::sphere(-1, 1), Sector(360));
-        CHECK(mirror * along_normal(known(one(half), from, {0.5, 0, 2})) > 0);
+        const Revolved ball(map, profiles::sphere(-1, 1), Sector(360));
+        CHECK(mirror * along_normal(known(one(ball), from, {0.5, 0, 2})) > 0);
     }
     const Sample below = known(one(ClosedCylinder(map)), {0.5, 0.5, -9}, {0.5, 0.5, 0});
     CHECK(mirror * along_normal(below) < 0);

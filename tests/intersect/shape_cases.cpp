@@ -402,7 +402,7 @@ std::vector<ShapeCase> surfaces_of_revolution(const Vec3& far_away) {
     const Affine turned{{0.6, 0.8, 0}, {-0.8, 0.6, 0}, {0, 0, 1}};
     Affine distant = askew * scaling(1, 1, 0.5);
     distant.origin = far_away;
-    const Sector whole(360), quarter(90), half(180), most(300);
+    const Sector whole(360), quarter(90), half_turn(180), most(300);
     // The line from (1, -0.5, -1) to (1, 0.5, 1).
     const Sector twisted(360, {{1, 0}, {0, 0.5}}), part(240, {{1, 0}, {0, 0.5}});
     Profile line = profiles::hyperboloid(1, 0.25, -1, 1);
@@ -414,7 +414,7 @@ std::vector<ShapeCase> surfaces_of_revolution(const Vec3& far_away) {
         revolved("part of a sphere, sheared", {shear, profiles::sphere(-1, 1), quarter}),
         revolved("cylinder", {Affine{}, profiles::cylinder(), whole}),
         revolved("cylinder askew", {askew * scaling(1, 1, 3), profiles::cylinder(), whole}),
-        revolved("half a cylinder", {askew * scaling(1, 0.5, 3), profiles::cylinder(), half}),
+        revolved("half a cylinder", {askew * scaling(1, 0.5, 3), profiles::cylinder(), half_turn}),
         revolved("quarter of a cylinder, needle",
                  {askew * scaling(1e-3, 1e-3, 10), profiles::cylinder(), quarter}),
         revolved("cylinder far from the origin", {distant, profiles::cylinder(), most}),
@@ -432,7 +432,7 @@ std::vector<ShapeCase> surfaces_of_revolution(const Vec3& far_away) {
         revolved("sector of a disk", {askew, profiles::disk(0), quarter}),
         revolved("sector of a ring, far from the origin", {distant, profiles::disk(0.5), most}),
         revolved("condition 1e4", {askew * scaling(1, 0.5, 1e-4) * turned * shear,
-                                   profiles::sphere(-0.5, 0.5), half}),
+                                   profiles::sphere(-0.5, 0.5), half_turn}),
     };
 }
 

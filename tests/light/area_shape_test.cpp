@@ -229,6 +229,6 @@ TEST_CASE("Directions to a surface of revolution are drawn with the density that
 }
 
 TEST_CASE("The test of directions finds a density that is off by a fiftieth") {
-    const Revolved half(sheared, profiles::sphere(0, 1), Sector(360));
-    CHECK(chi_square(half, {4, 5, 6.1}, 0.98) < 1e-4);
+    const Revolved dome(sheared, profiles::sphere(0, 1), Sector(360));
+    CHECK(chi_square(dome, {4, 5, 6.1}, 0.98) < 1e-4);
 }
