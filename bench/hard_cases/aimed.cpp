@@ -6,6 +6,7 @@
 #include "bench/hard_cases/face_ray_targets.h"
 #include "bench/hard_cases/ray_generators.h"
 #include "bench/hard_cases/ray_targets.h"
+#include "core/scene/profiles.h"
 
 namespace etalon::hard {
 namespace {
@@ -36,6 +37,11 @@ template <class Shape>
 Example image(const char* name, const Affine& map) {
     const double size = map.x.length() + map.y.length() + map.z.length();
     return example(name, {map.point({0, 0, 0.5}), size}, Shape(map));
+}
+
+Example revolved(const char* name, const Affine& map, const Profile& curve, double degrees) {
+    const double size = map.x.length() + map.y.length() + map.z.length();
+    return example(name, {map.origin, size}, Revolved(map, curve, Sector(degrees)));
 }
 
 Example box(const char* name, const Box& b) {
@@ -95,6 +101,9 @@ std::vector<Example> rounded_shapes() {
         image<Ellipsoid>("ellipsoid, mirrored", mirrored),
         image<ClosedCylinder>("closed cylinder", sheared),
         image<ClosedCylinder>("closed cylinder, mirrored", mirrored),
+        revolved("revolved, part of a sphere", sheared, profiles::sphere(-0.5, 0.75), 200),
+        revolved("revolved, cylinder", mirrored, profiles::cylinder(), 360),
+        revolved("revolved, sector of a ring", mirrored, profiles::disk(0.25), 120),
     };
 }
 

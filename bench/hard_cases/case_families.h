@@ -22,6 +22,7 @@ std::vector<HardCase> ring_cases();
 std::vector<HardCase> ring_pair_cases();
 std::vector<HardCase> quadric_cases();
 std::vector<HardCase> quadric_group_cases();
+std::vector<HardCase> revolved_cases();
 std::vector<HardCase> aimed_cases();
 std::vector<HardCase> mesh_cases();
 std::vector<HardCase> random_scene_cases();

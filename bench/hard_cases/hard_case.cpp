@@ -38,6 +38,7 @@ std::vector<HardCase> hard_cases() {
     add(ring_pair_cases());
     add(quadric_cases());
     add(quadric_group_cases());
+    add(revolved_cases());
     add(aimed_cases());
     add(mesh_cases());
     add(random_scene_cases());

@@ -20,7 +20,7 @@ const Kinds convex = {kind_of<Sphere>(),        kind_of<Triangle>(), kind_of<Pol
 /// All kinds that are bounded.
 const Kinds bounded = [] {
     Kinds kinds = convex;
-    kinds.insert(kinds.end(), {kind_of<Cone>(), kind_of<Quadric>()});
+    kinds.insert(kinds.end(), {kind_of<Cone>(), kind_of<Quadric>(), kind_of<Revolved>()});
     return kinds;
 }();
 

@@ -2,6 +2,7 @@
 
 #include "bench/hard_cases/add_face.h"
 #include "bench/hard_cases/ray_targets.h"
+#include "core/scene/profiles.h"
 #include "core/scene/quadric_form.h"
 
 namespace etalon::hard {
@@ -54,6 +55,18 @@ Affine any_map(const Vec3& place, double size, Random& random) {
     return {x, y, size * random.in_cube(), place};
 }
 
+/// A part of a surface of revolution, of any kind.
+Revolved any_revolved(const Affine& map, Random& random) {
+    const std::array profiles = {profiles::sphere(random.uniform(-1, 0), random.uniform(0.25, 1)),
+                                 profiles::cylinder(),
+                                 profiles::cone(),
+                                 profiles::paraboloid(random.uniform(0, 0.5)),
+                                 profiles::hyperboloid(random.uniform(0, 0.5), 0.5, -1, 1),
+                                 profiles::disk(random.uniform(0, 0.5))};
+    const double degrees = random.index(2) == 0 ? 360 : random.uniform(30, 360);
+    return {map, profiles[random.index(profiles.size())], Sector(degrees)};
+}
+
 /// Adds a shape of a kind: a new one has to be named here.
 template <class Shape>
 void add_shape(Scene& scene, double size, Sides sides, Random& random) {
@@ -73,6 +86,8 @@ void add_shape(Scene& scene, double size, Sides sides, Random& random) {
         add_cone(scene, place, size, sides, random);
     } else if constexpr (std::is_same_v<Shape, Ring>) {
         add_ring(scene, place, size, sides, random);
+    } else if constexpr (std::is_same_v<Shape, Revolved>) {
+        scene.geometry.add(any_revolved(any_map(place, size, random), random), 0, sides);
     } else if constexpr (std::is_same_v<Shape, Quadric>) {
         add_quadric(scene, place, size, sides, random);
     } else {

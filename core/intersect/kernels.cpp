@@ -39,12 +39,28 @@ double shape_first_hit(const Geometry& geometry, const Shape& shape, Sides sides
 template double shape_first_hit(const Geometry&, const Triangle&, Sides, const RayQuery&);
 template double shape_first_hit(const Geometry&, const Sphere&, Sides, const RayQuery&);
 
+namespace {
+
+/// A point of an instance. A box's is kept so far off its edges that a ray into the box starts
+/// inside of the other faces, too.
+SurfacePoint surface_of_instance(const Geometry& object, const Instance& instance, const Ray& ray,
+                                 const Hit& hit) {
+    SurfacePoint local =
+        surface_at(object, to_object(instance, RayQuery(ray).ray), {hit.t, hit.primitive});
+    const SurfacePoint point = placed(instance, local);
+    const Primitive p = object.primitives[hit.primitive];
+    if (p.kind != kind_of<Box>()) return point;
+    const Vec3 drift = drift_of_origins(instance, local, point);
+    return move_off_edges(object.get<Box>(p), drift, local) ? placed(instance, local) : point;
+}
+
+}  // namespace
+
 SurfacePoint surface_at(const Geometry& geometry, const Ray& ray, const Hit& hit) {
     if (hit.instance != no_index) {
         const Instance& instance = geometry.instances[hit.instance];
-        SurfacePoint point = placed(
-            instance, surface_at(geometry.objects[instance.object],
-                                 to_object(instance, RayQuery(ray).ray), {hit.t, hit.primitive}));
+        SurfacePoint point =
+            surface_of_instance(geometry.objects[instance.object], instance, ray, hit);
         point.instance = hit.instance;
         return point;
     }

@@ -17,6 +17,11 @@ Vec3 transpose_times(const std::array<Vec3, 3>& rows, const Vec3& v) {
     return v.x * rows[0] + v.y * rows[1] + v.z * rows[2];
 }
 
+/// What the way of a point p back into the object's space may round: see placed().
+Vec3 roundings_from(const Instance& instance, const Vec3& p) {
+    return 8 * unit_roundoff * times_magnitudes(instance.rows, abs(p) + abs(instance.origin));
+}
+
 }  // namespace
 
 Vec3 to_object(const Instance& instance, const Vec3& point) {
@@ -47,8 +52,7 @@ SurfacePoint placed(const Instance& instance, const SurfacePoint& local) {
     p.position = map.point(local.position);
     p.position += map.vector(local.position - to_object(instance, p.position));
     const Vec3 residual = abs(local.position - to_object(instance, p.position));
-    const Vec3 roundings =
-        8 * unit_roundoff * times_magnitudes(instance.rows, abs(p.position) + abs(instance.origin));
+    const Vec3 roundings = roundings_from(instance, p.position);
     const Vec3 across = transpose_times(instance.rows, local.normal);
     p.normal = normalized(across);
     p.shading_normal = normalized(transpose_times(instance.rows, local.shading_normal));
@@ -57,6 +61,15 @@ SurfacePoint placed(const Instance& instance, const SurfacePoint& local) {
     p.error = clearance * abs(p.normal);  // whose product with the normal is the clearance
     p.convexity = Convexity::any;         // no ray excludes a part of an instance
     return p;
+}
+
+/// The origin is moved by the error, along the normal: see spawn_origin(). Twice the sum has room
+/// for what another point next to `local` lacks.
+Vec3 drift_of_origins(const Instance& instance, const SurfacePoint& local,
+                      const SurfacePoint& world) {
+    const Vec3 residual = abs(local.position - to_object(instance, world.position));
+    return 2.0 * (residual + roundings_from(instance, world.position) +
+                  times_magnitudes(instance.rows, world.error));
 }
 
 SurfacePoint local_point(const Instance& instance, const SurfacePoint& point) {

@@ -23,6 +23,11 @@ Vec3 spread(const Instance& instance);
 /// the point starts off the object's surface after all roundings on its way into the object.
 SurfacePoint placed(const Instance& instance, const SurfacePoint& local);
 
+/// Bounds how far, for each axis of the object's space, the origin of a ray that leaves `world` is
+/// from the point `local` that was placed there, once it is back in that space.
+Vec3 drift_of_origins(const Instance& instance, const SurfacePoint& local,
+                      const SurfacePoint& world);
+
 /// Returns a point of an instance as the object's shape has it; it has no error bound.
 SurfacePoint local_point(const Instance& instance, const SurfacePoint& point);
 

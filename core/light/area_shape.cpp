@@ -127,6 +127,8 @@ std::optional<AreaShape> area_shape(const Geometry& geometry, std::uint32_t prim
             const std::optional<double> radius = scale_of(map);
             if (radius) return SphereArea(Sphere{map.origin, *radius});
             return EllipsoidArea(map);
+        } else if constexpr (std::is_same_v<Shape, Revolved>) {
+            return RevolvedArea(geometry.get<Revolved>(p));
         } else {
             return std::nullopt;
         }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <variant>
 
+#include "core/light/revolved_area.h"
 #include "core/light/triangle_area.h"
 #include "core/numerics/affine.h"
 #include "core/scene/geometry.h"
@@ -64,7 +65,8 @@ class EllipsoidArea {
     double area_;
 };
 
-using AreaShape = std::variant<TriangleArea, TwoTrianglesArea, SphereArea, RingArea, EllipsoidArea>;
+using AreaShape =
+    std::variant<TriangleArea, TwoTrianglesArea, SphereArea, RingArea, EllipsoidArea, RevolvedArea>;
 
 /// The primitive as a shape that shines; nothing for kinds that cannot be sampled.
 std::optional<AreaShape> area_shape(const Geometry& geometry, std::uint32_t primitive);

@@ -20,9 +20,9 @@ WideDouble operator+(const WideDouble& a, const WideDouble& b);
 WideDouble operator/(const WideDouble& a, const WideDouble& b);
 WideDouble square_root(const WideDouble& x);
 
-/// An integer times a power of 2^64, in sign and magnitude. Room for the product of twelve
-/// differences of any finite doubles, and for the sums of such: nothing is ever allocated, and
-/// nothing overflows, underflows or is rounded.
+/// An integer times a power of 2^64, in sign and magnitude. Room for the product of
+/// thirty-six differences of any finite doubles, and for the sums of such: nothing is ever
+/// allocated, and nothing overflows, underflows or is rounded.
 class Dyadic {
   public:
     Dyadic() = default;
@@ -48,7 +48,7 @@ class Dyadic {
     using Limb = std::uint64_t;
 
     /// A difference of doubles reaches from 2^-1088 to 2^1025: 34 limbs.
-    static constexpr int capacity = 12 * 34;
+    static constexpr int capacity = 36 * 34;
 
     static Dyadic sum(const Dyadic& a, const Dyadic& b, bool b_negative);
 

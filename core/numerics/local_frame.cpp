@@ -48,7 +48,7 @@ bool turn(Matrix& rows, Matrix& columns, int i, int j) {
 
 void turn(Matrix& rows, Matrix& columns, Symmetry symmetry) {
     constexpr int enough = 20;
-    bool turned = true;
+    bool turned = symmetry != Symmetry::none;
     for (int sweep = 0; turned && sweep < enough; ++sweep) {
         turned = turn(rows, columns, 0, 1);
         if (symmetry == Symmetry::about_z) continue;

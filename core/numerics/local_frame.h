@@ -5,7 +5,7 @@
 namespace etalon {
 
 /// How a unit shape may be turned about itself and stay the same.
-enum class Symmetry { sphere, about_z };
+enum class Symmetry { none, about_z, sphere };
 
 /// The coordinates in which the image of a unit shape under an affine map is the unit shape. It is
 /// first turned about itself, so that the inverse's rows (of a sphere all, of what is round about z

@@ -12,6 +12,7 @@
 #include "core/parallel/large_pages.h"
 #include "core/scene/convexity.h"
 #include "core/scene/polygon_list.h"
+#include "core/scene/revolved.h"
 #include "core/scene/triangle_list.h"
 
 namespace etalon {
@@ -111,7 +112,7 @@ struct ClosedCylinder {
 using ShapeArrays =
     std::tuple<LargeVector<Sphere>, TriangleList, PolygonList, LargeVector<Box>, LargeVector<Plane>,
                LargeVector<Cone>, LargeVector<Ring>, LargeVector<Quadric>, LargeVector<Ellipsoid>,
-               LargeVector<ClosedCylinder>>;
+               LargeVector<ClosedCylinder>, LargeVector<Revolved>>;
 
 inline constexpr std::size_t shape_kinds = std::tuple_size_v<ShapeArrays>;
 

@@ -44,6 +44,7 @@ class Similarity {
     }
     void operator()(Ellipsoid& e) const { e = Ellipsoid(after(e.to_world)); }
     void operator()(ClosedCylinder& c) const { c = ClosedCylinder(after(c.to_world)); }
+    void operator()(Revolved& s) const { s = s.under(after(s.to_world)); }
 
     void operator()(Geometry& g) const {
         decode_vertices(g);

@@ -5,6 +5,7 @@
 #include "core/test_rays/frustum.h"
 #include "core/test_rays/outline.h"
 #include "core/test_rays/quadric_points.h"
+#include "core/test_rays/revolved_points.h"
 
 namespace etalon {
 namespace {
@@ -129,6 +130,31 @@ std::vector<Target> targets(const ClosedCylinder& c, double finest) {
         return across({0, 0, 1}, random.uniform(0, turn)) * radius + Vec3(0, 0, cap);
     });
     return moved(list, c.to_world.origin, c.frame);
+}
+
+std::vector<Target> targets(const Revolved& s, double finest) {
+    const RevolvedPoints points(s);
+    std::vector<Target> list = {
+        [=](const Vec3&, Random& random) { return points.on_surface(random); },
+        [=](const Vec3&, Random& random) { return points.on_axis(random); },
+        [=](const Vec3&, Random& random) {
+            return points.on_rim(nearly_one(finest, random), random);
+        },
+        [=](const Vec3& from, Random& random) {
+            return points.silhouette(from, nearly_one(finest, random), random);
+        },
+    };
+    if (!s.sector.is_whole) {
+        list.emplace_back([=](const Vec3&, Random& random) {
+            return points.on_side(nearly_one(finest, random), random);
+        });
+    }
+    if (points.has_tip()) {
+        list.emplace_back([=](const Vec3&, Random& random) {
+            return points.tip() + random.magnitude(finest, 0) * random.direction();
+        });
+    }
+    return moved(list, s.to_world.origin, s.frame);
 }
 
 std::vector<Target> targets(const Outline& face) {

@@ -1,6 +1,7 @@
 #include "bench/accuracy/tracer.h"
 #include "core/intersect/kernels.h"
 #include "core/numerics/random.h"
+#include "core/scene/profiles.h"
 #include "tests/catch.h"
 
 using namespace etalon;
@@ -32,7 +33,8 @@ std::vector<Scene> scenes() {
             // x^2 + 2 y^2 + xy - z = 1/2
             scene_of(Quadric{
                 {0.25, 0, 0}, {1, 0.5, 0, 0, 2, 0, 0, 0, -0.5, -0.5}, {{-1, -1, -1}, {1, 1, 1}}}),
-            scene_of(Ellipsoid(map)), scene_of(ClosedCylinder(map))};
+            scene_of(Ellipsoid(map)), scene_of(ClosedCylinder(map)),
+            scene_of(Revolved(map, profiles::cylinder(), Sector(270)))};
 }
 
 Vec3 in_float(const Vec3& v) {

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "core/numerics/random.h"
+#include "core/scene/profiles.h"
 #include "core/scene/quadric_form.h"
 #include "tests/catch.h"
 
@@ -50,6 +51,18 @@ Affine any_map(const Vec3& place, double size, Random& random) {
     return {x, y, random.in_cube(size), place};
 }
 
+/// A part of a surface of revolution, of any kind.
+Revolved any_revolved(const Affine& map, Random& random) {
+    const std::array profiles = {profiles::sphere(random.uniform(-1, 0), random.uniform(0.25, 1)),
+                                 profiles::cylinder(),
+                                 profiles::cone(),
+                                 profiles::paraboloid(random.uniform(0, 0.5)),
+                                 profiles::hyperboloid(random.uniform(0, 0.5), 0.5, -1, 1),
+                                 profiles::disk(random.uniform(0, 0.5))};
+    const double degrees = random.index(2) == 0 ? 360 : random.uniform(30, 360);
+    return {map, profiles[random.index(profiles.size())], Sector(degrees)};
+}
+
 /// Adds a random shape of one kind.
 template <class Shape>
 void add_shape(Scene& scene, Random& random, double size, Sides sides) {
@@ -76,6 +89,8 @@ void add_shape(Scene& scene, Random& random, double size, Sides sides) {
         scene.geometry.add(Ellipsoid(any_map(place, size, random)), 0, sides);
     } else if constexpr (std::is_same_v<Shape, ClosedCylinder>) {
         scene.geometry.add(ClosedCylinder(any_map(place, size, random)), 0, sides);
+    } else if constexpr (std::is_same_v<Shape, Revolved>) {
+        scene.geometry.add(any_revolved(any_map(place, size, random), random), 0, sides);
     } else {
         static_assert(std::is_same_v<Shape, Cone>);
         scene.geometry.add(Cone{place, place + random.in_cube(size), size * random.uniform(0, 0.5),
@@ -258,6 +273,7 @@ const std::vector<SceneFamily>& scene_families() {
         {"quadrics", only<Quadric>},
         {"ellipsoids", only<Ellipsoid>},
         {"cylinders", only<ClosedCylinder>},
+        {"revolved", only<Revolved>},
         {"mix", mix},
         {"one_sided", one_sided},
         {"duplicates", duplicates},

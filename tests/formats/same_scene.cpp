@@ -56,6 +56,16 @@ auto fields(const Scene&, const Ellipsoid& e) {
 auto fields(const Scene&, const ClosedCylinder& c) {
     return fields(c.to_world);
 }
+auto fields(const Profile& p) {
+    return std::tuple(p.along, p.squares, p.low, p.high, p.falls);
+}
+auto fields(const TurningDirection& d) {
+    return std::tuple(d.at, d.per_height);
+}
+auto fields(const Scene&, const Revolved& s) {
+    return std::tuple(fields(s.to_world), fields(s.profile), fields(s.sector.from),
+                      fields(s.sector.to), s.sector.angle);
+}
 auto fields(const Scene& scene, const Triangle& t) {
     const Geometry& g = scene.geometry;
     std::vector<Vec3> values;

@@ -74,6 +74,9 @@ bool fine(const Scene&, const Ellipsoid& e) {
 bool fine(const Scene&, const ClosedCylinder& c) {
     return c.frame.exists();
 }
+bool fine(const Scene&, const Revolved& s) {
+    return s.exists();
+}
 
 template <class List>
 bool all_fine(const List& list) {

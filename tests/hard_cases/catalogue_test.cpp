@@ -80,6 +80,8 @@ bool is_float(const Scene& scene) {
                [](const Ellipsoid& e) { return is_float(e.to_world); }) &&
            all(scene.geometry.all<ClosedCylinder>(),
                [](const ClosedCylinder& c) { return is_float(c.to_world); }) &&
+           all(scene.geometry.all<Revolved>(),
+               [](const Revolved& s) { return is_float(s.to_world); }) &&
            all(scene.geometry.all<Cone>(),
                [](const Cone& c) {
                    return is_float(c.base) && is_float(c.top) && is_float(c.base_radius) &&

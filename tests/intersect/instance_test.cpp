@@ -4,6 +4,7 @@
 #include "core/intersect/placement.h"
 #include "core/numerics/transforms.h"
 #include "core/oracle/oracle.h"
+#include "core/test_rays/directions.h"
 #include "tests/catch.h"
 #include "tests/intersect/rays_at_shapes.h"
 
@@ -132,6 +133,32 @@ TEST_CASE("Instance: given a ray that leaves one outward, then it does not meet 
     }
     CHECK(leaving > 10000);
     CHECK(again == 0);
+}
+
+TEST_CASE("Instance: given a ray into a box from next to an edge, then it meets it from inside") {
+    Random random(9);
+    const Box box{{-1, -0.5, -0.75}, {0.5, 1, 0.25}};
+    Geometry geometry;
+    geometry.objects.resize(1);
+    geometry.objects[0].add(box, 0);
+    geometry.instances.emplace_back(Affine{}, 0);
+    for (int i = 0; i < 20000; ++i) {
+        const Affine map = random_map(random, random.magnitude(0, 4));
+        geometry.instances[0] = Instance(map, 0);
+        Vec3 on_edge = random.index(2) == 0 ? box.min : box.max;
+        on_edge[random.axis()] = random.uniform(-0.4, 0.2);
+        on_edge += random.magnitude(-18, -12) * random.direction();
+        const Vec3 from = map.point(4.0 * random.direction());
+        const Ray ray{from, map.point(on_edge) - from};
+        const double t = first_hit(geometry, key_of(0, 0), ray);
+        if (!(t <= infinity)) continue;
+        const SurfacePoint p = surface_at(geometry, ray, {t, 0, 0});
+        const Ray left = spawn_ray(p, map.point(0.25 * in_ball(random)) - p.position);
+        const double next = first_hit(geometry, key_of(0, 0), left);
+        CAPTURE(i, t, next);
+        REQUIRE(next > 0);
+        REQUIRE(surface_at(geometry, left, {next, 0, 0}).normal.dot(left.direction) > 0);
+    }
 }
 
 TEST_CASE("Instance: given any map, then its box holds what it shows, and is tight") {

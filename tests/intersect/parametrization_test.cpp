@@ -4,6 +4,7 @@
 
 #include "core/intersect/kernels.h"
 #include "core/intersect/parametrization.h"
+#include "core/scene/profiles.h"
 #include "tests/catch.h"
 #include "tests/intersect/rays_at_shapes.h"
 
@@ -221,7 +222,9 @@ TEST_CASE(
     for (const ShapeCase& shape : shape_cases()) {
         const Geometry& geometry = shape.scene.geometry;
         const ShapeKind kind = geometry.primitives[0].kind;
-        if (kind == kind_of<Ellipsoid>() || kind == kind_of<ClosedCylinder>()) continue;
+        const bool is_image = kind == kind_of<Ellipsoid>() || kind == kind_of<ClosedCylinder>() ||
+                              kind == kind_of<Revolved>();
+        if (is_image) continue;
         Random random(7);
         for (int i = 0; i < 200; ++i) {
             const auto s = sample(geometry, aimed_ray(shape, i, random).ray);
@@ -234,6 +237,8 @@ TEST_CASE(
     for (const Vec3& from : {Vec3(9, 1, 2), Vec3(-9, 0, 2), Vec3(1, 9, 2), Vec3(1, 0.5, 9)}) {
         CHECK(mirror * along_normal(known(one(Ellipsoid(map)), from, {0.5, 0, 2})) > 0);
         CHECK(mirror * along_normal(known(one(ClosedCylinder(map)), from, {0.5, 0, 2})) > 0);
+        const Revolved ball(map, profiles::sphere(-1, 1), Sector(360));
+        CHECK(mirror * along_normal(known(one(ball), from, {0.5, 0, 2})) > 0);
     }
     const Sample below = known(one(ClosedCylinder(map)), {0.5, 0.5, -9}, {0.5, 0.5, 0});
     CHECK(mirror * along_normal(below) < 0);

@@ -8,8 +8,8 @@ namespace etalon {
 namespace {
 
 template <class Shape>
-constexpr bool is_affine =
-    std::is_same_v<Shape, Ellipsoid> || std::is_same_v<Shape, ClosedCylinder>;
+constexpr bool is_affine = std::is_same_v<Shape, Ellipsoid> ||
+                           std::is_same_v<Shape, ClosedCylinder> || std::is_same_v<Shape, Revolved>;
 
 template <class Shape>
 constexpr bool is_face = std::is_same_v<Shape, Triangle> || std::is_same_v<Shape, Polygon>;
@@ -67,7 +67,9 @@ std::vector<double*> numbers_of(Scene& scene) {
 void settle(Scene& scene) {
     with_shape(scene.geometry.primitives[0].kind, [&]<class Shape>() {
         auto& all = scene.geometry.all<Shape>();
-        if constexpr (is_affine<Shape>) {
+        if constexpr (std::is_same_v<Shape, Revolved>) {
+            all[0] = all[0].under(all[0].to_world);
+        } else if constexpr (is_affine<Shape>) {
             all[0] = Shape(all[0].to_world);
         } else if constexpr (std::is_same_v<Shape, Polygon>) {
             all = {};

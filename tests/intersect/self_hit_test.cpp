@@ -35,9 +35,11 @@ std::optional<Spawned> spawn(const ShapeCase& shape, const Ray& ray, Random& ran
     return Spawned{{spawn_origin(p, direction), direction}, side > 0};
 }
 
-/// Returns whether a quadric is hit in another part of it, in any direction but not so close.
+/// Returns whether a quadric or a surface of revolution is hit in another part of it, in any
+/// direction but not so close.
 bool is_elsewhere(const ShapeCase& shape, const Spawned& s, double t) {
-    const bool is_curved = shape.scene.geometry.primitives[0].kind == kind_of<Quadric>();
+    const ShapeKind kind = shape.scene.geometry.primitives[0].kind;
+    const bool is_curved = kind == kind_of<Quadric>() || kind == kind_of<Revolved>();
     return is_curved && t * s.ray.direction.length() > 1e-9 * shape.size;
 }
 

@@ -3,8 +3,11 @@
 
 #include <numbers>
 
+#include "core/intersect/kernels.h"
 #include "core/sampling/sobol.h"
+#include "core/scene/profiles.h"
 #include "tests/catch.h"
+#include "tests/chi_square.h"
 
 using namespace etalon;
 using Catch::Matchers::WithinRel;
@@ -126,4 +129,106 @@ TEST_CASE("An ellipsoid is all around a point in it, a mirrored one, too", "[lig
         const AreaPoint p = ellipsoid.sample(Vec3(0), points(i));
         CHECK(p.normal.dot(p.position - map.origin) > 0);
     }
+}
+
+namespace {
+
+const Affine sheared{{1, 0.2, 0}, {0.5, 1, 0.3}, {-0.4, 0.1, -1.5}, {4, 5, 6}};
+const Affine turned{{0, 0, 2}, {2, 0, 0}, {0, 2, 0}, {1, -2, 3}};
+
+RevolvedArea area_of(const Affine& map, const Profile& profile, double degrees = 360) {
+    return RevolvedArea(Revolved(map, profile, Sector(degrees)));
+}
+
+/// Probability of directions to the surface as different from their density as these: a direction
+/// meets it at up to two points.
+double chi_square(const Revolved& surface, const Vec3& from, double density_factor = 1) {
+    const RevolvedArea area(surface);
+    Geometry geometry;
+    geometry.add(surface, 0);
+    const test::SphereSampler sampler = [&](Random& random) -> std::optional<Vec3> {
+        const double u = random.uniform(), v = random.uniform();
+        return normalized(area.sample(from, {u, v}).position - from);
+    };
+    const test::SphereDensity density = [&](const Vec3& direction) {
+        double sum = 0;
+        Ray ray{from, direction};
+        for (int k = 0; k < 2; ++k) {
+            const double t = primitive_first_hit(geometry, 0, RayQuery(ray));
+            if (!(t < infinity)) break;
+            const SurfacePoint p = surface_at(geometry, ray, {t, 0});
+            sum += area.pdf(from, p.position, p.normal);
+            ray.tmin = t;
+        }
+        return density_factor * sum;
+    };
+    return test::chi_square_probability(sampler, density, 5);
+}
+
+}  // namespace
+
+TEST_CASE("Surfaces of revolution are sampled over the whole angle they are seen under") {
+    const auto angle = [](const Profile& profile, const Vec3& from) {
+        return mean_of_reciprocal_density(area_of(turned, profile), turned.point(from));
+    };
+    const double from_centre = 4 * pi * 0.5 / std::sqrt(1.25);
+    CHECK_THAT(angle(profiles::cylinder(), {0, 0, 0.5}), WithinRel(from_centre, 5e-3));
+    CHECK_THAT(angle(profiles::cone(), {0, 0, -0.999}), WithinRel(2 * pi, 1e-2));
+    CHECK_THAT(angle(profiles::paraboloid(0), {0, 0, 0.999}), WithinRel(2 * pi, 1e-2));
+    CHECK_THAT(angle(profiles::sphere(0, 1), {0, 0, 0}), WithinRel(2 * pi, 1e-3));
+    const double ends = 2 * 2 * pi * (1 - 1 / std::sqrt(2));
+    CHECK_THAT(angle(profiles::hyperboloid(0.25, 0.75, -1, 1), {0, 0, 0}),
+               WithinRel(4 * pi - ends, 5e-3));
+    const double cap = 2 * pi * (1 - 0.5 / std::hypot(0.5, 1)),
+                 hole = 2 * pi * (1 - 0.5 / std::hypot(0.5, 0.25));
+    CHECK_THAT(angle(profiles::disk(0.25), {0, 0, 0.5}), WithinRel(cap - hole, 5e-3));
+}
+
+TEST_CASE("Parts of surfaces of revolution are sampled within their turn and height") {
+    const double cap = 2 * pi * (1 - 0.5 / std::hypot(0.5, 1));
+    CHECK_THAT(mean_of_reciprocal_density(area_of({}, profiles::disk(0), 135), {0, 0, 0.5}),
+               WithinRel(cap * 135 / 360, 5e-3));
+    CHECK_THAT(
+        mean_of_reciprocal_density(area_of(sheared, profiles::sphere(-1, 1), 180), {4, 5, 6}),
+        WithinRel(2 * pi, 1e-2));
+    const Revolved part(sheared, profiles::paraboloid(0.25), Sector(100));
+    const RevolvedArea area(part);
+    const ScrambledSobol points(5);
+    for (std::uint32_t i = 0; i < 1000; ++i) {
+        const AreaPoint p = area.sample(Vec3(0), points(i));
+        const Vec3 local = part.frame.vector(p.position - sheared.origin);
+        const double phi = std::atan2(local.y, local.x);
+        CHECK((phi >= -1e-12 && phi <= 100 * pi / 180 + 1e-12));
+        CHECK((local.z >= 0.25 - 1e-12 && local.z <= 1 + 1e-12));
+    }
+}
+
+TEST_CASE("The density of a point of a surface of revolution is that of its sample") {
+    for (const Profile& profile :
+         {profiles::sphere(-0.5, 0.75), profiles::cylinder(), profiles::cone(),
+          profiles::paraboloid(0), profiles::hyperboloid(0.25, 0.75, -1, 1), profiles::disk(0.5)}) {
+        check_densities(area_of(sheared, profile, 210), Vec3(0.1, 0.2, 0.3));
+    }
+}
+
+TEST_CASE("Directions to a surface of revolution are drawn with the density that is said of them") {
+    const std::pair<const char*, Profile> curves[] = {
+        {"sphere", profiles::sphere(-0.5, 0.75)},
+        {"cylinder", profiles::cylinder()},
+        {"cone", profiles::cone()},
+        {"paraboloid", profiles::paraboloid(0)},
+        {"hyperboloid", profiles::hyperboloid(0.25, 0.75, -1, 1)},
+        {"disk", profiles::disk(0.5)}};
+    const double significance = test::sidak(0.01, 2 * std::size(curves));
+    for (const auto& [name, curve] : curves) {
+        INFO(name);
+        const Vec3 inside = sheared.point({0.1, 0.05, 0.5 * (curve.low + curve.high) + 0.05});
+        CHECK(chi_square({sheared, curve, Sector(360)}, inside) > significance);
+        CHECK(chi_square({sheared, curve, Sector(250)}, inside) > significance);
+    }
+}
+
+TEST_CASE("The test of directions finds a density that is off by a fiftieth") {
+    const Revolved dome(sheared, profiles::sphere(0, 1), Sector(360));
+    CHECK(chi_square(dome, {4, 5, 6.1}, 0.98) < 1e-4);
 }

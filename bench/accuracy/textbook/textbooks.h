@@ -11,6 +11,7 @@
 #include "bench/accuracy/textbook/plane.h"
 #include "bench/accuracy/textbook/polygon.h"
 #include "bench/accuracy/textbook/quadric.h"
+#include "bench/accuracy/textbook/revolved.h"
 #include "bench/accuracy/textbook/ring.h"
 #include "bench/accuracy/textbook/sphere.h"
 #include "bench/accuracy/textbook/triangle.h"

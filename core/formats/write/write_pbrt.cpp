@@ -168,6 +168,8 @@ class PbrtScene {
 
     void write_shape(const Quadric&) { lost_.add("quadric, left out"); }
 
+    void write_shape(const Revolved&) { lost_.add("surface of revolution, left out"); }
+
     void write_shape(const Cone& c) {
         const Vec3 axis = c.top - c.base;
         const double height = std::sqrt(axis.dot(axis));

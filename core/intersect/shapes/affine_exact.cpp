@@ -1,35 +1,12 @@
 #include "core/intersect/shapes/affine_exact.h"
 
+#include "core/intersect/shapes/exact_line.h"
 #include "core/intersect/shapes/exact_quadratic.h"
-#include "core/numerics/dyadic_vec.h"
 
 namespace etalon {
 namespace {
 
 constexpr int in = ExactQuadratic::in, out = ExactQuadratic::out;
-
-/// A line in local coordinates times the map's determinant, which is made positive: the adjugate
-/// takes the place of the inverse, so that nothing is divided.
-struct ExactLine {
-    ExactLine(const Affine& map, const Ray& ray);
-
-    DyadicVec w, d;
-    Dyadic unit;  ///< the determinant
-};
-
-ExactLine::ExactLine(const Affine& map, const Ray& ray) {
-    const DyadicVec x = exactly(map.x), y = exactly(map.y), z = exactly(map.z);
-    const DyadicVec adjugate[] = {cross(y, z), cross(z, x), cross(x, y)};
-    const DyadicVec from = difference(ray.origin, map.origin), towards = exactly(ray.direction);
-    unit = dot(x, adjugate[0]);
-    const bool mirrors = unit.sign() < 0;
-    if (mirrors) unit = -unit;
-    for (std::size_t k = 0; k < 3; ++k) {
-        w[k] = dot(adjugate[k], from);
-        d[k] = dot(adjugate[k], towards);
-        if (mirrors) w[k] = -w[k], d[k] = -d[k];
-    }
-}
 
 /// Place of a root of the side: below the base, between the caps or on one, or above the top.
 int place(const ExactQuadratic& side, int way, const ExactLine& line) {

@@ -22,6 +22,7 @@
 #include "core/intersect/shapes/plane.h"
 #include "core/intersect/shapes/polygon.h"
 #include "core/intersect/shapes/quadric.h"
+#include "core/intersect/shapes/revolved.h"
 #include "core/intersect/shapes/ring.h"
 #include "core/intersect/shapes/sphere.h"
 #include "core/intersect/shapes/triangle.h"

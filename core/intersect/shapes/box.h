@@ -84,6 +84,18 @@ inline SurfacePoint surface(const Geometry&, const Box& b, const RayQuery& q, do
     return {position, position_error(magnitude, 0), normal, normal};
 }
 
+/// Moves a point of a face along it, off the box's edges by `distance` where the face is so wide:
+/// whether the point was nearer.
+inline bool move_off_edges(const Box& b, const Vec3& distance, SurfacePoint& p) {
+    const Vec3 before = p.position;
+    for (int k = 0; k < 3; ++k) {
+        const double reach = std::min(distance[k], 0.5 * (b.max[k] - b.min[k]));
+        const bool across = p.normal[k] != 0;
+        if (!across) p.position[k] = std::clamp(before[k], b.min[k] + reach, b.max[k] - reach);
+    }
+    return p.position != before;
+}
+
 /// Parametrization of each face from 0 to 1: see box_chart(). dpdu x dpdv points outward.
 inline Parametrization parametrization(const Geometry&, const Box& b, const SurfacePoint& p) {
     return box_chart({b.min, b.max}, p);

@@ -31,4 +31,15 @@ int ExactQuadratic::sign_at_root(int way, const Dyadic& start, const Dyadic& ris
     return tangent ? 0 : way * a_.sign() * rise.sign();
 }
 
+/// The form itself is zero there: as many times it as leave no square are taken away. A form
+/// without a square is zero at t = -C / 2B.
+int ExactQuadratic::sign_at_root(int way, const Dyadic& a, const Dyadic& b, const Dyadic& c) const {
+    if (a.sign() == 0) return sign_at_root(way, c, b);
+    if (a_.sign() != 0) {
+        return a_.sign() * sign_at_root(way, a_ * c - a * c_, a_ * b - (a + a) * b_);
+    }
+    const Dyadic twice_b = b_ + b_;
+    return (a * square(c_) - twice_b * (b * c_ - c * twice_b)).sign();
+}
+
 }  // namespace etalon

@@ -27,6 +27,9 @@ class ExactQuadratic {
     /// The sign of start + rise t at a root.
     int sign_at_root(int way, const Dyadic& start, const Dyadic& rise) const;
 
+    /// The sign of a t^2 + b t + c at a root.
+    int sign_at_root(int way, const Dyadic& a, const Dyadic& b, const Dyadic& c) const;
+
   private:
     Dyadic a_, b_, c_, discriminant_;
 };

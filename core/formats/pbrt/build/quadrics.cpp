@@ -1,5 +1,6 @@
-// Round shapes of a frame: primitives where there are some for them, else meshes.
+// Round shapes of a frame.
 #include "core/formats/pbrt/build/shape_builder.h"
+#include "core/scene/profiles.h"
 
 namespace etalon::pbrt {
 namespace {
@@ -8,28 +9,59 @@ bool is_whole_turn(const Parameters& p) {
     return p.number("phimax") >= 360;
 }
 
-/// The factor of lengths of a whole turn whose surface coordinates nobody asks for: primitives have
-/// their own. Nothing where circles do not stay circles.
+/// The factor of lengths of a whole turn whose surface coordinates nobody asks for: spheres and
+/// rings have their own. Nothing where circles do not stay circles.
 std::optional<double> scale_of_circles(const ShapeBuilder& s) {
     if (!is_whole_turn(s.parameters()) || s.has_texture()) return std::nullopt;
     return scale_of(s.to_world);
 }
 
-void begin_curved(ShapeBuilder& s) {
+void begin_curved(ShapeBuilder& s, bool turned_inside_out = false) {
     SurfaceBinding binding;
-    binding.flipped = s.flips_normals();
+    binding.flipped = s.flips_normals() != turned_inside_out;
     s.begin(binding);
 }
 
-void build_side(ShapeBuilder& s, const Circle& from, const Circle& to) {
-    if (from.z == to.z || !(std::max(from.radius, to.radius) > 0)) {
-        return s.skip("it has no area");
+/// Map that makes a unit shape as wide and high as asked for, with its origin at a height.
+Affine unit_to_shape(double radius, double height, double origin) {
+    return {{radius, 0, 0}, {0, radius, 0}, {0, 0, height}, {0, 0, origin}};
+}
+
+/// Adds a part of a unit shape, up to phimax. The normal of pbrt-v3 points inward where v falls
+/// with the height.
+void add_revolved(ShapeBuilder& s, const Affine& to_shape, const Profile& profile,
+                  const TurningDirection& start = {}) {
+    const double degrees = std::clamp<double>(s.parameters().number("phimax"), 0, 360);
+    const Revolved surface(s.to_world * to_shape, profile, Sector(degrees, start));
+    if (!surface.exists()) return s.skip("it has no area");
+    begin_curved(s, profile.falls && !profile.is_flat());
+    s.add(surface);
+}
+
+/// x^2 + y^2 = radius2 + widening z^2.
+struct Waist {
+    double radius2, widening;
+};
+
+/// The hyperboloid about z = 0 that pbrt-v3 draws for a line: it meets the line in p2 and where p1
+/// is moved to by twice the way to p2, and is the surface that the line sweeps only where that is
+/// narrowest at z = 0.
+std::optional<Waist> waist_through(const Vec3& p1, const Vec3& p2) {
+    Vec3 p = p1;
+    for (int i = 0; i < 8; ++i) {
+        p += 2.0 * (p2 - p1);
+        const double squares = p.z * p.z - p2.z * p2.z, near2 = p2.x * p2.x + p2.y * p2.y;
+        const double widening = (p.x * p.x + p.y * p.y - near2) / squares;
+        if (std::isfinite(widening)) return Waist{near2 - widening * p2.z * p2.z, widening};
     }
-    const std::optional<double> scale = scale_of_circles(s);
-    if (!scale) return sweep_side(s, from, to);
-    begin_curved(s);
-    s.add(Cone{s.to_world.point({0, 0, from.z}), s.to_world.point({0, 0, to.z}),
-               *scale * from.radius, *scale * to.radius});
+    return std::nullopt;
+}
+
+/// The direction of the line's point at a height, in a shape of so many times the size.
+TurningDirection direction_along(const Vec3& p1, const Vec3& p2, double radius, double height) {
+    const Vec2 from(p1.x, p1.y), step(p2.x - p1.x, p2.y - p1.y);
+    const Vec2 per_height = step / (p2.z - p1.z);
+    return {(from - p1.z * per_height) / radius, per_height * (height / radius)};
 }
 
 }  // namespace
@@ -38,15 +70,19 @@ void build_sphere(ShapeBuilder& s) {
     const Parameters& p = s.parameters();
     const double radius = std::abs(p.number("radius"));
     if (!(radius > 0)) return s.skip("its radius is 0");
-    const bool whole =
-        is_whole_turn(p) && p.number("zmin") <= -radius && p.number("zmax") >= radius;
-    if (!whole) return sweep_sphere(s);
+    const auto height = [&](std::string_view name) {
+        return std::clamp(p.number(name) / radius, -1.0, 1.0);
+    };
+    const double low = std::min(height("zmin"), height("zmax")),
+                 high = std::max(height("zmin"), height("zmax"));
+    if (!is_whole_turn(p) || low > -1 || high < 1) {
+        return add_revolved(s, unit_to_shape(radius, radius, 0), profiles::sphere(low, high));
+    }
     begin_curved(s);
     if (const std::optional<double> scale = scale_of_circles(s)) {
         s.add(Sphere{s.to_world.origin, *scale * radius});
     } else {
-        const auto& [x, y, z, origin] = s.to_world;
-        s.add(Ellipsoid(Affine{radius * x, radius * y, radius * z, origin}));
+        s.add(Ellipsoid(s.to_world * unit_to_shape(radius, radius, 0)));
     }
 }
 
@@ -54,22 +90,53 @@ void build_disk(ShapeBuilder& s) {
     const Parameters& p = s.parameters();
     const double outer = p.number("radius"), inner = p.number("innerradius");
     if (!(outer > inner) || !(inner >= 0)) return s.skip("it has no area");
+    const double height = p.number("height");
     const std::optional<double> scale = scale_of_circles(s);
-    if (!scale) return sweep_disk(s);
+    if (!scale) {
+        return add_revolved(s, unit_to_shape(outer, outer, height), profiles::disk(inner / outer));
+    }
     begin_curved(s);
-    s.add(Ring{s.to_world.point({0, 0, p.number("height")}), s.normal({0, 0, 1}).normalized(),
-               *scale * inner, *scale * outer});
+    s.add(Ring{s.to_world.point({0, 0, height}), s.normal({0, 0, 1}).normalized(), *scale * inner,
+               *scale * outer});
 }
 
 void build_cylinder(ShapeBuilder& s) {
     const Parameters& p = s.parameters();
-    const double radius = p.number("radius");
-    build_side(s, {p.number("zmin"), radius}, {p.number("zmax"), radius});
+    const double low = std::min(p.number("zmin"), p.number("zmax")),
+                 high = std::max(p.number("zmin"), p.number("zmax"));
+    add_revolved(s, unit_to_shape(p.number("radius"), high - low, low), profiles::cylinder());
 }
 
 void build_cone(ShapeBuilder& s) {
     const Parameters& p = s.parameters();
-    build_side(s, {0, p.number("radius")}, {p.number("height"), 0});
+    const double height = p.number("height");
+    if (!(height > 0)) return s.skip("it has no area");
+    add_revolved(s, unit_to_shape(p.number("radius"), height, height), profiles::cone());
+}
+
+void build_paraboloid(ShapeBuilder& s) {
+    const Parameters& p = s.parameters();
+    const double low = std::min(p.number("zmin"), p.number("zmax")),
+                 high = std::max(p.number("zmin"), p.number("zmax"));
+    if (!(high > 0)) return s.skip("it has no area");
+    add_revolved(s, unit_to_shape(p.number("radius"), high, 0), profiles::paraboloid(low / high));
+}
+
+void build_hyperboloid(ShapeBuilder& s) {
+    const Parameters& p = s.parameters();
+    Vec3 p1(p.vector("p1")), p2(p.vector("p2"));
+    if (p2.z == 0) std::swap(p1, p2);
+    const std::optional<Waist> waist = waist_through(p1, p2);
+    const double radius = std::max(std::hypot(p1.x, p1.y), std::hypot(p2.x, p2.y)),
+                 height = std::max(std::abs(p1.z), std::abs(p2.z));
+    if (p1.z == p2.z || !waist || !(radius > 0)) return s.skip("it has no area");
+    Profile profile = profiles::hyperboloid(
+        waist->radius2 / (radius * radius), waist->widening * (height / radius) * (height / radius),
+        std::min(p1.z, p2.z) / height, std::max(p1.z, p2.z) / height);
+    profile.along = Profile::Along::line;
+    profile.falls = p2.z < p1.z;
+    add_revolved(s, unit_to_shape(radius, height, 0), profile,
+                 direction_along(p1, p2, radius, height));
 }
 
 }  // namespace etalon::pbrt

@@ -66,20 +66,11 @@ void build_triangle_mesh(ShapeBuilder& s);
 void build_ply_mesh(ShapeBuilder& s);
 void build_loop_subdivision(ShapeBuilder& s);
 
-/// A circle about z.
-struct Circle {
-    double z, radius;
-};
-
-void sweep_sphere(ShapeBuilder& s);
-void sweep_disk(ShapeBuilder& s);
-void sweep_side(ShapeBuilder& s, const Circle& from, const Circle& to);
-void build_paraboloid(ShapeBuilder& s);
-void build_hyperboloid(ShapeBuilder& s);
-
 void build_sphere(ShapeBuilder& s);
 void build_disk(ShapeBuilder& s);
 void build_cylinder(ShapeBuilder& s);
 void build_cone(ShapeBuilder& s);
+void build_paraboloid(ShapeBuilder& s);
+void build_hyperboloid(ShapeBuilder& s);
 
 }  // namespace etalon::pbrt

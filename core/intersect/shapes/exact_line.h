@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/intersect/ray.h"
+#include "core/numerics/dyadic_vec.h"
+
+namespace etalon {
+
+/// A line in local coordinates times the map's determinant, which is made positive: the adjugate
+/// takes the place of the inverse, so that nothing is divided.
+struct ExactLine {
+    ExactLine(const Affine& map, const Ray& ray);
+
+    DyadicVec w, d;
+    Dyadic unit;  ///< the determinant
+};
+
+}  // namespace etalon

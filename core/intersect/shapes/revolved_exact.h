@@ -1,0 +1,12 @@
+// A surface of revolution and a ray in exact arithmetic: slow, and right for every finite ray.
+#pragma once
+
+#include "core/intersect/shapes/roots.h"
+
+namespace etalon {
+
+/// First visible t. Hit and miss are exact, and t good to a few ulp. None for a degenerate surface,
+/// and for a ray that is not finite.
+[[gnu::cold]] double exact_first_hit(const Revolved& s, Sides sides, const Ray& ray);
+
+}  // namespace etalon
