@@ -1,7 +1,9 @@
 #include "core/base/make_room.h"
 #include "core/formats/pbrt/build/shape_builder.h"
 #include "core/parallel/parallel.h"
+#include "core/tessellate/grid_corners.h"
 #include "core/tessellate/loop_subdivision.h"
+#include "core/tessellate/nurbs.h"
 
 namespace etalon::pbrt {
 namespace {
@@ -60,6 +62,37 @@ std::variant<Corners, std::string> corners(std::span<const std::int32_t> indices
     // An integer may be looked at as the unsigned one of its size.
     return Corners(reinterpret_cast<const std::uint32_t*>(of_triangles.data()),
                    of_triangles.size());
+}
+
+/// A direction of the shape "nurbs": 'u' or 'v'.
+NurbsAxis nurbs_axis(const Parameters& p, char name) {
+    const auto of = [name](std::string_view format) {
+        return fmt::format(fmt::runtime(format), name);
+    };
+    const auto count = [&](const char* format) {
+        return static_cast<std::size_t>(std::max(0, p.integer(of(format))));
+    };
+    NurbsAxis axis{count("n{}"), count("{}order"), p.numbers(of("{}knots")), 0, 0};
+    const auto end = [&](const char* format, std::size_t knot) -> double {
+        if (p.is_given(of(format))) return p.number(of(format));
+        return knot < axis.knots.size() ? axis.knots[knot] : 0.0F;
+    };
+    axis.begin = end("{}0", axis.order - 1);
+    axis.end = end("{}1", axis.points);
+    return axis;
+}
+
+/// The control points of the shape "nurbs": "P", or else "Pw".
+std::vector<std::array<float, 4>> nurbs_points(const Parameters& p) {
+    std::vector<std::array<float, 4>> points;
+    const std::span<const float> flat = p.numbers("P"), weighted = p.numbers("Pw");
+    for (std::size_t i = 0; i + 2 < flat.size(); i += 3) {
+        points.push_back({flat[i], flat[i + 1], flat[i + 2], 1});
+    }
+    for (std::size_t i = 0; flat.empty() && i + 3 < weighted.size(); i += 4) {
+        points.push_back({weighted[i], weighted[i + 1], weighted[i + 2], weighted[i + 3]});
+    }
+    return points;
 }
 
 }  // namespace
@@ -144,6 +177,48 @@ void build_loop_subdivision(ShapeBuilder& s) {
     append_numbers(smooth.value.points, positions);
     append_numbers(smooth.value.normals, normals);
     build_mesh(s, {positions, normals, {}, smooth.value.corners, s.shape.reverse_orientation});
+}
+
+void build_heightfield(ShapeBuilder& s) {
+    const Parameters& p = s.parameters();
+    const std::span<const float> heights = p.numbers("Pz");
+    const std::int64_t columns = p.integer("nu"), rows = p.integer("nv");
+    if (columns < 2 || rows < 2) return s.skip("it has no area");
+    if (columns * rows != static_cast<std::int64_t>(heights.size())) {
+        return s.skip(fmt::format("{} x {} heights are {}, not {}", columns, rows, columns * rows,
+                                  heights.size()));
+    }
+    std::vector<float> points, uvs;
+    points.reserve(3 * heights.size());
+    uvs.reserve(2 * heights.size());
+    for (const float height : heights) {
+        const auto number = static_cast<std::int64_t>(uvs.size() / 2);
+        const float x = static_cast<float>(number % columns) / static_cast<float>(columns - 1),
+                    y = static_cast<float>(number / columns) / static_cast<float>(rows - 1);
+        points.insert(points.end(), {x, y, height});
+        uvs.insert(uvs.end(), {x, y});
+    }
+    const std::vector<std::uint32_t> cells =
+        grid_corners(static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows));
+    build_mesh(s, {points, {}, uvs, cells});
+}
+
+void build_nurbs(ShapeBuilder& s) {
+    constexpr std::uint32_t side = 30;  // pbrt-v3's
+    const std::vector<std::array<float, 4>> points = nurbs_points(s.parameters());
+    const Nurbs surface{nurbs_axis(s.parameters(), 'u'), nurbs_axis(s.parameters(), 'v'), points};
+    const std::string error = nurbs_error(surface);
+    if (!error.empty()) return s.skip(error);
+    const NurbsGrid grid = diced(surface, side);
+    std::vector<float> positions, normals;
+    append_numbers(grid.points, positions);
+    append_numbers(grid.normals, normals);
+    if (!std::ranges::all_of(positions, [](float x) { return std::isfinite(x); })) {
+        return s.skip("its weights or points are out of range");
+    }
+    const std::span<const float> uvs(grid.uvs.data()->data(), 2 * grid.uvs.size());
+    const std::vector<std::uint32_t> cells = grid_corners(side, side);
+    build_mesh(s, {positions, normals, uvs, cells, s.shape.reverse_orientation});
 }
 
 }  // namespace etalon::pbrt

@@ -65,6 +65,8 @@ void build_mesh(ShapeBuilder& s, const MeshData& mesh);
 void build_triangle_mesh(ShapeBuilder& s);
 void build_ply_mesh(ShapeBuilder& s);
 void build_loop_subdivision(ShapeBuilder& s);
+void build_heightfield(ShapeBuilder& s);
+void build_nurbs(ShapeBuilder& s);
 
 void build_sphere(ShapeBuilder& s);
 void build_disk(ShapeBuilder& s);

@@ -18,6 +18,8 @@ constexpr std::array entries = {
     Entry{"trianglemesh", build_triangle_mesh},
     Entry{"plymesh", build_ply_mesh},
     Entry{"loopsubdiv", build_loop_subdivision},
+    Entry{"heightfield", build_heightfield},
+    Entry{"nurbs", build_nurbs},
     Entry{"sphere", build_sphere},
     Entry{"disk", build_disk},
     Entry{"cylinder", build_cylinder},

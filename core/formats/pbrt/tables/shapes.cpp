@@ -116,9 +116,9 @@ constexpr std::array types = {
     PluginType{Category::shape, "curve", curve, {}, "nothing", check_curve},
     PluginType{Category::shape, "trianglemesh", triangle_mesh},
     PluginType{Category::shape, "plymesh", ply_mesh},
-    PluginType{Category::shape, "heightfield", heightfield, {}, "nothing"},
+    PluginType{Category::shape, "heightfield", heightfield},
     PluginType{Category::shape, "loopsubdiv", loop_subdiv},
-    PluginType{Category::shape, "nurbs", nurbs, {}, "nothing"},
+    PluginType{Category::shape, "nurbs", nurbs},
 };
 
 }  // namespace

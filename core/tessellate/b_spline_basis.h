@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace etalon {
+
+/// What is wrong with the knots of a B-spline of `points` control points; empty if nothing is. An
+/// order is a degree plus one, 2 or more, and there are as many knots as points and order together;
+/// they must not decrease, and the spline must have a length.
+std::string knots_error(std::span<const float> knots, std::size_t order, std::size_t points);
+
+/// The basis functions of a B-spline that are not zero at one place.
+struct BSplineBasis {
+    std::size_t first;                         ///< number of the first one's control point
+    std::vector<double> weights, derivatives;  ///< as many as the order
+};
+
+/// Evaluates the basis functions and their derivatives at `t`, which is taken into the range of the
+/// spline (Piegl & Tiller 1997, The NURBS Book, section 2.5). At a knot they are those of the piece
+/// that ends there, as pbrt-v3 has it, or of the first piece that has a length.
+BSplineBasis b_spline_basis(std::span<const float> knots, std::size_t order, double t);
+
+}  // namespace etalon
