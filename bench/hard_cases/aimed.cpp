@@ -44,6 +44,17 @@ Example revolved(const char* name, const Affine& map, const Profile& curve, doub
     return example(name, {map.origin, size}, Revolved(map, curve, Sector(degrees)));
 }
 
+/// A straight curve: one that bends is met again by rays that leave it.
+Example curve(const char* name, CurveType type, const Affine& map) {
+    BezierCurve c{
+        {Vec3f(-1, 0, 0), Vec3f(-0.5F, 0.25F, 0), Vec3f(0, 0.5F, 0), Vec3f(0.5F, 0.75F, 0)},
+        {0.5F, 0.25F}};
+    c.normals = {Vec3f(0, 0, 1), Vec3f(0, 1, 0)};
+    c.type = type;
+    const double size = map.x.length() + map.y.length() + map.z.length();
+    return example(name, {map.origin, size}, Curve(c, map));
+}
+
 Example box(const char* name, const Box& b) {
     return example(name, {0.5 * (b.min + b.max), (b.max - b.min).length() / 2}, b);
 }
@@ -104,6 +115,9 @@ std::vector<Example> rounded_shapes() {
         revolved("revolved, part of a sphere", sheared, profiles::sphere(-0.5, 0.75), 200),
         revolved("revolved, cylinder", mirrored, profiles::cylinder(), 360),
         revolved("revolved, sector of a ring", mirrored, profiles::disk(0.25), 120),
+        curve("curve, flat", CurveType::flat, sheared),
+        curve("curve, ribbon", CurveType::ribbon, mirrored),
+        curve("curve, cylinder", CurveType::cylinder, sheared),
     };
 }
 

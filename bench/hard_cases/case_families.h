@@ -19,6 +19,7 @@ std::vector<HardCase> triangle_group_cases();
 std::vector<HardCase> polygon_cases();
 std::vector<HardCase> polygon_group_cases();
 std::vector<HardCase> ring_cases();
+std::vector<HardCase> curve_cases();
 std::vector<HardCase> ring_pair_cases();
 std::vector<HardCase> quadric_cases();
 std::vector<HardCase> quadric_group_cases();

@@ -35,6 +35,7 @@ std::vector<HardCase> hard_cases() {
     add(polygon_cases());
     add(polygon_group_cases());
     add(ring_cases());
+    add(curve_cases());
     add(ring_pair_cases());
     add(quadric_cases());
     add(quadric_group_cases());

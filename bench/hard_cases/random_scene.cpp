@@ -67,6 +67,17 @@ Revolved any_revolved(const Affine& map, Random& random) {
     return {map, profiles[random.index(profiles.size())], Sector(degrees)};
 }
 
+/// Adds a part of a curve of any type.
+void add_curve(Scene& scene, const Affine& map, Sides sides, Random& random) {
+    BezierCurve c{};
+    for (Vec3f& p : c.points) p = Vec3f(random.in_cube());
+    for (float& width : c.widths) width = static_cast<float>(random.uniform(0.02, 0.3));
+    for (Vec3f& n : c.normals) n = Vec3f(random.direction());
+    c.type = static_cast<CurveType>(random.index(3));
+    const auto number = static_cast<std::uint32_t>(random.index(4));
+    scene.geometry.add(Curve(c, map, {number, 4}), 0, sides);
+}
+
 /// Adds a shape of a kind: a new one has to be named here.
 template <class Shape>
 void add_shape(Scene& scene, double size, Sides sides, Random& random) {
@@ -90,6 +101,8 @@ void add_shape(Scene& scene, double size, Sides sides, Random& random) {
         scene.geometry.add(any_revolved(any_map(place, size, random), random), 0, sides);
     } else if constexpr (std::is_same_v<Shape, Quadric>) {
         add_quadric(scene, place, size, sides, random);
+    } else if constexpr (std::is_same_v<Shape, Curve>) {
+        add_curve(scene, any_map(place, size, random), sides, random);
     } else {
         static_assert(std::is_same_v<Shape, Ellipsoid> || std::is_same_v<Shape, ClosedCylinder>);
         scene.geometry.add(Shape(any_map(place, size, random)), 0, sides);

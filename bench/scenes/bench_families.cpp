@@ -17,6 +17,7 @@ constexpr Family table[] = {
     {"mixed", "N", 100'000, most, "spheres, cones, boxes, triangles, polygons in turn", mixed},
     {"flat", "N", 100'000, most, "random triangles in one plane", flat},
     {"equal", "N", 10'000, most, "triangles of all sizes about one centre", equal, 64},
+    {"hair", "N", 100'000, most / 8, "curves on a ball, in eight parts each", hair},
     {"nan", "N", 100'000, most, "soup, every tenth triangle with a NaN", nan_soup},
 };
 

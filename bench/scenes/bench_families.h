@@ -34,5 +34,6 @@ Scene mixed(std::size_t count);
 Scene flat(std::size_t count);
 Scene equal(std::size_t count);
 Scene nan_soup(std::size_t count);
+Scene hair(std::size_t count);
 
 }  // namespace etalon::bench

@@ -5,6 +5,12 @@
 
 namespace etalon {
 
+/// Where a ray met a curve, which a point alone does not tell.
+struct PlaceOnCurve {
+    double u = 0, v = 0;
+    double width = 0;  ///< as the ray saw it, in the curve's own space
+};
+
 /// Point where a ray met a surface, refined onto the surface.
 struct SurfacePoint {
     Vec3 position;
@@ -17,6 +23,7 @@ struct SurfacePoint {
     std::uint32_t material = no_index;     ///< number in the scene's look
     Convexity convexity = Convexity::any;  ///< convexity of the primitive
     std::uint32_t instance = no_index;     ///< that the primitive belongs to, if to one
+    PlaceOnCurve on_curve{};
 };
 
 /// The bound used by the kernels: both the position's rounding and the kernel's own evaluation are

@@ -16,5 +16,6 @@ Crossings define(const Geometry& geometry, const Quadric& shape, const Ray& ray)
 Crossings define(const Geometry& geometry, const Ellipsoid& shape, const Ray& ray);
 Crossings define(const Geometry& geometry, const ClosedCylinder& shape, const Ray& ray);
 Crossings define(const Geometry& geometry, const Revolved& shape, const Ray& ray);
+Crossings define(const Geometry& geometry, const StoredCurve& shape, const Ray& ray);
 
 }  // namespace etalon::definition

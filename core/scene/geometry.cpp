@@ -18,6 +18,10 @@ std::size_t memory_bytes(const PolygonList& polygons) {
     return polygons.memory_bytes();
 }
 
+std::size_t memory_bytes(const CurveList& curves) {
+    return curves.memory_bytes();
+}
+
 }  // namespace
 
 std::uint32_t Geometry::add_vertex(const Vec3& position) {

@@ -11,6 +11,7 @@
 #include "core/numerics/vec.h"
 #include "core/parallel/large_pages.h"
 #include "core/scene/convexity.h"
+#include "core/scene/curve_list.h"
 #include "core/scene/polygon_list.h"
 #include "core/scene/revolved.h"
 #include "core/scene/triangle_list.h"
@@ -108,11 +109,12 @@ struct ClosedCylinder {
 };
 
 /// One array per kind of shape. A kind's number is its place in this list; triangles are in an
-/// array of fewer bytes, and polygons in one that keeps what their corners give.
+/// array of fewer bytes, polygons in one that keeps what their corners give, and parts of curves in
+/// one that stores a curve once.
 using ShapeArrays =
     std::tuple<LargeVector<Sphere>, TriangleList, PolygonList, LargeVector<Box>, LargeVector<Plane>,
                LargeVector<Cone>, LargeVector<Ring>, LargeVector<Quadric>, LargeVector<Ellipsoid>,
-               LargeVector<ClosedCylinder>, LargeVector<Revolved>>;
+               LargeVector<ClosedCylinder>, LargeVector<Revolved>, CurveList>;
 
 inline constexpr std::size_t shape_kinds = std::tuple_size_v<ShapeArrays>;
 

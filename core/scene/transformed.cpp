@@ -46,6 +46,10 @@ class Similarity {
     void operator()(ClosedCylinder& c) const { c = ClosedCylinder(after(c.to_world)); }
     void operator()(Revolved& s) const { s = s.under(after(s.to_world)); }
 
+    void operator()(CurveList& curves) const {
+        curves.change_maps([this](const Affine& map) { return after(map); });
+    }
+
     void operator()(Geometry& g) const {
         decode_vertices(g);
         std::apply([&](auto&... shapes) { ((*this)(shapes), ...); }, g.shapes);

@@ -1,6 +1,7 @@
 #include "core/test_rays/targets.h"
 
 #include "core/intersect/placement.h"
+#include "core/scene/bezier.h"
 #include "core/test_rays/directions.h"
 #include "core/test_rays/frustum.h"
 #include "core/test_rays/outline.h"
@@ -155,6 +156,36 @@ std::vector<Target> targets(const Revolved& s, double finest) {
         });
     }
     return moved(list, s.to_world.origin, s.frame);
+}
+
+/// Points across a part of a curve, and beside the ends of its width, seen from the ray's origin.
+std::vector<Target> targets(const StoredCurve& c, double finest) {
+    const Curve curve(c);
+    const auto at = [curve](const Vec3& from, double u, double across) {
+        CubicPoints points;
+        for (std::size_t i = 0; i < 4; ++i) points[i] = Vec3(curve.curve.points[i]);
+        const CurvePlace place(curve.to_world);
+        const Vec3 centre = blossom(points, u, u, u);
+        const Vec3 sight = centre - place.vector(from - curve.to_world.origin);
+        const double half = 0.5 * ((1 - u) * curve.curve.widths[0] + u * curve.curve.widths[1]);
+        const Vec3 side = derivative_of(points, u).cross(sight).normalized();
+        return curve.to_world.point(centre + across * half * side);
+    };
+    const auto place = [part = c.part](Random& random) {
+        return random.uniform(part.begin(), part.end());
+    };
+    return {
+        [=](const Vec3& from, Random& random) {
+            return at(from, place(random), random.uniform(-1.2, 1.2));
+        },
+        [=](const Vec3& from, Random& random) {
+            return at(from, place(random), random.sign() * nearly_one(finest, random));
+        },
+        [=](const Vec3& from, Random& random) {
+            const double end = random.index(2) == 0 ? curve.part.begin() : curve.part.end();
+            return at(from, end, random.uniform(-1, 1));
+        },
+    };
 }
 
 std::vector<Target> targets(const Outline& face) {

@@ -34,7 +34,11 @@ std::vector<Scene> scenes() {
             scene_of(Quadric{
                 {0.25, 0, 0}, {1, 0.5, 0, 0, 2, 0, 0, 0, -0.5, -0.5}, {{-1, -1, -1}, {1, 1, 1}}}),
             scene_of(Ellipsoid(map)), scene_of(ClosedCylinder(map)),
-            scene_of(Revolved(map, profiles::cylinder(), Sector(270)))};
+            scene_of(Revolved(map, profiles::cylinder(), Sector(270))),
+            scene_of(Curve({{Vec3f(-1, 0, 0), Vec3f(-0.5F, 0.25F, 0), Vec3f(0.5F, 0.25F, 0.25F),
+                             Vec3f(1, 0, 0)},
+                            {1, 0.75F}},
+                           map))};
 }
 
 Vec3 in_float(const Vec3& v) {

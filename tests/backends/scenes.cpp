@@ -63,6 +63,17 @@ Revolved any_revolved(const Affine& map, Random& random) {
     return {map, profiles[random.index(profiles.size())], Sector(degrees)};
 }
 
+/// Adds a part of a curve of any type.
+void add_curve(Scene& scene, Random& random, const Affine& map, Sides sides) {
+    BezierCurve c{};
+    for (Vec3f& p : c.points) p = Vec3f(random.in_cube());
+    for (float& width : c.widths) width = static_cast<float>(random.uniform(0.02, 0.3));
+    for (Vec3f& n : c.normals) n = Vec3f(random.direction());
+    c.type = static_cast<CurveType>(random.index(3));
+    const auto number = static_cast<std::uint32_t>(random.index(4));
+    scene.geometry.add(Curve(c, map, {number, 4}), 0, sides);
+}
+
 /// Adds a random shape of one kind.
 template <class Shape>
 void add_shape(Scene& scene, Random& random, double size, Sides sides) {
@@ -91,6 +102,8 @@ void add_shape(Scene& scene, Random& random, double size, Sides sides) {
         scene.geometry.add(ClosedCylinder(any_map(place, size, random)), 0, sides);
     } else if constexpr (std::is_same_v<Shape, Revolved>) {
         scene.geometry.add(any_revolved(any_map(place, size, random), random), 0, sides);
+    } else if constexpr (std::is_same_v<Shape, Curve>) {
+        add_curve(scene, random, any_map(place, size, random), sides);
     } else {
         static_assert(std::is_same_v<Shape, Cone>);
         scene.geometry.add(Cone{place, place + random.in_cube(size), size * random.uniform(0, 0.5),
@@ -274,6 +287,7 @@ const std::vector<SceneFamily>& scene_families() {
         {"ellipsoids", only<Ellipsoid>},
         {"cylinders", only<ClosedCylinder>},
         {"revolved", only<Revolved>},
+        {"curves", only<Curve>},
         {"mix", mix},
         {"one_sided", one_sided},
         {"duplicates", duplicates},

@@ -26,6 +26,7 @@ constexpr Small small_scenes[] = {
     {"terrain", 3000, 3000},   {"flake", 30000, 30000}, {"stadium", 3000, 3000},
     {"slivers", 20000, 20000}, {"sphereflake", 3, 820}, {"mixed", 3000, 3000},
     {"flat", 3000, 3000},      {"equal", 500, 500},     {"nan", 3000, 3000},
+    {"hair", 400, 3200},
 };
 
 Scene make(const Small& s) {
@@ -50,6 +51,9 @@ class Hash {
         for (const TriangleIndices t : triangles) add(std::span<const std::uint32_t>(t));
     }
     void add(const PolygonList& polygons) { add(polygons.corners()); }
+    void add(const CurveList& curves) {
+        for (const StoredCurve& c : curves) add(std::span<const Vec3f>(c.curve.points));
+    }
     std::uint64_t value() const { return value_; }
 
   private:

@@ -77,6 +77,9 @@ bool fine(const Scene&, const ClosedCylinder& c) {
 bool fine(const Scene&, const Revolved& s) {
     return s.exists();
 }
+bool fine(const Scene&, const StoredCurve& c) {
+    return c.place.exists() && (c.curve.widths[0] != 0 || c.curve.widths[1] != 0);
+}
 
 template <class List>
 bool all_fine(const List& list) {

@@ -63,6 +63,14 @@ bool is_float(const Affine& map) {
     return is_float(map.x) && is_float(map.y) && is_float(map.z) && is_float(map.origin);
 }
 
+/// A curve's own numbers are floats always.
+bool is_float(const CurveList& curves) {
+    for (const StoredCurve& c : curves) {
+        if (!is_float(c.place.to_world)) return false;
+    }
+    return true;
+}
+
 bool is_float(const Scene& scene) {
     const auto all = [](const auto& list, const auto& test) {
         return std::all_of(list.begin(), list.end(), test);
@@ -82,6 +90,7 @@ bool is_float(const Scene& scene) {
                [](const ClosedCylinder& c) { return is_float(c.to_world); }) &&
            all(scene.geometry.all<Revolved>(),
                [](const Revolved& s) { return is_float(s.to_world); }) &&
+           is_float(scene.geometry.all<Curve>()) &&
            all(scene.geometry.all<Cone>(),
                [](const Cone& c) {
                    return is_float(c.base) && is_float(c.top) && is_float(c.base_radius) &&

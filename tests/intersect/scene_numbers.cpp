@@ -14,6 +14,20 @@ constexpr bool is_affine = std::is_same_v<Shape, Ellipsoid> ||
 template <class Shape>
 constexpr bool is_face = std::is_same_v<Shape, Triangle> || std::is_same_v<Shape, Polygon>;
 
+/// Curves of a scene can only be made anew: their map's numbers are the scene's vertices meanwhile.
+void take_out_map(Geometry& geometry) {
+    const Affine map = Curve(geometry.all<Curve>()[0]).to_world;
+    geometry.vertices = {map.x, map.y, map.z, map.origin};
+}
+
+void put_back_map(Geometry& geometry) {
+    Curve curve(geometry.all<Curve>()[0]);
+    const auto& v = geometry.vertices;
+    curve.to_world = {v[0], v[1], v[2], v[3]};
+    geometry.all<Curve>() = {};
+    geometry.all<Curve>().push_back(curve);
+}
+
 template <class Shape>
 void list_numbers(Shape& s, std::vector<double*>& list) {
     const auto add = [&](Vec3& v) {
@@ -55,7 +69,8 @@ std::vector<double*> numbers_of(Scene& scene) {
     std::vector<double*> list;
     Geometry& geometry = scene.geometry;
     with_shape(geometry.primitives[0].kind, [&]<class Shape>() {
-        if constexpr (is_face<Shape>) {
+        if constexpr (std::is_same_v<Shape, Curve>) take_out_map(geometry);
+        if constexpr (is_face<Shape> || std::is_same_v<Shape, Curve>) {
             for (Vec3& v : geometry.vertices) list.insert(list.end(), {&v.x, &v.y, &v.z});
         } else {
             list_numbers(geometry.all<Shape>()[0], list);
@@ -71,6 +86,8 @@ void settle(Scene& scene) {
             all[0] = all[0].under(all[0].to_world);
         } else if constexpr (is_affine<Shape>) {
             all[0] = Shape(all[0].to_world);
+        } else if constexpr (std::is_same_v<Shape, Curve>) {
+            put_back_map(scene.geometry);
         } else if constexpr (std::is_same_v<Shape, Polygon>) {
             all = {};
             all.push_back({scene.geometry.vertices});

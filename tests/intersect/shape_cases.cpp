@@ -436,6 +436,39 @@ std::vector<ShapeCase> surfaces_of_revolution(const Vec3& far_away) {
     };
 }
 
+/// A straight curve of a small width, as a ray that leaves a bent one may meet it again.
+ShapeCase curve(const std::string& name, CurveType type, const Affine& map) {
+    BezierCurve c{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto x = static_cast<float>(i) / 3;
+        c.points[i] = Vec3f(2 * x - 1, x - 0.5F, 0.25F - x);
+    }
+    c.widths = {0.03F, 0.02F};
+    c.normals = {Vec3f(0, 0, 1), Vec3f(0, 1, 0)};
+    c.type = type;
+    ShapeCase s{name, {}, map.origin, 1.25 * (map.x.length() + map.y.length() + map.z.length()),
+                true, {}, {}};
+    s.scene.geometry.add(Curve(c, map), 0);
+    // Across the curve at x of its whole length, by `across` of half its width, for an eye at from.
+    const auto at = [map](const Vec3& from, double x, double across) {
+        const Vec3 centre = map.point({2 * x - 1, x - 0.5, 0.25 - x});
+        const Vec3 side = map.vector({2, 1, -1}).cross(centre - from);
+        return centre + across * 0.5 * (0.03 - 0.01 * x) * side.normalized();
+    };
+    s.targets.push_back({"band", [at](Random& random, const Vec3& from) {
+                             return at(from, random.uniform(), random.uniform(-1, 1));
+                         }});
+    s.targets.push_back({"side", [at](Random& random, const Vec3& from) {
+                             const double across = random.sign() * nearly_one(random);
+                             return at(from, random.uniform(), across);
+                         }});
+    s.targets.push_back({"end", [at](Random& random, const Vec3& from) {
+                             const double end = random.index(2) == 0 ? 0 : nearly_one(random);
+                             return at(from, end, random.uniform(-1, 1));
+                         }});
+    return s;
+}
+
 }  // namespace
 
 std::vector<ShapeCase> shape_cases() {
@@ -485,6 +518,13 @@ std::vector<ShapeCase> shape_cases() {
         cases.push_back(closed_cylinder(map_name, map));
     }
     for (ShapeCase& c : surfaces_of_revolution(far_away)) cases.push_back(std::move(c));
+    Affine there;
+    there.origin = base;
+    cases.push_back(curve("curve, flat", CurveType::flat, there));
+    cases.push_back(curve("curve, ribbon", CurveType::ribbon, there));
+    cases.push_back(curve("curve, cylinder", CurveType::cylinder, there));
+    there.origin = far_away;
+    cases.push_back(curve("curve, far from the origin", CurveType::cylinder, there));
     return cases;
 }
 
@@ -511,6 +551,8 @@ std::vector<DegenerateCase> degenerate_cases() {
         add(std::string("ellipsoid ") + how, Ellipsoid(map));
         add(std::string("closed cylinder ") + how, ClosedCylinder(map));
         add(std::string("revolved ") + how, Revolved(map, profiles::cylinder(), Sector(90)));
+        const BezierCurve line{{Vec3f(0), Vec3f(1), Vec3f(2), Vec3f(3)}, {1, 1}};
+        add(std::string("curve ") + how, Curve(line, map));
     }
     add("revolved of no height", Revolved({}, profiles::sphere(0.5, 0.5), Sector(360)));
     add("revolved upside down", Revolved({}, profiles::sphere(0.5, -0.5), Sector(360)));
@@ -522,6 +564,7 @@ std::vector<DegenerateCase> degenerate_cases() {
     add("ring of no width", Ring{{0, 0, 0}, {0, 0, 1}, 0, 0});
     add("ring inside out", Ring{{0, 0, 0}, {0, 0, 1}, 1, 0.5});
     add("ring of negative radius", Ring{{0, 0, 0}, {0, 0, 1}, -0.5, 1});
+    add("curve of no width", Curve({{Vec3f(0), Vec3f(1), Vec3f(2), Vec3f(3)}, {0, 0}}, Affine{}));
     add("quadric of nothing", Quadric{{0, 0, 0}, {}, around(Vec3(0), 1)});
     add("quadric of a constant",
         Quadric{{0, 0, 0}, {0, 0, 0, 0, 0, 0, 0, 0, 0, 1}, around(Vec3(0), 1)});

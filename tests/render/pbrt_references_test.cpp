@@ -1,4 +1,4 @@
-// Pictures of pbrt-v3 beside those of the path tracer, where this machine has them.
+// Pictures of pbrt-v3 beside those of the path tracer.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ std::vector<ForeignPicture> foreign_pictures(const fs::path& table) {
 
 /// The reference beside a scene, and its samples per pixel, which are in its name.
 std::pair<std::string, int> reference_of(const fs::path& scene) {
-    const std::regex name(scene.stem().string() + "-([0-9]+)\\.exr");
+    const std::regex name(scene.stem().string() + "-([0-9]+)\\.(exr|pfm)");
     for (const auto& entry : fs::directory_iterator(scene.parent_path())) {
         std::smatch parts;
         const std::string file = entry.path().filename().string();
@@ -229,4 +229,37 @@ TEST_CASE("pictures of PBRT scenes are those of pbrt-v3", "[needs_shared_scenes]
         CHECK(c.relmse <= foreign.relmse);
     }
     CHECK(compared >= 25);
+}
+
+TEST_CASE("pictures of shapes are those of pbrt-v3") {
+    const fs::path folder = fs::path(ETALON_SOURCE_DIR) / "tests/render/references";
+    int compared = 0;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        if (entry.path().extension() != ".pbrt") continue;
+        CAPTURE(entry.path());
+        const auto [file, reference_samples] = reference_of(entry.path());
+        LoadResult loaded = load_scene(entry.path().string());
+        REQUIRE(loaded.scene);
+        CHECK(loaded.diagnostics.empty());
+        const Result<Image> reference = read_image(file);
+        REQUIRE(reference);
+        std::vector<std::vector<Color>> images;
+        for (int seed = 1; seed <= pictures; ++seed) {
+            loaded.settings.seed = seed;
+            images.push_back(
+                render_with(*loaded.scene, *find_backend(default_backend), loaded.settings)
+                    .film.pixels());
+        }
+        const Comparer comparer(reference.value, images);
+        const double share = static_cast<double>(loaded.settings.samples_per_pixel) /
+                             static_cast<double>(reference_samples);
+        const Comparison c = comparer.compare({share, share * comparer.mean_square_error()});
+        fmt::print("{:<42} mean {:6.3f} % ({:5.1f} s.e.)  block z {:5.1f} (limit {:.1f})\n",
+                   entry.path().filename().string(), 100 * c.worst_mean, c.worst_mean_z,
+                   c.worst_block_z, bound_for(c.blocks));
+        CHECK((c.worst_mean <= mean_limit || c.worst_mean_z <= 3));
+        CHECK(c.worst_block_z <= bound_for(c.blocks));
+        ++compared;
+    }
+    CHECK(compared >= 5);
 }

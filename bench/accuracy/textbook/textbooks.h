@@ -8,6 +8,7 @@
 #include "bench/accuracy/textbook/affine.h"
 #include "bench/accuracy/textbook/box.h"
 #include "bench/accuracy/textbook/cone.h"
+#include "bench/accuracy/textbook/curve.h"
 #include "bench/accuracy/textbook/plane.h"
 #include "bench/accuracy/textbook/polygon.h"
 #include "bench/accuracy/textbook/quadric.h"

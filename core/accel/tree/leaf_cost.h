@@ -16,12 +16,13 @@ struct LeafCost {
 
 using LeafCosts = std::array<LeafCost, item_kinds>;
 
-/// Costs where triangles and spheres are filtered eight at once, and others tested one by one. For
-/// an instance there is a tree to be traversed.
+/// Costs where triangles and spheres are filtered eight at once, and others tested one by one: a
+/// curve is halved many times, and for an instance there is a tree to be traversed.
 constexpr LeafCosts default_leaf_costs() {
     LeafCosts costs{};
     costs.fill({1, 2.0F});
     costs[kind_of<Triangle>()] = costs[kind_of<Sphere>()] = {8, 0.7F};
+    costs[kind_of<Curve>()] = {1, 6.0F};
     costs[instance_kind] = {1, 8.0F};
     return costs;
 }

@@ -160,6 +160,8 @@ class P3fScene {
 
     void write_shape(const Revolved&, Sides) { lost_.add("surface of revolution, left out"); }
 
+    void write_shape(const StoredCurve&, Sides) { lost_.add("curve, left out"); }
+
     void write_facets(const auto& shape) {
         to_facets(shape, [&](std::span<const Vec3> corners, std::span<const Vec3> normals) {
             write_polygon(corners, normals);

@@ -170,6 +170,8 @@ class PbrtScene {
 
     void write_shape(const Revolved&) { lost_.add("surface of revolution, left out"); }
 
+    void write_shape(const StoredCurve&) { lost_.add("curve, left out"); }
+
     void write_shape(const Cone& c) {
         const Vec3 axis = c.top - c.base;
         const double height = std::sqrt(axis.dot(axis));

@@ -75,4 +75,6 @@ void build_cone(ShapeBuilder& s);
 void build_paraboloid(ShapeBuilder& s);
 void build_hyperboloid(ShapeBuilder& s);
 
+void build_curve(ShapeBuilder& s);
+
 }  // namespace etalon::pbrt

@@ -26,6 +26,7 @@ constexpr std::array entries = {
     Entry{"cone", build_cone},
     Entry{"paraboloid", build_paraboloid},
     Entry{"hyperboloid", build_hyperboloid},
+    Entry{"curve", build_curve},
 };
 
 /// Builds a shape into the builder's geometry.

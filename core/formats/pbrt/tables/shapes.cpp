@@ -113,7 +113,7 @@ constexpr std::array types = {
     PluginType{Category::shape, "cone", cone},
     PluginType{Category::shape, "paraboloid", paraboloid},
     PluginType{Category::shape, "hyperboloid", hyperboloid},
-    PluginType{Category::shape, "curve", curve, {}, "nothing", check_curve},
+    PluginType{Category::shape, "curve", curve, {}, {}, check_curve},
     PluginType{Category::shape, "trianglemesh", triangle_mesh},
     PluginType{Category::shape, "plymesh", ply_mesh},
     PluginType{Category::shape, "heightfield", heightfield},

@@ -1,0 +1,46 @@
+#include "core/scene/curve_list.h"
+
+#include <bit>
+
+#include "core/scene/instance.h"
+
+namespace etalon {
+namespace {
+
+bool same(const Affine& a, const Affine& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z && a.origin == b.origin;
+}
+
+}  // namespace
+
+CurvePlace::CurvePlace(const Affine& map) : to_world(map), rows(Instance(map, 0).rows) {}
+
+bool CurvePlace::exists() const {
+    return is_finite(to_world) && is_finite(rows[0]) && is_finite(rows[1]) && is_finite(rows[2]);
+}
+
+void CurveList::push_back(const Curve& c) {
+    if (places_.empty() || !same(places_.back().to_world, c.to_world)) {
+        places_.emplace_back(c.to_world);
+    }
+    const auto place = static_cast<std::uint32_t>(places_.size() - 1);
+    if (curves_.empty() || curves_.back().place != place || curves_.back().curve != c.curve) {
+        curves_.push_back({c.curve, place});
+    }
+    const auto logarithm = static_cast<std::uint32_t>(std::countr_zero(c.part.count));
+    parts_.push_back(
+        {static_cast<std::uint32_t>(curves_.size() - 1), logarithm << 16 | c.part.number});
+}
+
+void CurveList::shrink_to_fit() {
+    parts_.shrink_to_fit();
+    curves_.shrink_to_fit();
+    places_.shrink_to_fit();
+}
+
+std::size_t CurveList::memory_bytes() const {
+    return parts_.capacity() * sizeof(Part) + curves_.capacity() * sizeof(Entry) +
+           places_.capacity() * sizeof(CurvePlace);
+}
+
+}  // namespace etalon
