@@ -151,6 +151,8 @@ TEST_CASE("parametrization_at: given any hit, then (u, v) and its derivatives ar
 
 TEST_CASE("parametrization_at: given two hits close together, then the derivatives lead over") {
     for (const ShapeCase& shape : shape_cases()) {
+        // A curve faces each ray, so that two rays have derivatives of their own: see curve_test.
+        if (shape.scene.geometry.primitives[0].kind == kind_of<Curve>()) continue;
         Random random(6);
         int considered = 0, decisive = 0;
         for (int i = 0; i < 2000; ++i) {

@@ -90,6 +90,8 @@ TEST_CASE("spawn_origin: given very many hits, then none is met again", "[long]"
 
 TEST_CASE("spawn_origin: given shapes of unit size at the origin, then the shift is small") {
     for (const ShapeCase& shape : shape_cases()) {
+        // Rays leave a curve by its width.
+        if (shape.scene.geometry.primitives[0].kind == kind_of<Curve>()) continue;
         if (max_abs(shape.centre) > 100 || shape.size > 100) continue;
         Random random(3);
         for (int i = 0; i < 200; ++i) {

@@ -96,7 +96,7 @@ SurfacePoint surface(const Geometry&, const StoredCurve& c, const RayQuery& q, d
     const auto carried = [&](double reach) { return reach * (abs(m.x) + abs(m.y) + abs(m.z)); };
     SurfacePoint p;
     p.position = m.point(local);
-    p.error = carried(2 * at.width) + position_error(abs(m.origin), 0) +
+    p.error = carried(2 * std::abs(width_at(c.curve, at.u))) + position_error(abs(m.origin), 0) +
               carried(64 * unit_roundoff * max_abs(abs(local) + Vec3(at.width)));
     const std::array<Vec3, 3>& rows = c.place.rows;
     const Vec3 normal = axes.normal.x * rows[0] + axes.normal.y * rows[1] + axes.normal.z * rows[2];

@@ -15,8 +15,9 @@ namespace etalon {
 Box3 bounds(const Geometry& geometry, const StoredCurve& c);
 double first_hit(const Geometry& geometry, const StoredCurve& c, Sides sides, const RayQuery& q);
 
-/// The point of the ray, up to the curve's own roundings. It is two widths, which is more than the
-/// curve has in any direction, from where a ray that leaves it starts.
+/// The point of the ray, up to the curve's own roundings. A ray that leaves it starts two widths
+/// away, as in pbrt-v3: the curve is nowhere as thick, whatever way it is seen. They are the whole
+/// widths of a ribbon too, which another ray may see broader than the one that met it.
 SurfacePoint surface(const Geometry& geometry, const StoredCurve& c, const RayQuery& q, double t);
 
 /// Parametrization of pbrt: u along the whole curve, v across, from 0 to 1 as the ray saw it.
