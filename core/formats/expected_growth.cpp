@@ -21,6 +21,9 @@ void make_room(TriangleList& v, double factor) {
 /// Nobody knows how many corners are to come.
 void make_room(PolygonList&, double) {}
 
+/// Nor how many parts a curve has.
+void make_room(CurveList&, double) {}
+
 }  // namespace
 
 void make_room_for_growth(Geometry& g, double factor) {

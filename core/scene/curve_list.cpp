@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "core/scene/instance.h"
+#include "core/scene/spare_room.h"
 
 namespace etalon {
 namespace {
@@ -33,14 +34,13 @@ void CurveList::push_back(const Curve& c) {
 }
 
 void CurveList::shrink_to_fit() {
-    parts_.shrink_to_fit();
-    curves_.shrink_to_fit();
-    places_.shrink_to_fit();
+    give_back_room(parts_);
+    give_back_room(curves_);
+    give_back_room(places_);
 }
 
 std::size_t CurveList::memory_bytes() const {
-    return parts_.capacity() * sizeof(Part) + curves_.capacity() * sizeof(Entry) +
-           places_.capacity() * sizeof(CurvePlace);
+    return written_bytes(parts_) + written_bytes(curves_) + written_bytes(places_);
 }
 
 }  // namespace etalon

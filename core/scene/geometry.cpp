@@ -109,6 +109,10 @@ void give_back_room(PolygonList& polygons) {
     polygons.shrink_to_fit();
 }
 
+void give_back_room(CurveList& curves) {
+    curves.shrink_to_fit();
+}
+
 }  // namespace
 
 void shrink_to_fit(Geometry& g) {
