@@ -90,7 +90,9 @@ TEST_CASE("Curve: given a ribbon, then it is as broad as its normal lets it be s
 
 TEST_CASE("Curve: given two parallel rays, then the derivatives lead from hit to hit") {
     const Affine map{{1, 0.25, 0}, {0, -0.5, 0.25}, {0.25, 0, 1}, {3, 0, 0.5}};
-    const Geometry g = one(line(CurveType::flat), map);
+    BezierCurve exact = line(CurveType::flat);  // whose points are even to the last bit
+    for (std::size_t i = 0; i < 4; ++i) exact.points[i].x = static_cast<float>(i) - 1.5F;
+    const Geometry g = one(exact, map);
     Random random(1);
     for (int i = 0; i < 300; ++i) {
         const Vec3 d = random.direction(), aim = map.point({random.uniform(-0.9, 0.9), 0, 0});
