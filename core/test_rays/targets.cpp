@@ -176,7 +176,7 @@ std::vector<Target> targets(const StoredCurve& c, double finest) {
     };
     return {
         [=](const Vec3& from, Random& random) {
-            return at(from, place(random), random.uniform(-1.2, 1.2));
+            return at(from, place(random), random.uniform(-0.5, 0.5));
         },
         [=](const Vec3& from, Random& random) {
             return at(from, place(random), random.sign() * nearly_one(finest, random));
