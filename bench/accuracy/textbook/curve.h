@@ -5,8 +5,9 @@
 
 namespace etalon::accuracy {
 
-/// Halves the curve, seen along the ray, until it is straight, and meets the pieces within half the
-/// width (Pharr, Jakob & Humphreys 2016, section 3.7). For bands that face the ray and for tubes.
+/// Takes the curve to axes along the ray, halves it until it is straight, and tests whether a piece
+/// is within half the width (Pharr, Jakob & Humphreys 2016, section 3.7). For bands that face the
+/// ray and for tubes.
 template <class Real>
 struct TextbookCurve {
     using RayForm = PlainRay<Real>;
