@@ -115,7 +115,9 @@ TEST_CASE("Direct lighting is a path of one bounce", "[path]") {
         "AttributeBegin AreaLightSource \"diffuse\" \"color L\" [5 5 5] \"integer nsamples\" 4\n"
         "Translate 0 2 -2 Shape \"sphere\" \"float radius\" .5 AttributeEnd\n"
         "LightSource \"point\" \"color I\" [3 3 3] \"point from\" [3 0 -3] Shape \"sphere\"";
-    const double expected = brightness(world, "Integrator \"path\" \"integer maxdepth\" 1");
+    const double expected = brightness(world,
+                                       "Sampler \"sobol\" \"integer pixelsamples\" 1024\n"
+                                       "Integrator \"path\" \"integer maxdepth\" 1");
     for (const char* name : {"directlighting", "whitted"}) {
         CHECK_THAT(brightness(world, fmt::format("Integrator \"{}\"", name)),
                    WithinRel(expected, 5e-3));

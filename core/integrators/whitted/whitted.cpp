@@ -164,9 +164,11 @@ void Whitted::SecondaryRays::reserve(std::size_t count) {
     weights.reserve(count);
 }
 
-/// Adds what mirrors and glass let come back.
-void Whitted::add_secondary(const RaysView& batch, int depth, const SeenSurfaces& surfaces,
-                            std::span<Color> colors, RayCounts& counts) const {
+/// Makes the rays that leave the surfaces. Kept out of line, so that the group of rays is not on
+/// the stack once for each depth.
+[[gnu::noinline]] Whitted::SecondaryRays Whitted::secondary_rays(const RaysView& batch,
+                                                                 const SeenSurfaces& surfaces,
+                                                                 RayCounts& counts) const {
     SecondaryRays secondary;
     secondary.reserve(surfaces.size());
     LeavingRays leaving(surfaces, {rules_.schlick, rules_.fixed_bias});
@@ -176,6 +178,13 @@ void Whitted::add_secondary(const RaysView& batch, int depth, const SeenSurfaces
             leave(batch, surfaces.traits[first + i], leaving, first, i, secondary, counts);
         }
     }
+    return secondary;
+}
+
+/// Adds what mirrors and glass let come back.
+void Whitted::add_secondary(const RaysView& batch, int depth, const SeenSurfaces& surfaces,
+                            std::span<Color> colors, RayCounts& counts) const {
+    const SecondaryRays secondary = secondary_rays(batch, surfaces, counts);
     std::vector<Color> sums(surfaces.size(), Color(0.0F)), incoming(secondary.rays.size());
     const RaysView all{secondary.rays, secondary.paths};
     for (std::size_t first = 0; first < incoming.size(); first += batch_size) {

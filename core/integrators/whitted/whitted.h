@@ -64,6 +64,8 @@ class Whitted final : public Integrator {
                                    const SeenSurfaces& surfaces) const;
     void add_light(std::size_t light, int k, const RaysView& batch, const SeenSurfaces& surfaces,
                    std::span<Color> reflected, RayCounts& counts) const;
+    SecondaryRays secondary_rays(const RaysView& batch, const SeenSurfaces& surfaces,
+                                 RayCounts& counts) const;
     void add_secondary(const RaysView& batch, int depth, const SeenSurfaces& surfaces,
                        std::span<Color> colors, RayCounts& counts) const;
     void leave(const RaysView& batch, const SeenSurfaces::Traits& from, const LeavingRays& leaving,

@@ -17,8 +17,8 @@
 
 #include "core/intersect/shapes/box.h"
 #include "core/intersect/shapes/closed_cylinder.h"
-#include "core/intersect/shapes/curve.h"
 #include "core/intersect/shapes/cone.h"
+#include "core/intersect/shapes/curve.h"
 #include "core/intersect/shapes/ellipsoid.h"
 #include "core/intersect/shapes/plane.h"
 #include "core/intersect/shapes/polygon.h"
