@@ -36,6 +36,13 @@ class Integrator {
     virtual void radiance(const CameraSamples& samples, std::span<Color> colors,
                           RayCounts& counts) const = 0;
 
+    /// Whether camera rays may meet lights.
+    virtual bool shows_lights() const { return false; }
+
+    /// Sets `colors` to the part of the samples' colours that comes straight from lights. Black
+    /// where an integrator shows none.
+    virtual void emission(const CameraSamples& samples, std::span<Color> colors) const;
+
     /// Why parts of the scene were replaced after rendering began: a face of a skybox whose file
     /// turned out damaged when it was first seen by the background's colour.
     virtual std::vector<std::string> late_problems() const { return {}; }

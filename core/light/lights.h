@@ -34,6 +34,9 @@ class Lights {
 
     bool empty() const { return sources_.empty(); }
 
+    /// Whether rays meet any of them.
+    bool can_be_seen() const { return !area_lights_.empty() || !infinite_.empty(); }
+
     /// How many there are to pick from: the halves of a quadrilateral are one.
     std::size_t size() const { return sources_.size(); }
 

@@ -45,7 +45,8 @@ std::size_t ImageFilm::add(std::span<const Imath::V2i> pixels, std::span<const V
     samples_.add(pixels, colors);
     if (splats_) {
         for (std::size_t i = 0; i < pixels.size(); ++i) {
-            splats_->add(pixels[i], places[i], colors[i]);
+            const std::size_t pixel = samples_.index(pixels[i].x, pixels[i].y);
+            splats_->add(pixels[i], places[i], colors[i], rates_.empty() ? 1 : 1.0 / rates_[pixel]);
         }
     }
     return colors.size() - good;

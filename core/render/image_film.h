@@ -22,6 +22,10 @@ class ImageFilm {
     std::size_t add(std::span<const Imath::V2i> pixels, std::span<const Vec2> places,
                     std::span<Color> colors);
 
+    /// Says how many of each pixel's samples count as one, before any is added.
+    void set_rates(SampleRates rates) { rates_ = std::move(rates); }
+    const SampleRates& rates() const { return rates_; }
+
     /// The samples of each pixel. Where a filter is wider than a pixel, there are some beyond the
     /// image's window.
     const Film& samples() const { return samples_; }
@@ -32,7 +36,9 @@ class ImageFilm {
     bool is_filtered() const { return splats_.has_value(); }
 
     /// The image that the filter makes of them.
-    Film filtered() const { return samples_.filtered(window_, splats_->means(window_, samples_)); }
+    Film filtered() const {
+        return samples_.filtered(window_, splats_->means(window_, samples_, rates_));
+    }
 
     /// Takes the samples of an image that is not filtered.
     Film take_samples() { return std::move(samples_); }
@@ -46,6 +52,7 @@ class ImageFilm {
 
     Imath::Box2i window_;
     Film samples_;
+    SampleRates rates_;
     std::optional<SplatFilm> splats_;
     float scale_, max_luminance_;
     bool changes_samples_;

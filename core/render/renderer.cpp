@@ -24,7 +24,10 @@ class Renderer {
           integrator_(integrator),
           film_(rays_.sampled(settings.window()), settings),
           tiles_(film_.tiles()),
-          counts_(tiles_.size()) {}
+          counts_(tiles_.size()) {
+        if (settings.target_error > 0) return;
+        film_.set_rates(sample_rates(camera, integrator, settings, film_.samples().window()));
+    }
 
     Rendering run() {
         const std::unique_ptr<SamplingPasses> passes = make_passes();
@@ -64,7 +67,8 @@ class Renderer {
         if (settings_.target_error > 0) {
             return std::make_unique<AdaptivePasses>(film_, settings_, samples);
         }
-        return std::make_unique<UniformPasses>(samples, film_.samples().size(), control_.deadline);
+        return std::make_unique<UniformPasses>(samples, film_.samples().size(), control_.deadline,
+                                               film_.rates());
     }
 
     Rendering finished(const SamplingPasses& passes) {

@@ -71,11 +71,13 @@ std::size_t SplatFilm::cell_of(const Imath::V2i& pixel) const {
 
 /// Distances are those from the cell's corner: rounded alike, they stay within the block. The sums
 /// of a row lie one after the other, so that several are added to at a time.
-void SplatFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& sample) {
+void SplatFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& sample,
+                    double weight) {
     const Imath::V2i offset = pixel - corner_;
     const Imath::V2i corner = pixel - Imath::V2i(offset.x % side_, offset.y % side_);
     const Weights x(across_, place.x - corner.x), y(down_, place.y - corner.y);
-    const std::array<double, Splat::size> value{sample.x, sample.y, sample.z, 1};
+    const std::array<double, Splat::size> value{weight * sample.x, weight * sample.y,
+                                                weight * sample.z, weight};
     std::array<double, Splat::size * Weights::most> weighted;
     for (int u = 0; u < x.count; ++u) {
         for (int k = 0; k < Splat::size; ++k) {
@@ -87,26 +89,27 @@ void SplatFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& sam
     row += (y.first + before_.y) * block_.x + (x.first + before_.x);
     for (int v = 0; v < y.count; ++v, row += block_.x) {
         double* const sums = row->values.data();
-        const double weight = y.values[v];
-        for (int i = 0; i < size; ++i) sums[i] += weight * weighted[i];
+        const double factor = y.values[v];
+        for (int i = 0; i < size; ++i) sums[i] += factor * weighted[i];
     }
 }
 
-/// One over the number of samples that each pixel of a cell has; 0 where there is none.
-std::vector<double> SplatFilm::cell_weights(const Film& samples) const {
+/// One over the number of samples that each pixel of a cell counts as; 0 where there is none.
+std::vector<double> SplatFilm::cell_weights(const Film& samples, const SampleRates& rates) const {
     std::vector<std::uint64_t> pixels(static_cast<std::size_t>(cells_.x) * cells_.y, 0);
-    std::vector<std::uint64_t> counts(pixels.size(), 0);
+    std::vector<double> counts(pixels.size(), 0);
     for (int y = window_.min.y; y <= window_.max.y; ++y) {
         for (int x = window_.min.x; x <= window_.max.x; ++x) {
             const std::size_t cell = cell_of({x, y});
             ++pixels[cell];
-            counts[cell] += samples.counts()[samples.index(x, y)];
+            const std::size_t pixel = samples.index(x, y);
+            counts[cell] += samples.counts()[pixel] / (rates.empty() ? 1.0 : rates[pixel]);
         }
     }
     std::vector<double> weights(pixels.size(), 0.0);
     for (std::size_t i = 0; i < weights.size(); ++i) {
         if (counts[i] > 0) {
-            weights[i] = static_cast<double>(pixels[i]) / static_cast<double>(counts[i]);
+            weights[i] = static_cast<double>(pixels[i]) / counts[i];
         }
     }
     return weights;
@@ -141,8 +144,9 @@ void SplatFilm::add_row(int y, const Imath::Box2i& window, const std::vector<dou
     }
 }
 
-std::vector<Vec3> SplatFilm::means(const Imath::Box2i& window, const Film& samples) const {
-    const std::vector<double> weights = cell_weights(samples);
+std::vector<Vec3> SplatFilm::means(const Imath::Box2i& window, const Film& samples,
+                                   const SampleRates& rates) const {
+    const std::vector<double> weights = cell_weights(samples, rates);
     const auto width = static_cast<std::size_t>(size_of(window).x);
     std::vector<Vec3> result(width * size_of(window).y, Vec3(0));
     parallel_for(size_of(window).y, 4, [&](std::size_t begin, std::size_t end) {

@@ -7,6 +7,7 @@
 #include "core/parallel/large_pages.h"
 #include "core/render/film.h"
 #include "core/render/filter_axis.h"
+#include "core/render/sample_rates.h"
 
 namespace etalon {
 
@@ -21,13 +22,15 @@ class SplatFilm {
     /// has the same bits as the whole.
     SplatFilm(const Imath::Box2i& window, int cell_side, const PixelFilter& filter);
 
-    /// Adds a sample at `place`, in pixels, of the pixel in which it lies.
-    void add(const Imath::V2i& pixel, const Vec2& place, const Color& sample);
+    /// Adds a sample at `place`, in pixels, of the pixel in which it lies. It counts as `weight`
+    /// samples: one over how many times the usual number of samples the pixel has.
+    void add(const Imath::V2i& pixel, const Vec2& place, const Color& sample, double weight = 1);
 
     /// The pixels of `window` by rows: means of the samples near them, not below 0, black where
     /// there is none. A cell's samples count as much as if there were one of each pixel;
-    /// `samples` has their true number.
-    std::vector<Vec3> means(const Imath::Box2i& window, const Film& samples) const;
+    /// `samples` has their true number, and `rates` how many of a pixel count as one.
+    std::vector<Vec3> means(const Imath::Box2i& window, const Film& samples,
+                            const SampleRates& rates = {}) const;
 
     /// The corner of the first cell, in the window's or before.
     const Imath::V2i& corner() const { return corner_; }
@@ -48,7 +51,7 @@ class SplatFilm {
     };
 
     std::size_t cell_of(const Imath::V2i& pixel) const;
-    std::vector<double> cell_weights(const Film& samples) const;
+    std::vector<double> cell_weights(const Film& samples, const SampleRates& rates) const;
     Range cells_about(int pixel, int axis) const;
     void add_row(int y, const Imath::Box2i& window, const std::vector<double>& cell_weights,
                  std::vector<Splat>& row) const;

@@ -12,10 +12,17 @@ std::uint32_t UniformPasses::affordable() const {
 }
 
 std::optional<SamplingGoal> UniformPasses::next(const Film&) {
-    if (goal_ == 0) return SamplingGoal{goal_ = 1};
-    const std::uint32_t next = std::min({2 * goal_, samples_, affordable()});
+    const std::uint32_t next = goal_ == 0 ? 1 : std::min({2 * goal_, samples_, affordable()});
     if (next <= goal_) return std::nullopt;
-    return SamplingGoal{goal_ = next};
+    goal_ = next;
+    return goal();
+}
+
+SamplingGoal UniformPasses::goal() const {
+    SamplingGoal goal{goal_};
+    goal.of_pixel.assign(rates_.begin(), rates_.end());
+    for (std::uint32_t& samples : goal.of_pixel) samples *= goal_;
+    return goal;
 }
 
 bool UniformPasses::is_complete(std::uint64_t samples) const {

@@ -1,17 +1,25 @@
 #pragma once
 
+#include <numeric>
+
 #include "core/render/deadline.h"
+#include "core/render/sample_rates.h"
 #include "core/render/sampling_passes.h"
 
 namespace etalon {
 
-/// The same number of samples for every pixel, doubled round by round: what there is at any time is
-/// well distributed. The last pass before a deadline is as large as there is time for.
+/// The same number of samples for every pixel, or as many times that as its rate says, doubled
+/// round by round: what there is at any time is well distributed. The last pass before a deadline
+/// is as large as there is time for.
 class UniformPasses : public SamplingPasses {
   public:
-    /// Plans `samples` samples of each of `pixels` pixels, at least 1.
-    UniformPasses(std::uint32_t samples, std::size_t pixels, const Deadline& deadline)
-        : samples_(samples), pixels_(pixels), deadline_(deadline) {}
+    /// Plans `samples` samples of each of `pixels` pixels, at least 1, times their `rates`.
+    UniformPasses(std::uint32_t samples, std::size_t pixels, const Deadline& deadline,
+                  SampleRates rates = {})
+        : samples_(samples),
+          samples_of_one_(rates.empty() ? pixels : std::reduce(rates.begin(), rates.end(), 0ULL)),
+          rates_(std::move(rates)),
+          deadline_(deadline) {}
 
     std::optional<SamplingGoal> next(const Film& film) override;
     bool is_complete(std::uint64_t samples) const override;
@@ -19,10 +27,12 @@ class UniformPasses : public SamplingPasses {
 
   private:
     std::uint32_t affordable() const;
-    std::uint64_t all_samples() const { return std::uint64_t{samples_} * pixels_; }
+    SamplingGoal goal() const;
+    std::uint64_t all_samples() const { return samples_ * samples_of_one_; }
 
     std::uint32_t samples_, goal_ = 0;
-    std::size_t pixels_;
+    std::uint64_t samples_of_one_;  ///< of all pixels, for each one of a pixel without a rate
+    SampleRates rates_;
     const Deadline& deadline_;
 };
 

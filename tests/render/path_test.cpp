@@ -1,7 +1,7 @@
 // The path tracer against what is known of small scenes.
-#include "core/formats/load.h"
 #include "core/scene/transformed.h"
 #include "tests/catch.h"
+#include "tests/render/pbrt_scene.h"
 #include "tests/render/test_images.h"
 
 using namespace etalon;
@@ -9,24 +9,6 @@ using namespace etalon::test;
 using Catch::Matchers::WithinRel;
 
 namespace {
-
-/// A scene of PBRT's statements, 8 x 8 pixels through a narrow camera at (0, 0, -5) that looks
-/// along z. `options` may replace the integrator and the samples.
-TestScene pbrt_scene(const std::string& world, const std::string& options = "") {
-    const std::string text =
-        "LookAt 0 0 -5  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 4\n"
-        "Film \"image\" \"integer xresolution\" 8 \"integer yresolution\" 8\n"
-        "Sampler \"sobol\" \"integer pixelsamples\" 64\n" +
-        options + "\nWorldBegin\n" + world + "\nWorldEnd\n";
-    LoadResult loaded = load_scene_text(text, "test.pbrt");
-    INFO(report(loaded.diagnostics));
-    REQUIRE(loaded.scene);
-    REQUIRE(loaded.diagnostics.empty());
-    TestScene scene;
-    static_cast<Scene&>(scene) = std::move(*loaded.scene);
-    scene.settings = loaded.settings;
-    return scene;
-}
 
 /// Mean of the green values of an image.
 double mean(const std::vector<Color>& pixels) {

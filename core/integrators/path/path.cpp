@@ -9,4 +9,9 @@ void PathTracer::radiance(const CameraSamples& samples, std::span<Color> colors,
     PathBatch(scene_, samples, colors, counts).run();
 }
 
+void PathTracer::emission(const CameraSamples& samples, std::span<Color> colors) const {
+    RayCounts not_of_the_image;
+    PathBatch(scene_, samples, colors, not_of_the_image, 0).run();
+}
+
 }  // namespace etalon

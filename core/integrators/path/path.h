@@ -20,6 +20,9 @@ class PathTracer final : public Integrator {
     void radiance(const CameraSamples& samples, std::span<Color> colors,
                   RayCounts& counts) const override;
 
+    bool shows_lights() const override { return scene_.lights.can_be_seen(); }
+    void emission(const CameraSamples& samples, std::span<Color> colors) const override;
+
   private:
     PathScene scene_;
 };

@@ -22,8 +22,12 @@ float balance_weight(float a, float b) {
 }  // namespace
 
 PathBatch::PathBatch(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors,
-                     RayCounts& counts)
-    : shared_(scene), samples_(samples), colors_(colors), counts_(counts) {
+                     RayCounts& counts, int most_vertices)
+    : shared_(scene),
+      samples_(samples),
+      colors_(colors),
+      counts_(counts),
+      most_vertices_(most_vertices) {
     rays_.assign(samples.rays.begin(), samples.rays.end());
     paths_.reserve(rays_.size());
     for (std::uint32_t i = 0; i < rays_.size(); ++i) {

@@ -14,7 +14,12 @@ namespace etalon {
 class PathBatch {
   public:
     PathBatch(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors,
-              RayCounts& counts);
+              RayCounts& counts)
+        : PathBatch(scene, samples, colors, counts, scene.most_vertices) {}
+
+    /// Follows paths of at most so many vertices that scatter, whatever the scene's setting.
+    PathBatch(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors,
+              RayCounts& counts, int most_vertices);
 
     void run();
 
@@ -71,8 +76,7 @@ class PathBatch {
     /// Whether a ray's path may be scattered where the ray ends.
     bool may_scatter(std::size_t ray) const {
         const Path& path = paths_[ray];
-        return hits_[ray].primitive != no_index && !path.last_ray &&
-               path.depth < shared_.most_vertices;
+        return hits_[ray].primitive != no_index && !path.last_ray && path.depth < most_vertices_;
     }
 
     /// Number of ways in which the path goes on where it meets a smooth lobe.
@@ -105,6 +109,7 @@ class PathBatch {
     const CameraSamples& samples_;
     std::span<Color> colors_;
     RayCounts& counts_;
+    int most_vertices_;
 
     std::vector<Ray> rays_, next_rays_;
     std::vector<Path> paths_, next_paths_;
