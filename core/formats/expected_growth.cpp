@@ -18,10 +18,11 @@ void make_room(TriangleList& v, double factor) {
     if (v.size() >= much) v.reserve(grown(v.size(), factor) - v.size());
 }
 
-/// Nobody knows how many corners are to come.
-void make_room(PolygonList&, double) {}
+void make_room(PolygonList& v, double factor) {
+    if (v.size() >= much) v.make_room(factor);
+}
 
-/// Nor how many parts a curve has.
+/// Nobody knows how many parts a curve has.
 void make_room(CurveList&, double) {}
 
 }  // namespace

@@ -31,6 +31,16 @@ void PolygonList::push_back(const Polygon& polygon) {
     entries_.push_back(entry);
 }
 
+void PolygonList::make_room(double factor) {
+    const auto grow = [&](auto& list) {
+        list.reserve(static_cast<std::size_t>(static_cast<double>(list.size()) * factor));
+    };
+    grow(entries_);
+    grow(corners_);
+    grow(normals_);
+    grow(columns_);
+}
+
 void PolygonList::work_out(Entry& entry) {
     const std::span<const Vec3> corners = corners_of(entry);
     entry.facts = PolygonFacts(corners);

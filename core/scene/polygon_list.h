@@ -18,6 +18,9 @@ class PolygonList {
     bool empty() const { return entries_.empty(); }
     void push_back(const Polygon& polygon);
 
+    /// Makes room for `factor` times as many polygons, if they are like these.
+    void make_room(double factor);
+
     StoredPolygon operator[](std::size_t i) const {
         const Entry& e = entries_[i];
         return {{corners_of(e), normals_of(e)}, e.facts, columns_of(e)};
