@@ -1,4 +1,5 @@
 #include "core/intersect/kernels.h"
+#include "core/numerics/exact.h"
 #include "tests/catch.h"
 #include "tests/intersect/kernel_classification.h"
 #include "tests/intersect/rays_at_shapes.h"
@@ -103,6 +104,32 @@ TEST_CASE("spawn_origin: given shapes of unit size at the origin, then the shift
             const double extent = shape.size + max_abs(shape.centre) + max_abs(p.position);
             CAPTURE(shape.name, shift);
             REQUIRE(shift <= 5e-14 * extent);
+        }
+    }
+}
+
+TEST_CASE("spawn_origin: given planes tilted by a rounding, then a ray leaves on its own side") {
+    constexpr double rounding = 6.123233995736766e-17;  // the cosine of a right angle in doubles
+    Random random(5);
+    for (const Vec3& normal : {Vec3(0, 1, rounding), Vec3(rounding, 1, -rounding),
+                               Vec3(0, rounding, 1), Vec3(1, 0, rounding)}) {
+        for (const Ring& ring : {Ring{{0, 0, 0}, normal, 0, 20}, Ring{{3, -2, 1}, normal, 0, 20}}) {
+            Scene scene;
+            scene.geometry.add(ring, 0);
+            for (int i = 0; i < 20000; ++i) {
+                const Vec3 origin = 5.0 * random.in_cube();
+                const Vec3 target =
+                    ring.centre + std::pow(10.0, random.uniform(-4, 1)) * random.in_cube();
+                const Ray ray{origin, target - origin};
+                const double t = primitive_first_hit(scene.geometry, 0, RayQuery(ray));
+                if (!(t <= infinity)) continue;
+                const SurfacePoint p = surface_at(scene.geometry, ray, {t, 0});
+                for (const double side : {1.0, -1.0}) {
+                    const Vec3 start = spawn_origin(p, side * p.normal);
+                    CAPTURE(normal, ring.centre, i, ray.origin, ray.direction, side);
+                    REQUIRE(side * exact_dot(normal, start, ring.centre) > 0);
+                }
+            }
         }
     }
 }

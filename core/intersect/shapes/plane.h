@@ -33,11 +33,19 @@ inline double first_hit(const Geometry&, const Plane& p, Sides sides, const RayQ
     return is_ahead(t, q.ray.tmin) && faces(cosine, sides) ? t : no_hit;
 }
 
+/// What a point's correction may leave of its distance from a plane, as part of the error bound
+/// along the normal. More than that happens where a coordinate was far larger before it: the
+/// correction's own roundings are in proportion to that.
+inline constexpr double most_left_of_distance = 0.25;
+
 inline SurfacePoint surface(const Geometry&, const Plane& p, const RayQuery& q, double t) {
     const Vec3 normal = normalized(p.normal);
     Vec3 position = q.ray.origin + t * q.ray.direction;
     position -= normal.dot(position - p.point) * normal;
-    return {position, position_error(abs(position) + abs(p.point), 0), normal, normal};
+    Vec3 error = position_error(abs(position) + abs(p.point), 0);
+    const double left = std::abs(normal.dot(position - p.point));
+    if (left > most_left_of_distance * abs(normal).dot(error)) error += Vec3(2 * left);
+    return {position, error, normal, normal};
 }
 
 /// Lengths in the plane, from its point: see plane_chart(). dpdu x dpdv is the unit normal.

@@ -9,6 +9,7 @@
 #endif
 
 #include "core/intersect/shapes/box_lanes-inl.h"
+#include "core/intersect/shapes/plane.h"
 #include "core/intersect/shapes/triangle_lanes-inl.h"
 #include "core/intersect/surface.h"
 
@@ -43,8 +44,10 @@ HWY_INLINE SurfaceLanes surfaces(const Plane& p, const SurfacePoint& any, const 
     const Vec3Lanes normal = broadcast(any.normal), point = broadcast(p.point);
     Vec3Lanes position = hits.point();
     position = position - normal.dot(position - point) * normal;
-    const Vec3Lanes magnitude = abs(position) + abs(point);
-    return {position, broadcast(64 * unit_roundoff) * magnitude, normal, all_decided()};
+    const Vec3Lanes error = broadcast(64 * unit_roundoff) * (abs(position) + abs(point));
+    const Doubles left = hn::Abs(normal.dot(position - point));
+    const Doubles most_left = broadcast(most_left_of_distance) * abs(normal).dot(error);
+    return {position, error, normal, left <= most_left};
 }
 
 /// Where lines cross the slabs of one axis of a box after another, and the axes of the last
