@@ -9,12 +9,19 @@ namespace etalon {
 
 Clusters::Clusters(const Geometry& geometry, const NormalizedSpace& space,
                    std::span<const std::uint32_t> ids, std::span<const Range> ranges,
-                   std::vector<ClusterRef>& refs) {
+                   std::vector<ClusterRef>& refs)
+    : first_instance_(static_cast<std::uint32_t>(geometry.primitives.size())) {
     std::array<std::size_t, 3> counts{};
     refs.clear();
     refs.reserve(ranges.size());
     for (const Range& range : ranges) {
-        const ClusterRef::Kind kind = cluster_kind(geometry.kind_of_item(ids[range.first]));
+        const std::uint32_t id = ids[range.first];
+        const ClusterRef::Kind kind = cluster_kind(geometry.kind_of_item(id));
+        if (kind == ClusterRef::instances && range.count == 1 &&
+            id - first_instance_ < ClusterRef::most_single) {
+            refs.push_back(ClusterRef::single(id - first_instance_));
+            continue;
+        }
         const ClusterRef::Kind array = kind == ClusterRef::instances ? ClusterRef::list : kind;
         refs.emplace_back(kind, counts[array]++);
     }
@@ -37,6 +44,7 @@ void Clusters::fill(const Geometry& geometry, const NormalizedSpace& space, Clus
         case ClusterRef::spheres:
             return spheres_[ref.index()].fill(geometry, space, ids);
         default:
+            if (ref.kind() == ClusterRef::instances && ref.is_single()) return;
             lists_[ref.index()].fill(no_index);
             std::copy(ids.begin(), ids.end(), lists_[ref.index()].begin());
     }
@@ -53,6 +61,9 @@ std::size_t Clusters::size(ClusterRef ref) const {
             case ClusterRef::spheres:
                 return taken(spheres(ref).radius);
             default:
+                if (ref.kind() == ClusterRef::instances && ref.is_single()) {
+                    return std::ptrdiff_t{1};
+                }
                 const List& list = lists_[ref.index()];
                 return static_cast<std::ptrdiff_t>(cluster_lanes) -
                        std::count(list.begin(), list.end(), no_index);
