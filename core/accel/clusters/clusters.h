@@ -45,17 +45,23 @@ struct Range {
     std::uint32_t first, count;
 };
 
+/// Returns references to a cluster of each of `ranges` of `ids`, which are at most cluster_lanes
+/// primitives of one kind of cluster. A tree can be made of them before there are clusters, which
+/// take more memory than all else.
+std::vector<ClusterRef> cluster_refs(const Geometry& geometry, std::span<const std::uint32_t> ids,
+                                     std::span<const Range> ranges);
+
 /// A scene's primitives in clusters. Those that no filter is for, and instances, are in lists of
 /// numbers.
 class Clusters {
   public:
     Clusters() = default;
 
-    /// Makes a cluster of each of `ranges` of `ids`, which are at most cluster_lanes primitives of
-    /// one kind of cluster, and sets refs[i] to the i-th. Uses as many threads as allowed.
+    /// Makes the clusters that `refs` refer to, as cluster_refs() returned them for the same `ids`
+    /// and `ranges`. Uses as many threads as allowed.
     Clusters(const Geometry& geometry, const NormalizedSpace& space,
              std::span<const std::uint32_t> ids, std::span<const Range> ranges,
-             std::vector<ClusterRef>& refs);
+             std::span<const ClusterRef> refs);
 
     /// A primitive, and its kernel's answer.
     struct Candidate {
