@@ -37,7 +37,7 @@ Boxes boxes_of(const std::vector<BoundedPrimitive>& primitives) {
 }
 
 /// The leaves of a tree as clusters, and their boxes by kind of cluster.
-Clusters cluster(const Geometry& geometry, const NormalizedSpace& space, const BvhTree& tree,
+Clusters cluster(const Geometry& geometry, const NormalizedSpace& space, BvhTree tree,
                  std::array<Boxes, 3>& boxes) {
     std::vector<Range> ranges;
     for (const BvhNode& node : tree.nodes) {
@@ -45,8 +45,8 @@ Clusters cluster(const Geometry& geometry, const NormalizedSpace& space, const B
         ranges.push_back({node.first, node.count});
         boxes[cluster_kind(geometry.primitives[tree.ids[node.first]].kind)].push_back(node.box);
     }
-    std::vector<ClusterRef> refs;
-    return Clusters(geometry, space, tree.ids, ranges, refs);
+    std::vector<BvhNode>().swap(tree.nodes);  // before the clusters, which take the most
+    return Clusters(geometry, space, tree.ids, ranges, cluster_refs(geometry, tree.ids, ranges));
 }
 
 void bounds_of_box(const RTCBoundsFunctionArguments* arguments) {

@@ -18,6 +18,10 @@ constexpr Family table[] = {
     {"flat", "N", 100'000, most, "random triangles in one plane", flat},
     {"equal", "N", 10'000, most, "triangles of all sizes about one centre", equal, 64},
     {"hair", "N", 100'000, most / 8, "curves on a ball, in eight parts each", hair},
+    {"forest", "N", 1'000'000, most, "instances of 20 trees of 400 triangles", forest},
+    {"forest_copies", "N", 2'000, most / 400, "forest without instances: N trees", forest_copies},
+    {"plaza", "N", 10'000, most, "instances from 1e-4 to 1e4 high about one place", plaza},
+    {"plaza_copies", "N", 10'000, most / 400, "plaza without instances", plaza_copies},
     {"nan", "N", 100'000, most, "soup, every tenth triangle with a NaN", nan_soup},
 };
 

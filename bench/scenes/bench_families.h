@@ -35,5 +35,9 @@ Scene flat(std::size_t count);
 Scene equal(std::size_t count);
 Scene nan_soup(std::size_t count);
 Scene hair(std::size_t count);
+Scene forest(std::size_t instances);
+Scene forest_copies(std::size_t instances);
+Scene plaza(std::size_t instances);
+Scene plaza_copies(std::size_t instances);
 
 }  // namespace etalon::bench

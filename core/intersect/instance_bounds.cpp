@@ -20,7 +20,14 @@ bool is_bounded(const Box3& box) {
 
 /// An object by the boxes of what lies in the octants about its centre: turned into the world they
 /// reach less far than one box of all.
-using Outline = std::vector<Box3>;
+struct Outline {
+    struct Part {
+        Vec3 centre, half;
+    };
+
+    std::vector<Part> parts;
+    bool is_unbounded = false;
+};
 
 Box3 box_of(const Geometry& object) {
     Box3 all;
@@ -32,9 +39,9 @@ Box3 box_of(const Geometry& object) {
 
 Outline outline_of(const Geometry& object) {
     const Box3 all = box_of(object);
-    if (all.isEmpty() || !is_bounded(all)) return {all};
+    if (all.isEmpty() || !is_bounded(all)) return {{}, !all.isEmpty()};
     const Vec3 centre = all.center();
-    Outline octants(8);
+    std::array<Box3, 8> octants;
     for (std::uint32_t id = 0; id < object.primitives.size(); ++id) {
         const Box3 box = primitive_bounds(object, id);
         if (box.isEmpty()) continue;
@@ -43,8 +50,11 @@ Outline outline_of(const Geometry& object) {
                 (c.z < centre.z ? 4U : 0U)]
             .extendBy(box);
     }
-    std::erase_if(octants, [](const Box3& box) { return box.isEmpty(); });
-    return octants;
+    Outline outline;
+    for (const Box3& box : octants) {
+        if (!box.isEmpty()) outline.parts.push_back({box.center(), box.size() / 2});
+    }
+    return outline;
 }
 
 std::vector<Outline> outlines_of(const std::vector<Geometry>& objects) {
@@ -56,24 +66,23 @@ std::vector<Outline> outlines_of(const std::vector<Geometry>& objects) {
     return outlines;
 }
 
-/// Returns the box of the image of a box.
-Box3 image(const Affine& map, const Box3& box) {
-    const Vec3 half = box.size() / 2, centre = map.point(box.center());
-    const Vec3 reach = half.x * abs(map.x) + half.y * abs(map.y) + half.z * abs(map.z);
-    return {centre - reach, centre + reach};
+/// Extends a box by that of the image of a part; `magnitudes` are those of the map's axes.
+void extend(Box3& box, const Affine& map, const Affine& magnitudes, const Outline::Part& part) {
+    const Vec3 centre = map.point(part.centre), reach = magnitudes.vector(part.half);
+    for (int k = 0; k < 3; ++k) {
+        box.min[k] = std::min(box.min[k], centre[k] - reach[k]);
+        box.max[k] = std::max(box.max[k], centre[k] + reach[k]);
+    }
 }
 
 Box3 unpadded(const Instance& instance, const Outline& outline) {
     const Affine map = instance.to_world();
     if (!is_finite(map)) return {};
-    if (!outline.empty() && !outline.front().isEmpty() && !is_bounded(outline.front())) {
-        return everywhere();
-    }
+    if (outline.is_unbounded) return everywhere();
+    const Affine magnitudes{abs(map.x), abs(map.y), abs(map.z), Vec3(0)};
     Box3 world;
-    for (const Box3& box : outline) {
-        if (!box.isEmpty()) world.extendBy(image(map, box));
-    }
-    return is_bounded(world) ? world : everywhere();
+    for (const Outline::Part& part : outline.parts) extend(world, map, magnitudes, part);
+    return outline.parts.empty() || is_bounded(world) ? world : everywhere();
 }
 
 /// Pads a box by what roundings of rays to the object move a hit. A ray's origin o and the place of

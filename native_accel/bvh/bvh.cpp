@@ -24,9 +24,10 @@ Bvh::Bvh(const Geometry& geometry) : Intersector(geometry) {
     BvhTree tree = build_scene_bvh(geometry, scene_bounds().space, take_bounded());
     if (tree.nodes.empty()) return;
     const std::vector<Range> ranges = number_leaves(tree);
-    std::vector<ClusterRef> refs;
-    clusters_ = Clusters(geometry, scene_bounds().space, tree.ids, ranges, refs);
+    const std::vector<ClusterRef> refs = cluster_refs(geometry, tree.ids, ranges);
     tree_ = widen(tree.nodes, refs);
+    std::vector<BvhNode>().swap(tree.nodes);  // before the clusters, which take the most
+    clusters_ = Clusters(geometry, scene_bounds().space, tree.ids, ranges, refs);
 }
 
 std::size_t Bvh::own_bytes() const {

@@ -6,26 +6,48 @@
 namespace etalon::generate {
 namespace {
 
+template <void (*family)(Writer& out, std::int64_t size)>
+void p3f(const LineWriter::Sink& sink, const std::string& comment, std::int64_t size) {
+    Writer out(sink);
+    out.comment(comment);
+    family(out, size);
+    out.flush();
+}
+
+template <void (*family)(LineWriter& out, std::int64_t size)>
+void pbrt(const LineWriter::Sink& sink, const std::string& comment, std::int64_t size) {
+    LineWriter out(sink);
+    out.line("# {}", comment);
+    family(out, size);
+    out.flush();
+}
+
 // The largest sizes keep the number of primitives under 2^32. The default sizes are those of SPD.
 constexpr std::array table{
-    Family{"sphereflake", sphereflake,
+    Family{"sphereflake", p3f<sphereflake>,
            "spheres that each carry nine of a third of their radius, N levels deep: (9^(N+1) - 1) "
            "/ 8 spheres",
            4, 0, 10},
-    Family{"tetra", tetra, "Sierpinski's tetrahedron: 4^N tetrahedra of 4 triangles", 6, 0, 14},
-    Family{"mountain", mountain,
+    Family{"tetra", p3f<tetra>, "Sierpinski's tetrahedron: 4^N tetrahedra of 4 triangles", 6, 0,
+           14},
+    Family{"mountain", p3f<mountain>,
            "a fractal height field under four glass spheres: 2 * 4^N triangles", 6, 0, 15},
-    Family{"rings", rings,
+    Family{"rings", p3f<rings>,
            "a pyramid of N layers of knots, each of six interlocked pentagons: "
            "10 N (N+1) (2N+1) cylinders and spheres",
            7, 1, 500},
-    Family{"gears", gears,
+    Family{"gears", p3f<gears>,
            "N x N x N meshing gears, each of two polygons with 144 corners and 144 quadrilaterals",
            4, 1, 300},
-    Family{"tree", tree, "a tree that forks N times: 2^(N+1) - 1 cones and as many spheres", 11, 0,
-           29},
-    Family{"soup", soup, "N small random triangles in a cube", 100'000, 1, 4'000'000'000},
-    Family{"spheres", spheres, "N random spheres in a cube", 100'000, 1, 4'000'000'000},
+    Family{"tree", p3f<tree>, "a tree that forks N times: 2^(N+1) - 1 cones and as many spheres",
+           11, 0, 29},
+    Family{"soup", p3f<soup>, "N small random triangles in a cube", 100'000, 1, 4'000'000'000},
+    Family{"spheres", p3f<spheres>, "N random spheres in a cube", 100'000, 1, 4'000'000'000},
+    Family{"forest", pbrt<forest>, "N instances of twenty trees of 400 triangles; PBRT", 1'000'000,
+           1, 100'000'000},
+    Family{"plaza", pbrt<plaza>,
+           "N instances of a column, steps and a dome, from 1e-4 to 1e4 high; PBRT", 10'000, 1,
+           100'000'000},
 };
 
 }  // namespace

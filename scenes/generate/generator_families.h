@@ -3,7 +3,7 @@
 // the constructions are this project's own. Y is up and the ground is y = 0 in all of them.
 //
 // To add a family: its function here, its file, its line in the table of generator_families.cpp,
-// and its count of primitives in tests/scenes/generator_test.cpp.
+// and its count of primitives in tests/scenes/family_counts_test.cpp.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,8 @@ namespace etalon::generate {
 
 using Writer = P3fWriter;
 
-/// Each writes a whole scene; what `size` means is in the table.
+/// Each writes a whole scene; what `size` means is in the table. Those of instances are PBRT, as no
+/// other format has such.
 void sphereflake(Writer& out, std::int64_t size);
 void tetra(Writer& out, std::int64_t size);
 void mountain(Writer& out, std::int64_t size);
@@ -25,10 +26,13 @@ void gears(Writer& out, std::int64_t size);
 void tree(Writer& out, std::int64_t size);
 void soup(Writer& out, std::int64_t size);
 void spheres(Writer& out, std::int64_t size);
+void forest(LineWriter& out, std::int64_t size);
+void plaza(LineWriter& out, std::int64_t size);
 
 struct Family {
     std::string_view name;
-    void (*generate)(Writer& out, std::int64_t size);
+    /// Hands the text on, after a comment of one line. Lets through what the sink throws.
+    void (*generate)(const LineWriter::Sink& sink, const std::string& comment, std::int64_t size);
     std::string_view description;  ///< with the number of primitives as a function of N, the size
     std::int64_t default_size, min_size, max_size;
 };

@@ -1,4 +1,4 @@
-// etalon-scenes FAMILY [--size N] [-o FILE.p3f]: a scene of a classic family, at any size.
+// etalon-scenes FAMILY [--size N] [-o FILE]: a scene of a family, at any size.
 #include <fmt/format.h>
 
 #include <memory>
@@ -54,10 +54,8 @@ int no_family(const std::string& name) {
 int write_scene(const Family& family, std::int64_t size, const std::string& path) {
     try {
         Output output(path);
-        Writer writer([&](std::string_view text) { output.write(text); });
-        writer.comment(fmt::format("etalon-scenes {} --size {}", family.name, size));
-        family.generate(writer, size);
-        writer.flush();
+        family.generate([&](std::string_view text) { output.write(text); },
+                        fmt::format("etalon-scenes {} --size {}", family.name, size), size);
         output.commit();
         return exit_done;
     } catch (const std::system_error& e) {
@@ -90,7 +88,7 @@ Action declare(Options& options) {
 
 constexpr Command command = {
     "etalon-scenes",
-    "Write a P3F scene of a classic family of test scenes, at any size",
+    "Write a scene of a family of test scenes, at any size, as P3F or PBRT",
     declare,
     {{{"sphereflake -o flake.p3f", "Write a sphereflake of the usual size"},
       {"mountain --size 4 | etalon info -", "Show what a smaller fractal mountain holds"}}}};

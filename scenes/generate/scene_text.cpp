@@ -6,9 +6,7 @@ namespace etalon::generate {
 
 std::string scene_text(const std::string& family, std::int64_t size) {
     std::string text;
-    Writer writer([&](std::string_view part) { text += part; });
-    find_family(family)->generate(writer, size);
-    writer.flush();
+    find_family(family)->generate([&](std::string_view part) { text += part; }, family, size);
     return text;
 }
 

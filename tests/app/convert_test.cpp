@@ -88,6 +88,21 @@ TEST_CASE("PBRT is written again as PBRT with all that it says", "[app]") {
     CHECK_THAT(f.read("out/d.pbrt"), ContainsSubstring("\"hair\""));
 }
 
+TEST_CASE("every shape of PBRT gives the same picture when it is written again", "[app]") {
+    const Folder f;
+    const fs::path source = ETALON_SOURCE_DIR;
+    for (const fs::path folder : {source / "scenes/pbrt", source / "tests/render/references"}) {
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            if (entry.path().extension() != ".pbrt") continue;
+            CAPTURE(entry.path());
+            const auto r = f.etalon("convert '" + entry.path().string() + "' -o again.pbrt");
+            CHECK(r.status == 0);
+            CHECK(r.out + r.err == "");
+            CHECK((image(f, entry.path().string()) == image(f, "again.pbrt")));
+        }
+    }
+}
+
 TEST_CASE("PBRT at which pbrt-v3 stops is not written again", "[app]") {
     const Folder f;
     f.write("fatal.pbrt", "WorldBegin Shpae \"sphere\" WorldEnd");

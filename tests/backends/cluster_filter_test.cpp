@@ -58,6 +58,7 @@ class Trial {
                     {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(count)});
             }
         }
+        refs_ = cluster_refs(scene.geometry, ids, ranges_);
         clusters_ = Clusters(scene.geometry, space_, ids, ranges_, refs_);
     }
 

@@ -24,7 +24,7 @@ class BvhOfTree final : public Intersector {
             ranges.push_back({node.first, node.count});
             node.first = static_cast<std::uint32_t>(ranges.size() - 1);
         }
-        std::vector<ClusterRef> refs;
+        const std::vector<ClusterRef> refs = cluster_refs(geometry, tree.ids, ranges);
         clusters_ = Clusters(geometry, scene_bounds().space, tree.ids, ranges, refs);
         tree_ = widen(tree.nodes, refs);
     }

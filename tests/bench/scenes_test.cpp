@@ -22,11 +22,12 @@ struct Small {
 };
 
 constexpr Small small_scenes[] = {
-    {"soup", 3000, 3000},      {"spheres", 3000, 3000}, {"duplicates", 500, 500},
-    {"terrain", 3000, 3000},   {"flake", 30000, 30000}, {"stadium", 3000, 3000},
-    {"slivers", 20000, 20000}, {"sphereflake", 3, 820}, {"mixed", 3000, 3000},
-    {"flat", 3000, 3000},      {"equal", 500, 500},     {"nan", 3000, 3000},
-    {"hair", 400, 3200},
+    {"soup", 3000, 3000},      {"spheres", 3000, 3000},    {"duplicates", 500, 500},
+    {"terrain", 3000, 3000},   {"flake", 30000, 30000},    {"stadium", 3000, 3000},
+    {"slivers", 20000, 20000}, {"sphereflake", 3, 820},    {"mixed", 3000, 3000},
+    {"flat", 3000, 3000},      {"equal", 500, 500},        {"nan", 3000, 3000},
+    {"hair", 400, 3200},       {"forest", 500, 8502},      {"forest_copies", 50, 20002},
+    {"plaza", 600, 602},       {"plaza_copies", 60, 9042},
 };
 
 Scene make(const Small& s) {
@@ -60,10 +61,16 @@ class Hash {
     std::uint64_t value_ = 0xcbf29ce484222325U;
 };
 
+void add(const Geometry& geometry, Hash& hash) {
+    hash.add(geometry.vertices);
+    std::apply([&](const auto&... shapes) { (hash.add(shapes), ...); }, geometry.shapes);
+    for (const Instance& i : geometry.instances) hash.add(std::span<const Vec3>(i.rows));
+    for (const Geometry& object : geometry.objects) add(object, hash);
+}
+
 std::uint64_t hash_of(const Scene& scene) {
     Hash hash;
-    hash.add(scene.geometry.vertices);
-    std::apply([&](const auto&... shapes) { (hash.add(shapes), ...); }, scene.geometry.shapes);
+    add(scene.geometry, hash);
     return hash.value();
 }
 
@@ -95,8 +102,7 @@ TEST_CASE("Every scene has as many primitives as promised, within a tenth") {
     for (const Small& s : small_scenes) {
         INFO(s.family);
         const auto promised = static_cast<double>(s.primitives);
-        CHECK(static_cast<double>(make(s).geometry.primitives.size()) ==
-              Approx(promised).epsilon(0.1));
+        CHECK(static_cast<double>(make(s).geometry.item_count()) == Approx(promised).epsilon(0.1));
     }
 }
 
@@ -190,4 +196,24 @@ TEST_CASE("An unknown name or a size out of range is told with what was expected
     }
     CHECK(complaint_about("terrain") == "");
     CHECK(complaint_about(ETALON_SOURCE_DIR "/scenes/showcase.p3f") == "");
+}
+
+TEST_CASE("A scene without instances is hit where the one with them is, at all but the same t") {
+    for (const std::string name : {"forest", "plaza"}) {
+        CAPTURE(name);
+        const Scene instances = *bench_scene(name + ":300").scene;
+        const Scene copies = *bench_scene(name + "_copies:300").scene;
+        CHECK(copies.geometry.instances.empty());
+        const Backend& backend = *find_backend(default_backend);
+        const auto a = backend.build(instances.geometry), b = backend.build(copies.geometry);
+        std::size_t hits = 0, others = 0;
+        for (const Ray& ray : make_ray_set("camera", instances, {64, 64}, *a, 4000).rays) {
+            const std::optional<Hit> one = a->closest(ray), other = b->closest(ray);
+            if (one) ++hits;
+            if (one.has_value() != other.has_value()) ++others;
+            if (one && other && !(std::abs(one->t - other->t) <= 1e-9 * one->t)) ++others;
+        }
+        CHECK(hits > 1000);
+        CHECK(others == 0);
+    }
 }

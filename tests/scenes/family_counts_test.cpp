@@ -64,3 +64,26 @@ TEST_CASE("The faces of a gear are polygons of 144 corners", "[scenes]") {
     for (const Polygon& p : scene.geometry.all<Polygon>()) large += p.corners.size() == 144;
     CHECK(large == 2 * 8);
 }
+
+TEST_CASE("A size of a family of instances is their number", "[scenes]") {
+    for (const auto& [family, objects] : {std::pair("forest", 20U), std::pair("plaza", 3U)}) {
+        const Scene scene = family_scene(family, 70);
+        CHECK(scene.geometry.instances.size() == 70);
+        CHECK(scene.geometry.objects.size() == objects);
+        CHECK(scene.geometry.primitives.size() == 2);
+    }
+    for (const Geometry& tree : family_scene("forest", 1).geometry.objects) {
+        CHECK(tree.primitives.size() == 400);
+    }
+}
+
+TEST_CASE("Instances of a plaza are of all sizes from 1e-4 to 1e4", "[scenes]") {
+    std::array<int, 8> of_decade{};
+    for (const Instance& i : family_scene("plaza", 800).geometry.instances) {
+        const double decade = std::floor(std::log10(i.to_world().y.length()));
+        REQUIRE(decade >= -4);
+        REQUIRE(decade <= 3);
+        ++of_decade[static_cast<std::size_t>(decade + 4)];
+    }
+    for (const int count : of_decade) CHECK(count > 60);
+}

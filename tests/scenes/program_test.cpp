@@ -89,6 +89,8 @@ TEST_CASE("A family's text is the same on every machine", "[scenes]") {
         {"tree", 7, 0x734FDD3045A67A2C},
         {"soup", 1000, 0xB549503B9F6B12F7},
         {"spheres", 1000, 0xEEAD410A9EBBB6C3},
+        {"forest", 100, 0xE9C7214A86D7CDAD},
+        {"plaza", 100, 0x737BB743C159B0BA},
     }));
     INFO(family);
     CHECK(hash(family_text(family, size)) == expected);

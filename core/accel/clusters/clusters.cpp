@@ -7,16 +7,45 @@
 
 namespace etalon {
 
-Clusters::Clusters(const Geometry& geometry, const NormalizedSpace& space,
-                   std::span<const std::uint32_t> ids, std::span<const Range> ranges,
-                   std::vector<ClusterRef>& refs) {
+namespace {
+
+/// The array in which a cluster is; lists of primitives and of instances share one.
+ClusterRef::Kind array_of(ClusterRef::Kind kind) {
+    return kind == ClusterRef::instances ? ClusterRef::list : kind;
+}
+
+bool is_single_instance(ClusterRef ref) {
+    return ref.kind() == ClusterRef::instances && ref.is_single();
+}
+
+}  // namespace
+
+std::vector<ClusterRef> cluster_refs(const Geometry& geometry, std::span<const std::uint32_t> ids,
+                                     std::span<const Range> ranges) {
     std::array<std::size_t, 3> counts{};
-    refs.clear();
+    std::vector<ClusterRef> refs;
     refs.reserve(ranges.size());
     for (const Range& range : ranges) {
-        const ClusterRef::Kind kind = cluster_kind(geometry.kind_of_item(ids[range.first]));
-        const ClusterRef::Kind array = kind == ClusterRef::instances ? ClusterRef::list : kind;
-        refs.emplace_back(kind, counts[array]++);
+        const std::uint32_t id = ids[range.first];
+        const ClusterRef::Kind kind = cluster_kind(geometry.kind_of_item(id));
+        const std::size_t instance = id - geometry.primitives.size();
+        if (kind == ClusterRef::instances && range.count == 1 &&
+            instance < ClusterRef::most_single) {
+            refs.push_back(ClusterRef::single(static_cast<std::uint32_t>(instance)));
+        } else {
+            refs.emplace_back(kind, counts[array_of(kind)]++);
+        }
+    }
+    return refs;
+}
+
+Clusters::Clusters(const Geometry& geometry, const NormalizedSpace& space,
+                   std::span<const std::uint32_t> ids, std::span<const Range> ranges,
+                   std::span<const ClusterRef> refs)
+    : first_instance_(static_cast<std::uint32_t>(geometry.primitives.size())) {
+    std::array<std::size_t, 3> counts{};
+    for (const ClusterRef ref : refs) {
+        if (!is_single_instance(ref)) ++counts[array_of(ref.kind())];
     }
     triangles_.resize(counts[ClusterRef::triangles]);
     spheres_.resize(counts[ClusterRef::spheres]);
@@ -37,6 +66,7 @@ void Clusters::fill(const Geometry& geometry, const NormalizedSpace& space, Clus
         case ClusterRef::spheres:
             return spheres_[ref.index()].fill(geometry, space, ids);
         default:
+            if (is_single_instance(ref)) return;
             lists_[ref.index()].fill(no_index);
             std::copy(ids.begin(), ids.end(), lists_[ref.index()].begin());
     }
@@ -53,6 +83,7 @@ std::size_t Clusters::size(ClusterRef ref) const {
             case ClusterRef::spheres:
                 return taken(spheres(ref).radius);
             default:
+                if (is_single_instance(ref)) return std::ptrdiff_t{1};
                 const List& list = lists_[ref.index()];
                 return static_cast<std::ptrdiff_t>(cluster_lanes) -
                        std::count(list.begin(), list.end(), no_index);

@@ -9,16 +9,26 @@
 
 namespace etalon {
 
-/// Reference to a cluster, in 32 bits for the leaves of trees.
+/// Reference to a cluster, in 32 bits for the leaves of trees; or to an instance that is alone in
+/// its leaf, which needs no list.
 struct ClusterRef {
     enum Kind : std::uint32_t { list, triangles, spheres, instances };
+
+    static constexpr std::uint32_t most_single = 1U << 28;
 
     ClusterRef(Kind kind, std::size_t index)
         : bits(kind << 29 | static_cast<std::uint32_t>(index)) {}
     explicit ClusterRef(std::uint32_t from) : bits(from) {}
 
+    /// `instance`: its number among the geometry's instances, below most_single.
+    static ClusterRef single(std::uint32_t instance) { return {instances, instance | most_single}; }
+
     Kind kind() const { return static_cast<Kind>(bits >> 29); }
     std::uint32_t index() const { return bits & 0x1FFFFFFFU; }
+
+    /// Whether a cluster of instances is one instance.
+    bool is_single() const { return (bits & most_single) != 0; }
+    std::uint32_t instance() const { return index() & ~most_single; }
 
     std::uint32_t bits;  ///< the highest is free
 };
@@ -35,17 +45,23 @@ struct Range {
     std::uint32_t first, count;
 };
 
+/// Returns references to a cluster of each of `ranges` of `ids`, which are at most cluster_lanes
+/// primitives of one kind of cluster. A tree can be made of them before there are clusters, which
+/// take more memory than all else.
+std::vector<ClusterRef> cluster_refs(const Geometry& geometry, std::span<const std::uint32_t> ids,
+                                     std::span<const Range> ranges);
+
 /// A scene's primitives in clusters. Those that no filter is for, and instances, are in lists of
 /// numbers.
 class Clusters {
   public:
     Clusters() = default;
 
-    /// Makes a cluster of each of `ranges` of `ids`, which are at most cluster_lanes primitives of
-    /// one kind of cluster, and sets refs[i] to the i-th. Uses as many threads as allowed.
+    /// Makes the clusters that `refs` refer to, as cluster_refs() returned them for the same `ids`
+    /// and `ranges`. Uses as many threads as allowed.
     Clusters(const Geometry& geometry, const NormalizedSpace& space,
              std::span<const std::uint32_t> ids, std::span<const Range> ranges,
-             std::vector<ClusterRef>& refs);
+             std::span<const ClusterRef> refs);
 
     /// A primitive, and its kernel's answer.
     struct Candidate {
@@ -61,8 +77,17 @@ class Clusters {
     const TriangleCluster& triangles(ClusterRef ref) const { return triangles_[ref.index()]; }
     const SphereCluster& spheres(ClusterRef ref) const { return spheres_[ref.index()]; }
 
-    /// The item at a lane of a list, of primitives or of instances; no_index if none.
-    std::uint32_t item(ClusterRef ref, std::size_t lane) const { return lists_[ref.index()][lane]; }
+    /// Calls visit(item) for each instance of a cluster, for as long as it returns true.
+    template <class Visit>
+    void visit_instances(ClusterRef ref, const Visit& visit) const {
+        if (ref.is_single()) {
+            visit(first_instance_ + ref.instance());
+            return;
+        }
+        for (const std::uint32_t item : lists_[ref.index()]) {
+            if (item == no_index || !visit(item)) return;
+        }
+    }
 
     bool has_spheres() const { return !spheres_.empty(); }
 
@@ -81,6 +106,7 @@ class Clusters {
     std::vector<TriangleCluster, LargePages<TriangleCluster>> triangles_;
     std::vector<SphereCluster, LargePages<SphereCluster>> spheres_;
     std::vector<List> lists_;
+    std::uint32_t first_instance_ = 0;  ///< number of the first instance among the items
 };
 
 inline Clusters::Candidate Clusters::intersect_lane(const Geometry& geometry, ClusterRef ref,

@@ -18,6 +18,12 @@ ShapeKind commonest_kind(const BoundsSummary& all) {
     return static_cast<ShapeKind>(most - all.of_kind.begin());
 }
 
+/// Frees what a vector holds: the nodes take its place.
+template <class Vector>
+void give_back(Vector& v) {
+    Vector().swap(v);
+}
+
 /// Divides large sets by all threads together and leaves small ones to one each.
 class Builder {
   public:
@@ -60,7 +66,10 @@ BvhTree build_bvh(std::vector<BoundedPrimitive> primitives, const BvhConfig& con
     const BoundsSummary all = summarize_bounds(primitives);
     const LeafWeights weights(config.leaf_costs, commonest_kind(all));
     std::vector<BoundedPrimitive, LargePages<BoundedPrimitive>> spare(primitives.size());
-    tree.nodes = merge_subtrees(*Builder(config, weights, tree.ids).build(all.set, spare, 0, 0));
+    const auto parts = Builder(config, weights, tree.ids).build(all.set, spare, 0, 0);
+    give_back(spare);
+    give_back(primitives);
+    tree.nodes = merge_subtrees(*parts);
     return tree;
 }
 

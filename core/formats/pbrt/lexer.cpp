@@ -107,4 +107,8 @@ void Lexer::take_numbers(std::vector<std::int32_t>& values) {
     read_numbers(cursor_, last_, values);
 }
 
+std::size_t Lexer::take_numbers(std::span<double> values) {
+    return read_numbers(cursor_, last_, values);
+}
+
 }  // namespace etalon::pbrt

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,10 @@ class Lexer {
     /// or one that is no integer of 32 bits once its fraction is cut off.
     void take_numbers(std::vector<float>& values);
     void take_numbers(std::vector<std::int32_t>& values);
+
+    /// Fills `values` with the numbers that follow, up to such a token. Returns how many there
+    /// were.
+    std::size_t take_numbers(std::span<double> values);
 
   private:
     std::size_t offset() const { return static_cast<std::size_t>(cursor_ - first_); }

@@ -72,7 +72,13 @@ void StatementReader::numbers(std::span<double> values, bool wants_brackets) {
         log_.warn(tokens_.place(), "brackets", "pbrt-v3 stops here: it wants '{}' {} brackets",
                   directive_, wants_brackets ? "with" : "without");
     }
-    if (has_brackets) tokens_.next();
+    if (has_brackets) {
+        tokens_.next();
+    } else if (!values.empty()) {
+        values.front() = number();
+        values = values.subspan(1);
+    }
+    if (ok_) values = values.subspan(tokens_.take_numbers(values));
     for (double& value : values) value = number();
     if (has_brackets && take(TokenKind::close, "']'")) tokens_.next();
 }

@@ -34,6 +34,12 @@ class TokenStream {
         sources_.back().lexer.take_numbers(values);
     }
 
+    /// Fills `values` with the simple numbers that follow. Returns how many there were. No token
+    /// may have been peeked at.
+    std::size_t take_numbers(std::span<double> values) {
+        return sources_.back().lexer.take_numbers(values);
+    }
+
     /// Goes on with another file, up to its end. Says what is wrong if that cannot be.
     void include(const std::string& name, Place where);
 

@@ -8,6 +8,7 @@
 #include "core/formats/triangulation.h"
 #include "core/formats/write/mesh_run.h"
 #include "core/formats/write/pbrt_material.h"
+#include "core/formats/write/pbrt_shapes.h"
 #include "core/formats/write/text.h"
 #include "core/formats/write/write.h"
 #include "core/numerics/transforms.h"
@@ -168,9 +169,20 @@ class PbrtScene {
 
     void write_shape(const Quadric&) { lost_.add("quadric, left out"); }
 
-    void write_shape(const Revolved&) { lost_.add("surface of revolution, left out"); }
+    void write_shape(const Revolved& s) {
+        if (const std::optional<PbrtShape> shape = to_pbrt(s)) {
+            write_image(shape->to_world, "{}", shape->statement);
+        } else {
+            lost_.add("surface of revolution of no shape that PBRT has, left out");
+        }
+    }
 
-    void write_shape(const StoredCurve&) { lost_.add("curve, left out"); }
+    /// Writes a curve with the first of its parts.
+    void write_shape(const StoredCurve& c) {
+        if (c.part.number > 0) return;
+        const PbrtShape shape = to_pbrt(c);
+        write_image(shape.to_world, "{}", shape.statement);
+    }
 
     void write_shape(const Cone& c) {
         const Vec3 axis = c.top - c.base;
