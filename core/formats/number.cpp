@@ -49,17 +49,25 @@ ScannedNumber scan_long_integer(const char* p, const char* last, bool negative,
     return {p, NumberStatus::ok};
 }
 
+/// Makes Highway choose at once what it would choose at the first call, so that the function chosen
+/// may be kept: asking its library at every number shows in the time of reading.
+void choose_target() {
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
 }  // namespace
 
 HWY_EXPORT(scan_double);
 HWY_EXPORT(scan_float);
 
 ScannedNumber scan_number(const char* first, const char* last, double& value) {
-    return HWY_DYNAMIC_DISPATCH(scan_double)(first, last, value);
+    static const auto scan = (choose_target(), &HWY_DYNAMIC_DISPATCH(scan_double));
+    return scan(first, last, value);
 }
 
 ScannedNumber scan_number(const char* first, const char* last, float& value) {
-    return HWY_DYNAMIC_DISPATCH(scan_float)(first, last, value);
+    static const auto scan = (choose_target(), &HWY_DYNAMIC_DISPATCH(scan_float));
+    return scan(first, last, value);
 }
 
 ScannedNumber scan_number(const char* first, const char* last, std::int64_t& value) {
