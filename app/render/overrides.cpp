@@ -110,6 +110,13 @@ std::string check_exposure(const RenderArguments& a) {
     return is_used ? "" : "--exposure: no output is a PNG; expected -o FILE.png to have it";
 }
 
+/// Refuses what a checkpoint would need.
+std::string check_checkpoint(const RenderArguments& a) {
+    if (!a.checkpoint.empty()) return {};
+    if (a.resume) return "--resume: expected --checkpoint FILE, from which to go on";
+    return a.checkpoint_every > 0 ? "--checkpoint-every: expected --checkpoint FILE to write" : "";
+}
+
 std::string check_aovs(const RenderArguments& a, const RenderSettings& settings) {
     if (a.aovs.empty()) return {};
     if (!a.outputs.empty() && !any_output(a, can_hold_channels)) {
@@ -139,6 +146,7 @@ std::string apply_overrides(const RenderArguments& a, const Scene& scene,
     if (error.empty()) error = check_aovs(a, settings);
     if (error.empty()) error = check_output_format(a);
     if (error.empty()) error = check_exposure(a);
+    if (error.empty()) error = check_checkpoint(a);
     if (error.empty()) error = apply_resolution(a.resolution, settings);
     return error.empty() ? apply_crop(a.crop, settings) : error;
 }

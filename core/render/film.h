@@ -53,6 +53,13 @@ class Film {
     /// and variances are still those of each pixel's own.
     Film filtered(const Imath::Box2i& window, std::vector<Vec3> means) const;
 
+    template <class Bytes>
+    void transfer(Bytes& bytes) {
+        bytes(sums_);
+        bytes(squares_);
+        bytes(counts_);
+    }
+
   private:
     Vec3 sample_mean(std::size_t pixel) const {
         return counts_[pixel] == 0 ? Vec3(0) : sums_[pixel] / counts_[pixel];

@@ -43,6 +43,12 @@ class ImageFilm {
     /// Takes the samples of an image that is not filtered.
     Film take_samples() { return std::move(samples_); }
 
+    template <class Bytes>
+    void transfer(Bytes& bytes) {
+        samples_.transfer(bytes);
+        if (splats_) splats_->transfer(bytes);
+    }
+
     /// Bytes of memory for each pixel.
     static double bytes_per_pixel(const RenderSettings& settings);
 

@@ -38,6 +38,11 @@ class SplatFilm {
     /// Bytes of memory for each pixel.
     static double bytes_per_pixel(int cell_side, const PixelFilter& filter);
 
+    template <class Bytes>
+    void transfer(Bytes& bytes) {
+        bytes(splats_);
+    }
+
   private:
     /// Sums of weighted samples, by channels, and of their weights.
     struct Splat {
