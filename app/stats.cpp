@@ -34,11 +34,9 @@ Json or_null(const std::optional<double>& value) {
 
 Json to_json(const RenderStats& s) {
     const double total = s.parse.wall + s.build.wall + s.render.wall + s.aovs.wall + s.write.wall;
-    const double rate =
-        s.render.wall > 0
-                            ? static_cast<double>(s.rays.total() - s.resumed_rays) / s.render.wall *
-                                  1e-6
-                            : 0;
+    const double rate = s.render.wall > 0 ? static_cast<double>(s.rays.total() - s.resumed_rays) /
+                                                s.render.wall * 1e-6
+                                          : 0;
     Json json = provenance();
     json.update({{"scene", s.scene},
                  {"format", s.format},

@@ -108,7 +108,8 @@ void CheckpointWriter::report(const std::string& error) {
     error_ = error;
 }
 
-std::string CheckpointReader::open(const std::string& path, const nlohmann::ordered_json& identity) {
+std::string CheckpointReader::open(const std::string& path,
+                                   const nlohmann::ordered_json& identity) {
     std::error_code error;
     const std::uint64_t size = std::filesystem::file_size(path, error);
     file_.open(path, std::ios::binary);

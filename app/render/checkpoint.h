@@ -24,8 +24,8 @@ class CheckpointWriter : public StateKeeper {
     bool is_due() override;
     void keep(const std::function<void(StateWriter&)>& save) override;
 
-    int written() const { return written_; }         ///< number of files written
-    double seconds() const { return seconds_; }      ///< that all this took
+    int written() const { return written_; }     ///< number of files written
+    double seconds() const { return seconds_; }  ///< that all this took
     static double wall_seconds();
 
   private:

@@ -41,7 +41,8 @@ Json whitted_rules(const WhittedRules& r) {
 /// The exact backends are one.
 std::string backend(const RenderSettings& settings, const Geometry& geometry) {
     const Backend& chosen = chosen_backend(settings);
-    const bool is_own = !chosen.exact && (!chosen.has_own_kernels || chosen.has_own_kernels(geometry));
+    const bool is_own =
+        !chosen.exact && (!chosen.has_own_kernels || chosen.has_own_kernels(geometry));
     return is_own ? std::string(chosen.name) : "exact";
 }
 

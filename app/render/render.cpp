@@ -61,7 +61,8 @@ class Render {
         if (!build() || !open_checkpoint() || !open_reference()) return exit_unusable;
         const Rendering rendering = render_image();
         if (resumed_ && resumed_->failed()) {
-            return complain(a_.checkpoint + ": the checkpoint does not fit the image"), exit_unusable;
+            return complain(a_.checkpoint + ": the checkpoint does not fit the image"),
+                   exit_unusable;
         }
         warn_of_dropped_samples(rendering);
         const bool usable = tolerates(integrator_->late_problems());
@@ -83,15 +84,15 @@ class Render {
     /// unusable.
     bool open_checkpoint() {
         if (a_.checkpoint.empty()) return true;
-        const auto identity =
-            image_identity(a_.scene, files_->fingerprint(), scene_, settings_);
+        const auto identity = image_identity(a_.scene, files_->fingerprint(), scene_, settings_);
         files_.reset();
         if (a_.resume && !resume(identity)) return false;
         const std::string error = check_writable(a_.checkpoint);
         if (!error.empty()) {
             print_message("etalon: warning: checkpoint {}; rendering goes on\n", error);
         }
-        const double every = a_.checkpoint_every > 0 ? a_.checkpoint_every : usual_checkpoint_interval;
+        const double every =
+            a_.checkpoint_every > 0 ? a_.checkpoint_every : usual_checkpoint_interval;
         checkpoints_.emplace(a_.checkpoint, every, identity);
         return true;
     }

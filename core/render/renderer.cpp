@@ -54,7 +54,8 @@ class Renderer {
                (is_image_ && control_.deadline.is_over());
     }
 
-    /// What is done in the pass is told by the film's counts: a pixel has all samples of it or none.
+    /// What is done in the pass is told by the film's counts: a pixel has all samples of it or
+    /// none.
     template <class Bytes>
     void transfer(Bytes& bytes) {
         film_.transfer(bytes);
@@ -162,14 +163,15 @@ class Renderer {
 
     template <class Interrupted>
     void render_tiles(const Interrupted& interrupted, const SamplingPasses& passes) {
-        for_each_tile(unfinished_tiles(), interrupted, [&](std::size_t i, const Imath::Box2i& tile) {
-            SampleBatch batch(rays_, integrator_, film_, counts_[i]);
-            for_each_pixel(tile, interrupted, [&](int x, int y) { add_pixel(x, y, batch); });
-            batch.finish();
-            const std::uint64_t total = samples_done_.fetch_add(batch.done()) + batch.done();
-            samples_dropped_ += batch.dropped();
-            if (control_.progress) control_.progress(passes.progress(total));
-        });
+        for_each_tile(
+            unfinished_tiles(), interrupted, [&](std::size_t i, const Imath::Box2i& tile) {
+                SampleBatch batch(rays_, integrator_, film_, counts_[i]);
+                for_each_pixel(tile, interrupted, [&](int x, int y) { add_pixel(x, y, batch); });
+                batch.finish();
+                const std::uint64_t total = samples_done_.fetch_add(batch.done()) + batch.done();
+                samples_dropped_ += batch.dropped();
+                if (control_.progress) control_.progress(passes.progress(total));
+            });
     }
 
     /// Gives the batch the samples that the pixel lacks.

@@ -44,8 +44,8 @@ struct RunControl {
 
 struct Rendering {
     Film film;
-    RayCounts counts;          ///< of the whole image, and of these
-    RayCounts resumed_counts;  ///< those before the state from which it went on
+    RayCounts counts;                        ///< of the whole image, and of these
+    RayCounts resumed_counts;                ///< those before the state from which it went on
     double samples = 0;                      ///< per pixel, the mean
     std::uint64_t dropped_samples = 0;       ///< not finite, and taken as black
     std::optional<double> expected_error{};  ///< relMSE, where it was estimated

@@ -1,5 +1,6 @@
 // The state of a rendering as bytes: what another process needs to go on from there. Objects that
-// have some say what it is once, for both ways, in a `template <class Bytes> void transfer(Bytes&)`.
+// have some say what it is once, for both ways, in a `template <class Bytes> void
+// transfer(Bytes&)`.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@ namespace etalon {
 
 /// Whether all that a value is lies in its own bytes; vectors have constructors, but no more.
 template <class T>
-inline constexpr bool is_plain = std::is_standard_layout_v<T> && std::is_trivially_destructible_v<T>;
+inline constexpr bool is_plain = std::is_standard_layout_v<T>&& std::is_trivially_destructible_v<T>;
 
 /// Writes values as they are in memory, vectors after their lengths.
 class StateWriter {

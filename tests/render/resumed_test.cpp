@@ -94,7 +94,8 @@ std::vector<RenderSettings> variants(const TestScene& scene) {
 
 }  // namespace
 
-TEST_CASE("An image stopped many times and resumed has the bits of one never stopped", "[resumed]") {
+TEST_CASE("An image stopped many times and resumed has the bits of one never stopped",
+          "[resumed]") {
     const TestScene scene = mixed_scene(70, 50);
     for (const RenderSettings& settings : variants(scene)) {
         const Rendering whole = rendered(scene, settings);
