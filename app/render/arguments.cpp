@@ -87,12 +87,21 @@ void declare_samples(Options& options, RenderArguments& a) {
         .group(group);
     options.add("--seed", a.seed, "Random seed, of 64 bits (default: 0)").group(group);
     options
+        .add("--part", a.part,
+             "The I-th of N equal shares of the samples, counted from 1: an image with more noise, "
+             "which `etalon merge` puts together with the others (default: all samples)")
+        .value("I/N")
+        .excludes("--target-error")
+        .excludes("--aov")
+        .group(group);
+    options
         .add_flag("--spd", a.spd,
                   "Follow the ray rules of the Standard Procedural Databases: one ray through each "
                   "pixel corner, a mirrored one from all glass")
         .excludes("--spp")
         .excludes("--target-error")
         .excludes("--filter")
+        .excludes("--part")
         .group(group);
 }
 

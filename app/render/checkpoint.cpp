@@ -123,7 +123,7 @@ std::string CheckpointReader::open(const std::string& path,
     const auto begin = static_cast<std::streamoff>(first.size() + second.size() + 2);
     if (!is_whole(file_, size)) return path + ": the checkpoint is damaged or cut short";
     const auto there = nlohmann::ordered_json::parse(second, nullptr, false);
-    const std::string difference = identity_difference(there, identity);
+    const std::string difference = identity_difference(there, identity, "here");
     if (!difference.empty()) return path + ": is a checkpoint of another image: " + difference;
     file_.seekg(begin);
     left_ = size - static_cast<std::uint64_t>(begin) - sizeof(std::uint64_t);

@@ -68,6 +68,7 @@ Json image_identity(const SceneArguments& arguments, std::uint64_t scene, const 
             {"rays of a pixel", s.pixel_rays},
             {"sampler", s.sampler == Sampler::random ? "random" : "sobol"},
             {"seed", s.seed},
+            {"part", Json{s.part, s.parts}},
             {"target-error", s.target_error},
             {"integrator", s.integrator},
             {"max-depth", s.max_depth},
@@ -77,15 +78,30 @@ Json image_identity(const SceneArguments& arguments, std::uint64_t scene, const 
             {"backend", backend(s, loaded.geometry)}};
 }
 
-std::string identity_difference(const Json& there, const Json& here) {
+std::string identity_difference(const Json& identity, const Json& other, std::string_view where) {
     std::string text;
-    for (const auto& [name, value] : here.items()) {
-        const Json other = there.contains(name) ? there[name] : Json();
-        if (other == value) continue;
-        text += fmt::format("{}{} is {}, here {}", text.empty() ? "" : "; ", name, other.dump(),
+    for (const auto& [name, value] : other.items()) {
+        const Json own = identity.contains(name) ? identity[name] : Json();
+        if (own == value) continue;
+        text += fmt::format("{}{} is {}, {} {}", text.empty() ? "" : "; ", name, own.dump(), where,
                             value.dump());
     }
     return text;
+}
+
+RenderSettings film_settings(const Json& identity) {
+    RenderSettings s;
+    s.resolution = {identity["resolution"][0], identity["resolution"][1]};
+    const Json& crop = identity["crop"];
+    s.crop = {{crop[0], crop[1]}, {crop[2].get<int>() - 1, crop[3].get<int>() - 1}};
+    const std::string name = identity["filter"][0];
+    for (const FilterType& type : filter_list) {
+        if (type.name == name) s.filter.kind = type.kind;
+    }
+    s.filter.radius = {identity["filter"][1][0], identity["filter"][1][1]};
+    s.display_colors = identity["display values"][0];
+    s.keep_display_values = identity["display values"][1];
+    return s;
 }
 
 }  // namespace etalon

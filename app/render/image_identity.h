@@ -13,9 +13,12 @@ namespace etalon {
 nlohmann::ordered_json image_identity(const SceneArguments& arguments, std::uint64_t scene,
                                       const Scene& loaded, const RenderSettings& settings);
 
-/// Says in words where identities differ: "spp is 4, here 16; seed is ...". Empty where they do
-/// not.
-std::string identity_difference(const nlohmann::ordered_json& there,
-                                const nlohmann::ordered_json& here);
+/// Says in words where an identity differs from another one: "spp is 4, here 16; seed is ...",
+/// with `where` for "here". Empty where it does not.
+std::string identity_difference(const nlohmann::ordered_json& identity,
+                                const nlohmann::ordered_json& other, std::string_view where);
+
+/// Returns what an identity says of the film.
+RenderSettings film_settings(const nlohmann::ordered_json& identity);
 
 }  // namespace etalon

@@ -107,15 +107,18 @@ class Renderer {
     }
 
     std::unique_ptr<SamplingPasses> make_passes() const {
-        const auto samples = static_cast<std::uint32_t>(std::max(1, settings_.samples_per_pixel));
+        const auto [first, last] = settings_.sample_range();
         if (settings_.target_error > 0) {
-            return std::make_unique<AdaptivePasses>(film_, settings_, samples);
+            return std::make_unique<AdaptivePasses>(film_, settings_, last);
         }
-        return std::make_unique<UniformPasses>(samples, film_.samples().size(), control_.deadline,
-                                               film_.rates());
+        return std::make_unique<UniformPasses>(last - first, film_.samples().size(),
+                                               control_.deadline, film_.rates());
     }
 
     Rendering finished(const SamplingPasses& passes) {
+        if (control_.take_film) {
+            control_.take_film([&](StateWriter& bytes) { film_.transfer(bytes); });
+        }
         const auto sampled = static_cast<double>(film_.samples().size());
         Rendering result{image(), ray_counts(), resumed_counts_};
         const double pixels =
@@ -174,11 +177,18 @@ class Renderer {
             });
     }
 
+    /// Number of the pixel's first sample in this part of the image.
+    std::uint32_t first_sample(std::size_t pixel) const {
+        const SampleRates& rates = film_.rates();
+        return settings_.sample_range().first * (rates.empty() ? 1U : rates[pixel]);
+    }
+
     /// Gives the batch the samples that the pixel lacks.
     void add_pixel(int x, int y, SampleBatch& batch) const {
         const std::size_t pixel = film_.samples().index(x, y);
-        std::uint32_t next = film_.samples().counts()[pixel];
-        for (const std::uint32_t last = goal_.of(pixel); next < last;) {
+        const std::uint32_t first = first_sample(pixel);
+        std::uint32_t next = first + film_.samples().counts()[pixel];
+        for (const std::uint32_t last = first + goal_.of(pixel); next < last;) {
             const std::uint32_t end = std::min(last, next + batch.room());
             batch.add(x, y, next, end);
             next = end;

@@ -38,6 +38,8 @@ struct RunControl {
     const std::atomic<bool>* stop = nullptr;  ///< set: give up soon and return what there is
     std::function<void(double)> progress{};   ///< called with the part done, from any thread
     std::function<void(const RenderedPass&)> after_pass{};
+    /// Gets what writes the film of the finished image, an ImageFilm.
+    std::function<void(const std::function<void(StateWriter&)>&)> take_film{};
     StateKeeper* keeper = nullptr;   ///< gets the state when it is due, and when a stop ends all
     StateReader* resumed = nullptr;  ///< the state of the same rendering from which to go on
 };
