@@ -40,6 +40,11 @@ constexpr etalon::Command commands[] = {
      etalon::declare_convert,
      {{{"scene.p3f -o scene.pbrt", "Write PBRT; warn of what it cannot say"},
        {"scene.p3f -o again.p3f --strict", "Write P3F, or fail if anything would be lost"}}}},
+    {"merge",
+     "Merge parts of an image: shares of its samples, crops, other seeds",
+     etalon::declare_merge,
+     {{{"part1.exr part2.exr -o whole.exr", "Merge two renderings with --part 1/2 and --part 2/2"},
+       {"left.exr right.exr -o whole.exr", "Merge two crops of one image"}}}},
 };
 
 }  // namespace

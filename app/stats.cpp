@@ -34,8 +34,9 @@ Json or_null(const std::optional<double>& value) {
 
 Json to_json(const RenderStats& s) {
     const double total = s.parse.wall + s.build.wall + s.render.wall + s.aovs.wall + s.write.wall;
-    const double rate =
-        s.render.wall > 0 ? static_cast<double>(s.rays.total()) / s.render.wall * 1e-6 : 0;
+    const double rate = s.render.wall > 0 ? static_cast<double>(s.rays.total() - s.resumed_rays) /
+                                                s.render.wall * 1e-6
+                                          : 0;
     Json json = provenance();
     json.update({{"scene", s.scene},
                  {"format", s.format},
@@ -59,6 +60,10 @@ Json to_json(const RenderStats& s) {
                  {"cpu_seconds",
                   {{"parse", s.parse.cpu}, {"build", s.build.cpu}, {"render", s.render.cpu}}},
                  {"stopped", s.stopped.empty() ? Json() : Json(s.stopped)},
+                 {"checkpoints",
+                  {{"written", s.checkpoints},
+                   {"seconds", s.checkpoint_seconds},
+                   {"resumed_spp", or_null(s.resumed_samples_per_pixel)}}},
                  {"target_error", or_null(s.target_error)},
                  {"expected_error", {{"relmse", or_null(s.expected_error)}}},
                  {"dropped_samples", s.dropped_samples},

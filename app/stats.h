@@ -20,6 +20,10 @@ struct RenderStats {
     nlohmann::ordered_json primitives;
     Duration parse, build, render, aovs, write;
     RayCounts rays;
+    std::uint64_t resumed_rays = 0;  ///< of these, the ones before the checkpoint resumed from
+    std::optional<double> resumed_samples_per_pixel{};  ///< only where rendering was resumed
+    int checkpoints = 0;                                ///< written
+    double checkpoint_seconds = 0;                      ///< seconds on the wall that they took
     std::uint64_t dropped_samples = 0;
     std::string stopped;  ///< "signal" or "time-limit"; empty if the image is what was asked for
     std::optional<double> target_error, expected_error;  ///< relMSE, asked for and estimated

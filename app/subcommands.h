@@ -11,5 +11,6 @@ Action declare_trace(Options& options);
 Action declare_crosscheck(Options& options);
 Action declare_compare(Options& options);
 Action declare_convert(Options& options);
+Action declare_merge(Options& options);
 
 }  // namespace etalon

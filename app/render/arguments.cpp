@@ -87,12 +87,21 @@ void declare_samples(Options& options, RenderArguments& a) {
         .group(group);
     options.add("--seed", a.seed, "Random seed, of 64 bits (default: 0)").group(group);
     options
+        .add("--part", a.part,
+             "The I-th of N equal shares of the samples, counted from 1: an image with more noise, "
+             "which `etalon merge` puts together with the others (default: all samples)")
+        .value("I/N")
+        .excludes("--target-error")
+        .excludes("--aov")
+        .group(group);
+    options
         .add_flag("--spd", a.spd,
                   "Follow the ray rules of the Standard Procedural Databases: one ray through each "
                   "pixel corner, a mirrored one from all glass")
         .excludes("--spp")
         .excludes("--target-error")
         .excludes("--filter")
+        .excludes("--part")
         .group(group);
 }
 
@@ -132,6 +141,29 @@ void declare_rendering(Options& options, RenderArguments& a) {
         .group(group);
 }
 
+void declare_checkpoint(Options& options, RenderArguments& a) {
+    const char* group = "Checkpoints";
+    options
+        .add("--checkpoint", a.checkpoint,
+             "Keep the state of the rendering in this file, from time to time and when a signal or "
+             "a time limit ends it")
+        .value("FILE")
+        .group(group);
+    options
+        .add("--checkpoint-every", a.checkpoint_every,
+             fmt::format("Time between two checkpoints; longer where writing them would take more "
+                         "than 2 % of the time (default: {})",
+                         usual_checkpoint_interval))
+        .value("SECONDS")
+        .positive()
+        .group(group);
+    options
+        .add_flag("--resume", a.resume,
+                  "Go on from the checkpoint, if there is one: the image is that of a rendering "
+                  "that was never stopped")
+        .group(group);
+}
+
 }  // namespace
 
 void declare_render_options(Options& options, RenderArguments& a) {
@@ -139,6 +171,7 @@ void declare_render_options(Options& options, RenderArguments& a) {
     declare_image(options, a);
     declare_samples(options, a);
     declare_rendering(options, a);
+    declare_checkpoint(options, a);
     options
         .add("--stats", a.stats,
              "Write counts, times, sizes and errors to this JSON file; - is standard output")

@@ -10,16 +10,20 @@
 
 namespace etalon {
 
+/// Seconds between two checkpoints unless the command line says it.
+inline constexpr int usual_checkpoint_interval = 60;
+
 /// The command line of `etalon render`.
 struct RenderArguments {
     SceneArguments scene;
     std::vector<std::string> outputs, aovs;
     std::string output_format, backend, integrator{scene_integrator},
-        sampler = "sobol", resolution, crop, filter, stats, reference;
+        sampler = "sobol", resolution, crop, filter, stats, reference, checkpoint, part;
     int samples = -1, max_depth = 0, threads = 0;
     std::size_t seed = 0;
-    double exposure = 0, target_error = 0, time_limit = 0, max_distance = 0;
-    bool spd = false, quiet = false, display_values = false;
+    double exposure = 0, target_error = 0, time_limit = 0, max_distance = 0,
+           checkpoint_every = 0;  ///< seconds; 0: as usual
+    bool resume = false, spd = false, quiet = false, display_values = false;
 };
 
 void declare_render_options(Options& options, RenderArguments& a);

@@ -110,6 +110,29 @@ std::string check_exposure(const RenderArguments& a) {
     return is_used ? "" : "--exposure: no output is a PNG; expected -o FILE.png to have it";
 }
 
+std::string apply_part(const RenderArguments& a, RenderSettings& settings) {
+    if (a.part.empty()) return {};
+    char rest = 0;
+    const bool parsed =
+        std::sscanf(a.part.c_str(), "%d/%d%c", &settings.part, &settings.parts, &rest) == 2;
+    if (!parsed || settings.part < 1 || settings.part > settings.parts) {
+        return "--part " + a.part + ": expected I/N, the I-th of N shares, e.g. 2/4";
+    }
+    if (settings.samples_per_pixel < settings.parts) {
+        return fmt::format("--part {}: there are {} samples per pixel to share; expected --spp {}",
+                           a.part, settings.samples_per_pixel, settings.parts);
+    }
+    const bool is_kept = a.outputs.empty() || any_output(a, can_hold_channels);
+    return is_kept ? "" : "--part: no output is an EXR; expected -o FILE.exr to be merged";
+}
+
+/// Refuses what a checkpoint would need.
+std::string check_checkpoint(const RenderArguments& a) {
+    if (!a.checkpoint.empty()) return {};
+    if (a.resume) return "--resume: expected --checkpoint FILE, from which to go on";
+    return a.checkpoint_every > 0 ? "--checkpoint-every: expected --checkpoint FILE to write" : "";
+}
+
 std::string check_aovs(const RenderArguments& a, const RenderSettings& settings) {
     if (a.aovs.empty()) return {};
     if (!a.outputs.empty() && !any_output(a, can_hold_channels)) {
@@ -139,6 +162,8 @@ std::string apply_overrides(const RenderArguments& a, const Scene& scene,
     if (error.empty()) error = check_aovs(a, settings);
     if (error.empty()) error = check_output_format(a);
     if (error.empty()) error = check_exposure(a);
+    if (error.empty()) error = check_checkpoint(a);
+    if (error.empty()) error = apply_part(a, settings);
     if (error.empty()) error = apply_resolution(a.resolution, settings);
     return error.empty() ? apply_crop(a.crop, settings) : error;
 }

@@ -10,13 +10,18 @@
 #include "app/common/signals.h"
 #include "app/common/units.h"
 #include "app/compare/metrics_report.h"
+#include "app/merge/film_appendix.h"
 #include "app/render/aovs.h"
 #include "app/render/arguments.h"
+#include "app/render/checkpoint.h"
+#include "app/render/image_identity.h"
 #include "app/render/memory.h"
 #include "app/render/output_image.h"
 #include "app/render/reference.h"
 #include "app/stats.h"
 #include "app/subcommands.h"
+#include "core/base/read_log.h"
+#include "core/image/atomic_file.h"
 #include "core/image/io.h"
 #include "core/parallel/parallel.h"
 #include "core/render/renderer.h"
@@ -41,6 +46,7 @@ class Render {
 
     int run() {
         const ThreadLimit limit(a_.threads);
+        if (!a_.checkpoint.empty() || !a_.part.empty()) files_.emplace();
         LoadedScene loaded = load(a_.scene);
         if (!loaded.scene) return loaded.status;
         scene_ = std::move(*loaded.scene);
@@ -54,8 +60,14 @@ class Render {
             return complain(missing), exit_unusable;
         }
         if (const int status = check_outputs(); status != exit_done) return status;
-        if (!open_reference() || !build()) return exit_unusable;
+        if (!build()) return exit_unusable;
+        identify();
+        if (!open_checkpoint() || !open_reference()) return exit_unusable;
         const Rendering rendering = render_image();
+        if (resumed_ && resumed_->failed()) {
+            return complain(a_.checkpoint + ": the checkpoint does not fit the image"),
+                   exit_unusable;
+        }
         warn_of_dropped_samples(rendering);
         const bool usable = tolerates(integrator_->late_problems());
         const bool written = rendering.counts.camera == 0 || write(rendering);
@@ -69,6 +81,39 @@ class Render {
         if (a_.reference.empty()) return true;
         const std::string error = reference_.emplace().open(a_.reference, settings_);
         watch_.lap();  // no part of the building
+        return error.empty() || complain(error);
+    }
+
+    /// Says what the image is, once all files of the scene were read, where anybody asks for it.
+    void identify() {
+        if (!files_) return;
+        identity_ = image_identity(a_.scene, files_->fingerprint(), scene_, settings_);
+        files_.reset();
+    }
+
+    /// Prepares for checkpoints, where they are asked for; false if the one to resume from is
+    /// unusable.
+    bool open_checkpoint() {
+        if (a_.checkpoint.empty()) return true;
+        if (a_.resume && !resume()) return false;
+        const std::string error = check_writable(a_.checkpoint);
+        if (!error.empty()) {
+            print_message("etalon: warning: checkpoint {}; rendering goes on\n", error);
+        }
+        const double every =
+            a_.checkpoint_every > 0 ? a_.checkpoint_every : usual_checkpoint_interval;
+        checkpoints_.emplace(a_.checkpoint, every, identity_);
+        return true;
+    }
+
+    bool resume() {
+        std::error_code none;
+        if (!std::filesystem::exists(a_.checkpoint, none)) {
+            print_message("etalon: note: {}: no such file; rendering begins anew\n", a_.checkpoint);
+            return true;
+        }
+        const std::string error = opened_.open(a_.checkpoint, identity_);
+        if (error.empty()) resumed_.emplace(opened_.state());
         return error.empty() || complain(error);
     }
 
@@ -126,6 +171,14 @@ class Render {
         RunControl control;
         if (a_.time_limit > 0) control.deadline = Deadline(a_.time_limit);
         control.stop = &signals_.raised();
+        if (checkpoints_) control.keeper = &*checkpoints_;
+        if (resumed_) control.resumed = &*resumed_;
+        if (!a_.part.empty()) {
+            control.take_film = [&](const auto& save) {
+                StateWriter writer([&](std::string_view bytes) { film_ += bytes; });
+                save(writer);
+            };
+        }
         if (reference_) {
             reference_->start();
             control.after_pass = [&](const RenderedPass& pass) { reference_->note(pass); };
@@ -161,13 +214,16 @@ class Render {
     }
 
     bool write_output(const std::string& path, const RenderedImage& image) const {
-        if (path != "-") {
-            const std::string error = write_image(path, image, a_.exposure);
-            return error.empty() || complain(error);
+        const std::string name = path == "-" ? "standard output" : path;
+        auto file = encode_image(format_name(a_, path), image, a_.exposure);
+        if (!file) return complain(name + ": cannot be written: " + file.error);
+        if (!a_.part.empty() && can_hold_channels(format_name(a_, path))) {
+            file.value += film_appendix(
+                {identity_, metadata_json(image), {one_film(identity_, film_.size())}}, film_);
         }
-        const auto file = encode_image(format_name(a_, path), image, a_.exposure);
-        if (!file) return complain("standard output: cannot be written: " + file.error);
-        return write_result(file.value);  // the end of the program says why it could not
+        if (path == "-") return write_result(file.value);  // the end of the program says why not
+        const std::string error = write_file_atomically(path, file.value);
+        return error.empty() || complain(error);
     }
 
     void fill_stats(const Rendering& rendering) {
@@ -186,6 +242,12 @@ class Render {
         stats_.seed = a_.seed;
         stats_.primitives = primitive_counts(scene_);
         stats_.rays = rendering.counts;
+        stats_.resumed_rays = rendering.resumed_counts.total();
+        if (resumed_) stats_.resumed_samples_per_pixel = rendering.resumed_samples;
+        if (checkpoints_) {
+            stats_.checkpoints = checkpoints_->written();
+            stats_.checkpoint_seconds = checkpoints_->seconds();
+        }
         stats_.dropped_samples = rendering.dropped_samples;
         stats_.scene_bytes = memory_bytes(scene_);
         stats_.accelerator_bytes = intersector_->memory_bytes();
@@ -251,6 +313,12 @@ class Render {
     RenderSettings settings_;
     RenderStats stats_;
     std::optional<Reference> reference_;
+    std::optional<ReadLog> files_;  ///< until the scene is known
+    nlohmann::ordered_json identity_;
+    std::string film_;  ///< of a part, as bytes
+    std::optional<CheckpointWriter> checkpoints_;
+    CheckpointReader opened_;
+    std::optional<StateReader> resumed_;
     std::unique_ptr<Intersector> intersector_;
     std::unique_ptr<Integrator> integrator_;
 };

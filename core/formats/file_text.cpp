@@ -9,6 +9,8 @@
 #include <memory>
 #include <system_error>
 
+#include "core/base/read_log.h"
+
 namespace etalon {
 namespace {
 
@@ -38,6 +40,7 @@ FileText read_all(std::FILE* stream, std::size_t expected) {
         file.bytes = std::move(larger);
     }
     if (std::ferror(stream)) return failure("cannot be read: " + reason());
+    ReadLog::note(file.text());
     return file;
 }
 

@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/read_log.h"
+
 namespace etalon {
 namespace {
 
@@ -35,7 +37,11 @@ const char* map(const std::string& path, std::size_t& size) {
 }  // namespace
 
 MappedFile::MappedFile(const std::string& path) : mapped_(map(path, size_)) {
-    if (!mapped_) read_ = read_file(path);
+    if (mapped_) {
+        ReadLog::note(text());
+    } else {
+        read_ = read_file(path);
+    }
 }
 
 MappedFile::~MappedFile() {

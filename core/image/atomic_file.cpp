@@ -17,21 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// 0, or the errno of the call that failed.
-using Errno = int;
-
-Errno write_all(int file, std::string_view content) {
-    while (!content.empty()) {
-        const ssize_t n = ::write(file, content.data(), content.size());
-        if (n >= 0) {
-            content.remove_prefix(static_cast<std::size_t>(n));
-        } else if (errno != EINTR) {
-            return errno;
-        }
-    }
-    return 0;
-}
-
 Errno close_after(int file, Errno earlier) {
     const Errno closing = ::close(file) == 0 ? 0 : errno;  // where network disks report failures
     return earlier != 0 ? earlier : closing;
@@ -82,6 +67,18 @@ Errno write_file(const std::string& path, std::string_view content) {
 }
 
 }  // namespace
+
+Errno write_all(int file, std::string_view content) {
+    while (!content.empty()) {
+        const ssize_t n = ::write(file, content.data(), content.size());
+        if (n >= 0) {
+            content.remove_prefix(static_cast<std::size_t>(n));
+        } else if (errno != EINTR) {
+            return errno;
+        }
+    }
+    return 0;
+}
 
 std::string write_file_atomically(const std::string& path, std::string_view content) {
     try {

@@ -15,6 +15,7 @@
 #include <optional>
 #include <system_error>
 
+#include "core/base/read_log.h"
 #include "core/image/atomic_file.h"
 #include "core/image/encode.h"
 #include "core/image/exr.h"
@@ -103,9 +104,24 @@ Result<Image> read_by_kind(const std::string& path, Extent extent) {
     return read_oiio(path, extent);
 }
 
+/// Notes what the file holds for the scene that is made of it. A pipe could not be read again.
+void note_content(const std::string& path) {
+    std::error_code none;
+    if (!fs::is_regular_file(path, none)) return;
+    const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+    Hash64 hash;
+    std::vector<char> bytes(1 << 16);
+    for (std::size_t size = bytes.size(); file && size == bytes.size();) {
+        size = std::fread(bytes.data(), 1, bytes.size(), file.get());
+        hash.add({bytes.data(), size});
+    }
+    ReadLog::note_hash(hash.value());
+}
+
 Result<Image> read_readable(const std::string& path, Extent extent) {
     const std::string error = check_readable(path);
     if (!error.empty()) return {{}, error};
+    if (ReadLog::is_kept()) note_content(path);
     try {
         return read_by_kind(path, extent);
     } catch (const std::bad_alloc&) {

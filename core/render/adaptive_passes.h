@@ -18,6 +18,8 @@ class AdaptivePasses : public SamplingPasses {
     bool is_complete(std::uint64_t) const override { return is_complete_; }
     std::optional<double> expected_error() const override;
     double progress(std::uint64_t samples) const override;
+    void save(StateWriter& bytes) override { transfer(bytes); }
+    void restore(StateReader& bytes) override { transfer(bytes); }
 
   private:
     /// A pixel whose samples might be doubled.
@@ -25,6 +27,15 @@ class AdaptivePasses : public SamplingPasses {
         double gain;  ///< fall of the sum of the pixels' errors, for each sample
         std::uint32_t pixel;
     };
+
+    template <class Bytes>
+    void transfer(Bytes& bytes) {
+        estimate_.transfer(bytes);
+        bytes(filtered_before_);
+        bytes(expected_);
+        bytes(of_all_);
+        bytes(is_complete_);
+    }
 
     void look(const Film& film);
     std::optional<SamplingGoal> plan(const Film& film);

@@ -47,6 +47,16 @@ class ErrorEstimate {
     /// Rate p: by doubling a pixel's samples its error falls to 2^-p.
     double rate(int x, int y) const { return rates_[block(x, y)]; }
 
+    template <class Bytes>
+    void transfer(Bytes& bytes) {
+        bytes(exists_);
+        bytes(sums_);
+        bytes(counts_);
+        bytes(changes_);
+        bytes(changes_before_);
+        bytes(rates_);
+    }
+
   private:
     bool look_at_pixel(std::size_t pixel, const Film& film, const FilteredErrors* filtered);
     void match(double change, const std::vector<std::uint8_t>& doubled);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/numerics/exact.h"
+#include "core/parallel/parallel.h"
+
 namespace etalon {
 
 Film::Film(const Imath::Box2i& window, bool with_squares)
@@ -22,6 +25,21 @@ void Film::add(int x, int y, const Color& sample) {
 
 void Film::add(std::span<const Imath::V2i> pixels, std::span<const Color> samples) {
     for (std::size_t i = 0; i < pixels.size(); ++i) add(pixels[i].x, pixels[i].y, samples[i]);
+}
+
+void Film::add(const Film& other) {
+    errors_.resize(size(), Vec3(0));
+    parallel_for(size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                const TwoTerm sum = two_sum(sums_[i][k], other.sums_[i][k]);
+                sums_[i][k] = sum.value;
+                errors_[i][k] += sum.error;
+            }
+            if (!other.errors_.empty()) errors_[i] += other.errors_[i];
+            counts_[i] += other.counts_[i];
+        }
+    });
 }
 
 std::uint64_t Film::total_count() const {

@@ -21,6 +21,10 @@ class Film {
     /// Adds samples, each to its pixel.
     void add(std::span<const Imath::V2i> pixels, std::span<const Color> samples);
 
+    /// Adds the samples of another film of the same window. What is lost where sums are rounded is
+    /// kept apart, so that the order in which films are added does not matter.
+    void add(const Film& other);
+
     const Imath::Box2i& window() const { return window_; }
     int width() const { return width_; }
     std::size_t size() const { return sums_.size(); }
@@ -53,15 +57,25 @@ class Film {
     /// and variances are still those of each pixel's own.
     Film filtered(const Imath::Box2i& window, std::vector<Vec3> means) const;
 
+    template <class Bytes>
+    void transfer(Bytes& bytes) {
+        bytes(sums_);
+        bytes(squares_);
+        bytes(counts_);
+        bytes(errors_);
+    }
+
   private:
     Vec3 sample_mean(std::size_t pixel) const {
-        return counts_[pixel] == 0 ? Vec3(0) : sums_[pixel] / counts_[pixel];
+        if (counts_[pixel] == 0) return Vec3(0);
+        return (errors_.empty() ? sums_[pixel] : sums_[pixel] + errors_[pixel]) / counts_[pixel];
     }
     void add_all(std::size_t pixel, const Film& from, std::size_t pixel_of_it);
 
     Imath::Box2i window_;
     int width_;
     std::vector<Vec3, LargePages<Vec3>> sums_, squares_;  ///< squares: empty where nobody asked
+    std::vector<Vec3, LargePages<Vec3>> errors_;  ///< what the sums lack; empty: of a single film
     std::vector<std::uint32_t> counts_;
     std::vector<Vec3> filtered_means_;  ///< empty: they are those of the pixels' own samples
 };

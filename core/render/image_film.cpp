@@ -52,6 +52,11 @@ std::size_t ImageFilm::add(std::span<const Imath::V2i> pixels, std::span<const V
     return colors.size() - good;
 }
 
+void ImageFilm::add(const ImageFilm& other) {
+    samples_.add(other.samples_);
+    if (splats_) splats_->add(*other.splats_, other.splats_->counts(other.samples_, other.rates_));
+}
+
 std::vector<Imath::Box2i> ImageFilm::tiles() const {
     const Imath::Box2i& window = samples_.window();
     return splats_ ? tiles_of(window, splats_->corner()) : tiles_of(window);

@@ -22,6 +22,9 @@ class ImageFilm {
     std::size_t add(std::span<const Imath::V2i> pixels, std::span<const Vec2> places,
                     std::span<Color> colors);
 
+    /// Adds the samples of another film of the same window and filter, in any order of films.
+    void add(const ImageFilm& other);
+
     /// Says how many of each pixel's samples count as one, before any is added.
     void set_rates(SampleRates rates) { rates_ = std::move(rates); }
     const SampleRates& rates() const { return rates_; }
@@ -42,6 +45,13 @@ class ImageFilm {
 
     /// Takes the samples of an image that is not filtered.
     Film take_samples() { return std::move(samples_); }
+
+    template <class Bytes>
+    void transfer(Bytes& bytes) {
+        samples_.transfer(bytes);
+        bytes(rates_);
+        if (splats_) splats_->transfer(bytes);
+    }
 
     /// Bytes of memory for each pixel.
     static double bytes_per_pixel(const RenderSettings& settings);

@@ -31,14 +31,19 @@ class Renderer {
 
     Rendering run() {
         const std::unique_ptr<SamplingPasses> passes = make_passes();
+        if (control_.resumed && !restore(*passes)) return {Film(film_.samples().window()), {}, {}};
         while (!stopped()) {
-            const std::optional<SamplingGoal> goal = passes->next(film_.samples());
-            show(*passes);
-            if (!goal) break;
-            render_pass(*goal, *passes);
-            is_image_ = true;
+            if (!in_pass_) {
+                std::optional<SamplingGoal> goal = passes->next(film_.samples());
+                show(*passes);
+                if (!goal) break;
+                goal_ = std::move(*goal);
+            }
+            render_pass(*passes);
+            is_image_ = is_image_ || !in_pass_;
         }
         show(*passes);  // where it was stopped: what there is of the last pass
+        if (!passes->is_complete(samples_done_)) keep(*passes);
         return finished(*passes);
     }
 
@@ -47,6 +52,45 @@ class Renderer {
     bool stopped() const {
         return (control_.stop != nullptr && control_.stop->load()) ||
                (is_image_ && control_.deadline.is_over());
+    }
+
+    /// What is done in the pass is told by the film's counts: a pixel has all samples of it or
+    /// none.
+    template <class Bytes>
+    void transfer(Bytes& bytes) {
+        film_.transfer(bytes);
+        goal_.transfer(bytes);
+        bytes(in_pass_);
+        bytes(is_image_);
+        bytes(shown_);
+    }
+
+    void keep(SamplingPasses& passes) {
+        if (!control_.keeper) return;
+        control_.keeper->keep([&](StateWriter& bytes) {
+            transfer(bytes);
+            bytes(ray_counts());
+            bytes(samples_dropped_.load());
+            passes.save(bytes);
+        });
+    }
+
+    bool restore(SamplingPasses& passes) {
+        StateReader& bytes = *control_.resumed;
+        transfer(bytes);
+        bytes(resumed_counts_);
+        std::uint64_t dropped = 0;
+        bytes(dropped);
+        samples_dropped_ = dropped;
+        passes.restore(bytes);
+        samples_done_ = samples_resumed_ = film_.samples().total_count();
+        return !bytes.failed();
+    }
+
+    RayCounts ray_counts() const {
+        RayCounts sum = resumed_counts_;
+        for (const RayCounts& c : counts_) sum += c;
+        return sum;
     }
 
     /// The film, if there is anything new in it.
@@ -63,23 +107,27 @@ class Renderer {
     }
 
     std::unique_ptr<SamplingPasses> make_passes() const {
-        const auto samples = static_cast<std::uint32_t>(std::max(1, settings_.samples_per_pixel));
+        const auto [first, last] = settings_.sample_range();
         if (settings_.target_error > 0) {
-            return std::make_unique<AdaptivePasses>(film_, settings_, samples);
+            return std::make_unique<AdaptivePasses>(film_, settings_, last);
         }
-        return std::make_unique<UniformPasses>(samples, film_.samples().size(), control_.deadline,
-                                               film_.rates());
+        return std::make_unique<UniformPasses>(last - first, film_.samples().size(),
+                                               control_.deadline, film_.rates());
     }
 
     Rendering finished(const SamplingPasses& passes) {
+        if (control_.take_film) {
+            control_.take_film([&](StateWriter& bytes) { film_.transfer(bytes); });
+        }
         const auto sampled = static_cast<double>(film_.samples().size());
-        Rendering result{image(), {}};
-        result.samples = static_cast<double>(samples_done_) /
-                         (film_.is_filtered() ? sampled : static_cast<double>(result.film.size()));
+        Rendering result{image(), ray_counts(), resumed_counts_};
+        const double pixels =
+            film_.is_filtered() ? sampled : static_cast<double>(result.film.size());
+        result.samples = static_cast<double>(samples_done_) / pixels;
+        result.resumed_samples = static_cast<double>(samples_resumed_) / pixels;
         result.dropped_samples = samples_dropped_;
         result.expected_error = passes.expected_error();
         result.complete = passes.is_complete(samples_done_);
-        for (const RayCounts& c : counts_) result.counts += c;
         return result;
     }
 
@@ -88,23 +136,59 @@ class Renderer {
         return rays_.shares_corners() ? film_.samples().cells() : film_.take_samples();
     }
 
-    void render_pass(const SamplingGoal& goal, const SamplingPasses& passes) {
-        const auto stop = [&] { return stopped(); };
-        for_each_tile(tiles_, stop, [&](std::size_t i, const Imath::Box2i& tile) {
-            SampleBatch batch(rays_, integrator_, film_, counts_[i]);
-            for_each_pixel(tile, stop, [&](int x, int y) { add_pixel(x, y, goal, batch); });
-            batch.finish();
-            const std::uint64_t total = samples_done_.fetch_add(batch.done()) + batch.done();
-            samples_dropped_ += batch.dropped();
-            if (control_.progress) control_.progress(passes.progress(total));
-        });
+    /// Renders the pass, as far as there is no stop; the state is kept meanwhile when it is due.
+    void render_pass(SamplingPasses& passes) {
+        in_pass_ = true;
+        while (in_pass_ && !stopped()) {
+            std::atomic<bool> paused = false;
+            const auto interrupted = [&] {
+                if (control_.keeper && control_.keeper->is_due()) paused = true;
+                return paused || stopped();
+            };
+            render_tiles(interrupted, passes);
+            in_pass_ = paused || stopped();
+            if (paused) keep(passes);
+        }
+    }
+
+    std::vector<Imath::Box2i> unfinished_tiles() const {
+        std::vector<Imath::Box2i> unfinished;
+        for (const Imath::Box2i& tile : tiles_) {
+            bool lacks_samples = false;
+            for_each_pixel(tile, [&](int x, int y) {
+                const std::size_t pixel = film_.samples().index(x, y);
+                lacks_samples |= film_.samples().counts()[pixel] < goal_.of(pixel);
+            });
+            if (lacks_samples) unfinished.push_back(tile);
+        }
+        return unfinished;
+    }
+
+    template <class Interrupted>
+    void render_tiles(const Interrupted& interrupted, const SamplingPasses& passes) {
+        for_each_tile(
+            unfinished_tiles(), interrupted, [&](std::size_t i, const Imath::Box2i& tile) {
+                SampleBatch batch(rays_, integrator_, film_, counts_[i]);
+                for_each_pixel(tile, interrupted, [&](int x, int y) { add_pixel(x, y, batch); });
+                batch.finish();
+                const std::uint64_t total = samples_done_.fetch_add(batch.done()) + batch.done();
+                samples_dropped_ += batch.dropped();
+                if (control_.progress) control_.progress(passes.progress(total));
+            });
+    }
+
+    /// Number of the pixel's first sample in this part of the image.
+    std::uint32_t first_sample(std::size_t pixel) const {
+        const SampleRates& rates = film_.rates();
+        return settings_.sample_range().first * (rates.empty() ? 1U : rates[pixel]);
     }
 
     /// Gives the batch the samples that the pixel lacks.
-    void add_pixel(int x, int y, const SamplingGoal& goal, SampleBatch& batch) const {
+    void add_pixel(int x, int y, SampleBatch& batch) const {
         const std::size_t pixel = film_.samples().index(x, y);
-        std::uint32_t next = film_.samples().counts()[pixel];
-        for (const std::uint32_t last = goal.of(pixel); next < last;) {
+        const std::uint32_t first = first_sample(pixel);
+        std::uint32_t next = first + film_.samples().counts()[pixel];
+        for (const std::uint32_t last = first + goal_.of(pixel); next < last;) {
             const std::uint32_t end = std::min(last, next + batch.room());
             batch.add(x, y, next, end);
             next = end;
@@ -117,11 +201,14 @@ class Renderer {
     const Integrator& integrator_;
     ImageFilm film_;
     std::vector<Imath::Box2i> tiles_;
-    std::vector<RayCounts> counts_;
+    std::vector<RayCounts> counts_;  ///< of as many tiles, which one thread at a time adds to
+    RayCounts resumed_counts_;
+    SamplingGoal goal_;
+    bool in_pass_ = false;   ///< the goal is not reached
+    bool is_image_ = false;  ///< the first pass is over
     std::atomic<std::uint64_t> samples_done_ = 0;
     std::atomic<std::uint64_t> samples_dropped_ = 0;
-    std::uint64_t shown_ = 0;
-    bool is_image_ = false;  ///< the first pass is over
+    std::uint64_t samples_resumed_ = 0, shown_ = 0;
 };
 
 }  // namespace

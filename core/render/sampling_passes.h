@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/render/film.h"
+#include "core/render/state.h"
 
 namespace etalon {
 
@@ -14,6 +15,12 @@ struct SamplingGoal {
     std::vector<std::uint32_t> of_pixel{};  ///< each one has its own
 
     std::uint32_t of(std::size_t pixel) const { return of_pixel.empty() ? all : of_pixel[pixel]; }
+
+    template <class Bytes>
+    void transfer(Bytes& bytes) {
+        bytes(all);
+        bytes(of_pixel);
+    }
 };
 
 class SamplingPasses {
@@ -29,6 +36,10 @@ class SamplingPasses {
 
     /// The image's expected relMSE after the last whole pass; nothing where it was not estimated.
     virtual std::optional<double> expected_error() const { return std::nullopt; }
+
+    /// Write and read what next() and expected_error() depend on beside the film.
+    virtual void save(StateWriter& bytes) = 0;
+    virtual void restore(StateReader& bytes) = 0;
 
     /// Fraction of the work that is done after so many samples, in [0, 1].
     virtual double progress(std::uint64_t samples) const = 0;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/numerics/exact.h"
 #include "core/parallel/parallel.h"
 
 namespace etalon {
@@ -45,6 +46,16 @@ struct Weights {
     }
 };
 
+/// Adds `factor` times the values to sums, and what rounding takes from these to `errors`.
+void add_with_errors(const double* values, double factor, int count, double* __restrict sums,
+                     double* __restrict errors) {
+    for (int i = 0; i < count; ++i) {
+        const TwoTerm sum = two_sum(sums[i], factor * values[i]);
+        sums[i] = sum.value;
+        errors[i] += sum.error;
+    }
+}
+
 }  // namespace
 
 SplatFilm::SplatFilm(const Imath::Box2i& window, int cell_side, const PixelFilter& filter)
@@ -57,11 +68,13 @@ SplatFilm::SplatFilm(const Imath::Box2i& window, int cell_side, const PixelFilte
              divided_up(window.max.y + 1 - corner_.y, side_)),
       before_(pixels_before(across_, down_)),
       block_(block_size(side_, across_, down_)),
-      splats_(static_cast<std::size_t>(cells_.x) * cells_.y * block_.x * block_.y) {}
+      splats_(static_cast<std::size_t>(cells_.x) * cells_.y * block_.x * block_.y),
+      errors_(cell_side > 1 ? splats_.size() : 0) {}
 
 double SplatFilm::bytes_per_pixel(int cell_side, const PixelFilter& filter) {
     const Imath::V2i block = block_size(cell_side, {filter, 0}, {filter, 1});
-    return static_cast<double>(sizeof(Splat)) * block.x * block.y / (cell_side * cell_side);
+    const double splats = cell_side > 1 ? 2 : 1;  // sums and their errors
+    return splats * sizeof(Splat) * block.x * block.y / (cell_side * cell_side);
 }
 
 std::size_t SplatFilm::cell_of(const Imath::V2i& pixel) const {
@@ -90,27 +103,52 @@ void SplatFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& sam
     for (int v = 0; v < y.count; ++v, row += block_.x) {
         double* const sums = row->values.data();
         const double factor = y.values[v];
-        for (int i = 0; i < size; ++i) sums[i] += factor * weighted[i];
+        if (errors_.empty()) {
+            for (int i = 0; i < size; ++i) sums[i] += factor * weighted[i];
+        } else {
+            add_with_errors(weighted.data(), factor, size, sums,
+                            errors_[row - splats_.data()].values.data());
+        }
     }
+}
+
+void SplatFilm::add(const SplatFilm& other, const std::vector<double>& counts) {
+    if (counts_.empty()) counts_.assign(counts.size(), 0);
+    for (std::size_t i = 0; i < counts.size(); ++i) counts_[i] += counts[i];
+    errors_.resize(splats_.size());
+    parallel_for(splats_.size(), 1 << 12, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            add_with_errors(other.splats_[i].values.data(), 1, Splat::size,
+                            splats_[i].values.data(), errors_[i].values.data());
+            if (other.errors_.empty()) continue;
+            for (int k = 0; k < Splat::size; ++k)
+                errors_[i].values[k] += other.errors_[i].values[k];
+        }
+    });
+}
+
+std::vector<double> SplatFilm::counts(const Film& samples, const SampleRates& rates) const {
+    if (!counts_.empty()) return counts_;
+    std::vector<double> counts(static_cast<std::size_t>(cells_.x) * cells_.y, 0);
+    for (int y = window_.min.y; y <= window_.max.y; ++y) {
+        for (int x = window_.min.x; x <= window_.max.x; ++x) {
+            const std::size_t pixel = samples.index(x, y);
+            counts[cell_of({x, y})] +=
+                samples.counts()[pixel] / (rates.empty() ? 1.0 : rates[pixel]);
+        }
+    }
+    return counts;
 }
 
 /// One over the number of samples that each pixel of a cell counts as; 0 where there is none.
 std::vector<double> SplatFilm::cell_weights(const Film& samples, const SampleRates& rates) const {
-    std::vector<std::uint64_t> pixels(static_cast<std::size_t>(cells_.x) * cells_.y, 0);
-    std::vector<double> counts(pixels.size(), 0);
+    std::vector<double> weights = counts(samples, rates);
+    std::vector<std::uint64_t> pixels(weights.size(), 0);
     for (int y = window_.min.y; y <= window_.max.y; ++y) {
-        for (int x = window_.min.x; x <= window_.max.x; ++x) {
-            const std::size_t cell = cell_of({x, y});
-            ++pixels[cell];
-            const std::size_t pixel = samples.index(x, y);
-            counts[cell] += samples.counts()[pixel] / (rates.empty() ? 1.0 : rates[pixel]);
-        }
+        for (int x = window_.min.x; x <= window_.max.x; ++x) ++pixels[cell_of({x, y})];
     }
-    std::vector<double> weights(pixels.size(), 0.0);
     for (std::size_t i = 0; i < weights.size(); ++i) {
-        if (counts[i] > 0) {
-            weights[i] = static_cast<double>(pixels[i]) / counts[i];
-        }
+        if (weights[i] > 0) weights[i] = static_cast<double>(pixels[i]) / weights[i];
     }
     return weights;
 }
@@ -131,13 +169,13 @@ void SplatFilm::add_row(int y, const Imath::Box2i& window, const std::vector<dou
         const int v = y - (corner_.y + cy * side_ - before_.y);
         for (int cx = columns.first; cx <= columns.last; ++cx) {
             const std::size_t cell = static_cast<std::size_t>(cy) * cells_.x + cx;
-            const Splat* from = &splats_[(cell * block_.y + v) * block_.x];
+            const std::size_t first = (cell * block_.y + v) * block_.x;
             const int corner = corner_.x + cx * side_ - before_.x;
             const int last = std::min(window.max.x, corner + block_.x - 1);
             for (int x = std::max(window.min.x, corner); x <= last; ++x) {
+                const std::array<double, Splat::size> splat = value(first + (x - corner));
                 for (int k = 0; k < Splat::size; ++k) {
-                    row[x - window.min.x].values[k] +=
-                        cell_weights[cell] * from[x - corner].values[k];
+                    row[x - window.min.x].values[k] += cell_weights[cell] * splat[k];
                 }
             }
         }

@@ -32,11 +32,25 @@ class SplatFilm {
     std::vector<Vec3> means(const Imath::Box2i& window, const Film& samples,
                             const SampleRates& rates = {}) const;
 
+    /// Adds the samples of another film of the same window and filter, which has so many in its
+    /// cells. The order in which films are added does not matter.
+    void add(const SplatFilm& other, const std::vector<double>& counts);
+
+    /// Returns the number of samples of each cell, of pixels with a rate as many as they count as.
+    std::vector<double> counts(const Film& samples, const SampleRates& rates) const;
+
     /// The corner of the first cell, in the window's or before.
     const Imath::V2i& corner() const { return corner_; }
 
     /// Bytes of memory for each pixel.
     static double bytes_per_pixel(int cell_side, const PixelFilter& filter);
+
+    template <class Bytes>
+    void transfer(Bytes& bytes) {
+        bytes(splats_);
+        bytes(errors_);
+        bytes(counts_);
+    }
 
   private:
     /// Sums of weighted samples, by channels, and of their weights.
@@ -49,6 +63,14 @@ class SplatFilm {
     struct Range {
         int first, last;
     };
+
+    /// The sums of a pixel of a block.
+    std::array<double, Splat::size> value(std::size_t splat) const {
+        std::array<double, Splat::size> sum = splats_[splat].values;
+        if (errors_.empty()) return sum;
+        for (int k = 0; k < Splat::size; ++k) sum[k] += errors_[splat].values[k];
+        return sum;
+    }
 
     std::size_t cell_of(const Imath::V2i& pixel) const;
     std::vector<double> cell_weights(const Film& samples, const SampleRates& rates) const;
@@ -64,6 +86,10 @@ class SplatFilm {
     Imath::V2i before_;  ///< how many pixels before its cell a block begins
     Imath::V2i block_;   ///< size of the pixels that a cell's samples reach
     std::vector<Splat, LargePages<Splat>> splats_;  ///< blocks, one after the other, by rows
+    /// What rounding took from these, so that the order of samples does not matter; empty for
+    /// cells of one pixel, which would take twice as much memory again.
+    std::vector<Splat, LargePages<Splat>> errors_;
+    std::vector<double> counts_;  ///< samples of the cells of several films; empty: of a single one
 };
 
 }  // namespace etalon

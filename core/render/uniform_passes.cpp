@@ -8,7 +8,8 @@ namespace etalon {
 std::uint32_t UniformPasses::affordable() const {
     const double part = deadline_.elapsed_fraction();
     if (!(part > 0)) return samples_;
-    return static_cast<std::uint32_t>(std::min<double>(goal_ / part, samples_));
+    const double at_end = goal_before_ + (goal_ - goal_before_) / part;
+    return static_cast<std::uint32_t>(std::min<double>(at_end, samples_));
 }
 
 std::optional<SamplingGoal> UniformPasses::next(const Film&) {

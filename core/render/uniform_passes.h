@@ -24,6 +24,11 @@ class UniformPasses : public SamplingPasses {
     std::optional<SamplingGoal> next(const Film& film) override;
     bool is_complete(std::uint64_t samples) const override;
     double progress(std::uint64_t samples) const override;
+    void save(StateWriter& bytes) override { bytes(goal_); }
+    void restore(StateReader& bytes) override {
+        bytes(goal_);
+        goal_before_ = goal_;
+    }
 
   private:
     std::uint32_t affordable() const;
@@ -31,7 +36,8 @@ class UniformPasses : public SamplingPasses {
     std::uint64_t all_samples() const { return samples_ * samples_of_one_; }
 
     std::uint32_t samples_, goal_ = 0;
-    std::uint64_t samples_of_one_;  ///< of all pixels, for each one of a pixel without a rate
+    std::uint32_t goal_before_ = 0;  ///< when the deadline's time began
+    std::uint64_t samples_of_one_;   ///< of all pixels, for each one of a pixel without a rate
     SampleRates rates_;
     const Deadline& deadline_;
 };

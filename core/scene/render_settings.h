@@ -2,8 +2,10 @@
 // renderer.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "core/numerics/vec.h"
 #include "core/scene/pixel_filter.h"
@@ -51,6 +53,8 @@ struct RenderSettings {
     PixelRays pixel_rays = PixelRays::centre;  ///< no effect above 0 samples per pixel
     Sampler sampler = Sampler::sobol;
     std::uint64_t seed = 0;
+    /// Of the samples of each pixel the share number `part`, from 1, of `parts`.
+    int part = 1, parts = 1;
     double target_error = 0;  ///< above 0: the relMSE at which the image is good enough; samples
                               ///< go where they help, samples_per_pixel at most
 
@@ -68,6 +72,14 @@ struct RenderSettings {
 
     /// Whether an image has the light that the film's display values stand for.
     bool decodes() const { return display_colors && !keep_display_values; }
+
+    /// The first sample of the part, and the one after its last; of an image without a number of
+    /// samples there is one.
+    std::pair<std::uint32_t, std::uint32_t> sample_range() const {
+        const std::uint64_t all = std::max(1, samples_per_pixel);
+        return {static_cast<std::uint32_t>(all * (part - 1) / parts),
+                static_cast<std::uint32_t>(all * part / parts)};
+    }
 
     /// Pixels to render, inclusive on both ends.
     Imath::Box2i window() const {

@@ -16,7 +16,7 @@ struct Program {
 };
 
 const std::vector<Program> programs = {
-    {"etalon", {"render", "info", "trace", "crosscheck", "compare", "convert"}},
+    {"etalon", {"render", "info", "trace", "crosscheck", "compare", "convert", "merge"}},
     {"etalon-bench", {"speed", "accuracy", "convergence", "frames", "report"}},
     {"etalon-scenes", {""}},
 };
@@ -55,6 +55,14 @@ void put_inputs(const Folder& f) {
     f.write("rays.txt", "0 0 5 0 0 -1\n");
     CHECK(f.etalon("render scene.p3f -q -o a.exr").status == 0);
     CHECK(f.etalon("render scene.p3f --seed 1 --spp 1 -q -o b.exr").status == 0);
+    for (const char* part : {"--part 1/2 -o part1.exr", "--part 2/2 -o part2.exr"}) {
+        CHECK(f.etalon(std::string("render scene.p3f --spp 2 -q ") + part).status == 0);
+    }
+    for (const char* crop : {"0,0,9,24 -o left.exr", "9,0,32,24 -o right.exr"}) {
+        CHECK(
+            f.etalon(std::string("render scene.p3f --spp 1 --part 1/1 -q --crop ") + crop).status ==
+            0);
+    }
 }
 
 std::string error_of(const Folder& f, const std::string& command_line) {

@@ -34,3 +34,21 @@ TEST_CASE("Cells of corners have the samples of all four", "[film]") {
     CHECK(cell.pixels()[0].x == 1.5F);
     CHECK(cell.variances()[0].x == Approx(5.0 / 3));
 }
+
+TEST_CASE("Films add up to the same means in any order, whatever the sizes of their sums",
+          "[film]") {
+    const Imath::Box2i window({0, 0}, {0, 0});
+    std::vector<Film> films;
+    for (const float value : {1e8F, 3.0F, -1e8F, 1e-9F, 7e15F, -7e15F}) {
+        films.emplace_back(window).add(0, 0, Color(value, 2 * value, value / 3));
+    }
+    const auto mean_in_order = [&](const std::vector<int>& order) {
+        Film sum(window);
+        for (const int i : order) sum.add(films[i]);
+        return sum.mean(0);
+    };
+    const Vec3 mean = mean_in_order({0, 1, 2, 3, 4, 5});
+    CHECK(mean.x == Approx((3 + 1e-9) / 6).epsilon(1e-15));
+    std::vector<int> order{0, 1, 2, 3, 4, 5};
+    while (std::next_permutation(order.begin(), order.end())) CHECK(mean_in_order(order) == mean);
+}

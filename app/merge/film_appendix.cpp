@@ -1,0 +1,176 @@
+#include "app/merge/film_appendix.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "core/base/hash64.h"
+
+namespace etalon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view first_line = "etalon-film 1\n";
+
+/// What the file ends with.
+struct Ending {
+    std::uint64_t hash = 0, bytes = 0;
+    std::array<char, 8> mark{};
+};
+constexpr std::array<char, 8> mark = {'E', 't', 'a', 'l', 'F', 'i', 'l', 'm'};
+
+Json shares_json(const std::vector<SampleShare>& shares) {
+    Json list = Json::array();
+    for (const SampleShare& s : shares) list.push_back(Json{s.seed, s.first, s.end});
+    return list;
+}
+
+Json to_json(const FilmAppendix& appendix) {
+    Json films = Json::array();
+    for (const StoredFilm& film : appendix.films) {
+        const Imath::Box2i& w = film.window;
+        films.push_back({{"window", Json{w.min.x, w.min.y, w.max.x, w.max.y}},
+                         {"shares", shares_json(film.shares)},
+                         {"bytes", film.bytes}});
+    }
+    return {{"identity", appendix.identity}, {"metadata", appendix.metadata}, {"films", films}};
+}
+
+FilmAppendix from_json(const Json& json) {
+    FilmAppendix result{json.at("identity"), json.at("metadata"), {}};
+    for (const Json& film : json.at("films")) {
+        const Json& w = film.at("window");
+        StoredFilm stored{{{w.at(0), w.at(1)}, {w.at(2), w.at(3)}}, {}, film.at("bytes")};
+        for (const Json& s : film.at("shares"))
+            stored.shares.push_back({s.at(0), s.at(1), s.at(2)});
+        result.films.push_back(std::move(stored));
+    }
+    return result;
+}
+
+/// Reads the two lines, of a file that stands where they begin; hashes everything up to the end.
+Result<FilmAppendix> read_checked(std::ifstream& file, const Ending& ending) {
+    Hash64 hash;
+    std::string lines;
+    std::vector<char> bytes(1 << 20);
+    for (std::uint64_t left = ending.bytes; left > 0 && file;) {
+        const auto count = std::min<std::uint64_t>(left, bytes.size());
+        file.read(bytes.data(), static_cast<std::streamsize>(count));
+        hash.add({bytes.data(), count});
+        if (left == ending.bytes) lines.assign(bytes.data(), count);
+        left -= count;
+    }
+    const std::size_t end = lines.find('\n', first_line.size());
+    const std::string damaged = "the sums behind the image are damaged";
+    if (!file || hash.value() != ending.hash || end == lines.npos) return {{}, damaged};
+    if (!lines.starts_with(first_line)) return {{}, "its sums are of another version of Etalon"};
+    try {
+        return {from_json(Json::parse(lines.substr(first_line.size(), end - first_line.size()))),
+                {}};
+    } catch (const Json::exception&) {
+        return {{}, damaged};
+    }
+}
+
+std::string json_line(const FilmAppendix& appendix) {
+    return to_json(appendix).dump(-1, ' ', true, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+StoredFilm one_film(const Json& identity, std::size_t bytes) {
+    const Json& crop = identity["crop"];
+    const std::uint64_t spp = identity["spp"], part = identity["part"][0],
+                        parts = identity["part"][1];
+    const SampleShare share{identity["seed"], static_cast<std::uint32_t>(spp * (part - 1) / parts),
+                            static_cast<std::uint32_t>(spp * part / parts)};
+    return {{{crop[0], crop[1]}, {crop[2].get<int>() - 1, crop[3].get<int>() - 1}}, {share}, bytes};
+}
+
+Json metadata_json(const RenderedImage& image) {
+    Json json = Json::object();
+    for (const auto& [name, value] : image.metadata) {
+        if (const auto* matrix = std::get_if<Imath::M44f>(&value)) {
+            json[name] = std::vector<float>((*matrix)[0], (*matrix)[0] + 16);
+        } else if (const auto* text = std::get_if<std::string>(&value)) {
+            json[name] = *text;
+        } else if (const auto* number = std::get_if<float>(&value)) {
+            json[name] = *number;
+        }
+    }
+    return json;
+}
+
+std::map<std::string, RenderedImage::Attribute> metadata_of(const Json& json) {
+    std::map<std::string, RenderedImage::Attribute> metadata;
+    for (const auto& [name, value] : json.items()) {
+        if (value.is_array() && value.size() == 16) {
+            Imath::M44f matrix;
+            for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = value[i];
+            metadata[name] = matrix;
+        } else if (value.is_string()) {
+            metadata[name] = value.get<std::string>();
+        } else if (value.is_number()) {
+            metadata[name] = value.get<float>();
+        }
+    }
+    return metadata;
+}
+
+void write_appendix(const FilmAppendix& appendix, const StateWriter::Sink& put,
+                    const std::function<void(const StateWriter::Sink&)>& write_films) {
+    Ending ending{0, 0, mark};
+    Hash64 hash;
+    const StateWriter::Sink count = [&](std::string_view bytes) {
+        hash.add(bytes);
+        ending.bytes += bytes.size();
+        put(bytes);
+    };
+    count(first_line);
+    count(json_line(appendix));
+    write_films(count);
+    ending.hash = hash.value();
+    put({reinterpret_cast<const char*>(&ending), sizeof ending});
+}
+
+std::string film_appendix(const FilmAppendix& appendix, const std::string& films) {
+    std::string result;
+    write_appendix(
+        appendix, [&](std::string_view bytes) { result += bytes; },
+        [&](const StateWriter::Sink& put) { put(films); });
+    return result;
+}
+
+Result<FilmAppendix> AppendixReader::open(const std::string& path) {
+    std::error_code error;
+    const std::uint64_t size = std::filesystem::file_size(path, error);
+    file_.open(path, std::ios::binary);
+    if (error || !file_) {
+        return {{}, path + ": cannot be read" + (error ? ": " + error.message() : "")};
+    }
+    Ending ending;
+    if (size > sizeof ending) file_.seekg(static_cast<std::streamoff>(size - sizeof ending));
+    file_.read(reinterpret_cast<char*>(&ending), sizeof ending);
+    if (!file_ || ending.mark != mark || ending.bytes > size - sizeof ending) {
+        return {{}, path + ": holds no sums of samples; expected an EXR of `etalon render --part`"};
+    }
+    const std::uint64_t begin = size - sizeof ending - ending.bytes;
+    file_.seekg(static_cast<std::streamoff>(begin));
+    Result<FilmAppendix> result = read_checked(file_, ending);
+    if (!result) return {{}, path + ": " + result.error};
+    films_ = size - sizeof ending;
+    for (const StoredFilm& film : result.value.films) films_ -= film.bytes;
+    return result;
+}
+
+StateReader AppendixReader::film(const FilmAppendix& appendix, std::size_t number) {
+    std::uint64_t begin = films_;
+    for (std::size_t i = 0; i < number; ++i) begin += appendix.films[i].bytes;
+    file_.seekg(static_cast<std::streamoff>(begin));
+    return StateReader([this](char* to, std::size_t size) {
+        return static_cast<bool>(file_.read(to, static_cast<std::streamsize>(size)));
+    });
+}
+
+}  // namespace etalon

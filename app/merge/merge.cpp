@@ -1,0 +1,154 @@
+// etalon merge: one image of parts of it.
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/common/console.h"
+#include "app/common/exit_status.h"
+#include "app/common/output.h"
+#include "app/merge/merged_films.h"
+#include "app/render/image_identity.h"
+#include "app/subcommands.h"
+#include "core/image/file_replacement.h"
+#include "core/image/io.h"
+
+namespace etalon {
+namespace {
+
+struct Arguments {
+    std::vector<std::string> parts;
+    std::string output;
+};
+
+int fail(int status, const std::string& message) {
+    print_message("etalon: error: {}\n", message);
+    return status;
+}
+
+/// The smallest window with all films in it.
+Imath::Box2i window_of(const MergedFilms& merged) {
+    Imath::Box2i window;
+    for (const MergedFilm& m : merged.films) window.extendBy(m.stored.window);
+    return window;
+}
+
+/// Number of samples per pixel, a mean.
+float samples_per_pixel(const MergedFilms& merged) {
+    double samples = 0, pixels = 0;
+    for (const MergedFilm& m : merged.films) {
+        samples += static_cast<double>(m.film->samples().total_count());
+        pixels += static_cast<double>(m.film->samples().size());
+    }
+    return static_cast<float>(samples / pixels);
+}
+
+std::string seeds_text(const MergedFilms& merged) {
+    std::set<std::uint64_t> seeds;
+    for (const MergedFilm& m : merged.films) {
+        for (const SampleShare& share : m.stored.shares) seeds.insert(share.seed);
+    }
+    return fmt::format("{}", fmt::join(seeds, ", "));
+}
+
+void put(const MergedFilm& merged, RenderedImage& image) {
+    const bool is_filtered = merged.film->is_filtered();
+    const std::vector<Color> pixels =
+        is_filtered ? merged.film->filtered().pixels() : merged.film->samples().pixels();
+    const Imath::Box2i& window = merged.stored.window;
+    const int width = image.window.max.x - image.window.min.x + 1;
+    auto row = pixels.begin();
+    for (int y = window.min.y; y <= window.max.y; ++y) {
+        const auto end = row + (window.max.x - window.min.x + 1);
+        const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(y - image.window.min.y) * width +
+                                      (window.min.x - image.window.min.x);
+        std::copy(row, end, image.pixels.begin() + offset);
+        row = end;
+    }
+}
+
+RenderedImage image_of(const MergedFilms& merged) {
+    const RenderSettings settings = film_settings(merged.identity);
+    RenderedImage image{settings.resolution.x,   settings.resolution.y,
+                        window_of(merged),       {},
+                        settings.display_colors, {}};
+    const Imath::V2i size = image.window.size() + Imath::V2i(1);
+    image.pixels.assign(static_cast<std::size_t>(size.x) * size.y, Color(0.0F));
+    image.keep_display_values = settings.keep_display_values;
+    image.metadata = metadata_of(merged.metadata);
+    image.metadata.erase("stopped");
+    image.metadata["samplesPerPixel"] = samples_per_pixel(merged);
+    image.metadata["seed"] = seeds_text(merged);
+    for (const MergedFilm& m : merged.films) put(m, image);
+    return image;
+}
+
+/// Bytes of a film as it is written.
+std::uint64_t size_of(ImageFilm& film) {
+    std::uint64_t size = 0;
+    StateWriter counter([&](std::string_view bytes) { size += bytes.size(); });
+    film.transfer(counter);
+    return size;
+}
+
+std::string write(const std::string& path, MergedFilms& merged, const RenderedImage& image) {
+    const Result<std::string> picture = encode_image(path, image);
+    if (!picture) return path + ": cannot be written: " + picture.error;
+    FilmAppendix appendix{merged.identity, metadata_json(image), {}};
+    for (MergedFilm& m : merged.films) {
+        m.stored.bytes = size_of(*m.film);
+        appendix.films.push_back(m.stored);
+    }
+    FileReplacement file(path);
+    const StateWriter::Sink put = [&](std::string_view bytes) { file.write(bytes); };
+    put(picture.value);
+    write_appendix(appendix, put, [&](const StateWriter::Sink& sink) {
+        StateWriter writer(sink);
+        for (MergedFilm& m : merged.films) m.film->transfer(writer);
+    });
+    return file.put_in_place();
+}
+
+void warn_of_gaps(const MergedFilms& merged, const RenderedImage& image) {
+    std::size_t pixels = 0;
+    for (const MergedFilm& m : merged.films) {
+        const Imath::V2i size = m.stored.window.size() + Imath::V2i(1);
+        pixels += static_cast<std::size_t>(size.x) * size.y;
+    }
+    if (pixels == image.pixels.size()) return;
+    print_message("etalon: warning: {} pixels between the parts are in none: they are black\n",
+                  image.pixels.size() - pixels);
+}
+
+int run(const Arguments& a) {
+    if (const std::string error = check_writable(a.output); !error.empty()) {
+        return fail(exit_not_written, error);
+    }
+    Result<MergedFilms> merged = merge_films(a.parts);
+    if (!merged) return fail(exit_unusable, merged.error);
+    const RenderedImage image = image_of(merged.value);
+    warn_of_gaps(merged.value, image);
+    const std::string error = write(a.output, merged.value, image);
+    return error.empty() ? exit_done : fail(exit_not_written, error);
+}
+
+}  // namespace
+
+Action declare_merge(Options& options) {
+    auto arguments = std::make_shared<Arguments>();
+    options
+        .add(
+            "PART", arguments->parts,
+            "EXR of `etalon render --part`, or a merged one: shares of samples, crops (with --part "
+            "1/1), or runs with other seeds")
+        .required();
+    options.add("-o,--output", arguments->output, "Output file, an EXR, which can be merged again")
+        .value("FILE")
+        .required()
+        .check([](const std::string& path) {
+            return can_hold_channels(path) ? "" : path + ": expected a name ending in .exr";
+        });
+    return [arguments] { return run(*arguments); };
+}
+
+}  // namespace etalon

@@ -1,0 +1,130 @@
+#include "app/merge/merged_films.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/render/image_identity.h"
+
+namespace etalon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What may differ among the parts of an image, whose shares tell it.
+constexpr const char* free_names[] = {"crop", "spp", "seed", "part"};
+
+/// A film of one of the files.
+struct Input {
+    const std::string* path;
+    const FilmAppendix* appendix;
+    std::size_t number;
+
+    const StoredFilm& stored() const { return appendix->films[number]; }
+
+    /// The order in which films are added, whatever that of the files is.
+    auto key() const {
+        const StoredFilm& film = stored();
+        return std::tuple(film.window.min.y, film.window.min.x, film.window.max.y,
+                          film.window.max.x, film.shares);
+    }
+};
+
+Json fixed(Json identity) {
+    for (const char* name : free_names) identity.erase(name);
+    return identity;
+}
+
+std::string pixels_text(const Imath::Box2i& w) {
+    return fmt::format("{},{},{},{}", w.min.x, w.min.y, w.max.x + 1, w.max.y + 1);
+}
+
+/// Returns why two films cannot both be in an image, or nothing.
+std::string conflict(const Input& a, const Input& b) {
+    const Imath::Box2i &wa = a.stored().window, &wb = b.stored().window;
+    if (!wa.intersects(wb)) return {};
+    if (wa != wb) {
+        return fmt::format("{} and {} overlap without being the same window: pixels {} and {}",
+                           *a.path, *b.path, pixels_text(wa), pixels_text(wb));
+    }
+    for (const SampleShare& s : a.stored().shares) {
+        for (const SampleShare& t : b.stored().shares) {
+            const std::uint32_t first = std::max(s.first, t.first), end = std::min(s.end, t.end);
+            if (s.seed != t.seed || first >= end) continue;
+            return fmt::format("{} and {} hold the same samples: numbers {} to {} of seed {}",
+                               *a.path, *b.path, first, end - 1, s.seed);
+        }
+    }
+    return {};
+}
+
+std::string check(const std::vector<Input>& inputs) {
+    const Json identity = fixed(inputs.front().appendix->identity);
+    for (std::size_t i = 1; i < inputs.size(); ++i) {
+        const std::string difference =
+            identity_difference(fixed(inputs[i].appendix->identity), identity, "there");
+        if (!difference.empty()) {
+            return fmt::format("{}: is not of the same image as {}: {}", *inputs[i].path,
+                               *inputs.front().path, difference);
+        }
+    }
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        for (std::size_t k = i + 1; k < inputs.size(); ++k) {
+            if (std::string error = conflict(inputs[i], inputs[k]); !error.empty()) return error;
+        }
+    }
+    return {};
+}
+
+std::unique_ptr<ImageFilm> empty_film(const Json& identity, const Imath::Box2i& window) {
+    return std::make_unique<ImageFilm>(window, film_settings(identity));
+}
+
+/// Adds the film of an input to that of its window. Returns whether it could be read.
+bool add(const Input& input, MergedFilms& result) {
+    const StoredFilm& stored = input.stored();
+    if (result.films.empty() || result.films.back().stored.window != stored.window) {
+        result.films.push_back(
+            {{stored.window, {}, 0}, empty_film(result.identity, stored.window)});
+    }
+    const auto film = empty_film(result.identity, stored.window);
+    AppendixReader file;
+    if (!file.open(*input.path)) return false;
+    StateReader bytes = file.film(*input.appendix, input.number);
+    film->transfer(bytes);
+    if (bytes.failed()) return false;
+    MergedFilm& merged = result.films.back();
+    merged.film->add(*film);
+    merged.stored.shares.insert(merged.stored.shares.end(), stored.shares.begin(),
+                                stored.shares.end());
+    return true;
+}
+
+}  // namespace
+
+Result<MergedFilms> merge_films(const std::vector<std::string>& paths) {
+    std::vector<FilmAppendix> appendices;
+    for (const std::string& path : paths) {
+        Result<FilmAppendix> appendix = AppendixReader().open(path);
+        if (!appendix) return {{}, appendix.error};
+        appendices.push_back(std::move(appendix.value));
+    }
+    std::vector<Input> inputs;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        for (std::size_t k = 0; k < appendices[i].films.size(); ++k) {
+            inputs.push_back({&paths[i], &appendices[i], k});
+        }
+    }
+    if (std::string error = check(inputs); !error.empty()) return {{}, std::move(error)};
+    std::ranges::sort(inputs, {}, &Input::key);
+    const FilmAppendix& first = *inputs.front().appendix;
+    MergedFilms result{first.identity, first.metadata, {}};
+    for (const Input& input : inputs) {
+        if (!add(input, result))
+            return {{}, *input.path + ": the sums behind the image are damaged"};
+    }
+    for (MergedFilm& merged : result.films) std::ranges::sort(merged.stored.shares);
+    return {std::move(result), {}};
+}
+
+}  // namespace etalon

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <set>
+#include <string_view>
+
+#include "core/base/hash64.h"
+
+namespace etalon {
+
+/// Notes what the files hold that a scene is made of: all that are read while it lives, by any
+/// thread. There is one at a time.
+class ReadLog {
+  public:
+    ReadLog() { current_ = this; }
+    ~ReadLog() { current_ = nullptr; }
+    ReadLog(const ReadLog&) = delete;
+    ReadLog& operator=(const ReadLog&) = delete;
+
+    /// Hash of the contents, whatever the files' names are, their order, and how often each was
+    /// read.
+    std::uint64_t fingerprint() const {
+        const std::lock_guard lock(mutex_);
+        Hash64 hash;
+        for (const std::uint64_t content : contents_) {
+            hash.add({reinterpret_cast<const char*>(&content), sizeof content});
+        }
+        return hash.value();
+    }
+
+    /// Whether anybody wants to know of files.
+    static bool is_kept() { return current_ != nullptr; }
+
+    /// Notes the content of a file, if that is wanted.
+    static void note(std::string_view content) {
+        if (is_kept()) note_hash(hash64(content));
+    }
+    static void note_hash(std::uint64_t content) {
+        ReadLog* const log = current_;
+        if (!log) return;
+        const std::lock_guard lock(log->mutex_);
+        log->contents_.insert(content);
+    }
+
+  private:
+    inline static std::atomic<ReadLog*> current_ = nullptr;
+
+    mutable std::mutex mutex_;
+    std::set<std::uint64_t> contents_;
+};
+
+}  // namespace etalon

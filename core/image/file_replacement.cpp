@@ -1,0 +1,87 @@
+#include "core/image/file_replacement.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "core/base/hash64.h"
+#include "core/base/link_target.h"
+#include "core/image/atomic_file.h"
+
+namespace etalon {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where the bytes are written first: on the same file system, or rename would have to copy. The
+/// name is no longer than others, whatever the file's is.
+std::string name_beside(const fs::path& path) {
+    const std::uint64_t name = hash64(path.filename().native());
+    return path.parent_path() / fmt::format(".etalon-{:016x}.tmp", name);
+}
+
+}  // namespace
+
+FileReplacement::FileReplacement(const std::string& path) : path_(path) {
+    try {
+        const fs::path target = fs::exists(path) ? fs::canonical(path) : link_target(path);
+        if (fs::exists(target) && !fs::is_regular_file(target)) error_ = EINVAL;
+        temporary_ = name_beside(target);
+        path_ = target;
+    } catch (const fs::filesystem_error& e) {
+        error_ = e.code().value();
+    }
+    if (error_ == 0) open();
+}
+
+FileReplacement::~FileReplacement() {
+    if (file_ < 0) return;
+    ::unlink(temporary_.c_str());
+    ::close(file_);
+}
+
+void FileReplacement::open() {
+    file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (file_ < 0) {
+        error_ = errno;
+    } else if (!lock()) {
+        error_ = EBUSY;
+        ::close(file_);
+        file_ = -1;
+    } else if (::ftruncate(file_, 0) != 0) {
+        error_ = errno;
+    }
+}
+
+/// Takes the file for this process; false if another one writes it, or has just put it in place.
+/// File systems without locks are trusted.
+bool FileReplacement::lock() {
+    if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
+    struct stat opened = {}, named = {};
+    return ::fstat(file_, &opened) == 0 && ::stat(temporary_.c_str(), &named) == 0 &&
+           opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
+void FileReplacement::write(std::string_view bytes) {
+    if (error_ == 0) error_ = write_all(file_, bytes);
+}
+
+std::string FileReplacement::put_in_place() {
+    if (error_ == 0 && ::fsync(file_) != 0) error_ = errno;
+    if (error_ == 0 && std::rename(temporary_.c_str(), path_.c_str()) != 0) error_ = errno;
+    if (error_ == 0) {
+        ::close(file_);
+        file_ = -1;
+        return {};
+    }
+    return path_ + ": cannot be written: " + std::generic_category().message(error_);
+}
+
+}  // namespace etalon

@@ -1,0 +1,224 @@
+// Renderings that are ended at any moment, and resumed from their checkpoints.
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "core/base/hash64.h"
+#include "tests/app/run_program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+
+using nlohmann::json;
+
+namespace {
+
+#ifdef ETALON_SANITIZED
+constexpr bool can_preload = false;
+#else
+constexpr bool can_preload = true;
+#endif
+
+/// Something to render, of a second or less.
+const std::vector<std::string> tasks = {
+    "glass.p3f --spp 24",
+    "soft_shadows.p3f --integrator path --spp 12 --filter gaussian",
+    "lights.p3f --integrator ao --target-error 8e-4 --aov variance,albedo,sampleCount",
+    "mirrors.p3f --integrator path --target-error 2e-2 --filter mitchell --spp 64",
+    "spheres.p3f --spp 40 --sampler random --aov variance",
+};
+
+const std::string size = " --resolution 96x72 -t 2 -q ";
+
+std::string render(const std::string& task) {
+    return "'" ETALON_BINARY_DIR "/bin/etalon' render '" ETALON_SOURCE_DIR "/scenes/features/'" +
+           task + size;
+}
+
+/// Renders without a stop, to whole.exr. Returns the seconds that it took.
+double render_whole(const Folder& f, const std::string& task) {
+    REQUIRE(f.shell(render(task) + "-o whole.exr --stats whole.json").status == 0);
+    return json::parse(f.read("whole.json"))["seconds"]["total"];
+}
+
+/// Resumes, without a stop, and compares the file with that of one never stopped.
+void check_resumed(const Folder& f, const std::string& task) {
+    const auto r = f.shell(render(task) + "-o image.exr --checkpoint c --resume");
+    CAPTURE(task, r.err);
+    CHECK(r.status == 0);
+    CHECK(f.read("image.exr") == f.read("whole.exr"));
+}
+
+/// Kills a rendering at random moments, resuming it each time, and at last resumes it to the end.
+void kill_at_random(const Folder& f, const std::string& task, int kills, std::mt19937& random) {
+    const double seconds = render_whole(f, task);
+    f.shell("rm -f c image.exr");
+    std::uniform_real_distribution<double> moment(0.02, 0.05 + seconds);
+    for (int i = 0; i < kills; ++i) {
+        const char* signal = i % 4 == 3 ? "TERM" : "KILL";
+        const auto r =
+            f.shell(fmt::format("timeout -s {} {:.3f} ", signal, moment(random)) + render(task) +
+                    "-o image.exr --checkpoint c --checkpoint-every 0.01 --resume");
+        const bool known = r.status == 0 || r.status == 124 || r.status == 128 + SIGKILL;
+        CAPTURE(r.status, r.err);
+        CHECK(known);
+    }
+    check_resumed(f, task);
+}
+
+/// Number of calls that a fault may hit in a rendering which is ended early, and so writes its
+/// checkpoint at the end: enough to meet them all, those for the image too.
+constexpr int calls_hit = 30;
+
+std::string with_fault(const std::string& fault) {
+    return "FAULT=" + fault + " LD_PRELOAD='" ETALON_BINARY_DIR "/lib/fault_injection.so' ";
+}
+
+}  // namespace
+
+TEST_CASE("A rendering killed at random moments gives the same file once resumed", "[app]") {
+    const Folder f;
+    std::mt19937 random(1);
+    for (const std::string& task : tasks) kill_at_random(f, task, 3, random);
+}
+
+TEST_CASE("Two hundred kills leave the image as it would have been", "[app][long]") {
+    const Folder f;
+    std::mt19937 random(2);
+    for (const std::string& task : tasks) kill_at_random(f, task, 40, random);
+}
+
+TEST_CASE("A kill at any call that writes a checkpoint leaves an old one or a new one",
+          "[app][needs_preload]") {
+    SKIP_UNLESS(can_preload, "a build without sanitizers, which libraries can be preloaded into");
+    const Folder f;
+    const std::string& task = tasks[1];
+    render_whole(f, task);
+    int killed = 0;
+    for (int call = 1; call <= calls_hit; call += 3) {
+        const auto r = f.shell(with_fault(fmt::format("{}:kill ", call)) + render(task) +
+                               "-o image.exr --checkpoint c --checkpoint-every 0.01 --resume");
+        killed += r.status == 128 + SIGKILL;
+        CHECK((r.status == 128 + SIGKILL || r.status == 0));
+    }
+    CHECK(killed > 3);
+    check_resumed(f, task);
+}
+
+TEST_CASE("A checkpoint that cannot be written is a warning, and the old one is kept",
+          "[app][needs_preload]") {
+    SKIP_UNLESS(can_preload, "a build without sanitizers, which libraries can be preloaded into");
+    const Folder f;
+    const std::string& task = tasks[0];
+    const double seconds = render_whole(f, task);
+    const std::string checkpointed = "-o image.exr --checkpoint c --checkpoint-every 0.01 ";
+    const auto first = f.shell(fmt::format("timeout -s TERM {:.3f} ", 0.03 + seconds / 2) +
+                               render(task) + checkpointed);
+    REQUIRE((first.status == 124 || first.status == 0));
+    const std::string old = f.read("c");
+    REQUIRE(old.size() > 1000);
+    for (const int error : {ENOSPC, EIO}) {
+        for (const int call : {1, 2, 7, 20}) {
+            const auto r = f.shell(with_fault(fmt::format("{}+:{} ", call, error)) + render(task) +
+                                   checkpointed + "--resume");
+            CAPTURE(error, call, r.err);
+            if (call <= 3) CHECK(r.status == 4);  // the image takes three: it cannot be written
+            CHECK((r.status == 4) == (r.err.find("image.exr: cannot be written") != r.err.npos));
+            check_resumed(f, task);
+        }
+        CHECK(f.shell("ls -A | grep -c tmp").out == "0\n");
+    }
+    const auto interrupted =
+        f.shell(with_fault(fmt::format("4:{} ", EINTR)) + render(task) + checkpointed + "--resume");
+    CHECK(interrupted.status == 0);
+    CHECK(f.read("image.exr") == f.read("whole.exr"));
+}
+
+TEST_CASE("A checkpoint of something else is refused, and says what differs", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    f.write("other.p3f", small_scene + "s 0 2 0 0.5\n");
+    const std::string options = " --spp 60000 -q -o a.exr --checkpoint c --time-limit 0.3";
+    REQUIRE(f.etalon("render ball.p3f" + options).status == 0);
+    const std::pair<std::string, std::string> others[] = {
+        {"ball.p3f --spp 50000", "spp is 60000, here 50000"},
+        {"ball.p3f --spp 60000 --seed 3", "seed is 0, here 3"},
+        {"ball.p3f --spp 60000 --integrator ao", "integrator is \"whitted\", here \"ao\""},
+        {"ball.p3f --spp 60000 --resolution 64x48 --filter triangle",
+         "resolution is [32,24], here [64,48]; "},
+        {"ball.p3f --spp 60000 --one-sided", "one-sided is false, here true"},
+        {"ball.p3f --spp 60000 -b embree-builtin", "backend is \"exact\", here \"embree-builtin\""},
+        {"other.p3f --spp 60000", "of another image: scene is "}};
+    for (const auto& [arguments, difference] : others) {
+        const auto r = f.etalon("render -q -o b.exr --checkpoint c --resume " + arguments);
+        CAPTURE(arguments, r.err);
+        CHECK(r.status == 3);
+        CHECK_THAT(r.err, ContainsSubstring(difference));
+        CHECK_FALSE(f.has("b.exr"));
+    }
+    const auto resumed = f.etalon("render ball.p3f -b grid -t 1 --stats s.json --resume" + options);
+    CHECK(resumed.status == 0);
+    CHECK(json::parse(f.read("s.json"))["checkpoints"]["resumed_spp"] > 0);
+}
+
+TEST_CASE("A damaged checkpoint is refused", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const std::string options =
+        "render ball.p3f --spp 60000 -q -o a.exr --checkpoint c --time-limit 0.2";
+    REQUIRE(f.etalon(options).status == 0);
+    const std::string whole = f.read("c");
+    const auto refused = [&](std::string content) {
+        f.write("c", content);
+        const auto r = f.etalon(options + " --resume");
+        CAPTURE(content.size());
+        CHECK(r.status == 3);
+        CHECK_THAT(r.err, ContainsSubstring("etalon: error: c: "));
+        CHECK_THAT(r.err, ContainsSubstring("damaged") || ContainsSubstring("another version"));
+    };
+    for (const std::size_t size :
+         {std::size_t{0}, std::size_t{7}, std::size_t{18}, whole.size() / 2, whole.size() - 1}) {
+        refused(whole.substr(0, size));
+    }
+    for (const std::size_t at :
+         {std::size_t{18}, std::size_t{40}, whole.size() / 3, whole.size() - 3}) {
+        std::string damaged = whole;
+        damaged[at] ^= 4;
+        refused(damaged);
+    }
+    refused(whole + "x");
+}
+
+TEST_CASE("The options of checkpoints need one, and to resume none is to begin anew", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    CHECK(f.etalon("render ball.p3f -q --resume").status == 2);
+    CHECK(f.etalon("render ball.p3f -q --checkpoint-every 3").status == 2);
+    CHECK(f.etalon("render ball.p3f -q --checkpoint c --checkpoint-every 0").status == 2);
+    const auto anew = f.etalon("render ball.p3f -q -o a.exr --checkpoint c --resume");
+    CHECK(anew.status == 0);
+    CHECK_THAT(anew.err, ContainsSubstring("c: no such file; rendering begins anew"));
+    CHECK_FALSE(f.has("c"));  // it was over before one was due
+    const auto nowhere = f.etalon("render ball.p3f -q -o a.exr --checkpoint no/folder/c");
+    CHECK(nowhere.status == 0);
+    CHECK_THAT(nowhere.err,
+               ContainsSubstring("warning: checkpoint no/folder/c: cannot be written"));
+}
+
+TEST_CASE("A hash of bytes does not depend on how they are cut, but on each of them", "[app]") {
+    std::string text;
+    for (int i = 0; i < 100; ++i) text += static_cast<char>(i * 37);
+    for (std::size_t first = 0; first <= text.size(); ++first) {
+        etalon::Hash64 hash;
+        hash.add(text.substr(0, first));
+        hash.add(text.substr(first));
+        CHECK(hash.value() == etalon::hash64(text));
+        std::string other = text;
+        if (first < text.size()) other[first] ^= 1;
+        CHECK((first == text.size()) == (etalon::hash64(other) == etalon::hash64(text)));
+        CHECK((first == text.size()) == (etalon::hash64(text.substr(0, first)) == hash.value()));
+    }
+}

@@ -1,0 +1,226 @@
+// Parts of images, and what `etalon merge` makes of them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "core/image/io.h"
+#include "core/image/metrics/metrics.h"
+#include "tests/app/run_program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+
+using nlohmann::json;
+
+namespace {
+
+std::vector<float> pixels(const Folder& f, const std::string& name) {
+    const auto image = etalon::read_image(f.path(name));
+    REQUIRE(image.error == "");
+    return std::get<std::vector<float>>(image.value.pixels);
+}
+
+/// Renders a scene of the feature scenes, 80 by 60 pixels large.
+void render(const Folder& f, const std::string& arguments, const std::string& output) {
+    const auto r = f.etalon("render '" ETALON_SOURCE_DIR "/scenes/'" + arguments +
+                            " --resolution 80x60 -q -o " + output);
+    CAPTURE(arguments, r.err);
+    REQUIRE(r.status == 0);
+}
+
+std::vector<std::string> render_parts(const Folder& f, const std::string& arguments, int parts) {
+    std::vector<std::string> names;
+    for (int i = 1; i <= parts; ++i) {
+        names.push_back(fmt::format("part{}.exr", i));
+        render(f, fmt::format("{} --part {}/{}", arguments, i, parts), names.back());
+    }
+    return names;
+}
+
+ProgramResult merge(const Folder& f, const std::vector<std::string>& parts, const std::string& to) {
+    std::string arguments;
+    for (const std::string& part : parts) arguments += part + " ";
+    return f.etalon("merge " + arguments + "-o " + to);
+}
+
+void merge_well(const Folder& f, const std::vector<std::string>& parts, const std::string& to) {
+    const auto r = merge(f, parts, to);
+    CHECK(r.err == "");
+    REQUIRE(r.status == 0);
+}
+
+/// Filters and samplers, samples that cannot be shared evenly, lights at whose outlines there are
+/// more samples.
+const std::vector<std::pair<std::string, int>> shared = {
+    {"features/glass.p3f --spp 13", 4},
+    {"features/soft_shadows.p3f --spp 16 --sampler random --filter triangle", 5},
+    {"features/lights.p3f --integrator path --spp 32 --filter gaussian", 3},
+    {"features/spheres.p3f --integrator ao --spp 16", 16},
+    {"pbrt/lights.pbrt --spp 16", 2},
+};
+
+}  // namespace
+
+TEST_CASE("All parts of an image merge to its bits, in any order and by steps", "[app]") {
+    std::mt19937 random(1);
+    for (const auto& [arguments, count] : shared) {
+        CAPTURE(arguments);
+        const Folder f;
+        render(f, arguments, "whole.exr");
+        std::vector<std::string> parts = render_parts(f, arguments, count);
+        merge_well(f, parts, "merged.exr");
+        CHECK(pixels(f, "merged.exr") == pixels(f, "whole.exr"));
+        std::shuffle(parts.begin(), parts.end(), random);
+        merge_well(f, parts, "shuffled.exr");
+        CHECK(f.read("shuffled.exr") == f.read("merged.exr"));
+        const std::string last = parts.back();
+        parts.pop_back();
+        merge_well(f, parts, "but_one.exr");
+        merge_well(f, {last, "but_one.exr"}, "by_steps.exr");
+        CHECK(pixels(f, "by_steps.exr") == pixels(f, "whole.exr"));
+        CHECK(pixels(f, "but_one.exr") != pixels(f, "whole.exr"));
+    }
+}
+
+TEST_CASE("A part is an image with more noise, and no other way to sample", "[app]") {
+    const Folder f;
+    const std::string scene = "features/soft_shadows.p3f ";
+    render(f, scene + "--spp 1024", "reference.exr");
+    const auto error = [&](const std::string& name) {
+        REQUIRE(f.etalon("compare " + name + " reference.exr --json c.json").status == 0);
+        return json::parse(f.read("c.json"))["relmse"].get<double>();
+    };
+    const auto parts = render_parts(f, scene + "--spp 64", 4);
+    render(f, scene + "--spp 16", "as_many.exr");
+    render(f, scene + "--spp 64", "whole.exr");
+    for (const std::string& part : parts) {
+        CAPTURE(part);
+        CHECK(error(part) <
+              1.3 * error("as_many.exr"));  // as well distributed as its first samples
+        CHECK(error(part) > 1.5 * error("whole.exr"));
+    }
+}
+
+TEST_CASE("Crops and other seeds merge, weighted by their samples", "[app]") {
+    const Folder f;
+    const std::string scene = "features/glass.p3f ";
+    for (const std::string filter : {"", "--filter mitchell "}) {
+        const std::string options = scene + filter + "--spp 8 ";
+        render(f, options, "whole.exr");
+        render(f, options + "--crop 0,0,33,60 --part 1/1", "left.exr");
+        render(f, options + "--crop 33,0,80,20 --part 1/1", "upper.exr");
+        render(f, options + "--crop 33,20,80,60 --part 1/2", "lower1.exr");
+        render(f, options + "--crop 33,20,80,60 --part 2/2", "lower2.exr");
+        merge_well(f, {"lower2.exr", "upper.exr", "lower1.exr", "left.exr"}, "merged.exr");
+        CHECK(pixels(f, "merged.exr") == pixels(f, "whole.exr"));
+        const auto r = merge(f, {"upper.exr", "left.exr"}, "hole.exr");
+        CHECK(r.status == 0);
+        CHECK_THAT(r.err, ContainsSubstring("1880 pixels between the parts are in none"));
+    }
+    const std::string other = scene + "--display-values ";
+    render(f, other + "--spp 8 --seed 1 --part 1/1", "a.exr");
+    render(f, other + "--spp 24 --seed 2 --part 1/1", "b.exr");
+    merge_well(f, {"a.exr", "b.exr"}, "ab.exr");
+    merge_well(f, {"b.exr", "a.exr"}, "ba.exr");
+    CHECK(f.read("ab.exr") == f.read("ba.exr"));
+    const auto a = pixels(f, "a.exr"), b = pixels(f, "b.exr"), ab = pixels(f, "ab.exr");
+    for (std::size_t i = 0; i < ab.size(); ++i) {
+        CHECK(std::abs(ab[i] - (8 * a[i] + 24 * b[i]) / 32) < 1e-6);
+    }
+}
+
+TEST_CASE("A part that was killed and resumed is the same part", "[app]") {
+    const Folder f;
+    const std::string scene = "features/glass.p3f --spp 64 --part 2/3 ";
+    render(f, scene, "part.exr");
+    for (int i = 0; i < 3; ++i) {
+        f.shell(
+            "timeout -s KILL 0.1 '" ETALON_BINARY_DIR "/bin/etalon' render '" ETALON_SOURCE_DIR
+            "/scenes/'" +
+            scene +
+            "--resolution 80x60 -q -o again.exr --checkpoint c --checkpoint-every 0.01 --resume");
+    }
+    render(f, scene + "--checkpoint c --resume", "again.exr");
+    CHECK(f.read("again.exr") == f.read("part.exr"));
+}
+
+TEST_CASE("What are no parts of one image is refused in words", "[app]") {
+    const Folder f;
+    const std::string scene = "features/glass.p3f --spp 8 ";
+    render(f, scene, "plain.exr");
+    render(f, scene + "--part 1/2", "a.exr");
+    render(f, scene + "--part 2/3", "overlap.exr");
+    render(f, scene + "--part 2/2 --crop 0,0,40,40", "crop.exr");
+    render(f, scene + "--part 2/2 --resolution 40x30", "small.exr");
+    render(f, scene + "--part 2/2 --filter triangle", "filter.exr");
+    render(f, "features/spheres.p3f --spp 8 --part 2/2", "scene.exr");
+    f.write("damaged.exr", [&] {
+        std::string text = f.read("a.exr");
+        text[text.size() - 300] ^= 1;
+        return text;
+    }());
+    const std::pair<const char*, const char*> wrong[] = {
+        {"a.exr", "a.exr and a.exr hold the same samples: numbers 0 to 3 of seed 0"},
+        {"overlap.exr", "overlap.exr hold the same samples: numbers 2 to 3 of seed 0"},
+        {"crop.exr", "overlap without being the same window"},
+        {"small.exr", "not of the same image as a.exr: resolution is [40,30], there [80,60]"},
+        {"filter.exr", "filter is [\"triangle\""},
+        {"scene.exr", "scene is \""},
+        {"plain.exr", "plain.exr: holds no sums of samples; expected an EXR of `etalon render"},
+        {"damaged.exr", "damaged.exr: the sums behind the image are damaged"},
+        {"none.exr", "none.exr: cannot be read: No such file"}};
+    for (const auto& [other, words] : wrong) {
+        const auto r = merge(f, {"a.exr", other}, "merged.exr");
+        CAPTURE(other, r.err);
+        CHECK(r.status == 3);
+        CHECK_THAT(r.err, ContainsSubstring(words));
+        CHECK_FALSE(f.has("merged.exr"));
+    }
+    CHECK(merge(f, {"a.exr"}, "no/such/folder/m.exr").status == 4);
+    CHECK(merge(f, {"a.exr"}, "/dev/full/m.exr").status == 4);
+    CHECK(merge(f, {"a.exr"}, "m.png").status == 2);
+}
+
+TEST_CASE("--part wants shares that there are, and an image whose samples are told before",
+          "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const std::pair<const char*, const char*> wrong[] = {
+        {"--spp 4 --part 0/4", "expected I/N"},
+        {"--spp 4 --part 5/4", "expected I/N"},
+        {"--spp 4 --part 1", "expected I/N"},
+        {"--spp 4 --part 1/2x", "expected I/N"},
+        {"--spp 4 --part 1/5", "expected --spp 5"},
+        {"--part 1/1", "expected --spp 1"},
+        {"--spp 4 --part 1/2 --target-error 0.1", "--part"},
+        {"--spp 4 --part 1/2 --aov N", "--part"},
+        {"--spp 4 --part 1/2 -o a.png", "no output is an EXR"},
+        {"--spd --part 1/2", "--part"}};
+    for (const auto& [options, words] : wrong) {
+        const auto r = f.etalon(std::string("render ball.p3f -q ") + options);
+        CAPTURE(options, r.err);
+        CHECK(r.status == 2);
+        CHECK_THAT(r.err, ContainsSubstring(words));
+    }
+}
+
+TEST_CASE("Sixteen parts of a large image take the memory of three films", "[app][long]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    std::vector<std::string> parts;
+    for (int i = 1; i <= 16; ++i) {
+        parts.push_back(fmt::format("p{}.exr", i));
+        REQUIRE(f.etalon(fmt::format("render ball.p3f --spp 16 --resolution 3840x2160 -q -o {} "
+                                     "--part {}/16",
+                                     parts.back(), i))
+                    .status == 0);
+    }
+    const auto r = merge(f, parts, "m.exr");
+    CHECK(r.status == 0);
+    constexpr std::size_t film = std::size_t{3840} * 2160 * (2 * 24 + 4);  // with exact sums
+    CHECK(r.peak_bytes < 3 * film);
+    REQUIRE(f.etalon("render ball.p3f --spp 16 --resolution 3840x2160 -q -o w.exr").status == 0);
+    CHECK(pixels(f, "m.exr") == pixels(f, "w.exr"));
+}

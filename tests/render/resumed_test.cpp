@@ -1,0 +1,142 @@
+// Images whose rendering was stopped, and went on from the state that was kept.
+#include <atomic>
+
+#include "core/integrators/integrators.h"
+#include "tests/catch.h"
+#include "tests/render/test_images.h"
+#include "tests/render/test_scenes.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+/// Keeps a state in memory each time it has been asked so many times whether to.
+class MemoryKeeper : public StateKeeper {
+  public:
+    explicit MemoryKeeper(int every) : every_(every) {}
+
+    bool is_due() override { return ++asked_ % every_ == 0; }
+    void keep(const std::function<void(StateWriter&)>& save) override {
+        state.clear();
+        StateWriter writer([&](std::string_view bytes) { state += bytes; });
+        save(writer);
+        ++kept;
+    }
+
+    std::string state;
+    int kept = 0;
+
+  private:
+    int every_;
+    std::atomic<int> asked_ = 0;
+};
+
+StateReader reader_of(std::string_view& bytes) {
+    return StateReader([&bytes](char* to, std::size_t size) {
+        if (size > bytes.size()) return false;
+        bytes.copy(to, size);
+        bytes.remove_prefix(size);
+        return true;
+    });
+}
+
+Rendering rendered(const TestScene& scene, const RenderSettings& settings,
+                   const RunControl& control = {}) {
+    return render_with(scene, *find_backend(default_backend), settings, control);
+}
+
+/// Stops a rendering each time a state was kept, and goes on from it in a new one.
+Rendering rendered_in_parts(const TestScene& scene, const RenderSettings& settings, int every) {
+    std::string state;
+    while (true) {
+        MemoryKeeper keeper(every);
+        std::string_view bytes = state;
+        StateReader reader = reader_of(bytes);
+        std::atomic<bool> stop = false;
+        RunControl control;
+        control.keeper = &keeper;
+        control.stop = &stop;
+        control.progress = [&](double) { stop = stop || keeper.kept > 0; };
+        if (!state.empty()) control.resumed = &reader;
+        Rendering r = rendered(scene, settings, control);
+        REQUIRE_FALSE(reader.failed());
+        REQUIRE(bytes.empty());
+        if (r.complete) return r;
+        state = keeper.state;
+    }
+}
+
+void check_same(const Rendering& a, const Rendering& b) {
+    CHECK(a.film.pixels() == b.film.pixels());
+    CHECK(a.film.counts() == b.film.counts());
+    CHECK(a.film.variances() == b.film.variances());
+    CHECK(a.counts == b.counts);
+    CHECK(a.samples == b.samples);
+    CHECK(a.expected_error == b.expected_error);
+}
+
+/// What decides how samples are taken and summed up.
+std::vector<RenderSettings> variants(const TestScene& scene) {
+    RenderSettings uniform = scene.settings;
+    uniform.samples_per_pixel = 13;
+    uniform.variance = true;
+    RenderSettings adaptive = uniform;
+    adaptive.samples_per_pixel = 1 << 10;
+    adaptive.target_error = 3e-3;
+    std::vector<RenderSettings> list{uniform, adaptive};
+    for (RenderSettings settings : {uniform, adaptive}) {
+        settings.filter = {FilterKind::gaussian, Vec2(1.5)};
+        list.push_back(settings);
+    }
+    return list;
+}
+
+}  // namespace
+
+TEST_CASE("An image stopped many times and resumed has the bits of one never stopped",
+          "[resumed]") {
+    const TestScene scene = mixed_scene(70, 50);
+    for (const RenderSettings& settings : variants(scene)) {
+        const Rendering whole = rendered(scene, settings);
+        for (const int every : {97, 401}) {
+            CAPTURE(every, settings.target_error, settings.filter.radius.x);
+            const Rendering resumed = rendered_in_parts(scene, settings, every);
+            check_same(resumed, whole);
+            CHECK(resumed.resumed_samples > 0);
+        }
+    }
+}
+
+TEST_CASE("Keeping states changes nothing", "[resumed]") {
+    const TestScene scene = mixed_scene(70, 50);
+    for (const RenderSettings& settings : variants(scene)) {
+        MemoryKeeper keeper(50);
+        RunControl control;
+        control.keeper = &keeper;
+        check_same(rendered(scene, settings, control), rendered(scene, settings));
+        CHECK(keeper.kept > 3);
+    }
+}
+
+TEST_CASE("A state that does not fit the image is told, and leaves no image", "[resumed]") {
+    const TestScene scene = mixed_scene(70, 50);
+    MemoryKeeper keeper(200);
+    RunControl control;
+    control.keeper = &keeper;
+    rendered(scene, variants(scene)[0], control);
+    for (const std::size_t size : {std::size_t{0}, keeper.state.size() / 2}) {
+        std::string_view bytes(keeper.state.data(), size);
+        StateReader reader = reader_of(bytes);
+        RunControl resumed;
+        resumed.resumed = &reader;
+        CHECK(rendered(scene, variants(scene)[0], resumed).counts.camera == 0);
+        CHECK(reader.failed());
+    }
+    std::string_view bytes = keeper.state;
+    StateReader reader = reader_of(bytes);
+    RunControl resumed;
+    resumed.resumed = &reader;
+    rendered(mixed_scene(71, 50), variants(scene)[1], resumed);
+    CHECK(reader.failed());
+}
