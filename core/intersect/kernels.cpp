@@ -58,9 +58,9 @@ SurfacePoint surface_of_instance(const Geometry& object, const Instance& instanc
 
 SurfacePoint surface_at(const Geometry& geometry, const Ray& ray, const Hit& hit) {
     if (hit.instance != no_index) {
-        const Instance& instance = geometry.instances[hit.instance];
+        const InstanceAt instance(geometry, hit.instance, ray.time);
         SurfacePoint point =
-            surface_of_instance(geometry.objects[instance.object], instance, ray, hit);
+            surface_of_instance(geometry.objects[instance->object], *instance, ray, hit);
         point.instance = hit.instance;
         return point;
     }
@@ -71,6 +71,7 @@ SurfacePoint surface_at(const Geometry& geometry, const Ray& ray, const Hit& hit
         point.primitive = hit.primitive;
         point.material = p.material;
         point.convexity = Shape::convexity;
+        point.time = ray.time;
         return point;
     });
 }

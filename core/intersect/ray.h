@@ -4,6 +4,7 @@
 
 #include "core/numerics/vec.h"
 #include "core/scene/shapes.h"
+#include "core/scene/shutter.h"
 
 namespace etalon {
 
@@ -19,7 +20,11 @@ struct Ray {
     /// A hint, which changes no hit: rays traced just before it by the same thread went nearly the
     /// same way.
     bool coherent = false;
+    /// When the ray sees the scene: a ShutterTime, in bits that there is room for anyway.
+    std::uint32_t time : shutter_time_bits = 0;
 };
+
+static_assert(sizeof(Ray) == 72);
 
 /// Whether a ray can hit anything at all.
 inline bool is_valid(const Ray& ray) {
