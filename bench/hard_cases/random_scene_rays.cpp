@@ -89,7 +89,7 @@ Ray aimed_ray(const Surroundings& around, Random& random) {
     const Surroundings::Thing& thing = around.any(random);
     const Place& seen_from = random.index(2) == 0 ? thing.place : around.whole();
     Ray ray = ray_generator(seen_from, any_target(thing, random), random);
-    ray.time = thing.time & last_shutter_time;
+    ray.set_time(thing.time);
     if (random.index(3) == 0) limit(ray, thing.place.centre, random);
     return ray;
 }

@@ -20,7 +20,7 @@ std::size_t Intersector::memory_bytes() const {
 
 void Intersector::offer_instance(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
                                  TraversalCost* cost) const {
-    const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time);
+    const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time());
     Ray ray = to_object(*instance, query.ray);
     ray.tmax = nearest.t;
     const NearestHit hit = objects_[instance->object]->nearest_hit(ray, cost);
@@ -28,7 +28,7 @@ void Intersector::offer_instance(std::uint32_t item, const RayQuery& query, Near
 }
 
 bool Intersector::instance_occludes(std::uint32_t item, const RayQuery& query) const {
-    const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time);
+    const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time());
     return objects_[instance->object]->is_occluded(to_object(*instance, query.ray));
 }
 

@@ -42,8 +42,7 @@ Vec3 to_object(const Instance& instance, const Vec3& point) {
 Ray to_object(const Instance& instance, const Ray& ray) {
     Ray local{to_object(instance, ray.origin), times(instance.rows, ray.direction), ray.tmin,
               ray.tmax};
-    local.coherent = ray.coherent;
-    local.time = ray.time;
+    local.hint_and_time = ray.hint_and_time;
     return local;
 }
 
@@ -111,7 +110,7 @@ double first_hit(const Geometry& geometry, HitKey key, const Ray& ray) {
     if (instance == no_index) return primitive_first_hit(holder, primitive, query);
     return primitive_first_hit(
         holder, primitive,
-        RayQuery(to_object(*InstanceAt(geometry, instance, ray.time), query.ray)));
+        RayQuery(to_object(*InstanceAt(geometry, instance, ray.time()), query.ray)));
 }
 
 }  // namespace etalon

@@ -22,9 +22,8 @@ struct SurfacePoint {
     std::uint32_t primitive = no_index;
     std::uint32_t material = no_index;     ///< number in the scene's look
     Convexity convexity = Convexity::any;  ///< convexity of the primitive
-    /// When the ray met it: a ShutterTime.
-    std::uint32_t time : shutter_time_bits = 0;
-    std::uint32_t instance = no_index;  ///< that the primitive belongs to, if to one
+    std::uint32_t instance = no_index;     ///< that the primitive belongs to, if to one
+    ShutterTime time = 0;                  ///< when the ray met it
     PlaceOnCurve on_curve{};
 };
 
@@ -57,8 +56,8 @@ inline Ray spawn_ray(const SurfacePoint& p, const Vec3& direction) {
     const bool outward = p.normal.dot(direction) > 0;
     const bool for_good =
         p.convexity == Convexity::flat || (p.convexity == Convexity::convex && outward);
-    return {spawn_origin(p, direction),        direction, 0,     infinity,
-            for_good ? p.primitive : no_index, false,     p.time};
+    const std::uint32_t exclude = for_good ? p.primitive : no_index;
+    return {spawn_origin(p, direction), direction, 0, infinity, exclude, p.time << Ray::time_shift};
 }
 
 /// What is left of a ray that goes through the surface of `hit` as if there were nothing. It meets

@@ -134,7 +134,7 @@ Ray CameraRays::ray(const Vec2& pixel, const Vec2& lens, ShutterTime time) const
     } else {
         make_all(frame_, {&pixel, 1}, {&lens, 1}, {&ray, 1});
     }
-    ray.time = time & last_shutter_time;
+    ray.set_time(time);
     return ray;
 }
 

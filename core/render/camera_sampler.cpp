@@ -52,7 +52,7 @@ CameraSamples CameraBatch::make() {
         const std::vector<Vec2> middle(sampler_.camera_.has_lens() ? count : 0, Vec2(0.5));
         sampler_.camera_.rays(places_, middle, rays_);
     }
-    for (Ray& ray : rays_) ray.coherent = true;
+    for (Ray& ray : rays_) ray.set_coherent();
     return {rays_, sources_};
 }
 

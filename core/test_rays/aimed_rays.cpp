@@ -76,7 +76,7 @@ std::vector<Ray> rays_at_features(const Scene& scene, const Box3& bounds, std::s
         const Vec3 direction = target - origin;
         if (!is_finite(direction) || !(max_abs(direction) > 0)) continue;
         rays.push_back({origin, direction});
-        rays.back().time = time & last_shutter_time;
+        rays.back().set_time(time);
     }
     return rays;
 }

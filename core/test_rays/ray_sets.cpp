@@ -97,7 +97,7 @@ class RaySetMaker {
             const Vec3 b = centre + radius * on_unit_sphere(to(i));
             if (a == b) continue;
             set.rays.push_back({a, normalized(b - a)});
-            set.rays.back().time = time(i) & last_shutter_time;
+            set.rays.back().set_time(time(i));
         }
         return set;
     }
@@ -112,7 +112,7 @@ class RaySetMaker {
                     ? points.position(sample.stratified(shadow_dimension, 0, points.count()))
                     : points.position(0);
             rays.push_back(spawn_ray_to(p, target));
-            rays.back().coherent = true;
+            rays.back().set_coherent();
         });
     }
 
@@ -125,7 +125,7 @@ class RaySetMaker {
             const LightSample s = lights.sample(light, p.position, sample.point(shadow_dimension));
             const Vec3 up = s.wi == Vec3(0) ? p.normal : s.wi;  // of a light that nobody samples
             rays.push_back(s.at_infinity ? spawn_ray(p, up) : spawn_ray_to(p, s.target));
-            rays.back().coherent = true;
+            rays.back().set_coherent();
         });
     }
 
@@ -137,7 +137,7 @@ class RaySetMaker {
     /// The ray through the pixel of that number.
     Ray through(std::uint32_t number) const {
         Ray ray = camera_.ray(pixels_[number], Vec2(0.5), time(number));
-        ray.coherent = true;
+        ray.set_coherent();
         return ray;
     }
 

@@ -32,7 +32,7 @@ AnimatedTransform any_motion(Random& random, double most_degrees = 180) {
 }
 
 Ray seen_at(Ray ray, ShutterTime time) {
-    ray.time = time & last_shutter_time;
+    ray.set_time(time);
     return ray;
 }
 
@@ -59,7 +59,7 @@ TEST_CASE("A moving instance at a fixed time is the static one with the same mat
         const SurfacePoint a = surface_at(moving, ray, {t, 0, 0});
         const SurfacePoint b = surface_at(still, ray, {t, 0, 0});
         REQUIRE((a.position == b.position && a.normal == b.normal && a.error == b.error));
-        REQUIRE((a.time == time && spawn_ray(a, a.normal).time == time));
+        REQUIRE((a.time == time && spawn_ray(a, a.normal).time() == time));
         REQUIRE(parametrization_at(moving, a).dpdu == parametrization_at(still, b).dpdu);
     }
     CHECK(hits > 1000);

@@ -113,17 +113,18 @@ TEST_CASE("A camera that moves makes the rays of one that stands where it is", "
             const Ray expected = CameraRays(still, {8, 8}).ray({1.5, 6}, {0.3, 0.8});
             const Ray ray = rays.ray({1.5, 6}, {0.3, 0.8}, shutter_time(part));
             CHECK((ray.origin == expected.origin && ray.direction == expected.direction));
-            CHECK(ray.time == shutter_time(part));
+            CHECK(ray.time() == shutter_time(part));
         }
     }
 }
 
 TEST_CASE("Camera rays are of all times if something moves, else of the first", "[motion]") {
     double sum = 0;
-    for (const Ray& ray : rays_of_pixel(pbrt_scene(leaving_square), 64)) sum += ray.time * 0x1p-24;
+    for (const Ray& ray : rays_of_pixel(pbrt_scene(leaving_square), 64))
+        sum += ray.time() * 0x1p-24;
     CHECK(sum / 64 == Approx(0.5).epsilon(0.02));
     const TestScene still = pbrt_scene("Shape \"sphere\"");
-    for (const Ray& ray : rays_of_pixel(still, 64)) CHECK(ray.time == 0);
+    for (const Ray& ray : rays_of_pixel(still, 64)) CHECK(ray.time() == 0);
     TestScene timed = still;
     timed.camera.sees_motion = true;
     const std::vector<Ray> a = rays_of_pixel(still, 64), b = rays_of_pixel(timed, 64);
