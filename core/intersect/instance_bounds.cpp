@@ -85,7 +85,7 @@ Box3 box_of_places(const Outline& outline, const Add& add) {
     return outline.parts.empty() || is_bounded(world) ? world : everywhere();
 }
 
-Box3 unpadded_moving(const Motion& motion, const Outline& outline) {
+Box3 unpadded_moving(const AnimatedTransform& motion, const Outline& outline) {
     const MotionBounds bounds(motion);
     if (!bounds.exist()) return everywhere();
     return box_of_places(outline, [&](Box3& world, const Outline::Part& part) {
