@@ -74,6 +74,7 @@ LookFacts facts_of(const Scene& s, const RenderSettings& settings) {
     const bool has_lens =
         s.camera.projective ? s.camera.projective->lens_radius > 0 : s.camera.aperture > 0;
     facts.need(has_lens && settings.samples_per_pixel > 0, "lens samples");
+    facts.need(s.camera.sees_motion && settings.samples_per_pixel > 0, "time samples");
     facts.need(!s.geometry.normals.empty() || s.geometry.all<Polygon>().have_normals(),
                "interpolated normals");
     return facts;

@@ -17,6 +17,9 @@
 namespace etalon {
 namespace {
 
+/// Numbers of a ray. The time is a part of that between the shutter's opening and closing.
+constexpr std::string_view ray_format = "ox oy oz dx dy dz [tmin tmax [time]]";
+
 struct TraceArguments {
     SceneArguments scene;
     std::string rays, output = "-", backend;
@@ -38,8 +41,7 @@ bool parse_numbers(const std::string& line, std::vector<double>& numbers) {
 }
 
 bool complain(const TraceArguments& a, int line, const char* what) {
-    print_message("{}:{}:1: error: {}; expected 'ox oy oz dx dy dz [tmin tmax]'\n", a.rays, line,
-                  what);
+    print_message("{}:{}:1: error: {}; expected '{}'\n", a.rays, line, what, ray_format);
     return false;
 }
 
@@ -50,9 +52,15 @@ bool read_rays(const TraceArguments& a, std::istream& in, std::vector<Ray>& rays
         ++number;
         if (!parse_numbers(line, n)) return complain(a, number, "not a number");
         if (n.empty()) continue;
-        if (n.size() != 6 && n.size() != 8) return complain(a, number, "wrong count of numbers");
+        if (n.size() != 6 && n.size() != 8 && n.size() != 9) {
+            return complain(a, number, "wrong count of numbers");
+        }
         Ray ray{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
-        if (n.size() == 8) ray.tmin = n[6], ray.tmax = n[7];
+        if (n.size() >= 8) ray.tmin = n[6], ray.tmax = n[7];
+        if (n.size() == 9) {
+            if (!(n[8] >= 0 && n[8] < 1)) return complain(a, number, "time outside of [0, 1)");
+            ray.set_time(shutter_time(n[8]));
+        }
         rays.push_back(ray);
     }
     return true;
@@ -100,8 +108,9 @@ Action declare_trace(Options& options) {
     declare_scene(options, a->scene);
     options
         .add("--rays", a->rays,
-             "File with one ray per line, 'ox oy oz dx dy dz [tmin tmax]', decimal or hexadecimal;"
-             " - is standard input")
+             fmt::format("File with one ray per line, '{}', decimal or hexadecimal; - is standard "
+                         "input",
+                         ray_format))
         .value("FILE")
         .required();
     options

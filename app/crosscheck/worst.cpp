@@ -79,10 +79,11 @@ std::vector<WorstRay> worst_rays(const Scene& scene, const std::vector<Trial>& t
 
 std::string trace_lines(const WorstRay& worst) {
     const Ray& r = worst.ray;
+    const std::string time = r.time() == 0 ? "" : fmt::format(" {:a}", r.time() * 0x1p-24);
     return fmt::format(
-        "# {} ray, {}: {}; the oracle: {}\n{:a} {:a} {:a} {:a} {:a} {:a} {:a} {:a}\n", worst.kind,
+        "# {} ray, {}: {}; the oracle: {}\n{:a} {:a} {:a} {:a} {:a} {:a} {:a} {:a}{}\n", worst.kind,
         worst.wrong, worst.found, worst.oracle, r.origin.x, r.origin.y, r.origin.z, r.direction.x,
-        r.direction.y, r.direction.z, r.tmin, r.tmax);
+        r.direction.y, r.direction.z, r.tmin, r.tmax, time);
 }
 
 }  // namespace etalon::crosscheck

@@ -82,6 +82,24 @@ CaseSetup far_away(double distance) {
     return aimed_at_scene(std::move(scene));
 }
 
+/// Objects that turn by up to half a turn and change their form and place, about a third of which
+/// do the latter only; every fourth mirrors.
+CaseSetup moving(const Kinds& kinds = bounded) {
+    Scene scene = random_scene({.count = 12, .seed = 5, .kinds = kinds});
+    scene.geometry.objects = {shapes(3, kinds), shapes(4, kinds)};
+    scene.camera.sees_motion = true;
+    Random random(47, 0);
+    for (std::uint32_t i = 0; i < 20; ++i) {
+        const Affine mirror = scaling({1, i % 4 == 0 ? -1.0 : 1.0, 1});
+        const Affine start = placed_at(2.0 * random.in_cube(), stretch(3, random) * mirror);
+        Affine end = i % 3 == 0 ? start : stretch(3, random) * mirror;
+        end.origin = 2.0 * random.in_cube();
+        const MotionTimes times{random.uniform(-1, 0.5), random.uniform(0.5, 2), 0, 1};
+        scene.geometry.add_moving_instance(AnimatedTransform(start, end, times), i % 2);
+    }
+    return aimed_at_scene(std::move(scene));
+}
+
 /// Maps that leave no volume, or hardly any, among others.
 CaseSetup singular() {
     int number = 0;
@@ -179,6 +197,9 @@ std::vector<HardCase> instance_cases() {
     }
     rows.add(
         "INST-6", "leaving, 1e7 sizes away", [] { return far_away(1e7); }, Criterion::spawned);
+    rows.add("INST-7", "moving", [] { return moving(); });
+    rows.add(
+        "INST-7", "leaving, moving", [] { return moving(convex); }, Criterion::spawned);
     return rows.take();
 }
 

@@ -12,6 +12,9 @@ Place middle_of(const Box3& box) {
     return {box.center(), max_abs(box.size()) / 2};
 }
 
+constexpr std::uint64_t moving_seed = 43;
+constexpr int moments = 50;  ///< at which what moves is aimed at
+
 /// Targets and extents of a scene, from which rays are generated.
 class Surroundings {
   public:
@@ -30,22 +33,33 @@ class Surroundings {
         for (std::uint32_t id = 0; id < scene_->geometry.item_count(); ++id) {
             if (boxes[id].isEmpty()) continue;
             const bool bounded = is_finite(boxes[id].size());
-            things_.push_back({bounded ? middle_of(boxes[id]) : whole_,
-                               targets_of(scene_->geometry, id, finest)});
+            add_thing(id, bounded ? middle_of(boxes[id]) : whole_, finest);
         }
     }
 
     const Scene& scene() const { return *scene_; }
     const Place& whole() const { return whole_; }
 
-    /// One primitive or instance: where it is and what to aim at.
+    /// One primitive or instance at one time: where it is and what to aim at.
     struct Thing {
         Place place;
+        ShutterTime time;
         std::vector<Target> targets;
     };
     const Thing& any(Random& random) const { return things_[random.index(things_.size())]; }
 
   private:
+    /// Adds an item; one that moves at several times.
+    void add_thing(std::uint32_t item, const Place& place, double finest) {
+        const Geometry& g = scene_->geometry;
+        const bool moves = g.is_instance(item) && g.instances[g.instance_number(item)].moves();
+        Random random(moving_seed, item);
+        for (int i = 0; i < (moves ? moments : 1); ++i) {
+            const ShutterTime time = i == 0 ? 0 : shutter_time(random.uniform());
+            things_.push_back({place, time, targets_of(g, item, finest, time)});
+        }
+    }
+
     std::shared_ptr<const Scene> scene_;
     Place whole_{Vec3(0), 1};  ///< of all that is bounded
     std::vector<Thing> things_;
@@ -75,6 +89,7 @@ Ray aimed_ray(const Surroundings& around, Random& random) {
     const Surroundings::Thing& thing = around.any(random);
     const Place& seen_from = random.index(2) == 0 ? thing.place : around.whole();
     Ray ray = ray_generator(seen_from, any_target(thing, random), random);
+    ray.set_time(thing.time);
     if (random.index(3) == 0) limit(ray, thing.place.centre, random);
     return ray;
 }

@@ -1,6 +1,7 @@
 #include "core/intersect/instance_bounds.h"
 
 #include "core/intersect/kernels.h"
+#include "core/intersect/motion_bounds.h"
 #include "core/intersect/placement.h"
 #include "core/parallel/chunks.h"
 
@@ -75,24 +76,54 @@ void extend(Box3& box, const Affine& map, const Affine& magnitudes, const Outlin
     }
 }
 
-Box3 unpadded(const Instance& instance, const Outline& outline) {
+/// Returns the box of all that `add` adds to a box for each part of an outline.
+template <class Add>
+Box3 box_of_places(const Outline& outline, const Add& add) {
+    if (outline.is_unbounded) return everywhere();
+    Box3 world;
+    for (const Outline::Part& part : outline.parts) add(world, part);
+    return outline.parts.empty() || is_bounded(world) ? world : everywhere();
+}
+
+Box3 unpadded_moving(const AnimatedTransform& motion, const Outline& outline) {
+    const MotionBounds bounds(motion);
+    if (!bounds.exist()) return everywhere();
+    return box_of_places(outline, [&](Box3& world, const Outline::Part& part) {
+        world.extendBy(bounds.box({part.centre - part.half, part.centre + part.half}));
+    });
+}
+
+Box3 unpadded(const Geometry& geometry, const Instance& instance, const Outline& outline) {
+    if (instance.moves()) return unpadded_moving(geometry.motions[instance.motion], outline);
     const Affine map = instance.to_world();
     if (!is_finite(map)) return {};
-    if (outline.is_unbounded) return everywhere();
     const Affine magnitudes{abs(map.x), abs(map.y), abs(map.z), Vec3(0)};
-    Box3 world;
-    for (const Outline::Part& part : outline.parts) extend(world, map, magnitudes, part);
-    return outline.parts.empty() || is_bounded(world) ? world : everywhere();
+    return box_of_places(outline, [&](Box3& world, const Outline::Part& part) {
+        extend(world, map, magnitudes, part);
+    });
+}
+
+/// What roundings of rays to an instance depend on.
+struct Roundings {
+    Vec3 spread;      ///< see spread()
+    double distance;  ///< of the object's origin from the scene's centre
+};
+
+Roundings roundings_of(const Geometry& geometry, const Instance& instance, const Vec3& centre) {
+    if (instance.moves()) {
+        const MotionBounds motion(geometry.motions[instance.motion]);
+        return {Vec3(motion.spread()), motion.distance_from(centre)};
+    }
+    return {spread(instance), max_abs(instance.origin - centre)};
 }
 
 /// Pads a box by what roundings of rays to the object move a hit. A ray's origin o and the place of
 /// the hit are within 2^24 S of the scene's centre, S half its size (NormalizedSpace::resolves);
 /// o' and t d' are good to 4 u |A| (|o - c| + t |d|), which the inverse spreads. The factors leave
 /// room for three times as much.
-Box3 padded(const Instance& instance, const Box3& box, const Vec3& centre, double half) {
-    if (box.isEmpty() || !is_bounded(box)) return box;
-    const double reach = 0x1p-24 * half + 0x1p-48 * max_abs(instance.origin - centre);
-    const Vec3 margin = reach * spread(instance);
+Box3 padded(const Box3& box, const Roundings& roundings, double half) {
+    const double reach = 0x1p-24 * half + 0x1p-48 * roundings.distance;
+    const Vec3 margin = reach * roundings.spread;
     if (!(max_abs(margin) <= half / 8)) return everywhere();
     return {box.min - margin, box.max + margin};
 }
@@ -108,7 +139,7 @@ std::vector<Box3> instance_bounds(const Geometry& geometry, const Box3& others, 
     std::vector<Box3> of_chunk(chunks.number());
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            boxes[i] = unpadded(instances[i], outlines[instances[i].object]);
+            boxes[i] = unpadded(geometry, instances[i], outlines[instances[i].object]);
             if (is_bounded(boxes[i], limit)) of_chunk[chunk].extendBy(boxes[i]);
         }
     });
@@ -119,7 +150,8 @@ std::vector<Box3> instance_bounds(const Geometry& geometry, const Box3& others, 
     const double half = 1.5 * max_abs(world.max - centre);  // with room for the margins
     chunks.parallel_for_each([&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            boxes[i] = padded(instances[i], boxes[i], centre, half);
+            if (boxes[i].isEmpty() || !is_bounded(boxes[i])) continue;
+            boxes[i] = padded(boxes[i], roundings_of(geometry, instances[i], centre), half);
         }
     });
     return boxes;

@@ -7,11 +7,11 @@
 
 namespace etalon {
 
-/// Returns a box of the world for each instance, which holds all that rays can hit of it, the
-/// roundings on their way into the object included. `others` is the box of all else that is
-/// bounded. A box is empty where nothing can be hit, and infinite where the object is not bounded
-/// or the roundings are not small against the scene, of which instances that reach beyond `limit`
-/// are no part.
+/// Returns a box of the world for each instance, which holds all that rays can hit of it at any
+/// time, the roundings on their way into the object included. `others` is the box of all else that
+/// is bounded. A box is empty where nothing can be hit, and infinite where the object is not
+/// bounded or the roundings are not small against the scene, of which instances that reach beyond
+/// `limit` are no part.
 std::vector<Box3> instance_bounds(const Geometry& geometry, const Box3& others,
                                   double limit = FurthestItems::no_limit);
 

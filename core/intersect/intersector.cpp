@@ -20,16 +20,16 @@ std::size_t Intersector::memory_bytes() const {
 
 void Intersector::offer_instance(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
                                  TraversalCost* cost) const {
-    const Instance& instance = geometry_.instances[item - geometry_.primitives.size()];
-    Ray ray = to_object(instance, query.ray);
+    const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time());
+    Ray ray = to_object(*instance, query.ray);
     ray.tmax = nearest.t;
-    const NearestHit hit = objects_[instance.object]->nearest_hit(ray, cost);
+    const NearestHit hit = objects_[instance->object]->nearest_hit(ray, cost);
     if (hit.found()) nearest.offer(hit.t, item, hit.item);
 }
 
 bool Intersector::instance_occludes(std::uint32_t item, const RayQuery& query) const {
-    const Instance& instance = geometry_.instances[item - geometry_.primitives.size()];
-    return objects_[instance.object]->is_occluded(to_object(instance, query.ray));
+    const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time());
+    return objects_[instance->object]->is_occluded(to_object(*instance, query.ray));
 }
 
 inline void Intersector::offer(std::uint32_t item, const RayQuery& query, NearestHit& nearest,

@@ -42,28 +42,28 @@ template double shape_first_hit(const Geometry&, const Sphere&, Sides, const Ray
 namespace {
 
 /// A point of an instance. A box's is kept so far off its edges that a ray into the box starts
-/// inside of the other faces, too.
-SurfacePoint surface_of_instance(const Geometry& object, const Instance& instance, const Ray& ray,
-                                 const Hit& hit) {
+/// inside of the other faces, too. Kept out of line, so that points of the scene itself do not pay
+/// for it.
+[[gnu::noinline]] SurfacePoint surface_of_instance(const Geometry& geometry, const Ray& ray,
+                                                   const Hit& hit) {
+    const InstanceAt instance(geometry, hit.instance, ray.time());
+    const Geometry& object = geometry.objects[instance->object];
     SurfacePoint local =
-        surface_at(object, to_object(instance, RayQuery(ray).ray), {hit.t, hit.primitive});
-    const SurfacePoint point = placed(instance, local);
-    const Primitive p = object.primitives[hit.primitive];
-    if (p.kind != kind_of<Box>()) return point;
-    const Vec3 drift = drift_of_origins(instance, local, point);
-    return move_off_edges(object.get<Box>(p), drift, local) ? placed(instance, local) : point;
+        surface_at(object, to_object(*instance, RayQuery(ray).ray), {hit.t, hit.primitive});
+    SurfacePoint point = placed(*instance, local);
+    if (object.primitives[hit.primitive].kind == kind_of<Box>()) {
+        const Vec3 drift = drift_of_origins(*instance, local, point);
+        const Box box = object.get<Box>(object.primitives[hit.primitive]);
+        if (move_off_edges(box, drift, local)) point = placed(*instance, local);
+    }
+    point.instance = hit.instance;
+    return point;
 }
 
 }  // namespace
 
 SurfacePoint surface_at(const Geometry& geometry, const Ray& ray, const Hit& hit) {
-    if (hit.instance != no_index) {
-        const Instance& instance = geometry.instances[hit.instance];
-        SurfacePoint point =
-            surface_of_instance(geometry.objects[instance.object], instance, ray, hit);
-        point.instance = hit.instance;
-        return point;
-    }
+    if (hit.instance != no_index) return surface_of_instance(geometry, ray, hit);
     const Primitive p = geometry.primitives[hit.primitive];
     const RayQuery query(ray);
     return with_shape(p.kind, [&]<class Shape>() {
@@ -71,6 +71,7 @@ SurfacePoint surface_at(const Geometry& geometry, const Ray& ray, const Hit& hit
         point.primitive = hit.primitive;
         point.material = p.material;
         point.convexity = Shape::convexity;
+        point.time = ray.time();
         return point;
     });
 }

@@ -18,9 +18,9 @@ bool spans_plane(Vec3 dpdu, Vec3 dpdv) {
 
 Parametrization parametrization_at(const Geometry& geometry, const SurfacePoint& point) {
     if (point.instance != no_index) {
-        const Instance& instance = geometry.instances[point.instance];
-        return placed(instance, parametrization_at(geometry.objects[instance.object],
-                                                   local_point(instance, point)));
+        const InstanceAt instance(geometry, point.instance, point.time);
+        return placed(*instance, parametrization_at(geometry.objects[instance->object],
+                                                    local_point(*instance, point)));
     }
     const Primitive p = geometry.primitives[point.primitive];
     Parametrization at = with_shape(p.kind, [&]<class Shape>() {

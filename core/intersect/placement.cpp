@@ -24,6 +24,17 @@ Vec3 roundings_from(const Instance& instance, const Vec3& p) {
 
 }  // namespace
 
+void InstanceAt::move(const Geometry& geometry, ShutterTime time) {
+    const AnimatedTransform& motion = geometry.motions[instance_->motion];
+    if (motion.is_translation()) {
+        moved_ = *instance_;
+        moved_->origin = motion.origin_at(time);
+    } else {
+        moved_.emplace(motion.at(time), instance_->object);
+    }
+    instance_ = &*moved_;
+}
+
 Vec3 to_object(const Instance& instance, const Vec3& point) {
     return times(instance.rows, point - instance.origin);
 }
@@ -31,7 +42,7 @@ Vec3 to_object(const Instance& instance, const Vec3& point) {
 Ray to_object(const Instance& instance, const Ray& ray) {
     Ray local{to_object(instance, ray.origin), times(instance.rows, ray.direction), ray.tmin,
               ray.tmax};
-    local.coherent = ray.coherent;
+    local.hint_and_time = ray.hint_and_time;
     return local;
 }
 
@@ -97,8 +108,9 @@ double first_hit(const Geometry& geometry, HitKey key, const Ray& ray) {
     const Geometry& holder = geometry.holder(instance);
     const RayQuery query(ray);
     if (instance == no_index) return primitive_first_hit(holder, primitive, query);
-    return primitive_first_hit(holder, primitive,
-                               RayQuery(to_object(geometry.instances[instance], query.ray)));
+    return primitive_first_hit(
+        holder, primitive,
+        RayQuery(to_object(*InstanceAt(geometry, instance, ray.time()), query.ray)));
 }
 
 }  // namespace etalon

@@ -1,11 +1,36 @@
 // The way between the world and the objects of instances: all that knows of it is here.
 #pragma once
 
+#include <optional>
+
 #include "core/intersect/parametrization.h"
 #include "core/intersect/surface.h"
 #include "core/scene/geometry.h"
 
 namespace etalon {
+
+/// An instance where a ray of some time sees it: of one that moves, what its motion's map at that
+/// time makes of it.
+class InstanceAt {
+  public:
+    /// `number`: among the geometry's instances. The geometry must outlive it.
+    InstanceAt(const Geometry& geometry, std::uint32_t number, ShutterTime time)
+        : instance_(&geometry.instances[number]) {
+        if (instance_->moves()) [[unlikely]]
+            move(geometry, time);
+    }
+    InstanceAt(const InstanceAt&) = delete;
+    InstanceAt& operator=(const InstanceAt&) = delete;
+
+    const Instance& operator*() const { return *instance_; }
+    const Instance* operator->() const { return instance_; }
+
+  private:
+    void move(const Geometry& geometry, ShutterTime time);
+
+    const Instance* instance_;
+    std::optional<Instance> moved_;
+};
 
 /// Takes a point of the world into the object's space.
 Vec3 to_object(const Instance& instance, const Vec3& point);

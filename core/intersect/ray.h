@@ -4,6 +4,7 @@
 
 #include "core/numerics/vec.h"
 #include "core/scene/shapes.h"
+#include "core/scene/shutter.h"
 
 namespace etalon {
 
@@ -16,10 +17,22 @@ struct Ray {
     /// The number of a primitive that the ray has just left and cannot meet again, if there is one:
     /// it need not be tested to learn that.
     std::uint32_t exclude = no_index;
+    /// Bits of coherent() and time(): one word, which takes an instruction to copy.
+    std::uint32_t hint_and_time = 0;
+
     /// A hint, which changes no hit: rays traced just before it by the same thread went nearly the
     /// same way.
-    bool coherent = false;
+    bool coherent() const { return (hint_and_time & 1) != 0; }
+    void set_coherent() { hint_and_time |= 1; }
+
+    /// When the ray sees the scene.
+    ShutterTime time() const { return hint_and_time >> time_shift; }
+    void set_time(ShutterTime time) { hint_and_time = time << time_shift | (hint_and_time & 1); }
+
+    static constexpr int time_shift = 32 - shutter_time_bits;
 };
+
+static_assert(sizeof(Ray) == 72);
 
 /// Whether a ray can hit anything at all.
 inline bool is_valid(const Ray& ray) {

@@ -23,6 +23,7 @@ struct SurfacePoint {
     std::uint32_t material = no_index;     ///< number in the scene's look
     Convexity convexity = Convexity::any;  ///< convexity of the primitive
     std::uint32_t instance = no_index;     ///< that the primitive belongs to, if to one
+    ShutterTime time = 0;                  ///< when the ray met it
     PlaceOnCurve on_curve{};
 };
 
@@ -50,12 +51,13 @@ inline Vec3 spawn_origin(const SurfacePoint& p, const Vec3& direction) {
     return origin;
 }
 
-/// A ray that leaves `p`.
+/// A ray that leaves `p`, at its time.
 inline Ray spawn_ray(const SurfacePoint& p, const Vec3& direction) {
     const bool outward = p.normal.dot(direction) > 0;
     const bool for_good =
         p.convexity == Convexity::flat || (p.convexity == Convexity::convex && outward);
-    return {spawn_origin(p, direction), direction, 0, infinity, for_good ? p.primitive : no_index};
+    const std::uint32_t exclude = for_good ? p.primitive : no_index;
+    return {spawn_origin(p, direction), direction, 0, infinity, exclude, p.time << Ray::time_shift};
 }
 
 /// What is left of a ray that goes through the surface of `hit` as if there were nothing. It meets

@@ -10,6 +10,8 @@ namespace etalon {
 struct Affine {
     Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, origin{0, 0, 0};
 
+    bool operator==(const Affine&) const = default;
+
     Vec3 vector(const Vec3& v) const { return v.x * x + v.y * y + v.z * z; }
     Vec3 point(const Vec3& p) const { return vector(p) + origin; }
 

@@ -151,8 +151,8 @@ OracleAnswer Oracle::closest(const Ray& ray, double tie) const {
     meet(ray, tie, no_index, meetings);
     const Ray meant = RayQuery(ray).ray;
     for (std::uint32_t i = 0; i < geometry_.instances.size(); ++i) {
-        const Instance& instance = geometry_.instances[i];
-        objects_[instance.object].meet(to_object(instance, meant), tie, i, meetings);
+        const InstanceAt instance(geometry_, i, meant.time());
+        objects_[instance->object].meet(to_object(*instance, meant), tie, i, meetings);
     }
     return answer_from(meetings, tie);
 }

@@ -21,6 +21,13 @@ struct CameraFrame {
 
     Imath::M44d world_to_camera;
     std::optional<Imath::M44d> world_to_ndc;
+
+    /// Moves what rays are made from to where a projective camera's own space is now.
+    void move_rays(const Affine& to_world) {
+        eye = to_world.origin;
+        u = to_world.x, v = to_world.y;
+        to_eye = -to_world.z;
+    }
 };
 
 /// The frame of `camera`; `resolution` is width and height of the image in pixels.

@@ -96,22 +96,21 @@ void make_environment_rays(const CameraFrame& c, RayChunk& rays) {
     }
 }
 
-}  // namespace
-
-void CameraRays::rays(std::span<const Vec2> pixels, std::span<const Vec2> lens,
-                      std::span<Ray> rays) const {
+/// Makes rays of a camera that stands where `frame` says.
+void make_all(const CameraFrame& frame, std::span<const Vec2> pixels, std::span<const Vec2> lens,
+              std::span<Ray> rays) {
     RayChunk chunk;
     for (std::size_t first = 0; first < rays.size(); first += RayChunk::most) {
         chunk.count = std::min(RayChunk::most, rays.size() - first);
         for (std::size_t i = 0; i < chunk.count; ++i) {
             chunk.pixels[i] = pixels[first + i];
-            if (has_lens())
-                chunk.on_lens[i] = concentric_disk(lens[first + i]) * frame_.lens_radius;
+            if (frame.lens_radius > 0)
+                chunk.on_lens[i] = concentric_disk(lens[first + i]) * frame.lens_radius;
         }
-        if (frame_.projection == Projection::environment) {
-            make_environment_rays(frame_, chunk);
+        if (frame.projection == Projection::environment) {
+            make_environment_rays(frame, chunk);
         } else {
-            HWY_DYNAMIC_DISPATCH(make_rays)(frame_, chunk);
+            HWY_DYNAMIC_DISPATCH(make_rays)(frame, chunk);
         }
         for (std::size_t i = 0; i < chunk.count; ++i) {
             rays[first + i] = {chunk.origins[i], chunk.directions[i]};
@@ -119,9 +118,23 @@ void CameraRays::rays(std::span<const Vec2> pixels, std::span<const Vec2> lens,
     }
 }
 
-Ray CameraRays::ray(const Vec2& pixel, const Vec2& lens) const {
+}  // namespace
+
+void CameraRays::rays(std::span<const Vec2> pixels, std::span<const Vec2> lens,
+                      std::span<Ray> rays) const {
+    make_all(frame_, pixels, lens, rays);
+}
+
+Ray CameraRays::ray(const Vec2& pixel, const Vec2& lens, ShutterTime time) const {
     Ray ray;
-    rays({&pixel, 1}, {&lens, 1}, {&ray, 1});
+    if (motion_ && time != 0) {
+        CameraFrame frame = frame_;
+        frame.move_rays(motion_->at(time));
+        make_all(frame, {&pixel, 1}, {&lens, 1}, {&ray, 1});
+    } else {
+        make_all(frame_, {&pixel, 1}, {&lens, 1}, {&ray, 1});
+    }
+    ray.set_time(time);
     return ray;
 }
 

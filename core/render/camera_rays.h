@@ -12,17 +12,22 @@ class CameraRays {
   public:
     /// Rays of `camera`; `resolution` is width and height of the image in pixels.
     CameraRays(const Camera& camera, const Imath::V2i& resolution)
-        : frame_(camera_frame(camera, resolution)) {}
+        : frame_(camera_frame(camera, resolution)) {
+        if (camera.projective) motion_ = camera.projective->motion;
+    }
 
     /// Returns a ray: `pixel` in pixels from the image's top left corner (centres at .5); `lens` in
-    /// [0,1)^2, of no effect on a pinhole. The direction is of unit length.
-    Ray ray(const Vec2& pixel, const Vec2& lens) const;
+    /// [0,1)^2, of no effect on a pinhole; the time at which it sees the scene. The direction is of
+    /// unit length.
+    Ray ray(const Vec2& pixel, const Vec2& lens, ShutterTime time = 0) const;
 
-    /// Sets `rays` to such rays, one for each of `pixels` and, where there is a lens, of `lens`.
+    /// Sets `rays` to such rays, one for each of `pixels` and, where there is a lens, of `lens`, of
+    /// the time at which the shutter opens.
     void rays(std::span<const Vec2> pixels, std::span<const Vec2> lens, std::span<Ray> rays) const;
 
     /// How far in front of the eye a point is, along the axis of view; negative behind it. For an
-    /// environment: how far away.
+    /// environment: how far away. The eye, and matrices too, of a camera that moves are those of
+    /// the time at which the shutter opens.
     double depth(const Vec3& point) const {
         const Vec3 back = frame_.eye - point;
         return frame_.projection == Projection::environment ? back.length() : back.dot(frame_.n);
@@ -40,6 +45,7 @@ class CameraRays {
 
   private:
     CameraFrame frame_;
+    std::optional<AnimatedTransform> motion_;
 };
 
 }  // namespace etalon

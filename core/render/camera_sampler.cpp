@@ -10,6 +10,7 @@ CameraSampler::CameraSampler(const Camera& camera, const RenderSettings& setting
       sampler_(settings.sampler),
       has_samples_(settings.samples_per_pixel > 0),
       shares_corners_(!has_samples_ && settings.pixel_rays == PixelRays::shared_corners),
+      samples_time_(has_samples_ && camera.sees_motion),
       in_pixel_(settings.pixel_rays == PixelRays::centre ? 0.5 : 0.0) {}
 
 Imath::Box2i CameraSampler::sampled(Imath::Box2i window) const {
@@ -24,6 +25,20 @@ void CameraBatch::add(int x, int y, std::uint32_t first, std::uint32_t last) {
     if (!sampler_.has_samples_) return;
     in_pixel_.add(pixel.points(pixel_dimension), first, last);
     if (sampler_.camera_.has_lens()) on_lens_.add(pixel.points(lens_dimension), first, last);
+    if (sampler_.samples_time_) in_time_.add(pixel.points(time_dimension), first, last);
+}
+
+/// Makes the rays of samples: one by one if they are of many times.
+void CameraBatch::make_samples() {
+    const std::span<const Vec2> in_pixel = in_pixel_.make();
+    for (std::size_t i = 0; i < size(); ++i) places_[i] = Vec2(pixels_[i]) + in_pixel[i];
+    const std::span<const Vec2> on_lens = on_lens_.make();
+    if (!sampler_.samples_time_) return sampler_.camera_.rays(places_, on_lens, rays_);
+    const std::span<const Vec2> in_time = in_time_.make();
+    for (std::size_t i = 0; i < size(); ++i) {
+        const Vec2 lens = on_lens.empty() ? Vec2(0.5) : on_lens[i];
+        rays_[i] = sampler_.camera_.ray(places_[i], lens, shutter_time(in_time[i].x));
+    }
 }
 
 CameraSamples CameraBatch::make() {
@@ -31,15 +46,13 @@ CameraSamples CameraBatch::make() {
     places_.resize(count);
     rays_.resize(count);
     if (sampler_.has_samples_) {
-        const std::span<const Vec2> in_pixel = in_pixel_.make();
-        for (std::size_t i = 0; i < count; ++i) places_[i] = Vec2(pixels_[i]) + in_pixel[i];
-        sampler_.camera_.rays(places_, on_lens_.make(), rays_);
+        make_samples();
     } else {
         for (std::size_t i = 0; i < count; ++i) places_[i] = Vec2(pixels_[i]) + sampler_.in_pixel_;
         const std::vector<Vec2> middle(sampler_.camera_.has_lens() ? count : 0, Vec2(0.5));
         sampler_.camera_.rays(places_, middle, rays_);
     }
-    for (Ray& ray : rays_) ray.coherent = true;
+    for (Ray& ray : rays_) ray.set_coherent();
     return {rays_, sources_};
 }
 
@@ -48,6 +61,7 @@ void CameraBatch::clear() {
     sources_.clear();
     in_pixel_.clear();
     on_lens_.clear();
+    in_time_.clear();
 }
 
 }  // namespace etalon

@@ -25,6 +25,7 @@ class CameraSampler {
     std::uint64_t seed_;
     Sampler sampler_;
     bool has_samples_, shares_corners_;
+    bool samples_time_;
     Vec2 in_pixel_;  ///< place of the one ray of an image without samples
 };
 
@@ -51,10 +52,12 @@ class CameraBatch {
     void clear();
 
   private:
+    void make_samples();
+
     const CameraSampler& sampler_;
     std::vector<Imath::V2i> pixels_;
     std::vector<SampleSource> sources_;
-    PointBatch in_pixel_, on_lens_;
+    PointBatch in_pixel_, on_lens_, in_time_;
     std::vector<Vec2> places_;
     std::vector<Ray> rays_;
 };

@@ -9,7 +9,11 @@
 namespace etalon {
 
 /// The choices of a camera, which are dimensions as they stand.
-enum CameraDimension : std::uint32_t { pixel_dimension = 0, lens_dimension = 1 };
+enum CameraDimension : std::uint32_t {
+    pixel_dimension = 0,
+    lens_dimension = 1,
+    time_dimension = 2,  ///< of which the first number counts
+};
 
 /// The choices at a vertex of a path. A tree of rays names each of its rays by a hash of the ray
 /// before it and the way it went; a hash of that name and a choice is the choice's dimension. The

@@ -24,6 +24,12 @@ std::size_t memory_bytes(const CurveList& curves) {
 
 }  // namespace
 
+void Geometry::add_moving_instance(const AnimatedTransform& motion, std::uint32_t object) {
+    instances.emplace_back(motion.at(0), object).motion =
+        static_cast<std::uint32_t>(motions.size());
+    motions.push_back(motion);
+}
+
 std::uint32_t Geometry::add_vertex(const Vec3& position) {
     vertices.push_back(position);
     return static_cast<std::uint32_t>(vertices.size() - 1);
@@ -93,8 +99,11 @@ void append(Geometry& geometry, const Geometry& other) {
     append(geometry.normals, other.normals);
     const auto objects = static_cast<std::uint32_t>(geometry.objects.size());
     geometry.objects.insert(geometry.objects.end(), other.objects.begin(), other.objects.end());
+    const auto motions = static_cast<std::uint32_t>(geometry.motions.size());
+    geometry.motions.insert(geometry.motions.end(), other.motions.begin(), other.motions.end());
     for (Instance instance : other.instances) {
         instance.object += objects;
+        if (instance.moves()) instance.motion += motions;
         geometry.instances.push_back(instance);
     }
 }
@@ -122,6 +131,7 @@ void shrink_to_fit(Geometry& g) {
     give_back_room(g.normals);
     give_back_room(g.decimal_vertices);
     give_back_room(g.instances);
+    g.motions.shrink_to_fit();
     for (Geometry& object : g.objects) shrink_to_fit(object);
 }
 
@@ -132,7 +142,7 @@ std::size_t memory_bytes(const Geometry& g) {
     for (const Geometry& object : g.objects) objects += memory_bytes(object);
     return shapes + g.primitives.memory_bytes() + memory_bytes(g.vertices) +
            memory_bytes(g.normals) + memory_bytes(g.decimal_vertices) + memory_bytes(g.instances) +
-           objects;
+           g.motions.capacity() * sizeof(AnimatedTransform) + objects;
 }
 
 }  // namespace etalon

@@ -7,6 +7,7 @@
 
 #include "core/numerics/decimal.h"
 #include "core/parallel/large_pages.h"
+#include "core/scene/animated_transform.h"
 #include "core/scene/instance.h"
 #include "core/scene/primitive_runs.h"
 #include "core/scene/shapes.h"
@@ -32,13 +33,18 @@ struct Geometry {
     ShapeArrays shapes;
     LargeVector<Vec3> vertices, normals;
     LargeVector<DecimalVertex> decimal_vertices;
-    std::vector<Geometry> objects;    ///< seen only as instances; they have none themselves
-    LargeVector<Instance> instances;  ///< of the objects
+    std::vector<Geometry> objects;           ///< seen only as instances; they have none themselves
+    LargeVector<Instance> instances;         ///< of the objects
+    std::vector<AnimatedTransform> motions;  ///< of instances
 
     std::uint32_t item_count() const {
         return static_cast<std::uint32_t>(primitives.size() + instances.size());
     }
     bool is_instance(std::uint32_t item) const { return item >= primitives.size(); }
+    /// Number among the instances of an item that is one.
+    std::uint32_t instance_number(std::uint32_t item) const {
+        return item - static_cast<std::uint32_t>(primitives.size());
+    }
     ShapeKind kind_of_item(std::uint32_t item) const {
         return is_instance(item) ? instance_kind : primitives[item].kind;
     }
@@ -58,6 +64,9 @@ struct Geometry {
     static std::uint32_t normal_number(const Triangle& t, std::size_t corner) {
         return t.vertices[corner] - t.normal_offset;
     }
+
+    /// Appends an instance of an object that moves.
+    void add_moving_instance(const AnimatedTransform& motion, std::uint32_t object);
 
     /// Appends a vertex for triangles. Returns its number.
     std::uint32_t add_vertex(const Vec3& position);

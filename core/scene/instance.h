@@ -24,9 +24,17 @@ struct Instance {
     /// whose instance nothing hits.
     bool exists() const;
 
+    /// Number of the motion of what stands still.
+    static constexpr std::uint32_t still = 0xFFFFFFFFU;
+
+    bool moves() const { return motion != still; }
+
     std::array<Vec3, 3> rows;  ///< of the inverse of the map's matrix, each number rounded once
     Vec3 origin;               ///< point of the world at which the object's origin is
     std::uint32_t object;      ///< number among Geometry::objects
+    /// Number among Geometry::motions; the numbers above are then those of the time at which the
+    /// shutter opens.
+    std::uint32_t motion = still;
 };
 
 static_assert(sizeof(Instance) == 104);

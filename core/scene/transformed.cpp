@@ -55,6 +55,7 @@ class Similarity {
         std::apply([&](auto&... shapes) { ((*this)(shapes), ...); }, g.shapes);
         (*this)(g.vertices);
         (*this)(g.instances);
+        for (AnimatedTransform& motion : g.motions) motion = motion.after(factor_, offset_);
     }
     void operator()(Instance& i) const {
         move(i.origin);
@@ -65,7 +66,11 @@ class Similarity {
     void operator()(QuadLight& l) const { move(l.corner), l.edge1 *= factor_, l.edge2 *= factor_; }
     void operator()(Camera& c) const {
         move(c.eye), move(c.at);
-        if (c.projective) c.projective->to_world = after(c.projective->to_world);
+        if (c.projective) (*this)(*c.projective);
+    }
+    void operator()(ProjectiveCamera& c) const {
+        c.to_world = after(c.to_world);
+        if (c.motion) c.motion = c.motion->after(factor_, offset_);
     }
     void operator()(PointSource& s) const { move(s.position), brighten(s.intensity); }
     void operator()(SpotSource& s) const { move(s.position), brighten(s.intensity); }

@@ -68,11 +68,15 @@ std::vector<Ray> rays_at_features(const Scene& scene, const Box3& bounds, std::s
     for (std::size_t i = 0; i < count && !kinds.empty(); ++i) {
         Random random(feature_seed, i);
         const auto& ids = kinds[random.index(kinds.size())];
-        const auto targets = targets_of(scene.geometry, ids[random.index(ids.size())], finest);
+        const std::uint32_t item = ids[random.index(ids.size())];
+        const ShutterTime time = scene.camera.sees_motion ? shutter_time(random.uniform(0, 1)) : 0;
+        const auto targets = targets_of(scene.geometry, item, finest, time);
         const Vec3 origin = i % 2 == 0 ? scene.camera.eye : anywhere_in(bounds, random);
         const Vec3 target = targets[random.index(targets.size())](origin, random);
         const Vec3 direction = target - origin;
-        if (is_finite(direction) && max_abs(direction) > 0) rays.push_back({origin, direction});
+        if (!is_finite(direction) || !(max_abs(direction) > 0)) continue;
+        rays.push_back({origin, direction});
+        rays.back().set_time(time);
     }
     return rays;
 }

@@ -17,7 +17,7 @@
 namespace etalon {
 namespace {
 
-constexpr std::uint32_t chord_seed = 3, bounce_seed = 5;
+constexpr std::uint32_t chord_seed = 3, bounce_seed = 5, time_seed = 11;
 
 /// Pixel centres, tile by tile, every so many that `limit` is kept.
 std::vector<Vec2> pixel_centres(const Imath::V2i& resolution, std::size_t limit) {
@@ -56,7 +56,7 @@ class RaySetMaker {
 
     RaySet camera() const {
         RaySet set{"camera", false, {}};
-        for (const Vec2& pixel : pixels_) set.rays.push_back(through(pixel));
+        for (std::uint32_t i = 0; i < pixels_.size(); ++i) set.rays.push_back(through(i));
         return set;
     }
 
@@ -95,7 +95,9 @@ class RaySetMaker {
         for (std::uint32_t i = 0; i < pixels_.size(); ++i) {
             const Vec3 a = centre + radius * on_unit_sphere(from(i));
             const Vec3 b = centre + radius * on_unit_sphere(to(i));
-            if (a != b) set.rays.push_back({a, normalized(b - a)});
+            if (a == b) continue;
+            set.rays.push_back({a, normalized(b - a)});
+            set.rays.back().set_time(time(i));
         }
         return set;
     }
@@ -110,7 +112,7 @@ class RaySetMaker {
                     ? points.position(sample.stratified(shadow_dimension, 0, points.count()))
                     : points.position(0);
             rays.push_back(spawn_ray_to(p, target));
-            rays.back().coherent = true;
+            rays.back().set_coherent();
         });
     }
 
@@ -123,13 +125,19 @@ class RaySetMaker {
             const LightSample s = lights.sample(light, p.position, sample.point(shadow_dimension));
             const Vec3 up = s.wi == Vec3(0) ? p.normal : s.wi;  // of a light that nobody samples
             rays.push_back(s.at_infinity ? spawn_ray(p, up) : spawn_ray_to(p, s.target));
-            rays.back().coherent = true;
+            rays.back().set_coherent();
         });
     }
 
-    Ray through(const Vec2& pixel) const {
-        Ray ray = camera_.ray(pixel, Vec2(0.5));
-        ray.coherent = true;
+    /// Time of the ray of that number.
+    ShutterTime time(std::uint32_t number) const {
+        return scene_.camera.sees_motion ? shutter_time(ScrambledSobol(time_seed)(number).x) : 0;
+    }
+
+    /// The ray through the pixel of that number.
+    Ray through(std::uint32_t number) const {
+        Ray ray = camera_.ray(pixels_[number], Vec2(0.5), time(number));
+        ray.set_coherent();
         return ray;
     }
 
@@ -137,8 +145,8 @@ class RaySetMaker {
     template <class F>
     void for_each_hit(const F& f) const {
         std::uint32_t index = 0;
-        for (const Vec2& pixel : pixels_) {
-            const Ray ray = through(pixel);
+        for (std::uint32_t i = 0; i < pixels_.size(); ++i) {
+            const Ray ray = through(i);
             const std::optional<Hit> hit = exact_.closest(ray);
             if (!hit) continue;
             const SurfacePoint p = surface_at(scene_.geometry, ray, *hit);

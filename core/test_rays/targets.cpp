@@ -197,7 +197,7 @@ std::vector<Target> targets(const Outline& face) {
     return list;
 }
 
-/// Any target of any primitive of an instance's object.
+/// Any target of any primitive of an instance's object, where the instance is.
 Target target_on(const Geometry& geometry, const Instance& instance, double finest) {
     const Geometry& object = geometry.objects[instance.object];
     return [&object, instance, finest](const Vec3& from, Random& random) {
@@ -210,9 +210,11 @@ Target target_on(const Geometry& geometry, const Instance& instance, double fine
 
 }  // namespace
 
-std::vector<Target> targets_of(const Geometry& geometry, std::uint32_t item, double finest) {
+std::vector<Target> targets_of(const Geometry& geometry, std::uint32_t item, double finest,
+                               ShutterTime time) {
     if (geometry.is_instance(item)) {
-        return {target_on(geometry, geometry.instances[item - geometry.primitives.size()], finest)};
+        const InstanceAt instance(geometry, geometry.instance_number(item), time);
+        return {target_on(geometry, *instance, finest)};
     }
     const Primitive p = geometry.primitives[item];
     return with_shape(p.kind, [&]<class Shape>() {

@@ -19,7 +19,7 @@ struct BvhView {
     /// Whether the ray is likely to take the same way through the tree as those before it: hardly
     /// where it enters very many nodes.
     bool predicts_branches(const Ray& ray) const {
-        return ray.coherent && tree.expected_nodes < 16;
+        return ray.coherent() && tree.expected_nodes < 16;
     }
 };
 

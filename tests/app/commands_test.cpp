@@ -305,6 +305,40 @@ TEST_CASE("trace, info and crosscheck know instances", "[app]") {
     CHECK(r.status == 0);
 }
 
+TEST_CASE("trace, info, convert and crosscheck know what moves", "[app]") {
+    const Folder f;
+    f.write("m.pbrt",
+            "LookAt 0 0 -9  0 0 0  0 1 0 Camera \"perspective\" \"float shutterclose\" 0.5\n"
+            "TransformTimes 0 1 WorldBegin Shape \"disk\" \"float height\" [ 3 ]\n"
+            "ActiveTransform EndTime Translate 4 0 -4 ActiveTransform All Shape \"sphere\"\n"
+            "WorldEnd\n");
+    f.write("rays.txt",
+            "0 0 -9 0 0 1\n-0.5 0 -9 0 0 1 0 100 0.5\n1 0 -9 0 0 1 0 100 0.5\n"
+            "2 0 -9 0 0 1 0 100 0x1.fffffep-1\n");
+    const auto check_traced = [&](const std::string& scene, const std::string& backend) {
+        INFO(scene << " " << backend);
+        const auto r = f.etalon("trace " + scene + " --rays rays.txt -b " + backend);
+        REQUIRE(r.status == 0);
+        CHECK(r.out.find("hit 8 sphere 0/0 0 0 -1\n") == 0);             // as the shutter opens
+        CHECK(r.out.find("\nhit 12 ring 0 0 0 ") != std::string::npos);  // when it is half gone
+        CHECK(r.out.find("\nhit 7 sphere 0/0 0 0 -1\n") != std::string::npos);
+        CHECK(r.out.find("\nhit 6.00000") != std::string::npos);
+    };
+    for (const char* backend : {"none", "grid", "bvh", "embree", "embree-user"}) {
+        check_traced("m.pbrt", backend);
+    }
+    REQUIRE(f.etalon("convert m.pbrt -o again.pbrt").status == 0);
+    check_traced("again.pbrt", "bvh");
+    const json info = json::parse(f.etalon("info m.pbrt --json").out);
+    CHECK(info["needs"] == json{"time samples"});
+    CHECK(info["diagnostics"].empty());
+    CHECK(f.etalon("crosscheck m.pbrt --rays 500 -b grid,bvh,embree").status == 0);
+    f.write("bad.txt", "0 0 5 0 0 1 0 1 1\n");
+    const auto r = f.etalon("trace m.pbrt --rays bad.txt");
+    CHECK(r.status == 3);
+    CHECK_THAT(r.err, ContainsSubstring("bad.txt:1:1: error: time outside of [0, 1)"));
+}
+
 TEST_CASE("An image of instances is that of their copies, but for roundings", "[app]") {
     const Folder f;
     const std::string head =

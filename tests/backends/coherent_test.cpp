@@ -27,7 +27,7 @@ TEST_CASE("Given the hint that rays are coherent, true or not, no hit changes", 
             std::size_t different = 0;
             for (Ray ray : rays) {
                 const std::optional<Hit> alone = intersector->closest(ray);
-                ray.coherent = true;
+                ray.set_coherent();
                 different += !difference(*intersector, ray, alone).empty();
             }
             CHECK(different == 0);

@@ -29,7 +29,11 @@ void build_camera(SceneBuilder& b) {
     const std::string_view name = plugin.type->name;
     warn_of_stand_in(b, plugin);
     ProjectiveCamera camera;
-    camera.to_world = affine_part(b.frame.camera_transforms[0].to_world);
+    const auto& [start, end] = b.frame.camera_transforms;
+    const PlaceInTime place =
+        b.place_in_time(affine_part(start.to_world), affine_part(end.to_world));
+    camera.to_world = place.at_open;
+    camera.motion = place.motion;
     if (name == "environment") {
         camera.projection = Projection::environment;
     } else if (name == "realistic") {
@@ -49,6 +53,7 @@ void build_camera(SceneBuilder& b) {
     c.eye = camera.to_world.origin;
     c.at = c.eye + camera.to_world.z;
     c.up = camera.to_world.y;
+    c.sees_motion = camera.motion.has_value();
     c.projective = camera;
 }
 

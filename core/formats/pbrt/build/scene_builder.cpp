@@ -1,5 +1,7 @@
 #include "core/formats/pbrt/build/scene_builder.h"
 
+#include <algorithm>
+
 namespace etalon::pbrt {
 
 ColorSlot SceneBuilder::color(const Parameters& p, std::string_view name) {
@@ -18,6 +20,25 @@ std::optional<Affine> SceneBuilder::affine(std::uint32_t transform, const Place&
     warn(place, "transform", "left out: its transform is {}",
          is_affine(m) ? "singular" : "a projection");
     return std::nullopt;
+}
+
+PlaceInTime SceneBuilder::place_in_time(const Affine& start, const Affine& end) const {
+    if (start == end) return {start, std::nullopt};
+    const Parameters& p = frame.camera.parameters;
+    const auto [open, close] = std::minmax({p.number("shutteropen"), p.number("shutterclose")});
+    const AnimatedTransform motion(
+        start, end, {frame.transform_times[0], frame.transform_times[1], open, close});
+    if (!motion.times().see_motion()) return {motion.at(0), std::nullopt};
+    return {motion.at(0), motion};
+}
+
+std::optional<PlaceInTime> SceneBuilder::place_in_time(TransformPair pair, const Place& place) {
+    const std::optional<Affine> start = affine(pair.start, place);
+    if (!start) return std::nullopt;
+    if (!pair.is_animated()) return PlaceInTime{*start, std::nullopt};
+    const std::optional<Affine> end = affine(pair.end, place);
+    if (!end) return std::nullopt;
+    return place_in_time(*start, *end);
 }
 
 Affine affine_part(const Matrix4& m) {

@@ -16,6 +16,12 @@
 
 namespace etalon::pbrt {
 
+/// Where something is while the shutter is open.
+struct PlaceInTime {
+    Affine at_open;                           ///< when it opens
+    std::optional<AnimatedTransform> motion;  ///< how it moves, if that is seen
+};
+
 struct SceneBuilder {
     const ParsedFile& file;
     const Frame& frame;
@@ -56,6 +62,10 @@ struct SceneBuilder {
 
     /// The map of a transform; nothing, and a warning, where points would not stay points.
     std::optional<Affine> affine(std::uint32_t transform, const Place& place);
+
+    /// Where something is that a pair of maps takes to the world.
+    PlaceInTime place_in_time(const Affine& start, const Affine& end) const;
+    std::optional<PlaceInTime> place_in_time(TransformPair pair, const Place& place);
 };
 
 /// The affine part of a matrix.

@@ -29,53 +29,87 @@ constexpr std::array entries = {
     Entry{"curve", build_curve},
 };
 
-/// Builds a shape into the builder's geometry.
-void build_shape(SceneBuilder& b, const pbrt::Shape& shape) {
+/// Builds a shape into the builder's geometry, where `map` takes it.
+void build_shape(SceneBuilder& b, const pbrt::Shape& shape, const Affine& map) {
     const auto* const entry = std::ranges::find(entries, shape.plugin.type->name, &Entry::name);
-    if (entry == entries.end()) {
-        b.warn(shape.plugin.where, "stand-in", "shape \"{}\" is not rendered yet; it is left out",
-               shape.plugin.type->name);
-        return;
-    }
-    const std::optional<Affine> own = b.affine(shape.to_world.start, shape.plugin.where);
-    if (!own) return;
-    if (shape.to_world.is_animated()) {
-        b.warn(shape.plugin.where, "motion",
-               "motion is not rendered yet; \"{}\" stands where it "
-               "is at first",
-               shape.plugin.type->name);
-    }
-    ShapeBuilder s(b, shape, *own);
+    ShapeBuilder s(b, shape, map);
     entry->build(s);
 }
 
-/// Builds what instances are made of. Returns its number.
-std::uint32_t build_object(SceneBuilder& b, const Object& object) {
-    std::vector<Geometry>& objects = b.scene().geometry.objects;
-    Geometry around = std::exchange(b.scene().geometry, {});
-    for (const pbrt::Shape& shape : object.shapes) build_shape(b, shape);
-    std::swap(around, b.scene().geometry);
+/// Whether there is a way to build a shape; says so if there is none.
+bool is_rendered(SceneBuilder& b, const pbrt::Shape& shape) {
+    const std::string_view name = shape.plugin.type->name;
+    if (std::ranges::find(entries, name, &Entry::name) != entries.end()) return true;
+    b.warn(shape.plugin.where, "stand-in", "shape \"{}\" is not rendered yet; it is left out",
+           name);
+    return false;
+}
+
+/// Builds what instances are made of, by calling `build`. Returns its number.
+template <class Build>
+std::uint32_t build_object(SceneBuilder& b, const Build& build) {
+    std::vector<Geometry>& objects = b.geometry().objects;
+    Geometry around = std::exchange(b.geometry(), {});
+    build();
+    std::swap(around, b.geometry());
     shrink_to_fit(around);
     objects.push_back(std::move(around));
     return static_cast<std::uint32_t>(objects.size() - 1);
 }
 
+void add_instance(SceneBuilder& b, const PlaceInTime& place, std::uint32_t object) {
+    if (place.motion) {
+        b.geometry().add_moving_instance(*place.motion, object);
+        b.scene().camera.sees_motion = true;
+    } else {
+        b.geometry().instances.emplace_back(place.at_open, object);
+    }
+}
+
+/// Builds a shape of the world. One that moves is the only instance of an object.
+void build_in_world(SceneBuilder& b, const pbrt::Shape& shape) {
+    if (!is_rendered(b, shape)) return;
+    const auto place = b.place_in_time(shape.to_world, shape.plugin.where);
+    if (!place) return;
+    if (!place->motion) return build_shape(b, shape, place->at_open);
+    add_instance(b, *place, build_object(b, [&] { build_shape(b, shape, Affine{}); }));
+}
+
+void build_in_object(SceneBuilder& b, const pbrt::Shape& shape) {
+    if (!is_rendered(b, shape)) return;
+    const auto place = b.place_in_time(shape.to_world, shape.plugin.where);
+    if (!place) return;
+    if (place->motion) {
+        b.warn(shape.plugin.where, "motion",
+               "motion within an object is not rendered yet; \"{}\" stands where it is when the "
+               "shutter opens",
+               shape.plugin.type->name);
+    }
+    build_shape(b, shape, place->at_open);
+}
+
 void build_instances(SceneBuilder& b) {
     std::vector<std::uint32_t> numbers(b.frame.objects.size(), none);
-    b.scene().geometry.instances.reserve(b.frame.instances.size());
+    b.geometry().instances.reserve(b.geometry().instances.size() + b.frame.instances.size());
     for (const pbrt::Instance& instance : b.frame.instances) {
-        const std::optional<Affine> map = b.affine(instance.to_world.start, instance.where);
-        if (!map) continue;
+        const auto place = b.place_in_time(instance.to_world, instance.where);
+        if (!place) continue;
         std::uint32_t& number = numbers[instance.object];
-        if (number == none) number = build_object(b, b.frame.objects[instance.object]);
-        b.scene().geometry.instances.emplace_back(*map, number);
+        if (number == none) {
+            number = build_object(b, [&] {
+                for (const auto& shape : b.frame.objects[instance.object].shapes) {
+                    build_in_object(b, shape);
+                }
+            });
+        }
+        add_instance(b, *place, number);
     }
 }
 
 }  // namespace
 
 void build_shapes(SceneBuilder& b) {
-    for (const pbrt::Shape& shape : b.frame.shapes) build_shape(b, shape);
+    for (const pbrt::Shape& shape : b.frame.shapes) build_in_world(b, shape);
     build_instances(b);
 }
 

@@ -1,0 +1,57 @@
+#include "core/intersect/motion_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/scene/instance.h"
+
+namespace etalon {
+namespace {
+
+/// Root of the sum of the squares of three vectors' components.
+double norm(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return std::sqrt(a.dot(a) + b.dot(b) + c.dot(c));
+}
+
+}  // namespace
+
+Box3 image(const Affine& map, const Box3& box) {
+    const Vec3 half = box.size() / 2, centre = map.point(box.center());
+    const Vec3 reach = half.x * abs(map.x) + half.y * abs(map.y) + half.z * abs(map.z);
+    return {centre - reach, centre + reach};
+}
+
+/// A component of |A^-1| |A| v is at most the root of 3 times the norms of the two matrices, which
+/// are those of the stretch S and of its inverse. The smallest singular value of S is at least 1 /
+/// |S^-1|, where a slice ends, and from there changes by no more than S does in half a slice; the
+/// norm of the inverse is at most the root of 3 over it.
+MotionBounds::MotionBounds(const AnimatedTransform& motion) : motion_(motion) {
+    const double first = motion.times().part(0), last = motion.times().part(last_shutter_time);
+    length_ = std::abs(last - first) / slices;
+    double largest = 0, smallest = infinity;
+    for (std::size_t i = 0; i <= slices; ++i) {
+        const double part = first + (last - first) * (static_cast<double>(i) / slices);
+        maps_[i] = motion.at_part(part);
+        const Instance instance(maps_[i], 0);
+        if (!instance.exists()) return;
+        const auto& [x, y, z] = instance.rows;
+        largest = std::max(largest, norm(maps_[i].x, maps_[i].y, maps_[i].z));
+        smallest = std::min(smallest, 1 / norm(x, y, z));
+    }
+    smallest -= motion.stretch_change(length_ / 2);
+    if (smallest > 0) spread_ = 3 * largest / smallest;
+}
+
+Box3 MotionBounds::box(const Box3& box) const {
+    Box3 all;
+    for (const Affine& map : maps_) all.extendBy(image(map, box));
+    const Vec3 margin(motion_.deviation(box, length_));
+    return {all.min - margin, all.max + margin};
+}
+
+/// The origin goes straight on.
+double MotionBounds::distance_from(const Vec3& point) const {
+    return std::max(max_abs(maps_.front().origin - point), max_abs(maps_.back().origin - point));
+}
+
+}  // namespace etalon
