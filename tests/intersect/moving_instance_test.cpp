@@ -2,6 +2,7 @@
 #include "core/intersect/instance_bounds.h"
 #include "core/intersect/kernels.h"
 #include "core/intersect/placement.h"
+#include "core/numerics/random.h"
 #include "core/numerics/transforms.h"
 #include "core/scene/transformed.h"
 #include "tests/catch.h"
