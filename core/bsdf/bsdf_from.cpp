@@ -20,7 +20,7 @@ float index_beyond(const SmoothLobe& lobe, const Vec3f& wo) {
 }
 
 float albedo_of(const Lobe& lobe, const Vec3f& wo) {
-    return std::visit([&](const auto& kind) { return mean(kind.albedo(wo)); }, lobe);
+    return visit_lobe([&](const auto& kind) { return mean(kind.albedo(wo)); }, lobe);
 }
 
 }  // namespace
@@ -60,11 +60,11 @@ LobeKind BsdfFrom::side(const Vec3& wi) const {
 Evaluation BsdfFrom::evaluate_local(const Vec3f& wi, LobeKind side) const {
     Evaluation sum;
     for (std::size_t k = 0; k < lobes_.size(); ++k) {
-        std::visit(
+        visit_lobe(
             [&](const auto& lobe) {
                 if constexpr (!is_specular(lobe.kind)) {
                     const Evaluation part = lobe.evaluate(wo_, wi);
-                    if (lobe.kind == side) sum.f += part.f;
+                    if (scatters_to(side, lobe.kind)) sum.f += part.f;
                     if (!is_diffuse<std::decay_t<decltype(lobe)>> || lobe.kind == side) {
                         sum.pdf += picks_[k] * part.pdf;
                     }
@@ -112,7 +112,7 @@ std::optional<BsdfSample> BsdfFrom::sample_specular(
 std::optional<BsdfSample> BsdfFrom::sample(float lobe_choice, const Vec2& uv) const {
     if (wo_.z == 0 || lobes_.size() == 0) return {};
     const std::size_t number = chosen(lobe_choice);
-    return std::visit(
+    return visit_lobe(
         [&](const auto& lobe) -> std::optional<BsdfSample> {
             if constexpr (is_specular(lobe.kind)) {
                 return sample_specular(picks_[number], lobe.sample(exact_wo_, uv.x));
@@ -132,7 +132,7 @@ std::optional<BsdfSample> BsdfFrom::sample(float lobe_choice, const Vec2& uv) co
 Color BsdfFrom::albedo() const {
     Color sum(0);
     for (const Lobe& lobe : lobes_.span()) {
-        sum += std::visit([&](const auto& kind) { return kind.albedo(wo_); }, lobe);
+        sum += visit_lobe([&](const auto& kind) { return kind.albedo(wo_); }, lobe);
     }
     return sum;
 }

@@ -35,4 +35,10 @@ Color conductor_reflectance(float cos_incident, const Color& eta, const Color& k
             conductor_channel(cos_i, eta.z, k.z)};
 }
 
+Color DisneyFresnel::operator()(float cos_incident) const {
+    const float w = schlick_weight(cos_incident);
+    const float dielectric = (1 - metallic) * dielectric_reflectance(cos_incident, eta);
+    return Color(dielectric) + metallic * ((1 - w) * from_above + Color(w));
+}
+
 }  // namespace etalon

@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include "core/numerics/vec.h"
+#include "core/bsdf/disney_fresnel.h"
 
 namespace etalon {
 
@@ -35,7 +35,7 @@ struct ConductorFresnel {
     }
 };
 
-using Fresnel = std::variant<NoFresnel, DielectricFresnel, ConductorFresnel>;
+using Fresnel = std::variant<NoFresnel, DielectricFresnel, ConductorFresnel, DisneyFresnel>;
 
 inline Color reflectance(const Fresnel& fresnel, float cos_incident) {
     return std::visit([&](const auto& kind) { return kind(cos_incident); }, fresnel);

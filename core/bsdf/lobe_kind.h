@@ -16,7 +16,13 @@
 
 namespace etalon {
 
-/// The side to which a smooth lobe scatters, or that a lobe is specular, which knows its side.
-enum class LobeKind : std::uint8_t { reflection, transmission, specular };
+/// The side to which a smooth lobe scatters, that it scatters to both, or that a lobe is specular,
+/// which knows its side.
+enum class LobeKind : std::uint8_t { reflection, transmission, both, specular };
+
+/// Whether smooth lobes of this kind scatter light to a side.
+constexpr bool scatters_to(LobeKind side, LobeKind kind) {
+    return kind == side || kind == LobeKind::both;
+}
 
 }  // namespace etalon

@@ -30,16 +30,16 @@ class LobeList {
         if (count_ == capacity) return;
         std::construct_at(lobes_.data() + count_++, lobe);
         has_smooth_ |= Kind::kind != LobeKind::specular;
-        has_smooth_transmission_ |= Kind::kind == LobeKind::transmission;
+        has_smooth_transmission_ |= scatters_to(LobeKind::transmission, Kind::kind);
     }
     void add(const Lobe& lobe) {
-        std::visit([&](const auto& kind) { add(kind); }, lobe);
+        visit_lobe([&](const auto& kind) { add(kind); }, lobe);
     }
 
     /// Multiplies the lobes from number `first` on.
     void scale(std::size_t first, const Color& by) {
         for (std::size_t k = first; k < count_; ++k) {
-            std::visit([&](auto& lobe) { lobe.scale(by); }, lobes_[k]);
+            visit_lobe([&](auto& lobe) { lobe.scale(by); }, lobes_[k]);
         }
     }
 

@@ -13,5 +13,7 @@ void add_lobes(const SubstrateMaterial& material, const PointValues& values, Lob
 void add_lobes(const GlassMaterial& material, const PointValues& values, LobeList& lobes);
 void add_lobes(const TranslucentMaterial& material, const PointValues& values, LobeList& lobes);
 void add_lobes(const UberMaterial& material, const PointValues& values, LobeList& lobes);
+void add_lobes(const DisneyMaterial& material, const PointValues& values, LobeList& lobes);
+void add_lobes(const HairMaterial& material, const PointValues& values, LobeList& lobes);
 
 }  // namespace etalon

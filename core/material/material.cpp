@@ -40,7 +40,7 @@ std::optional<LobeList> constant_lobes(const PhysicalMaterial& material,
     const PointValues anywhere(textures, {Vec2(0), Vec3(0)});
     LobeList lobes;
     add_material(material, all, anywhere, lobes);
-    if (anywhere.asked_texture()) return std::nullopt;
+    if (anywhere.asked_point()) return std::nullopt;
     return lobes;
 }
 

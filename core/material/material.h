@@ -30,7 +30,8 @@ bool is_bumpy(const PhysicalMaterial& material, const std::vector<PhysicalMateri
 LobeList lobes_at(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all,
                   const TextureValues& textures, const TexturePoint& point);
 
-/// The lobes of a material that has the same at all points: one that asks no texture.
+/// The lobes of a material that has the same at all points: one that asks no texture and
+/// no coordinate.
 std::optional<LobeList> constant_lobes(const PhysicalMaterial& material,
                                        const std::vector<PhysicalMaterial>& all,
                                        const TextureValues& textures);

@@ -12,11 +12,11 @@ class PointValues {
         : textures_(textures), at_(at) {}
 
     float number(const NumberSlot& slot) const {
-        asked_texture_ |= slot.texture != no_index;
+        asked_point_ |= slot.texture != no_index;
         return textures_.number(slot, at_);
     }
     Color color(const ColorSlot& slot) const {
-        asked_texture_ |= slot.texture != no_index;
+        asked_point_ |= slot.texture != no_index;
         return textures_.color(slot, at_);
     }
 
@@ -28,13 +28,19 @@ class PointValues {
 
     TrowbridgeReitz facets(const Roughness& roughness) const;
 
-    /// Whether any value asked so far was a texture's.
-    bool asked_texture() const { return asked_texture_; }
+    /// The coordinate across the surface.
+    double v() const {
+        asked_point_ = true;
+        return at_.uv.y;
+    }
+
+    /// Whether any value asked so far is that of the point, as a texture's is.
+    bool asked_point() const { return asked_point_; }
 
   private:
     const TextureValues& textures_;
     TexturePoint at_;
-    mutable bool asked_texture_ = false;
+    mutable bool asked_point_ = false;
 };
 
 }  // namespace etalon

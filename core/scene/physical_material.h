@@ -62,6 +62,27 @@ struct SubstrateMaterial {
     Roughness roughness;
 };
 
+/// Burley's material (2012, 2015). `thin`: a sheet without inside, which lets diffuse light
+/// through.
+struct DisneyMaterial {
+    ColorSlot color;
+    NumberSlot metallic, eta, roughness, specular_tint, anisotropic, sheen, sheen_tint, clearcoat,
+        clearcoat_gloss, specular_transmission, flatness, diffuse_transmission;
+    bool thin = false;
+};
+
+/// What a hair's colour is told by.
+enum class HairPigment : std::uint8_t { absorption, reflectance, melanin };
+
+/// A fibre (Chiang et al. 2016), across which the surface's v goes.
+struct HairMaterial {
+    HairPigment pigment = HairPigment::melanin;
+    ColorSlot color{Color(0)};  ///< absorption per radius, or reflectance
+    NumberSlot eumelanin, pheomelanin;
+    NumberSlot eta, beta_m, beta_n;  ///< roughness along and across the fibre
+    NumberSlot alpha;                ///< tilt of its scales in degrees
+};
+
 /// `amount` of the first material and the rest of the second; numbers among the look's materials.
 struct MixedMaterial {
     std::uint32_t first, second;
@@ -73,7 +94,8 @@ struct NoMaterial {};
 
 struct PhysicalMaterial {
     std::variant<MatteMaterial, PlasticMaterial, MirrorMaterial, GlassMaterial, MetalMaterial,
-                 UberMaterial, TranslucentMaterial, SubstrateMaterial, MixedMaterial, NoMaterial>
+                 UberMaterial, TranslucentMaterial, SubstrateMaterial, DisneyMaterial, HairMaterial,
+                 MixedMaterial, NoMaterial>
         kind;
     NumberSlot bump{};  ///< height of the surface above itself; of no effect without a texture
 };

@@ -9,7 +9,7 @@ namespace {
 
 /// Whether a lobe scatters differently along x and y.
 bool is_anisotropic(const Lobe& lobe) {
-    return std::visit(
+    return visit_lobe(
         [](const auto& kind) {
             if constexpr (requires { kind.facets; }) {
                 return !kind.facets.is_isotropic();

@@ -34,6 +34,18 @@ TEST_CASE("No surface scatters more light than it gets", "[bsdf]") {
     }
 }
 
+TEST_CASE("A hair that absorbs nothing scatters all light", "[bsdf]") {
+    for (const float across : {-0.95F, -0.4F, 0.0F, 0.7F}) {
+        for (const auto& [m, n] : {std::pair(0.3F, 0.3F), std::pair(0.27F, 0.5F),
+                                   std::pair(0.6F, 0.2F), std::pair(0.9F, 0.9F)}) {
+            const std::vector<Lobe> white = {HairScattering({across, 1.55F, Color(0), m, n, 2})};
+            INFO("at " << across << " of the width, roughness " << m << " and " << n);
+            CHECK(scattered_power(white, {0.3, -0.4, std::sqrt(0.75)}, true) ==
+                  Approx(1).epsilon(1e-3));
+        }
+    }
+}
+
 TEST_CASE("Samples carry the light that the surface scatters", "[bsdf]") {
     Random random(11);
     for (const LobeCase& item : lobe_cases()) {

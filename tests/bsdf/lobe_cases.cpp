@@ -27,6 +27,17 @@ std::vector<LobeCase> lobe_cases() {
         {"base and coat", {FresnelBlend{grey, Color(0.2F), even}}},
         {"dark base and uneven coat", {FresnelBlend{Color(0.01F), tinted, uneven}}},
         {"coat without a base", {FresnelBlend{Color(0), Color(0.05F), fine}}},
+        {"hair", {HairScattering({0.3F, 1.55F, Color(0.2F, 0.5F, 1), 0.4F, 0.5F, 2})}, false},
+        {"smooth hair at its edge",
+         {HairScattering({-0.9F, 1.3F, Color(0.1F), 0.25F, 0.3F, -4})},
+         false},
+        {"base that is rough and soft", {DisneyBase{grey, 0.9F, 0.5F, 0.4F, 1, Color(0.4F)}}},
+        {"gloss between metal and glass", {DisneyGloss{white, uneven, {tinted, 0.6F, 1.4F}}}},
+        {"clear facets", {DisneyTransmission{white, uneven, 1.3F}}},
+        {"clearcoat", {DisneyClearcoat(1, 0)}},
+        {"transparent gloss",
+         {DisneyGloss{white, even, {tinted, 0.2F, 1.5F}}, DisneyTransmission{grey, even, 1.5F},
+          DisneyBase{tinted / 4, 0.7F, 1, 0, 1, Color(0)}, DisneyClearcoat(0.5F, 0.3F)}},
         {"rough glass",
          {MicrofacetReflection{white, even, glass}, MicrofacetTransmission{white, even, 1.5F}}},
         {"diffuse under gloss",
@@ -55,8 +66,14 @@ std::vector<Vec3> eyes() {
 }
 
 double index_of(const std::vector<Lobe>& lobes) {
+    const auto index = [](const auto& lobe) -> double {
+        if constexpr (
+            requires { lobe.eta; } && requires { lobe.facets; })
+            return lobe.eta;
+        return 1;
+    };
     for (const Lobe& lobe : lobes) {
-        if (const auto* border = std::get_if<MicrofacetTransmission>(&lobe)) return border->eta;
+        if (visit_lobe(index, lobe) != 1) return visit_lobe(index, lobe);
     }
     return 1;
 }

@@ -11,6 +11,9 @@ namespace etalon::test {
 struct LobeCase {
     std::string name;
     std::vector<Lobe> lobes;
+    /// Whether scattering is the same with both directions exchanged. Of the model of hair it is
+    /// not: the ways through it are those of one of the directions.
+    bool is_reciprocal = true;
 };
 
 /// Every kind of lobe, and lobes together. All with reflectances and transmittances up to 1.

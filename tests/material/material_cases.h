@@ -17,10 +17,11 @@ inline MaterialPoint flat_point(const Vec2& uv = {0.25, 0.5}) {
 }
 
 /// Scattering of a material at the flat point, where textures are constants of the slots.
-inline Bsdf flat_scattering(const std::vector<PhysicalMaterial>& all) {
+inline Bsdf flat_scattering(const std::vector<PhysicalMaterial>& all,
+                            const Vec2& uv = {0.25, 0.5}) {
     static const Textures none;
     std::vector<std::string> problems;
-    return scattering(all.back(), all, TextureValues(none, problems), flat_point());
+    return scattering(all.back(), all, TextureValues(none, problems), flat_point(uv));
 }
 
 template <class Kind>

@@ -71,6 +71,55 @@ Kind uber(SceneBuilder& b, const Material& m) {
                         roughness(b, p, "uroughness", "vroughness", "roughness")};
 }
 
+Kind disney(SceneBuilder& b, const Material& m) {
+    const Parameters& p = m.plugin.parameters;
+    if (p.texture("scatterdistance") || p.color("scatterdistance") != Color(0)) {
+        b.warn(m.plugin.where, "stand-in",
+               "light below the surface of \"disney\" is not rendered yet; diffuse light stands in "
+               "for it");
+    }
+    return DisneyMaterial{b.color(p, "color"),         b.number(p, "metallic"),
+                          b.number(p, "eta"),          b.number(p, "roughness"),
+                          b.number(p, "speculartint"), b.number(p, "anisotropic"),
+                          b.number(p, "sheen"),        b.number(p, "sheentint"),
+                          b.number(p, "clearcoat"),    b.number(p, "clearcoatgloss"),
+                          b.number(p, "spectrans"),    b.number(p, "flatness"),
+                          b.number(p, "difftrans"),    p.flag("thin")};
+}
+
+/// Warns of parameters that others of a hair leave without effect.
+void warn_of_ignored(SceneBuilder& b, const Plugin& hair, std::string_view by,
+                     std::initializer_list<std::string_view> ignored) {
+    for (const std::string_view name : ignored) {
+        if (!hair.parameters.is_given(name)) continue;
+        b.warn(hair.where, "ignored", "\"{}\" has no effect beside \"{}\"", name, by);
+    }
+}
+
+Kind hair(SceneBuilder& b, const Material& m) {
+    const Parameters& p = m.plugin.parameters;
+    HairMaterial hair;
+    hair.eta = b.number(p, "eta");
+    hair.beta_m = b.number(p, "beta_m");
+    hair.beta_n = b.number(p, "beta_n");
+    hair.alpha = b.number(p, "alpha");
+    if (p.is_given("sigma_a")) {
+        warn_of_ignored(b, m.plugin, "sigma_a", {"color", "eumelanin", "pheomelanin"});
+        hair.pigment = HairPigment::absorption;
+        hair.color = b.color(p, "sigma_a");
+    } else if (p.is_given("color")) {
+        warn_of_ignored(b, m.plugin, "color", {"eumelanin", "pheomelanin"});
+        hair.pigment = HairPigment::reflectance;
+        hair.color = b.color(p, "color");
+    } else if (p.is_given("eumelanin") || p.is_given("pheomelanin")) {
+        hair.eumelanin = b.number(p, "eumelanin");
+        hair.pheomelanin = b.number(p, "pheomelanin");
+    } else {
+        hair.eumelanin = {1.3F};
+    }
+    return hair;
+}
+
 Kind mix(SceneBuilder& b, const Material& m) {
     return MixedMaterial{m.mixed[0], m.mixed[1], b.color(m.plugin.parameters, "amount")};
 }
@@ -86,9 +135,17 @@ struct Entry {
 
 // To add a material: a function above and a line here.
 constexpr std::array entries = {
-    Entry{"matte", matte},     Entry{"plastic", plastic},     Entry{"translucent", translucent},
-    Entry{"glass", glass},     Entry{"mirror", mirror},       Entry{"metal", metal},
-    Entry{"uber", uber},       Entry{"substrate", substrate}, Entry{"mix", mix},
+    Entry{"matte", matte},
+    Entry{"plastic", plastic},
+    Entry{"translucent", translucent},
+    Entry{"glass", glass},
+    Entry{"mirror", mirror},
+    Entry{"metal", metal},
+    Entry{"uber", uber},
+    Entry{"substrate", substrate},
+    Entry{"disney", disney},
+    Entry{"hair", hair},
+    Entry{"mix", mix},
     Entry{"none", no_surface},
 };
 

@@ -1,0 +1,80 @@
+// Lobes of the material of Burley 2012, "Physically-Based Shading at Disney", and 2015, "Extending
+// the Disney BRDF to a BSDF with Integrated Subsurface Scattering".
+#pragma once
+
+#include "core/bsdf/evaluation.h"
+#include "core/bsdf/fresnel.h"
+#include "core/bsdf/lobe_kind.h"
+#include "core/bsdf/trowbridge_reitz.h"
+
+namespace etalon {
+
+/// What the base reflects to everywhere: four formulas, each of which pbrt-v3 has as a lobe.
+struct DisneyBase {
+    static constexpr LobeKind kind = LobeKind::reflection;
+    static constexpr bool is_diffuse = true;
+    Color color;
+    float roughness;
+    float diffuse;  ///< part of the colour that is diffuse
+    float flat;     ///< part that is scattered below the surface, by Hanrahan and Krueger's law
+    float retro;    ///< part that goes back to where it came from
+    Color sheen;
+
+    Evaluation evaluate(const Vec3f& wo, const Vec3f& wi) const;
+    std::optional<Vec3f> sample(const Vec3f& wo, const Vec2& uv) const {
+        return cosine_direction(wo, uv);
+    }
+    Color albedo(const Vec3f& wo) const;
+    void scale(const Color& by) {
+        color *= by;
+        sheen *= by;
+    }
+};
+
+/// Facets that are mirrors, which hide each other to the eye and to the light independently.
+struct DisneyGloss {
+    static constexpr LobeKind kind = LobeKind::reflection;
+    Color factor;
+    TrowbridgeReitz facets;
+    DisneyFresnel fresnel;
+
+    Evaluation evaluate(const Vec3f& wo, const Vec3f& wi) const;
+    std::optional<Vec3f> sample(const Vec3f& wo, const Vec2& uv) const;
+    Color albedo(const Vec3f& wo) const;
+    void scale(const Color& by) { factor *= by; }
+};
+
+/// Facets that refract, which hide each other likewise.
+struct DisneyTransmission {
+    static constexpr LobeKind kind = LobeKind::transmission;
+    Color transmittance;
+    TrowbridgeReitz facets;
+    float eta;  ///< index below over index above
+
+    Evaluation evaluate(const Vec3f& wo, const Vec3f& wi) const;
+    std::optional<Vec3f> sample(const Vec3f& wo, const Vec2& uv) const;
+    Color albedo(const Vec3f& wo) const;
+    void scale(const Color& by) { transmittance *= by; }
+};
+
+/// A second gloss, whose facets have longer tails.
+class DisneyClearcoat {
+  public:
+    static constexpr LobeKind kind = LobeKind::reflection;
+
+    /// `weight` of the coat, and its gloss from 0 to 1.
+    DisneyClearcoat(float weight, float gloss);
+
+    Evaluation evaluate(const Vec3f& wo, const Vec3f& wi) const;
+    std::optional<Vec3f> sample(const Vec3f& wo, const Vec2& uv) const;
+    Color albedo(const Vec3f& wo) const;
+    void scale(const Color& by) { factor_ *= by; }
+
+  private:
+    float density(const Vec3f& m) const;
+
+    Color factor_;
+    float alpha2_;  ///< square of the roughness
+};
+
+}  // namespace etalon
