@@ -60,7 +60,7 @@ LookFacts facts_of(const WhittedLook& look) {
 
 LookFacts facts_of(const PhysicalLook& look) {
     LookFacts facts{look.materials.size()};
-    constexpr std::string_view kinds[] = {"point",   "spot",     "goniometric",
+    constexpr std::string_view kinds[] = {"point",   "spot",     "goniometric", "projection",
                                           "distant", "infinite", "area"};
     for (const PhysicalLight& light : look.lights) facts.count_light(kinds[light.index()]);
     facts.need(facts.lights.contains("area"), "area light samples");

@@ -53,6 +53,27 @@ LightSample from_point(const Vec3& position, const Color& intensity, const Vec3&
     return s;
 }
 
+/// Half of the sides of a projection's window in the plane z = 1.
+Vec2 half_window(const ProjectionSource& s, const SphericalImage& image) {
+    const double aspect = image.empty() ? 1 : image.aspect();
+    return s.half_tangent * (aspect > 1 ? Vec2(aspect, 1) : Vec2(1, 1 / aspect));
+}
+
+/// What the projection's image has in a direction of the light's own space.
+Color projected(const ProjectionSource& s, const SphericalImage& image, const Vec3& direction) {
+    constexpr double nearest = 1e-3;  // of z in pbrt-v3: fields of view stay below 180 degrees
+    if (direction.z < nearest) return Color(0.0F);
+    const Vec2 place = Vec2(direction.x, direction.y) / (direction.z * half_window(s, image));
+    if (std::abs(place.x) > 1 || std::abs(place.y) > 1) return Color(0.0F);
+    return image.empty() ? Color(1.0F) : image.at((place + Vec2(1)) / 2);
+}
+
+/// Solid angle of a rectangle with such half sides at distance 1, about its middle.
+double solid_angle(const Vec2& half) {
+    const double diagonal = std::sqrt(1 + half.length2());
+    return 4 * std::atan(half.x * half.y / diagonal);
+}
+
 /// Samples the lights without extent.
 struct DeltaSample {
     LightSample operator()(const PointSource& s) const {
@@ -68,6 +89,11 @@ struct DeltaSample {
         if (image->empty()) return sample;
         const Vec3 d = normalized(s.to_light.vector(-sample.wi));
         sample.radiance *= image->at(SphericalImage::place_of({d.x, d.z, d.y}));
+        return sample;
+    }
+    LightSample operator()(const ProjectionSource& s) const {
+        LightSample sample = from_point(s.position, s.intensity, from);
+        sample.radiance *= projected(s, *image, s.to_light.vector(-sample.wi));
         return sample;
     }
     LightSample operator()(const DistantSource& s) const {
@@ -150,6 +176,11 @@ void Lights::add(const PhysicalLight& light, std::vector<std::string>& problems)
         source.index = static_cast<std::uint32_t>(images_.size());
         images_.emplace_back(goniometric->image, problems);
         source.power = 4 * pi * luminance(goniometric->intensity);
+    } else if (const auto* projection = std::get_if<ProjectionSource>(&light)) {
+        source.index = static_cast<std::uint32_t>(images_.size());
+        images_.emplace_back(projection->image, problems);
+        source.power = solid_angle(half_window(*projection, images_.back())) *
+                       luminance(projection->intensity);
     } else if (const auto* distant = std::get_if<DistantSource>(&light)) {
         source.power = disk * luminance(distant->radiance);
     } else if (const auto* infinite = std::get_if<InfiniteSource>(&light)) {
