@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #define ETALON_WITH_AVX3
 #include "core/numerics/instruction_sets.h"
@@ -98,8 +99,31 @@ void make_environment_rays(const CameraFrame& c, RayChunk& rays) {
 
 }  // namespace
 
+CameraRays::CameraRays(const Camera& camera, const Imath::V2i& resolution)
+    : frame_(camera_frame(camera, resolution)) {
+    const auto& projective = camera.projective;
+    if (projective && projective->projection == Projection::lens_system) {
+        lens_ = std::make_shared<const LensRays>(*projective->lens, resolution);
+    }
+}
+
+void CameraRays::weighted_rays(std::span<const Vec2> pixels, std::span<const Vec2> lens,
+                               std::span<Ray> rays, std::span<float> weights) const {
+    const CameraFrame& c = frame_;
+    const auto vector = [&](const Vec3& d) { return d.x * c.u + d.y * c.v - d.z * c.to_eye; };
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const auto [ray, weight] = lens_->ray(pixels[i], lens[i]);
+        rays[i] = {c.eye + vector(ray.origin), normalized(vector(ray.direction))};
+        weights[i] = weight;
+    }
+}
+
 void CameraRays::rays(std::span<const Vec2> pixels, std::span<const Vec2> lens,
                       std::span<Ray> rays) const {
+    if (lens_) {
+        std::vector<float> weights(rays.size());
+        return weighted_rays(pixels, lens, rays, weights);
+    }
     RayChunk chunk;
     for (std::size_t first = 0; first < rays.size(); first += RayChunk::most) {
         chunk.count = std::min(RayChunk::most, rays.size() - first);

@@ -33,14 +33,21 @@ CameraSamples CameraBatch::make() {
     if (sampler_.has_samples_) {
         const std::span<const Vec2> in_pixel = in_pixel_.make();
         for (std::size_t i = 0; i < count; ++i) places_[i] = Vec2(pixels_[i]) + in_pixel[i];
-        sampler_.camera_.rays(places_, on_lens_.make(), rays_);
+        make_rays(on_lens_.make());
     } else {
         for (std::size_t i = 0; i < count; ++i) places_[i] = Vec2(pixels_[i]) + sampler_.in_pixel_;
         const std::vector<Vec2> middle(sampler_.camera_.has_lens() ? count : 0, Vec2(0.5));
-        sampler_.camera_.rays(places_, middle, rays_);
+        make_rays(middle);
     }
     for (Ray& ray : rays_) ray.coherent = true;
-    return {rays_, sources_};
+    return {rays_, sources_, weights_};
+}
+
+void CameraBatch::make_rays(std::span<const Vec2> on_lens) {
+    const CameraRays& camera = sampler_.camera_;
+    if (!camera.has_weights()) return camera.rays(places_, on_lens, rays_);
+    weights_.resize(size());
+    camera.weighted_rays(places_, on_lens, rays_, weights_);
 }
 
 void CameraBatch::clear() {

@@ -51,12 +51,15 @@ class CameraBatch {
     void clear();
 
   private:
+    void make_rays(std::span<const Vec2> on_lens);
+
     const CameraSampler& sampler_;
     std::vector<Imath::V2i> pixels_;
     std::vector<SampleSource> sources_;
     PointBatch in_pixel_, on_lens_;
     std::vector<Vec2> places_;
     std::vector<Ray> rays_;
+    std::vector<float> weights_;  ///< see CameraSamples
 };
 
 }  // namespace etalon
