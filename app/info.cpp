@@ -60,7 +60,7 @@ LookFacts facts_of(const WhittedLook& look) {
 
 LookFacts facts_of(const PhysicalLook& look) {
     LookFacts facts{look.materials.size()};
-    constexpr std::string_view kinds[] = {"point",   "spot",     "goniometric",
+    constexpr std::string_view kinds[] = {"point",   "spot",     "goniometric", "projection",
                                           "distant", "infinite", "area"};
     for (const PhysicalLight& light : look.lights) facts.count_light(kinds[light.index()]);
     facts.need(facts.lights.contains("area"), "area light samples");
@@ -71,8 +71,9 @@ LookFacts facts_of(const PhysicalLook& look) {
 
 LookFacts facts_of(const Scene& s, const RenderSettings& settings) {
     LookFacts facts = std::visit([](const auto& look) { return facts_of(look); }, s.look);
-    const bool has_lens =
-        s.camera.projective ? s.camera.projective->lens_radius > 0 : s.camera.aperture > 0;
+    const bool has_lens = s.camera.projective
+                              ? s.camera.projective->lens_radius > 0 || s.camera.projective->lens
+                              : s.camera.aperture > 0;
     facts.need(has_lens && settings.samples_per_pixel > 0, "lens samples");
     facts.need(s.camera.sees_motion && settings.samples_per_pixel > 0, "time samples");
     facts.need(!s.geometry.normals.empty() || s.geometry.all<Polygon>().have_normals(),
@@ -108,6 +109,8 @@ std::string_view name_of(Projection projection) {
             return "orthographic";
         case Projection::environment:
             return "environment";
+        case Projection::lens_system:
+            return "realistic";
         default:
             return "perspective";
     }

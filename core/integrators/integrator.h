@@ -16,6 +16,9 @@ namespace etalon {
 struct CameraSamples {
     std::span<const Ray> rays;
     std::span<const SampleSource> sources;
+    /// What colours count for in the image, which is not the integrators' business; empty where all
+    /// count alike.
+    std::span<const float> weights{};
 };
 
 /// Computes what camera rays see. Thread-safe.

@@ -53,6 +53,45 @@ LightSample from_point(const Vec3& position, const Color& intensity, const Vec3&
     return s;
 }
 
+/// Half of the sides of a projection's window in the plane z = 1.
+Vec2 half_window(const ProjectionSource& s, const SphericalImage& image) {
+    const double aspect = image.empty() ? 1 : image.aspect();
+    return s.half_tangent * (aspect > 1 ? Vec2(aspect, 1) : Vec2(1, 1 / aspect));
+}
+
+/// What the projection's image has in a direction of the light's own space.
+Color projected(const ProjectionSource& s, const SphericalImage& image, const Vec3& direction) {
+    constexpr double nearest = 1e-3;  // of z in pbrt-v3: fields of view stay below 180 degrees
+    if (direction.z < nearest) return Color(0.0F);
+    const Vec2 place = Vec2(direction.x, direction.y) / (direction.z * half_window(s, image));
+    if (std::abs(place.x) > 1 || std::abs(place.y) > 1) return Color(0.0F);
+    return image.empty() ? Color(1.0F) : image.at((place + Vec2(1)) / 2);
+}
+
+/// Solid angle of a rectangle with such half sides at distance 1, about its middle.
+double solid_angle(const Vec2& half) {
+    const double diagonal = std::sqrt(1 + half.length2());
+    return 4 * std::atan(half.x * half.y / diagonal);
+}
+
+/// Bounds of the lights that are points.
+struct PointBounds {
+    LightBounds operator()(const SpotSource& s) const {
+        const double falloff = std::acos(std::clamp(s.cos_falloff, -1.0, 1.0)),
+                     total = std::acos(std::clamp(s.cos_total, -1.0, 1.0));
+        return {Box3(s.position),
+                {s.axis, falloff, std::max(0.0, total - falloff), false},
+                luminance(s.intensity)};
+    }
+    template <class Other>
+    LightBounds operator()(const Other& s) const {
+        if constexpr (requires { s.position; }) {
+            return {Box3(s.position), {{0, 0, 1}, pi, 0, false}, luminance(s.intensity)};
+        }
+        return {};
+    }
+};
+
 /// Samples the lights without extent.
 struct DeltaSample {
     LightSample operator()(const PointSource& s) const {
@@ -68,6 +107,11 @@ struct DeltaSample {
         if (image->empty()) return sample;
         const Vec3 d = normalized(s.to_light.vector(-sample.wi));
         sample.radiance *= image->at(SphericalImage::place_of({d.x, d.z, d.y}));
+        return sample;
+    }
+    LightSample operator()(const ProjectionSource& s) const {
+        LightSample sample = from_point(s.position, s.intensity, from);
+        sample.radiance *= projected(s, *image, s.to_light.vector(-sample.wi));
         return sample;
     }
     LightSample operator()(const DistantSource& s) const {
@@ -107,11 +151,35 @@ double Lights::AreaLight::facing(const Vec3& back) const {
 Lights::Lights(const Scene& scene, std::vector<std::string>& problems)
     : scene_(scene), scene_radius_(radius_of(scene.geometry)) {
     for (const PhysicalLight& light : scene.physical().lights) add(light, problems);
-    double sum = 0;
-    for (const Source& source : sources_) {
-        power_sums_.push_back(sum += source.power);
-        samples_ += static_cast<std::size_t>(source.samples);
+    for (const Source& source : sources_) samples_ += static_cast<std::size_t>(source.samples);
+    if (sources_.size() > most_by_importance) make_tree();
+}
+
+void Lights::make_tree() {
+    std::vector<LightBounds> bounds(sources_.size());
+    for (std::uint32_t i = 0; i < sources_.size(); ++i) {
+        const PhysicalLight& light = *sources_[i].light;
+        if (std::holds_alternative<InfiniteSource>(light) ||
+            std::holds_alternative<DistantSource>(light)) {
+            far_.push_back(i);
+        } else {
+            bounds[i] = bounds_of(sources_[i]);
+        }
     }
+    tree_.emplace(bounds);
+}
+
+/// Bounds of a light that is at a finite distance.
+LightBounds Lights::bounds_of(const Source& source) const {
+    if (std::holds_alternative<AreaSource>(*source.light)) {
+        const AreaLight& light = area_lights_[source.index];
+        const double sides = light.two_sided ? 2 : 1;
+        if (!light.flat_front) {  // a sphere shows a quarter of its area
+            return {light.box, {{0, 0, 1}, pi, pi / 2, false}, light.exitance / (4 * sides)};
+        }
+        return {light.box, {*light.flat_front, 0, pi / 2, light.two_sided}, light.exitance / sides};
+    }
+    return std::visit(PointBounds{}, *source.light);
 }
 
 /// Makes the light and the last one a quadrilateral, if they are one.
@@ -129,6 +197,7 @@ bool Lights::add_half(const PhysicalLight& light) {
     last.exitance *= both->area() / std::get<TriangleArea>(last.shape).area();
     last.shape = *both;
     last.bounds = both->bounds();
+    last.box.extendBy(primitive_bounds(scene_.geometry, half->primitive));
     sources_.back().power = pi * last.exitance;
     return true;
 }
@@ -150,6 +219,11 @@ void Lights::add(const PhysicalLight& light, std::vector<std::string>& problems)
         source.index = static_cast<std::uint32_t>(images_.size());
         images_.emplace_back(goniometric->image, problems);
         source.power = 4 * pi * luminance(goniometric->intensity);
+    } else if (const auto* projection = std::get_if<ProjectionSource>(&light)) {
+        source.index = static_cast<std::uint32_t>(images_.size());
+        images_.emplace_back(projection->image, problems);
+        source.power = solid_angle(half_window(*projection, images_.back())) *
+                       luminance(projection->intensity);
     } else if (const auto* distant = std::get_if<DistantSource>(&light)) {
         source.power = disk * luminance(distant->radiance);
     } else if (const auto* infinite = std::get_if<InfiniteSource>(&light)) {
@@ -185,6 +259,7 @@ void Lights::add_area(const AreaSource& source, double& power) {
             light.exitance = s.area() * luminance(source.radiance) * (source.two_sided ? 2 : 1);
         },
         light.shape);
+    light.box = primitive_bounds(scene_.geometry, source.primitive);
     if (!shape) light.exitance = 0;
     if (light.flat_front && binding.flipped) *light.flat_front *= -1;
     if (binding.corner_normals) {
@@ -226,7 +301,7 @@ double Lights::importance(const Source& source, const Receiver& at) const {
 }
 
 std::optional<LightPick> Lights::pick(Receiver& at, double choice) const {
-    if (sources_.size() > most_by_importance) return pick_by_power(choice);
+    if (tree_) return pick_from_tree(at, choice);
     if (sources_.size() == 1) return LightPick{0, 1};
     std::array<double, most_by_importance> sums;
     double sum = 0;
@@ -240,19 +315,42 @@ std::optional<LightPick> Lights::pick(Receiver& at, double choice) const {
     return LightPick{light, (sums[light] - (light == 0 ? 0 : sums[light - 1])) / sum};
 }
 
-std::optional<LightPick> Lights::pick_by_power(double choice) const {
-    const double sum = power_sums_.back(), wanted = choice * sum;
-    if (!(sum > 0)) return std::nullopt;
-    const auto found = std::upper_bound(power_sums_.begin(), power_sums_.end(), wanted);
-    const auto light = static_cast<std::uint32_t>(
-        std::min<std::ptrdiff_t>(found - power_sums_.begin(), std::ssize(power_sums_) - 1));
-    return LightPick{light, sources_[light].power / sum};
+/// First between the tree and the lights at infinity: half by importance, half so that neither is
+/// lost where the bound of the whole tree is far from what it gives; then in either.
+std::optional<LightPick> Lights::pick_from_tree(Receiver& at, double choice) const {
+    double far = 0;
+    for (const std::uint32_t light : far_) far += importance(sources_[light], at);
+    const double near = tree_->importance(at);
+    at.total_importance = far;
+    if (!(far + near > 0)) return std::nullopt;
+    at.tree_probability = far > 0 && near > 0 ? (near / (far + near) + 0.5) / 2 : near > 0 ? 1 : 0;
+    if (choice < at.tree_probability) {
+        auto picked = tree_->pick(at, choice / at.tree_probability);
+        if (picked) picked->probability *= at.tree_probability;
+        return picked;
+    }
+    const double part = 1 - at.tree_probability;
+    double wanted = (choice - at.tree_probability) / part * far;
+    std::optional<LightPick> picked;
+    for (const std::uint32_t light : far_) {
+        const double own = importance(sources_[light], at);
+        if (!(own > 0)) continue;
+        picked = {light, own / far * part};
+        if ((wanted -= own) < 0) break;
+    }
+    return picked;
 }
 
 double Lights::pick_probability(const Receiver& at, std::uint32_t light) const {
-    if (sources_.size() > most_by_importance) return sources_[light].power / power_sums_.back();
     if (sources_.size() == 1) return 1;
-    return at.total_importance > 0 ? importance(sources_[light], at) / at.total_importance : 0;
+    if (!tree_) {
+        return at.total_importance > 0 ? importance(sources_[light], at) / at.total_importance : 0;
+    }
+    if (!std::ranges::binary_search(far_, light)) {
+        return at.tree_probability > 0 ? tree_->probability(at, light) * at.tree_probability : 0;
+    }
+    if (!(at.total_importance > 0)) return 0;
+    return importance(sources_[light], at) / at.total_importance * (1 - at.tree_probability);
 }
 
 LightSample Lights::sample(std::uint32_t light, const Vec3& from, const Vec2& uv) const {

@@ -10,21 +10,10 @@
 #include "core/light/area_shape.h"
 #include "core/light/infinite_light.h"
 #include "core/light/light_sample.h"
+#include "core/light/light_tree.h"
 #include "core/scene/scene.h"
 
 namespace etalon {
-
-/// A point that lights shine on.
-struct Receiver {
-    Vec3 position;
-    Vec3 normal{0.0};  ///< unit, on the side that reflects; 0 where both sides scatter light
-    double total_importance = 0;  ///< set by Lights::pick, for pick_probability
-};
-
-struct LightPick {
-    std::uint32_t light;
-    double probability;
-};
 
 class Lights {
   public:
@@ -43,8 +32,9 @@ class Lights {
     /// The number among those of a light of the look.
     std::uint32_t number_of(std::uint32_t light) const { return numbers_[light]; }
 
-    /// Chooses a light: where they are few, by what each would give the point if nothing were in
-    /// the way, else by its power. Nothing where none can shine there.
+    /// Chooses a light by what it would give the point if nothing were in the way: where they are
+    /// many, from a tree of bounds, beside which there are those at infinity. Nothing where none
+    /// can shine there.
     std::optional<LightPick> pick(Receiver& at, double choice) const;
 
     /// The probability with which pick() chose the light for the same receiver.
@@ -79,6 +69,7 @@ class Lights {
         std::optional<Vec3> flat_front;  ///< normal of the side that shines, of a flat one
         bool flipped, two_sided;
         double exitance;  ///< area times luminance
+        Box3 box{};       ///< of the shape
 
         bool turns_from(const Vec3& point) const;
         bool shines(const Vec3& normal, const Vec3& ray) const;
@@ -98,7 +89,9 @@ class Lights {
     void add_area(const AreaSource& source, double& power);
     LightSample sample_delta(const Source& source, const Vec3& from) const;
     double importance(const Source& source, const Receiver& at) const;
-    std::optional<LightPick> pick_by_power(double choice) const;
+    LightBounds bounds_of(const Source& source) const;
+    void make_tree();
+    std::optional<LightPick> pick_from_tree(Receiver& at, double choice) const;
 
     const Scene& scene_;
     double scene_radius_;
@@ -109,7 +102,8 @@ class Lights {
     std::vector<InfiniteLight> infinite_lights_;
     std::vector<SphericalImage> images_;
     std::vector<std::uint32_t> infinite_;
-    std::vector<double> power_sums_;
+    std::optional<LightTree> tree_;   ///< where there are too many to compare all
+    std::vector<std::uint32_t> far_;  ///< those at infinity then
 };
 
 }  // namespace etalon

@@ -34,6 +34,7 @@ SphericalImage::SphericalImage(const std::string& file, std::vector<std::string>
         return;
     }
     const TexelGrid grid = texels_of(image.value);
+    aspect_ = static_cast<double>(image.value.width) / image.value.height;
     width_ = grid.width;
     height_ = grid.height;
     texels_.reserve(grid.values.size() / 3);

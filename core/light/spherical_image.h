@@ -16,11 +16,17 @@ class SphericalImage {
 
     /// An image of these texels, by rows from +z.
     SphericalImage(int width, int height, std::vector<Color> texels)
-        : width_(width), height_(height), texels_(std::move(texels)) {}
+        : width_(width),
+          height_(height),
+          aspect_(static_cast<double>(width) / height),
+          texels_(std::move(texels)) {}
 
     bool empty() const { return texels_.empty(); }
     int width() const { return width_; }
     int height() const { return height_; }
+
+    /// Width over height of the file's image, which the texels may not have.
+    double aspect() const { return aspect_; }
 
     /// A texel; beyond a border the image begins again.
     const Color& texel(int x, int y) const;
@@ -36,6 +42,7 @@ class SphericalImage {
 
   private:
     int width_ = 0, height_ = 0;
+    double aspect_ = 1;
     std::vector<Color> texels_;  ///< by rows from +z
 };
 

@@ -90,6 +90,7 @@ CameraFrame projective_frame(const ProjectiveCamera& c, const Vec2& size) {
         frame.pixel_size = Vec2(1) / size;
     } else {
         frame.lens_radius = c.lens_radius;
+        if (c.lens) return frame;
         frame.world_to_ndc = frame.world_to_camera * projection_matrix(c);
     }
     return frame;

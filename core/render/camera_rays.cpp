@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #define ETALON_WITH_AVX3
 #include "core/numerics/instruction_sets.h"
@@ -120,21 +121,54 @@ void make_all(const CameraFrame& frame, std::span<const Vec2> pixels, std::span<
 
 }  // namespace
 
+CameraRays::CameraRays(const Camera& camera, const Imath::V2i& resolution)
+    : frame_(camera_frame(camera, resolution)) {
+    const auto& projective = camera.projective;
+    if (!projective) return;
+    motion_ = projective->motion;
+    if (projective->projection == Projection::lens_system) {
+        lens_ = std::make_shared<const LensRays>(*projective->lens, resolution);
+    }
+}
+
+CameraFrame CameraRays::frame_at(ShutterTime time) const {
+    CameraFrame frame = frame_;
+    if (motion_ && time != 0) frame.move_rays(motion_->at(time));
+    return frame;
+}
+
 void CameraRays::rays(std::span<const Vec2> pixels, std::span<const Vec2> lens,
                       std::span<Ray> rays) const {
+    if (lens_) {
+        std::vector<float> weights(rays.size());
+        return weighted_rays(pixels, lens, {}, rays, weights);
+    }
     make_all(frame_, pixels, lens, rays);
+}
+
+void CameraRays::weighted_rays(std::span<const Vec2> pixels, std::span<const Vec2> lens,
+                               std::span<const ShutterTime> times, std::span<Ray> rays,
+                               std::span<float> weights) const {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const ShutterTime time = times.empty() ? ShutterTime(0) : times[i];
+        const CameraFrame c = frame_at(time);
+        const auto vector = [&](const Vec3& d) { return d.x * c.u + d.y * c.v - d.z * c.to_eye; };
+        const auto [ray, weight] = lens_->ray(pixels[i], lens[i]);
+        rays[i] = {c.eye + vector(ray.origin), normalized(vector(ray.direction))};
+        rays[i].set_time(time);
+        weights[i] = weight;
+    }
 }
 
 Ray CameraRays::ray(const Vec2& pixel, const Vec2& lens, ShutterTime time) const {
     Ray ray;
-    if (motion_ && time != 0) {
-        CameraFrame frame = frame_;
-        frame.move_rays(motion_->at(time));
-        make_all(frame, {&pixel, 1}, {&lens, 1}, {&ray, 1});
+    float weight = 1;
+    if (lens_) {
+        weighted_rays({&pixel, 1}, {&lens, 1}, {&time, 1}, {&ray, 1}, {&weight, 1});
     } else {
-        make_all(frame_, {&pixel, 1}, {&lens, 1}, {&ray, 1});
+        make_all(frame_at(time), {&pixel, 1}, {&lens, 1}, {&ray, 1});
+        ray.set_time(time);
     }
-    ray.set_time(time);
     return ray;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <span>
 
+#include "core/camera/lens_rays.h"
 #include "core/intersect/ray.h"
 #include "core/render/camera_frame.h"
 
@@ -11,10 +13,7 @@ namespace etalon {
 class CameraRays {
   public:
     /// Rays of `camera`; `resolution` is width and height of the image in pixels.
-    CameraRays(const Camera& camera, const Imath::V2i& resolution)
-        : frame_(camera_frame(camera, resolution)) {
-        if (camera.projective) motion_ = camera.projective->motion;
-    }
+    CameraRays(const Camera& camera, const Imath::V2i& resolution);
 
     /// Returns a ray: `pixel` in pixels from the image's top left corner (centres at .5); `lens` in
     /// [0,1)^2, of no effect on a pinhole; the time at which it sees the scene. The direction is of
@@ -25,6 +24,15 @@ class CameraRays {
     /// the time at which the shutter opens.
     void rays(std::span<const Vec2> pixels, std::span<const Vec2> lens, std::span<Ray> rays) const;
 
+    /// Whether rays count differently: where a lens of several surfaces stops some.
+    bool has_weights() const { return lens_ != nullptr; }
+
+    /// Sets `weights`, too, to what the rays' light counts. For a camera that has weights. `times`
+    /// are those of the rays, or none: that at which the shutter opens.
+    void weighted_rays(std::span<const Vec2> pixels, std::span<const Vec2> lens,
+                       std::span<const ShutterTime> times, std::span<Ray> rays,
+                       std::span<float> weights) const;
+
     /// How far in front of the eye a point is, along the axis of view; negative behind it. For an
     /// environment: how far away. The eye, and matrices too, of a camera that moves are those of
     /// the time at which the shutter opens.
@@ -33,19 +41,23 @@ class CameraRays {
         return frame_.projection == Projection::environment ? back.length() : back.dot(frame_.n);
     }
 
-    bool has_lens() const { return frame_.lens_radius > 0; }
+    bool has_lens() const { return lens_ != nullptr || frame_.lens_radius > 0; }
 
     /// Matrix from world to a frame with x to the right and y up that looks down -z, right-handed
     /// unless the camera shows what a mirror would; row vectors, as in OpenEXR.
     const Imath::M44d& world_to_camera() const { return frame_.world_to_camera; }
 
     /// Matrix from world to [-1,1]^2 over the image, x to the right, y upwards; none for an
-    /// environment.
+    /// environment and a lens of several surfaces.
     const std::optional<Imath::M44d>& world_to_ndc() const { return frame_.world_to_ndc; }
 
   private:
     CameraFrame frame_;
+    CameraFrame frame_at(ShutterTime time) const;
+
+    CameraFrame frame_;
     std::optional<AnimatedTransform> motion_;
+    std::shared_ptr<const LensRays> lens_;  ///< of several surfaces; else null
 };
 
 }  // namespace etalon

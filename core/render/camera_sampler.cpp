@@ -28,16 +28,27 @@ void CameraBatch::add(int x, int y, std::uint32_t first, std::uint32_t last) {
     if (sampler_.samples_time_) in_time_.add(pixel.points(time_dimension), first, last);
 }
 
-/// Makes the rays of samples: one by one if they are of many times.
 void CameraBatch::make_samples() {
     const std::span<const Vec2> in_pixel = in_pixel_.make();
     for (std::size_t i = 0; i < size(); ++i) places_[i] = Vec2(pixels_[i]) + in_pixel[i];
-    const std::span<const Vec2> on_lens = on_lens_.make();
-    if (!sampler_.samples_time_) return sampler_.camera_.rays(places_, on_lens, rays_);
-    const std::span<const Vec2> in_time = in_time_.make();
+    times_.clear();
+    if (sampler_.samples_time_) {
+        for (const Vec2& point : in_time_.make()) times_.push_back(shutter_time(point.x));
+    }
+    make_rays(on_lens_.make());
+}
+
+/// Makes the rays of all places: one by one if they are of many times.
+void CameraBatch::make_rays(std::span<const Vec2> on_lens) {
+    const CameraRays& camera = sampler_.camera_;
+    if (camera.has_weights()) {
+        weights_.resize(size());
+        return camera.weighted_rays(places_, on_lens, times_, rays_, weights_);
+    }
+    if (times_.empty()) return camera.rays(places_, on_lens, rays_);
     for (std::size_t i = 0; i < size(); ++i) {
         const Vec2 lens = on_lens.empty() ? Vec2(0.5) : on_lens[i];
-        rays_[i] = sampler_.camera_.ray(places_[i], lens, shutter_time(in_time[i].x));
+        rays_[i] = camera.ray(places_[i], lens, times_[i]);
     }
 }
 
@@ -50,10 +61,10 @@ CameraSamples CameraBatch::make() {
     } else {
         for (std::size_t i = 0; i < count; ++i) places_[i] = Vec2(pixels_[i]) + sampler_.in_pixel_;
         const std::vector<Vec2> middle(sampler_.camera_.has_lens() ? count : 0, Vec2(0.5));
-        sampler_.camera_.rays(places_, middle, rays_);
+        make_rays(middle);
     }
     for (Ray& ray : rays_) ray.set_coherent();
-    return {rays_, sources_};
+    return {rays_, sources_, weights_};
 }
 
 void CameraBatch::clear() {

@@ -53,6 +53,7 @@ class CameraBatch {
 
   private:
     void make_samples();
+    void make_rays(std::span<const Vec2> on_lens);
 
     const CameraSampler& sampler_;
     std::vector<Imath::V2i> pixels_;
@@ -60,6 +61,8 @@ class CameraBatch {
     PointBatch in_pixel_, on_lens_, in_time_;
     std::vector<Vec2> places_;
     std::vector<Ray> rays_;
+    std::vector<ShutterTime> times_;  ///< of the rays; none: all see the scene at one
+    std::vector<float> weights_;      ///< see CameraSamples
 };
 
 }  // namespace etalon

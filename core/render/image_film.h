@@ -18,9 +18,9 @@ class ImageFilm {
 
     /// Adds samples, each at its place, in pixels, of the pixel in which it lies; `colors` becomes
     /// what was added. One that is infinite or no number counts as black, as in pbrt-v3. Returns
-    /// how many were of that kind.
+    /// how many were of that kind. `weights`: see CameraSamples.
     std::size_t add(std::span<const Imath::V2i> pixels, std::span<const Vec2> places,
-                    std::span<Color> colors);
+                    std::span<Color> colors, std::span<const float> weights = {});
 
     /// Adds the samples of another film of the same window and filter, in any order of films.
     void add(const ImageFilm& other);

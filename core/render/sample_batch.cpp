@@ -23,10 +23,34 @@ void SampleBatch::finish() {
     const std::size_t count = samples_.size();
     if (count == 0) return;
     const std::span colors = std::span(colors_).first(count);
-    integrator_.radiance(samples_.make(), colors, counts_);
-    dropped_ += film_.add(samples_.pixels(), samples_.places(), colors);
+    const CameraSamples samples = samples_.make();
+    if (samples.weights.empty()) {
+        integrator_.radiance(samples, colors, counts_);
+    } else {
+        render_weighted(samples, colors);
+    }
+    dropped_ += film_.add(samples_.pixels(), samples_.places(), colors, samples.weights);
     done_ += count;
     samples_.clear();
+}
+
+/// Renders the samples that count; the others are black.
+void SampleBatch::render_weighted(const CameraSamples& samples, std::span<Color> colors) {
+    weighted_rays_.clear();
+    weighted_sources_.clear();
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        if (samples.weights[i] == 0) continue;
+        weighted_rays_.push_back(samples.rays[i]);
+        weighted_sources_.push_back(samples.sources[i]);
+    }
+    weighted_colors_.resize(weighted_rays_.size());
+    if (!weighted_rays_.empty()) {
+        integrator_.radiance({weighted_rays_, weighted_sources_}, weighted_colors_, counts_);
+    }
+    auto next = weighted_colors_.begin();
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        colors[i] = samples.weights[i] == 0 ? Color(0.0F) : *next++;
+    }
 }
 
 }  // namespace etalon

@@ -32,11 +32,16 @@ class SampleBatch {
     std::uint64_t dropped() const { return dropped_; }
 
   private:
+    void render_weighted(const CameraSamples& samples, std::span<Color> colors);
+
     CameraBatch samples_;
     const Integrator& integrator_;
     ImageFilm& film_;
     RayCounts& counts_;
     std::vector<Color> colors_;
+    std::vector<Ray> weighted_rays_;  ///< of a camera with weights, those above 0
+    std::vector<SampleSource> weighted_sources_;
+    std::vector<Color> weighted_colors_;
     std::uint64_t done_ = 0, dropped_ = 0;
 };
 

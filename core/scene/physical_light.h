@@ -32,6 +32,17 @@ struct GoniometricSource {
     Affine to_light;  ///< from the world's directions to the light's
 };
 
+/// A point that throws an image, as a slide projector does, along z of its own space: on a
+/// window of the plane z = 1 about the axis, with the image's aspect and its first row at the least
+/// y. Without an image a square is lit evenly.
+struct ProjectionSource {
+    Vec3 position;
+    Color intensity;
+    std::string image;
+    Affine to_light;      ///< from the world's directions to the light's
+    double half_tangent;  ///< half of the shorter side of the window
+};
+
 /// Light from one direction at infinity.
 struct DistantSource {
     Vec3 direction;  ///< unit vector towards the light
@@ -57,7 +68,7 @@ struct AreaSource {
     int samples = 1;  ///< how many a vertex takes where every light is asked
 };
 
-using PhysicalLight = std::variant<PointSource, SpotSource, GoniometricSource, DistantSource,
-                                   InfiniteSource, AreaSource>;
+using PhysicalLight = std::variant<PointSource, SpotSource, GoniometricSource, ProjectionSource,
+                                   DistantSource, InfiniteSource, AreaSource>;
 
 }  // namespace etalon

@@ -75,6 +75,7 @@ class Similarity {
     void operator()(PointSource& s) const { move(s.position), brighten(s.intensity); }
     void operator()(SpotSource& s) const { move(s.position), brighten(s.intensity); }
     void operator()(GoniometricSource& s) const { move(s.position), brighten(s.intensity); }
+    void operator()(ProjectionSource& s) const { move(s.position), brighten(s.intensity); }
     void operator()(DistantSource&) const {}
     void operator()(InfiniteSource&) const {}
     void operator()(AreaSource&) const {}

@@ -113,6 +113,7 @@ LightSource "spot"
 LightSource "distant"
 LightSource "infinite"
 LightSource "goniometric"
+LightSource "projection"
 AttributeBegin
 AreaLightSource "diffuse"
 Shape "sphere" "float radius" 0.1

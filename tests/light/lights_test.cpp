@@ -3,8 +3,10 @@
 
 #include <numbers>
 
+#include "core/image/io.h"
 #include "core/sampling/sobol.h"
 #include "tests/catch.h"
+#include "tests/temporary_folder.h"
 
 using namespace etalon;
 using Catch::Matchers::WithinRel;
@@ -133,4 +135,48 @@ TEST_CASE("A spot shines within its cone, and less towards the border", "[light]
     CHECK(at(0.45) < 1);
     CHECK(at(0.45) > 0);
     CHECK(at(0.51) == 0);
+}
+
+TEST_CASE("A projection without an image lights a square", "[light]") {
+    Scene scene = lit_scene(0);
+    // The light's x, y and z are the world's z, x and y.
+    const Affine to_light{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, 0, 0}};
+    scene.physical().lights = {ProjectionSource{Vec3(0), Color(2), "", to_light, 0.5}};
+    std::vector<std::string> problems;
+    const Lights lights(scene, problems);
+    const auto lit = [&](double x, double y, double z) {
+        const Vec3 place(y, z, x);
+        return lights.sample(0, place, {}).radiance.x * static_cast<float>(place.length2());
+    };
+    CHECK_THAT(lit(0, 0, 1), WithinRel(2.0F, 1e-6F));
+    CHECK_THAT(lit(0.49, -0.49, 1), WithinRel(2.0F, 1e-6F));
+    CHECK(lit(0.51, 0, 1) == 0);
+    CHECK(lit(0, -0.51, 1) == 0);
+    CHECK(lit(0, 0, -1) == 0);
+}
+
+TEST_CASE("A projection has its image's aspect, and its first row at the least y", "[light]") {
+    const test::TemporaryFolder folder;
+    const std::string file = folder / "slide.exr";
+    RenderedImage image{4, 2, {{0, 0}, {3, 1}}, {}, false, {}};
+    for (int y = 0; y < 2; ++y) {
+        for (int x = 0; x < 4; ++x) image.pixels.emplace_back(Vec3(x, y, 1));
+    }
+    REQUIRE(write_image(file, image).empty());
+    Scene scene = lit_scene(0);
+    scene.physical().lights = {ProjectionSource{Vec3(0), Color(1), file, {}, 0.5}};
+    std::vector<std::string> problems;
+    const Lights lights(scene, problems);
+    CHECK(problems.empty());
+    const auto lit = [&](double x, double y) {
+        const Vec3 place(x, y, 1);
+        return lights.sample(0, place, {}).radiance * static_cast<float>(place.length2());
+    };
+    const auto is = [](const Color& a, const Color& b) { return (a - b).length() < 1e-3F; };
+    // A window of 2 by 1 with texels of half a unit.
+    CHECK(is(lit(-0.75, -0.25), Color(0, 0, 1)));
+    CHECK(is(lit(0.75, -0.25), Color(3, 0, 1)));
+    CHECK(is(lit(0.25, 0.25), Color(2, 1, 1)));
+    CHECK(lit(1.01, 0) == Color(0));
+    CHECK(lit(0, 0.51) == Color(0));
 }

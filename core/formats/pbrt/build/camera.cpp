@@ -1,5 +1,8 @@
 #include <numbers>
 
+#include "core/camera/exit_pupil.h"
+#include "core/camera/lens_focus.h"
+#include "core/formats/pbrt/build/lens_file.h"
 #include "core/formats/pbrt/build/scene_builder.h"
 
 namespace etalon::pbrt {
@@ -21,6 +24,65 @@ double half_tangent(const Parameters& p) {
     return std::tan(half * std::numbers::pi / 180);
 }
 
+/// Gives the stops of a lens their diameter, unless it is larger than the file's.
+void stop_down(SceneBuilder& b, const Plugin& plugin, std::vector<LensSurface>& surfaces) {
+    const double radius = plugin.parameters.number("aperturediameter") / 2e3;
+    for (LensSurface& s : surfaces) {
+        if (s.curvature_radius != 0) continue;
+        if (radius > s.aperture_radius) {
+            b.warn(plugin.where, "lens", "aperturediameter {}: taken as {}, the lens file's",
+                   2e3 * radius, 2e3 * s.aperture_radius);
+        } else {
+            s.aperture_radius = std::max(0.0, radius);
+        }
+    }
+}
+
+/// The part of the plane z = 1 that a film shows which is so far behind its lens.
+Imath::Box2d window_of(double diagonal, double image_distance, const Imath::V2i& resolution) {
+    const Vec2 size(resolution);
+    const Vec2 half = size / size.length() * (diagonal / 2 / image_distance);
+    return {-half, half};
+}
+
+/// The lens of a realistic camera, focused; or why there is none.
+Result<LensSystem> lens_system(SceneBuilder& b, const Plugin& plugin, LensFocus& focus) {
+    const Parameters& p = plugin.parameters;
+    if (p.string("lensfile").empty()) return {{}, "no lensfile is given"};
+    auto surfaces = read_lens_file(std::string(p.string("lensfile")), b.strict, b.log);
+    if (!surfaces) return {{}, surfaces.error};
+    stop_down(b, plugin, surfaces.value);
+    LensSystem lens{
+        std::move(surfaces.value), b.frame.film.parameters.number("diagonal") / 1e3, {}, 1};
+    if (!(lens.film_diagonal > 0)) return {{}, "the film's diagonal is not positive"};
+    const Result<LensFocus> found = focused(lens, p.number("focusdistance"));
+    if (!found) return {{}, "its lens cannot be focused: " + found.error};
+    focus = found.value;
+    lens.surfaces.back().thickness = focus.film_distance;
+    lens.exit_pupils = exit_pupils(lens.surfaces, lens.film_diagonal);
+    const Vec2 middle = lens.exit_pupils.front().size();
+    const double shutter = std::abs(p.number("shutterclose") - p.number("shutteropen"));
+    lens.exposure = p.flag("simpleweighting")
+                        ? 1 / (middle.x * middle.y)
+                        : shutter / (focus.film_distance * focus.film_distance);
+    return {std::move(lens), {}};
+}
+
+void add_lens(SceneBuilder& b, const Plugin& plugin, ProjectiveCamera& camera) {
+    LensFocus focus{};
+    Result<LensSystem> lens = lens_system(b, plugin, focus);
+    if (!lens) {
+        b.warn(plugin.where, "lens", "{}; a perspective camera stands in for the realistic one",
+               lens.error);
+        return;
+    }
+    camera.projection = Projection::lens_system;
+    camera.window =
+        window_of(lens.value.film_diagonal, focus.image_distance, b.result.settings.resolution);
+    camera.focal_distance = plugin.parameters.number("focusdistance");
+    camera.lens = std::move(lens.value);
+}
+
 }  // namespace
 
 void build_camera(SceneBuilder& b) {
@@ -38,6 +100,7 @@ void build_camera(SceneBuilder& b) {
         camera.projection = Projection::environment;
     } else if (name == "realistic") {
         camera.window = {Vec2(-1), Vec2(1)};
+        add_lens(b, plugin, camera);
     } else {
         camera.window = screen_window(p, b.result.settings.resolution);
         camera.lens_radius = p.number("lensradius");

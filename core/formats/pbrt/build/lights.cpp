@@ -44,6 +44,13 @@ void add_goniometric(const Parameters& p, const Affine& to_world, Lights& to) {
                                       std::string(p.string("mapname")), inverse(to_world)});
 }
 
+void add_projection(const Parameters& p, const Affine& to_world, Lights& to) {
+    const double half_tangent = std::tan(p.number("fov") / 2 * (std::numbers::pi / 180));
+    to.emplace_back(ProjectionSource{to_world.origin, scaled(p, "I"),
+                                     std::string(p.string("mapname")), inverse(to_world),
+                                     half_tangent});
+}
+
 struct Entry {
     std::string_view name;
     void (*add)(const Parameters&, const Affine&, Lights&);
@@ -55,6 +62,7 @@ constexpr std::array entries = {
     Entry{"distant", add_distant},
     Entry{"infinite", add_infinite},
     Entry{"goniometric", add_goniometric},
+    Entry{"projection", add_projection},
 };
 
 bool is_finite(const PhysicalLight& light) {
@@ -64,6 +72,8 @@ bool is_finite(const PhysicalLight& light) {
             if constexpr (requires { l.position; }) fine = fine && etalon::is_finite(l.position);
             if constexpr (requires { l.axis; }) fine = fine && etalon::is_finite(l.axis);
             if constexpr (requires { l.direction; }) fine = fine && etalon::is_finite(l.direction);
+            if constexpr (requires { l.half_tangent; })
+                fine = fine && std::isfinite(l.half_tangent);
             if constexpr (requires { l.intensity; }) fine = fine && etalon::is_finite(l.intensity);
             if constexpr (requires { l.radiance; }) fine = fine && etalon::is_finite(l.radiance);
             return fine;

@@ -32,7 +32,7 @@ constexpr std::array types = {
     PluginType{Category::camera, "perspective", perspective},
     PluginType{Category::camera, "orthographic", orthographic},
     PluginType{Category::camera, "environment", environment},
-    PluginType{Category::camera, "realistic", realistic, {}, "a perspective camera"},
+    PluginType{Category::camera, "realistic", realistic},
 };
 
 }  // namespace

@@ -27,7 +27,7 @@ constexpr std::array lights = {
     PluginType{Category::light, "distant", distant},
     PluginType{Category::light, "infinite", infinite_light, "exinfinite"},
     PluginType{Category::light, "goniometric", goniometric},
-    PluginType{Category::light, "projection", projection, {}, "nothing"},
+    PluginType{Category::light, "projection", projection},
 };
 
 constexpr std::array area_lights = {PluginType{Category::area_light, "diffuse", diffuse, "area"}};

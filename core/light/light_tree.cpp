@@ -1,0 +1,243 @@
+#include "core/light/light_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "core/scene/geometry.h"
+
+namespace etalon {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+struct Angle {
+    double cosine, sine;
+};
+
+/// The difference of two angles between 0 and pi, at least 0.
+Angle difference(const Angle& a, const Angle& b) {
+    if (a.cosine >= b.cosine) return {1, 0};
+    return {a.cosine * b.cosine + a.sine * b.sine, a.sine * b.cosine - a.cosine * b.sine};
+}
+
+Angle of_cosine(double cosine) {
+    const double c = std::clamp(cosine, -1.0, 1.0);
+    return {c, std::sqrt(1 - c * c)};
+}
+
+/// What can still be added and divided: near a point light there is no bound.
+double at_most_largest(double importance) {
+    constexpr double largest = 1e150;
+    return importance < largest ? importance : largest;
+}
+
+/// Room for the roundings of a float and of what is made of it.
+constexpr double slack = 1e-6;
+
+}  // namespace
+
+/// Splits lights from above where the cost of the halves is least.
+class LightTree::Builder {
+  public:
+    Builder(const std::vector<LightBounds>& bounds, LightTree& tree)
+        : bounds_(bounds), tree_(tree), order_(bounds.size()) {
+        std::iota(order_.begin(), order_.end(), 0U);
+        std::erase_if(order_, [&](std::uint32_t i) { return !(bounds[i].intensity > 0); });
+    }
+
+    void build() {
+        if (order_.empty()) return;
+        tree_.nodes_.reserve(2 * order_.size());
+        tree_.nodes_.emplace_back();
+        tree_.parents_.push_back(no_index);
+        build(0, 0, order_.size(), 0);
+    }
+
+  private:
+    static constexpr int bins = 12;
+    static constexpr int deepest = 40;  ///< from there on halves are of equal numbers
+
+    struct Bin {
+        LightBounds bounds;
+        std::size_t count = 0;
+    };
+    struct Split {
+        double cost = infinity;
+        int axis = 0, bin = 0;
+    };
+
+    Vec3 centre(std::uint32_t light) const { return bounds_[light].box.center(); }
+
+    static int bin_of(const Vec3& centre, const Box3& centres, int axis) {
+        const double size = centres.max[axis] - centres.min[axis];
+        const int bin = static_cast<int>(bins * (centre[axis] - centres.min[axis]) / size);
+        return std::clamp(bin, 0, bins - 1);
+    }
+
+    Split best_split(std::size_t first, std::size_t last, const Box3& centres, int axis) const {
+        std::array<Bin, bins> filled;
+        for (std::size_t i = first; i < last; ++i) {
+            Bin& bin = filled[bin_of(centre(order_[i]), centres, axis)];
+            bin.bounds =
+                bin.count++ == 0 ? bounds_[order_[i]] : united(bin.bounds, bounds_[order_[i]]);
+        }
+        std::array<double, bins> above{};
+        LightBounds side;
+        for (int k = bins - 1; k > 0; --k) {
+            side = united(side, filled[k].bounds);
+            above[k] = side.intensity > 0 ? cluster_cost(side) : 0;
+        }
+        Split best;
+        side = {};
+        std::size_t below = 0;
+        for (int k = 0; k + 1 < bins; ++k) {
+            side = united(side, filled[k].bounds);
+            below += filled[k].count;
+            if (below == 0 || below == last - first) continue;
+            const double cost = cluster_cost(side) + above[k + 1];
+            if (cost < best.cost) best = {cost, axis, k + 1};
+        }
+        // Long boxes are cut across (section 4.4).
+        const Vec3 size = centres.size();
+        best.cost *= std::max({size.x, size.y, size.z}) / size[axis];
+        return best;
+    }
+
+    /// Puts the lights of one half first; returns where those of the other begin.
+    std::size_t split(std::size_t first, std::size_t last, int depth) {
+        Box3 centres;
+        for (std::size_t i = first; i < last; ++i) centres.extendBy(centre(order_[i]));
+        const Vec3 size = centres.size();
+        Split best;
+        for (int axis = 0; axis < 3 && depth < deepest; ++axis) {
+            if (!(size[axis] > 0)) continue;
+            const Split found = best_split(first, last, centres, axis);
+            if (found.cost < best.cost) best = found;
+        }
+        const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(first),
+                   end = order_.begin() + static_cast<std::ptrdiff_t>(last);
+        const std::size_t middle = (first + last) / 2;
+        if (best.bin == 0) {  // all in one place
+            const int axis = static_cast<int>(centres.majorAxis());
+            std::nth_element(begin, order_.begin() + static_cast<std::ptrdiff_t>(middle), end,
+                             [&](std::uint32_t a, std::uint32_t b) {
+                                 const double x = centre(a)[axis], y = centre(b)[axis];
+                                 return x != y ? x < y : a < b;
+                             });
+            return middle;
+        }
+        const auto found = std::stable_partition(begin, end, [&](std::uint32_t light) {
+            return bin_of(centre(light), centres, best.axis) < best.bin;
+        });
+        return static_cast<std::size_t>(found - order_.begin());
+    }
+
+    LightBounds build(std::uint32_t node, std::size_t first, std::size_t last, int depth) {
+        if (last - first == 1) {
+            const std::uint32_t light = order_[first];
+            tree_.nodes_[node] = node_of(bounds_[light]);
+            tree_.nodes_[node].first = light;
+            tree_.nodes_[node].is_leaf = true;
+            tree_.leaves_[light] = node;
+            return bounds_[light];
+        }
+        const std::size_t middle = split(first, last, depth);
+        const auto children = static_cast<std::uint32_t>(tree_.nodes_.size());
+        tree_.nodes_.resize(children + 2);
+        tree_.parents_.resize(children + 2, node);
+        const LightBounds a = build(children, first, middle, depth + 1),
+                          b = build(children + 1, middle, last, depth + 1);
+        const LightBounds both = united(a, b);
+        tree_.nodes_[node] = node_of(both);
+        tree_.nodes_[node].first = children;
+        return both;
+    }
+
+    const std::vector<LightBounds>& bounds_;
+    LightTree& tree_;
+    std::vector<std::uint32_t> order_;
+};
+
+LightTree::LightTree(const std::vector<LightBounds>& bounds) : leaves_(bounds.size(), no_index) {
+    Builder(bounds, *this).build();
+}
+
+LightTree::Node LightTree::node_of(const LightBounds& bounds) {
+    Node node{};
+    node.centre = bounds.box.center();
+    const double error = slack * slack * slack * node.centre.length();
+    node.radius = static_cast<float>((1 + slack) * (bounds.box.size().length() / 2 + error));
+    const EmissionCone& cone = bounds.cone;
+    for (std::size_t k = 0; k < 3; ++k)
+        node.axis[k] = static_cast<float>(cone.axis[static_cast<int>(k)]);
+    const double spread = std::min(pi, cone.spread + 4 * slack);
+    node.cos_spread = static_cast<float>(std::cos(spread));
+    node.sin_spread = static_cast<float>(std::sin(spread));
+    node.cos_emission =
+        static_cast<float>(std::cos(std::min(pi, cone.emission + 4 * slack)) - slack);
+    node.intensity = static_cast<float>(bounds.intensity);
+    node.two_sided = cone.two_sided;
+    return node;
+}
+
+double LightTree::importance(const Node& node, const Receiver& at) {
+    const Vec3 way = node.centre - at.position;
+    const double distance2 = way.dot(way), radius2 = static_cast<double>(node.radius) * node.radius;
+    if (!(distance2 > radius2)) return at_most_largest(node.intensity / radius2);
+    const double inverse = 1 / std::sqrt(distance2);
+    const double sine2 = radius2 * inverse * inverse;
+    const Angle size{std::sqrt(1 - sine2), node.radius * inverse};
+    const double along =
+        -inverse * (node.axis[0] * way.x + node.axis[1] * way.y + node.axis[2] * way.z);
+    const Angle spread{node.cos_spread, node.sin_spread};
+    const Angle off = of_cosine(node.two_sided ? std::abs(along) : along);
+    const double emitted = difference(difference(off, spread), size).cosine;
+    if (emitted < node.cos_emission) return 0;
+    double received = 1;
+    if (at.normal != Vec3(0)) {
+        received = difference(of_cosine(inverse * at.normal.dot(way)), size).cosine;
+        if (received <= 0) return 0;
+    }
+    return at_most_largest(node.intensity * emitted * received * inverse * inverse);
+}
+
+double LightTree::importance(const Receiver& at) const {
+    return nodes_.empty() ? 0 : importance(nodes_.front(), at);
+}
+
+double LightTree::first_share(const Node& node, const Receiver& at) const {
+    const double a = importance(nodes_[node.first], at), b = importance(nodes_[node.first + 1], at);
+    return a + b > 0 ? a / (a + b) : -1;
+}
+
+std::optional<LightPick> LightTree::pick(const Receiver& at, double choice) const {
+    if (nodes_.empty()) return std::nullopt;
+    const Node* node = &nodes_.front();
+    double probability = 1;
+    while (!node->is_leaf) {
+        const double share = first_share(*node, at);
+        if (share < 0) return std::nullopt;
+        const bool is_first = choice < share;
+        const double part = is_first ? share : 1 - share;
+        choice = std::clamp((is_first ? choice : choice - share) / part, 0.0, 1 - 0x1p-53);
+        probability *= part;
+        node = &nodes_[node->first + (is_first ? 0 : 1)];
+    }
+    return LightPick{node->first, probability};
+}
+
+double LightTree::probability(const Receiver& at, std::uint32_t light) const {
+    std::uint32_t node = leaves_[light];
+    if (node == no_index) return 0;
+    double probability = 1;
+    for (std::uint32_t parent; (parent = parents_[node]) != no_index; node = parent) {
+        const double share = first_share(nodes_[parent], at);
+        if (share < 0) return 0;
+        probability *= node == nodes_[parent].first ? share : 1 - share;
+    }
+    return probability;
+}
+
+}  // namespace etalon
