@@ -2,29 +2,23 @@
 #pragma once
 
 #include <atomic>
-#include <functional>
 #include <optional>
+#include <vector>
 
 #include "core/integrators/integrator.h"
 #include "core/render/deadline.h"
 #include "core/render/film.h"
+#include "core/render/render_observer.h"
 #include "core/scene/camera.h"
 #include "core/scene/render_settings.h"
 
 namespace etalon {
 
-/// An image as it is after a pass, or after what a stop left of it.
-struct RenderedPass {
-    const Film& film;
-    std::optional<double> expected_error;  ///< relMSE, where it was estimated
-};
-
 /// How to watch, limit and stop a rendering while it runs. Changes no pixel but by ending early.
 struct RunControl {
     Deadline deadline{};
     const std::atomic<bool>* stop = nullptr;  ///< set: give up soon and return what there is
-    std::function<void(double)> progress{};   ///< called with the part done, from any thread
-    std::function<void(const RenderedPass&)> after_pass{};
+    std::vector<RenderObserver> observers{};
 };
 
 struct Rendering {
