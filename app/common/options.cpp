@@ -84,6 +84,11 @@ Option& Option::required() {
     return *this;
 }
 
+Option& Option::value_or(const std::string& usual) {
+    option_->expected(0, 1)->default_str(usual)->type_name("[" + option_->get_type_name() + "]");
+    return *this;
+}
+
 Option& Option::by_commas() {
     option_->delimiter(',')->type_name(option_->get_type_name() + ",...");
     return one_value_each();

@@ -23,6 +23,9 @@ class Option {
     /// NAME for text).
     Option& value(const std::string& name);
     Option& required();
+    /// Lets the value be left out; it is then `usual`. What follows is taken for the value, unless
+    /// it is an option or the last positional argument.
+    Option& value_or(const std::string& usual);
     /// Several values, with commas between them.
     Option& by_commas();
     /// Lets the option be repeated, with one value each time.

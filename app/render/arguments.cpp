@@ -4,6 +4,7 @@
 
 #include "app/common/backends.h"
 #include "app/common/integrators.h"
+#include "app/live/tcp_sender.h"
 #include "app/render/aovs.h"
 #include "app/render/filter_option.h"
 #include "core/image/io.h"
@@ -164,6 +165,16 @@ void declare_checkpoint(Options& options, RenderArguments& a) {
         .group(group);
 }
 
+void declare_live_view(Options& options, RenderArguments& a) {
+    options
+        .add("--tev", a.tev,
+             "Send the image as it converges to the viewer tev, which listens at this address")
+        .value("HOST:PORT")
+        .value_or("127.0.0.1:14158")
+        .check(check_address)
+        .group("Live view");
+}
+
 }  // namespace
 
 void declare_render_options(Options& options, RenderArguments& a) {
@@ -172,6 +183,7 @@ void declare_render_options(Options& options, RenderArguments& a) {
     declare_samples(options, a);
     declare_rendering(options, a);
     declare_checkpoint(options, a);
+    declare_live_view(options, a);
     options
         .add("--stats", a.stats,
              "Write counts, times, sizes and errors to this JSON file; - is standard output")

@@ -10,6 +10,8 @@
 #include "app/common/signals.h"
 #include "app/common/units.h"
 #include "app/compare/metrics_report.h"
+#include "app/live/live_image.h"
+#include "app/live/tev_view.h"
 #include "app/merge/film_appendix.h"
 #include "app/render/aovs.h"
 #include "app/render/arguments.h"
@@ -169,6 +171,11 @@ class Render {
         std::optional<Progress> progress;
         if (!a_.quiet) progress.emplace(a_.scene.path);
         RunControl control;
+        if (!a_.tev.empty()) {
+            live_.emplace(settings_);
+            tev_.emplace(a_.tev, a_.scene.path, *live_);
+            control.observers.push_back(live_->observer());
+        }
         if (a_.time_limit > 0) control.deadline = Deadline(a_.time_limit);
         control.stop = &signals_.raised();
         if (checkpoints_) control.keeper = &*checkpoints_;
@@ -181,9 +188,12 @@ class Render {
         }
         if (reference_) {
             reference_->start();
-            control.after_pass = [&](const RenderedPass& pass) { reference_->note(pass); };
+            control.observers.push_back(
+                {.after_pass = [&](const RenderedPass& pass) { reference_->note(pass); }});
         }
-        if (progress) control.progress = [&](double part) { progress->update(part); };
+        if (progress) {
+            control.observers.push_back({.progress = [&](double part) { progress->update(part); }});
+        }
         Rendering rendering = render(scene_.camera, *integrator_, settings_, control);
         stats_.render = watch_.lap();
         return rendering;
@@ -321,6 +331,8 @@ class Render {
     std::optional<StateReader> resumed_;
     std::unique_ptr<Intersector> intersector_;
     std::unique_ptr<Integrator> integrator_;
+    std::optional<LiveImage> live_;
+    std::optional<TevView> tev_;  ///< sends the last of the image when everything else is done
 };
 
 }  // namespace

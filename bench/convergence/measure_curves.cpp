@@ -64,8 +64,8 @@ class SeedRun {
         settings.seed = seed;
         RunControl control;
         control.stop = &enough_;
-        control.progress = [&](double) { enough_ = enough_ || stop_; };
-        control.after_pass = [&](const RenderedPass& pass) { note(pass.film); };
+        control.observers = {{.progress = [&](double) { enough_ = enough_ || stop_; },
+                              .after_pass = [&](const RenderedPass& pass) { note(pass.film); }}};
         watch_.lap();
         const auto integrator = studio_.integrator(settings);
         integrator_seconds_ = watch_.lap().cpu;
@@ -154,7 +154,7 @@ ReferenceImage render_reference(const Scene& scene, const RenderSettings& scene_
     settings.seed = reference_seed;
     RunControl control;
     control.stop = &run.stop;
-    control.progress = run.progress;
+    control.observers = {{.progress = run.progress}};
     const Studio studio(scene, plan.backends.front());
     const Rendering r = render(scene.camera, *studio.integrator(settings), settings, control);
     return {image_pixels(r.film, settings),

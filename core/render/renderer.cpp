@@ -1,6 +1,7 @@
 #include "core/render/renderer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <vector>
 
@@ -13,6 +14,8 @@
 
 namespace etalon {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 class Renderer {
   public:
@@ -95,15 +98,38 @@ class Renderer {
 
     /// The film, if there is anything new in it.
     void show(const SamplingPasses& passes) {
-        if (control_.after_pass && shown_ < samples_done_) {
+        if (is_observed(&RenderObserver::after_pass) && shown_ < samples_done_) {
             const std::optional<double> error = passes.expected_error();
+            const auto tell_film = [&](const Film& film) {
+                tell(&RenderObserver::after_pass, RenderedPass{film, error});
+            };
             if (film_.is_filtered()) {
-                control_.after_pass({film_.filtered(), error});
+                tell_film(film_.filtered());
+            } else if (rays_.shares_corners()) {
+                tell_film(film_.samples().cells());
             } else {
-                control_.after_pass({film_.samples(), error});
+                tell_film(film_.samples());
             }
         }
         shown_ = samples_done_;
+    }
+
+    void show_tile(const Imath::Box2i& tile, std::chrono::duration<double> time) const {
+        tell(&RenderObserver::after_tile, RenderedTile{film_.samples(), tile, time.count()});
+    }
+
+    template <class Function>
+    bool is_observed(Function RenderObserver::*function) const {
+        return std::ranges::any_of(control_.observers,
+                                   [&](const RenderObserver& o) { return bool(o.*function); });
+    }
+
+    /// Calls a function of all observers that have it.
+    template <class Function, class Event>
+    void tell(Function RenderObserver::*function, const Event& event) const {
+        for (const RenderObserver& observer : control_.observers) {
+            if (observer.*function) (observer.*function)(event);
+        }
     }
 
     std::unique_ptr<SamplingPasses> make_passes() const {
@@ -166,15 +192,19 @@ class Renderer {
 
     template <class Interrupted>
     void render_tiles(const Interrupted& interrupted, const SamplingPasses& passes) {
-        for_each_tile(
-            unfinished_tiles(), interrupted, [&](std::size_t i, const Imath::Box2i& tile) {
-                SampleBatch batch(rays_, integrator_, film_, counts_[i]);
-                for_each_pixel(tile, interrupted, [&](int x, int y) { add_pixel(x, y, batch); });
-                batch.finish();
-                const std::uint64_t total = samples_done_.fetch_add(batch.done()) + batch.done();
-                samples_dropped_ += batch.dropped();
-                if (control_.progress) control_.progress(passes.progress(total));
-            });
+        const bool has_progress = is_observed(&RenderObserver::progress);
+        const bool shows_tiles = is_observed(&RenderObserver::after_tile);
+        const std::vector<Imath::Box2i> tiles = unfinished_tiles();
+        for_each_tile(tiles, interrupted, [&](std::size_t i, const Imath::Box2i& tile) {
+            const auto start = shows_tiles ? Clock::now() : Clock::time_point();
+            SampleBatch batch(rays_, integrator_, film_, counts_[i]);
+            for_each_pixel(tile, interrupted, [&](int x, int y) { add_pixel(x, y, batch); });
+            batch.finish();
+            const std::uint64_t total = samples_done_.fetch_add(batch.done()) + batch.done();
+            samples_dropped_ += batch.dropped();
+            if (shows_tiles) show_tile(tile, Clock::now() - start);
+            if (has_progress) tell(&RenderObserver::progress, passes.progress(total));
+        });
     }
 
     /// Number of the pixel's first sample in this part of the image.

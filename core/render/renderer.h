@@ -2,23 +2,18 @@
 #pragma once
 
 #include <atomic>
-#include <functional>
 #include <optional>
+#include <vector>
 
 #include "core/integrators/integrator.h"
 #include "core/render/deadline.h"
 #include "core/render/film.h"
+#include "core/render/render_observer.h"
 #include "core/render/state.h"
 #include "core/scene/camera.h"
 #include "core/scene/render_settings.h"
 
 namespace etalon {
-
-/// An image as it is after a pass, or after what a stop left of it.
-struct RenderedPass {
-    const Film& film;
-    std::optional<double> expected_error;  ///< relMSE, where it was estimated
-};
 
 /// Keeps the state of a rendering from time to time.
 class StateKeeper {
@@ -36,8 +31,7 @@ class StateKeeper {
 struct RunControl {
     Deadline deadline{};
     const std::atomic<bool>* stop = nullptr;  ///< set: give up soon and return what there is
-    std::function<void(double)> progress{};   ///< called with the part done, from any thread
-    std::function<void(const RenderedPass&)> after_pass{};
+    std::vector<RenderObserver> observers{};
     /// Gets what writes the film of the finished image, an ImageFilm.
     std::function<void(const std::function<void(StateWriter&)>&)> take_film{};
     StateKeeper* keeper = nullptr;   ///< gets the state when it is due, and when a stop ends all

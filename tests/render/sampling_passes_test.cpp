@@ -1,6 +1,7 @@
 // Images that end by their error or by the clock.
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 
 #include "core/image/metrics/metrics.h"
 #include "core/parallel/parallel.h"
@@ -128,15 +129,37 @@ TEST_CASE("Every pass of a picture is shown, whole", "[passes]") {
     const RenderSettings settings = samples(scene(), 6);
     std::vector<std::uint32_t> counts;
     RunControl control;
-    control.after_pass = [&](const RenderedPass& pass) {
+    const auto note = [&](const RenderedPass& pass) {
         const auto& all = pass.film.counts();
         CHECK(*std::min_element(all.begin(), all.end()) ==
               *std::max_element(all.begin(), all.end()));
         CHECK_FALSE(pass.expected_error.has_value());
         counts.push_back(all[0]);
     };
+    control.observers = {{.after_pass = note}};
     rendered(scene(), settings, control);
     CHECK(counts == std::vector<std::uint32_t>{1, 2, 4, 6});
+}
+
+TEST_CASE("Every tile is told with its samples, from the thread that has them", "[passes]") {
+    const RenderSettings settings = samples(scene(), 4);
+    std::mutex mutex;
+    std::vector<Color> colors(scene().settings.resolution.x * scene().settings.resolution.y);
+    std::size_t told = 0;
+    RunControl control;
+    control.observers = {{.after_tile = [&](const RenderedTile& t) {
+        const std::lock_guard lock(mutex);
+        CHECK(t.seconds >= 0);
+        for (int y = t.tile.min.y; y <= t.tile.max.y; ++y) {
+            for (int x = t.tile.min.x; x <= t.tile.max.x; ++x, ++told) {
+                const std::size_t pixel = t.samples.index(x, y);
+                colors[pixel] = Color(t.samples.mean(pixel));
+            }
+        }
+    }}};
+    const Rendering r = rendered(scene(), settings, control);
+    CHECK(told == 3 * colors.size());  // passes to 1, 2 and 4 samples
+    CHECK(colors == r.film.pixels());
 }
 
 TEST_CASE("A picture is over when its time is", "[passes]") {
@@ -172,12 +195,12 @@ TEST_CASE("What there is of a pass that was stopped is shown, once", "[passes]")
     const RenderSettings settings = samples(scene(), 64);
     RunControl control;
     control.stop = &stop;
-    control.progress = [&](double) { stop = true; };
     int shown = 0;
-    control.after_pass = [&](const RenderedPass& pass) {
+    const auto note = [&](const RenderedPass& pass) {
         CHECK(pass.film.total_count() > 0);
         ++shown;
     };
+    control.observers = {{.progress = [&](double) { stop = true; }, .after_pass = note}};
     rendered(scene(), settings, control);
     CHECK(shown == 1);
 }

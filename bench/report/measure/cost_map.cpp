@@ -15,7 +15,7 @@ PixelPlane rays_of_samples(const Scene& scene, const RenderSettings& settings,
     const auto integrator =
         find_integrator(settings.integrator)->make(scene, *intersector, settings, problems);
     RunControl control = control_of(task_progress);
-    control.progress = nullptr;
+    control.observers.clear();
     const int width = settings.resolution.x, height = settings.resolution.y;
     return plane_of(width, height, [&](std::size_t pixel) {
         const Imath::V2i at(static_cast<int>(pixel) % width, static_cast<int>(pixel) / width);

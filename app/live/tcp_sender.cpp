@@ -1,0 +1,108 @@
+#include "app/live/tcp_sender.h"
+
+#include <netdb.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <memory>
+#include <system_error>
+
+namespace etalon {
+namespace {
+
+/// Milliseconds between two questions whether to go on.
+constexpr int interval = 20;
+
+std::string text_of(int error) {
+    return std::generic_category().message(error);
+}
+
+}  // namespace
+
+NetworkAddress parse_address(const std::string& text) {
+    const std::size_t colon = text.rfind(':');
+    if (colon == std::string::npos) return {};
+    std::string host = text.substr(0, colon);
+    if (host.size() > 2 && host.front() == '[' && host.back() == ']') {
+        host = host.substr(1, host.size() - 2);
+    }
+    return {host, text.substr(colon + 1)};
+}
+
+std::string check_address(const std::string& text) {
+    const NetworkAddress address = parse_address(text);
+    unsigned port = 0;
+    const char* const end = address.port.data() + address.port.size();
+    const auto [rest, error] = std::from_chars(address.port.data(), end, port);
+    const bool is_port = error == std::errc() && rest == end && port > 0 && port < 65536;
+    return is_port && !address.host.empty() ? "" : text + ": expected HOST:PORT";
+}
+
+TcpSender::~TcpSender() {
+    close();
+}
+
+void TcpSender::close() {
+    if (socket_ >= 0) ::close(socket_);
+    socket_ = -1;
+}
+
+std::string TcpSender::connect(const NetworkAddress& address) {
+    addrinfo hints = {};
+    hints.ai_socktype = SOCK_STREAM;
+    addrinfo* found = nullptr;
+    const int error = getaddrinfo(address.host.c_str(), address.port.c_str(), &hints, &found);
+    if (error != 0) return gai_strerror(error);
+    const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> list(found, freeaddrinfo);
+    std::string reason;
+    for (const addrinfo* a = found; a; a = a->ai_next) {
+        reason = connect_to(*a);
+        if (reason.empty()) return {};
+        close();
+    }
+    return reason;
+}
+
+std::string TcpSender::connect_to(const addrinfo& address) {
+    socket_ = ::socket(address.ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    if (socket_ < 0) return text_of(errno);
+    if (::connect(socket_, address.ai_addr, address.ai_addrlen) == 0) return {};
+    if (errno != EINPROGRESS) return text_of(errno);
+    const std::string reason = wait_until_writable();
+    if (!reason.empty()) return reason;
+    int error = 0;
+    socklen_t size = sizeof error;
+    getsockopt(socket_, SOL_SOCKET, SO_ERROR, &error, &size);
+    return error == 0 ? std::string() : text_of(error);
+}
+
+std::string TcpSender::wait_until_writable() const {
+    using Clock = std::chrono::steady_clock;
+    for (const auto start = Clock::now(); goes_on_(Clock::now() - start);) {
+        pollfd state = {socket_, POLLOUT, 0};
+        const int ready = ::poll(&state, 1, interval);
+        if (ready > 0) return {};
+        if (ready < 0 && errno != EINTR) return text_of(errno);
+    }
+    return text_of(ETIMEDOUT);
+}
+
+std::string TcpSender::send(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (sent > 0) {
+            bytes.remove_prefix(static_cast<std::size_t>(sent));
+        } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
+            const std::string reason = wait_until_writable();
+            if (!reason.empty()) return reason;
+        } else if (errno != EINTR) {
+            return text_of(errno);
+        }
+    }
+    return {};
+}
+
+}  // namespace etalon

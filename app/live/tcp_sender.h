@@ -1,0 +1,48 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <string_view>
+
+struct addrinfo;
+
+namespace etalon {
+
+/// Where a program listens.
+struct NetworkAddress {
+    std::string host, port;
+};
+
+/// Reads "HOST:PORT", or "[HOST]:PORT" for a host with colons.
+NetworkAddress parse_address(const std::string& text);
+
+/// Returns nothing for such a text, else what is wrong with it, beginning with the text.
+std::string check_address(const std::string& text);
+
+/// A connection that bytes are written to. While the other end lets it wait it asks again and again
+/// whether to go on.
+class TcpSender {
+  public:
+    using Seconds = std::chrono::duration<double>;
+    using GoesOn = std::function<bool(Seconds waited)>;
+
+    explicit TcpSender(GoesOn goes_on) : goes_on_(std::move(goes_on)) {}
+    ~TcpSender();
+    TcpSender(const TcpSender&) = delete;
+    TcpSender& operator=(const TcpSender&) = delete;
+
+    /// Each returns why it failed, in the system's words, or nothing.
+    std::string connect(const NetworkAddress& address);
+    std::string send(std::string_view bytes);
+
+  private:
+    std::string connect_to(const addrinfo& address);
+    std::string wait_until_writable() const;
+    void close();
+
+    GoesOn goes_on_;
+    int socket_ = -1;
+};
+
+}  // namespace etalon
