@@ -34,6 +34,9 @@ class Lights {
 
     bool empty() const { return sources_.empty(); }
 
+    /// Radius of a sphere around the scene's bounds.
+    double scene_radius() const { return scene_radius_; }
+
     /// How many there are to pick from: the halves of a quadrilateral are one.
     std::size_t size() const { return sources_.size(); }
 

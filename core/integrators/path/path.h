@@ -24,4 +24,19 @@ class PathTracer final : public Integrator {
     PathScene scene_;
 };
 
+/// The same in scenes with media. Surfaces without a material hide no light from others.
+class VolumePathTracer final : public Integrator {
+  public:
+    /// See PathTracer.
+    VolumePathTracer(const Scene& scene, const BatchIntersector& intersector,
+                     const RenderSettings& settings, std::vector<std::string>& problems);
+
+    void radiance(const CameraSamples& samples, std::span<Color> colors,
+                  RayCounts& counts) const override;
+
+  private:
+    PathScene scene_;
+    bool in_media_;  ///< whether the scene has anything that PathTracer does not render
+};
+
 }  // namespace etalon
