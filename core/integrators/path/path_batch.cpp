@@ -22,8 +22,8 @@ float balance_weight(float a, float b) {
 }  // namespace
 
 template <bool in_media>
-PathBatch<in_media>::PathBatch(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors,
-                     RayCounts& counts)
+PathBatch<in_media>::PathBatch(const PathScene& scene, const CameraSamples& samples,
+                               std::span<Color> colors, RayCounts& counts)
     : shared_(scene), samples_(samples), colors_(colors), counts_(counts) {
     rays_.assign(samples.rays.begin(), samples.rays.end());
     paths_.reserve(rays_.size());
@@ -177,7 +177,8 @@ void PathBatch<in_media>::add_escaped(const Path& path, const Vec3& direction) {
 }
 
 template <bool in_media>
-void PathBatch<in_media>::add_emitted(const Path& path, const PhysicalSurface& at, const Vec3& direction) {
+void PathBatch<in_media>::add_emitted(const Path& path, const PhysicalSurface& at,
+                                      const Vec3& direction) {
     const SurfaceBinding& binding = *at.binding;
     if (binding.light == no_index) return;
     const std::uint32_t light =
@@ -296,8 +297,7 @@ template <bool in_media>
 template <class Vertex>
 void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_t way) {
     const Vec2 choices = ways_.choices(way);
-    const std::optional<BsdfSample> s =
-        at.sample(static_cast<float>(choices.x), ways_.place(way));
+    const std::optional<BsdfSample> s = at.sample(static_cast<float>(choices.x), ways_.place(way));
     if (!s || s->f == Color(0.0F) || !(s->pdf > 0)) return;
     const float cosine = at.cosine(s->wi);
     Path& next = next_paths_.emplace_back(path);
