@@ -57,8 +57,7 @@ Rendering rendered_in_parts(const TestScene& scene, const RenderSettings& settin
         RunControl control;
         control.keeper = &keeper;
         control.stop = &stop;
-        control.observers = {
-            {.progress = [&](double) { stop = stop || keeper.kept > 0; }}};
+        control.observers = {{.progress = [&](double) { stop = stop || keeper.kept > 0; }}};
         if (!state.empty()) control.resumed = &reader;
         Rendering r = rendered(scene, settings, control);
         REQUIRE_FALSE(reader.failed());
