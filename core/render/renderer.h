@@ -19,6 +19,7 @@ struct RunControl {
     Deadline deadline{};
     const std::atomic<bool>* stop = nullptr;  ///< set: give up soon and return what there is
     std::vector<RenderObserver> observers{};
+    bool estimates_error = false;  ///< passes tell an error also where no target asks for it
 };
 
 struct Rendering {
