@@ -6,6 +6,7 @@
 namespace etalon {
 
 Action declare_render(Options& options);
+Action declare_serve(Options& options);
 Action declare_info(Options& options);
 Action declare_trace(Options& options);
 Action declare_crosscheck(Options& options);

@@ -50,6 +50,10 @@ const std::atomic<bool>& SignalGuard::raised() const {
     return was_raised;
 }
 
+void SignalGuard::interrupt() {
+    if (!was_raised) handle(SIGINT);
+}
+
 int SignalGuard::signal() const {
     return signal_number;
 }

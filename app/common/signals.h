@@ -15,6 +15,9 @@ class SignalGuard {
 
     const std::atomic<bool>& raised() const;
     int signal() const;  ///< its number; 0 if there was none
+
+    /// Does what a first SIGINT does. From any thread, any number of times.
+    static void interrupt();
 };
 
 }  // namespace etalon

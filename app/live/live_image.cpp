@@ -1,8 +1,8 @@
 #include "app/live/live_image.h"
 
 #include <algorithm>
+#include <numeric>
 
-#include "core/image/image.h"
 #include "core/parallel/parallel.h"
 #include "core/render/tiles.h"
 
@@ -53,10 +53,15 @@ std::mutex& LiveImage::mutex_of(int y) const {
     return mutexes_[static_cast<std::size_t>((y - window_.min.y) / tile_side)];
 }
 
+std::uint64_t LiveImage::version() const {
+    return std::accumulate(versions_.begin(), versions_.end(), std::uint64_t{0});
+}
+
 void LiveImage::put_tile(const RenderedTile& rendered) {
     const Imath::Box2i part = common_part(rendered.tile, window_);
     if (part.isEmpty()) return;
-    const auto seconds = static_cast<float>(rendered.seconds / area(rendered.tile));
+    const auto seconds =
+        static_cast<float>(rendered.seconds / static_cast<double>(area(rendered.tile)));
     for (int y = part.min.y; y <= part.max.y; ++y) {
         const std::lock_guard lock(mutex_of(y));
         put_row(rendered.samples, y, part.min.x, part.max.x);
@@ -104,8 +109,22 @@ void LiveImage::copy(const Imath::Box2i& part, Pixels& to) const {
 LiveImage::Pixels LiveImage::pixels_of(std::size_t tile) const {
     Pixels result;
     copy(tiles_[tile], result);
-    if (settings_.decodes()) decode(result.colors);
     return result;
+}
+
+LiveImage::Summary LiveImage::summary() const {
+    Summary sum;
+    const auto width = static_cast<std::size_t>(width_);
+    for (int y = window_.min.y; y <= window_.max.y; ++y) {
+        const std::lock_guard lock(mutex_of(y));
+        for (std::size_t i = index(window_.min.x, y), end = i + width; i < end; ++i) {
+            sum.samples += pixels_.samples[i];
+            sum.most_samples = std::max(sum.most_samples, pixels_.samples[i]);
+            sum.most_seconds = std::max(sum.most_seconds, pixels_.seconds[i]);
+        }
+    }
+    sum.samples /= static_cast<double>(pixels_.samples.size());
+    return sum;
 }
 
 LiveImage::Pixels LiveImage::pixels() const {
@@ -114,7 +133,6 @@ LiveImage::Pixels LiveImage::pixels() const {
         const int bottom = std::min(y + tile_side - 1, window_.max.y);
         copy({{window_.min.x, y}, {window_.max.x, bottom}}, result);
     }
-    if (settings_.decodes()) decode(result.colors);
     return result;
 }
 

@@ -18,9 +18,16 @@ class LiveImage {
   public:
     /// What is known of some pixels, by rows.
     struct Pixels {
-        std::vector<Color> colors;  ///< values that an EXR of the image has
+        std::vector<Color> colors;  ///< as the film has them
         std::vector<std::uint32_t> samples;
-        std::vector<float> seconds;  ///< wall time that samples took, spread evenly over a tile
+        std::vector<float> seconds;  ///< processor time of samples, spread over a tile
+    };
+
+    /// What the costs of the pixels come to.
+    struct Summary {
+        double samples = 0;  ///< mean number of a pixel
+        std::uint32_t most_samples = 0;
+        float most_seconds = 0;
     };
 
     explicit LiveImage(const RenderSettings& settings);
@@ -38,9 +45,14 @@ class LiveImage {
     /// Number of times that a tile's pixels have changed; 0: there are none yet.
     std::uint64_t version(std::size_t tile) const { return versions_[tile]; }
 
+    /// Sum of the versions of all tiles.
+    std::uint64_t version() const;
+
     /// Copies of the pixels of a tile, and of all. From any thread.
     Pixels pixels_of(std::size_t tile) const;
     Pixels pixels() const;
+
+    Summary summary() const;
 
   private:
     void put_tile(const RenderedTile& rendered);
@@ -61,7 +73,7 @@ class LiveImage {
     std::vector<Imath::Box2i> tiles_;
     std::vector<std::atomic<std::uint64_t>> versions_;  ///< of the tiles
     mutable std::deque<std::mutex> mutexes_;            ///< of the rows of tiles
-    Pixels pixels_;  ///< colours as the film has them: decoded when they are copied
+    Pixels pixels_;
 };
 
 }  // namespace etalon

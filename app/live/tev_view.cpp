@@ -4,6 +4,7 @@
 
 #include "app/common/console.h"
 #include "app/live/tev_packets.h"
+#include "core/image/image.h"
 
 namespace etalon {
 namespace {
@@ -59,8 +60,9 @@ std::string TevView::send_changes(TcpSender& sender) {
     for (std::size_t tile = 0; tile < sent_.size(); ++tile) {
         const std::uint64_t version = image_.version(tile);  // what is copied is that or newer
         if (version == sent_[tile]) continue;
-        const auto pixels = image_.pixels_of(tile);
-        const std::string message = tev::update_image(name_, image_.tiles()[tile], pixels.colors);
+        std::vector<Color> colors = image_.pixels_of(tile).colors;
+        if (image_.settings().decodes()) decode(colors);
+        const std::string message = tev::update_image(name_, image_.tiles()[tile], colors);
         if (std::string error = sender.send(message); !error.empty()) return error;
         sent_[tile] = version;
     }

@@ -24,6 +24,8 @@ struct RenderArguments {
     double exposure = 0, target_error = 0, time_limit = 0, max_distance = 0,
            checkpoint_every = 0;  ///< seconds; 0: as usual
     bool resume = false, spd = false, quiet = false, display_values = false;
+    bool serve = false;  ///< `etalon serve`: a page shows the image as it converges
+    bool stay = false;   ///< the page stays when all is done
 };
 
 void declare_render_options(Options& options, RenderArguments& a);

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "app/common/backends.h"
 #include "app/common/console.h"
@@ -11,6 +13,7 @@
 #include "app/common/units.h"
 #include "app/compare/metrics_report.h"
 #include "app/live/live_image.h"
+#include "app/live/live_page.h"
 #include "app/live/tev_view.h"
 #include "app/merge/film_appendix.h"
 #include "app/render/aovs.h"
@@ -36,6 +39,9 @@ bool complain(const std::string& message) {
     return false;
 }
 
+/// Time between two looks whether a page that stays is to go.
+constexpr auto page_interval = std::chrono::milliseconds(50);
+
 std::string default_output(const std::string& scene) {
     const std::string stem = scene == "-" ? "render" : std::filesystem::path(scene).stem().string();
     return stem + ".exr";
@@ -47,6 +53,13 @@ class Render {
     explicit Render(RenderArguments arguments) : a_(std::move(arguments)) {}
 
     int run() {
+        const int status = render_and_write();
+        if (page_ && is_written_) show_end();
+        return status;
+    }
+
+  private:
+    int render_and_write() {
         const ThreadLimit limit(a_.threads);
         if (!a_.checkpoint.empty() || !a_.part.empty()) files_.emplace();
         LoadedScene loaded = load(a_.scene);
@@ -62,7 +75,7 @@ class Render {
             return complain(missing), exit_unusable;
         }
         if (const int status = check_outputs(); status != exit_done) return status;
-        if (!build()) return exit_unusable;
+        if (!open_page() || !build()) return exit_unusable;
         identify();
         if (!open_checkpoint() || !open_reference()) return exit_unusable;
         const Rendering rendering = render_image();
@@ -73,12 +86,12 @@ class Render {
         warn_of_dropped_samples(rendering);
         const bool usable = tolerates(integrator_->late_problems());
         const bool written = rendering.counts.camera == 0 || write(rendering);
+        is_written_ = written;
         if (signals_.signal() != 0) return exit_signal + signals_.signal();
         if (!written) return exit_not_written;
         return usable ? exit_done : exit_unusable;
     }
 
-  private:
     bool open_reference() {
         if (a_.reference.empty()) return true;
         const std::string error = reference_.emplace().open(a_.reference, settings_);
@@ -119,11 +132,33 @@ class Render {
         return error.empty() || complain(error);
     }
 
+    /// Serves the page that shows the image, where there is to be one.
+    bool open_page() {
+        if (!a_.serve) return true;
+        page_.emplace(settings_, a_.scene.path, a_.exposure, SignalGuard::interrupt);
+        const std::string error = page_->start();
+        if (!error.empty()) return complain("the page cannot be shown: " + error);
+        print_result("{}\n", page_->address());
+        return true;
+    }
+
+    /// Lets pages show the finished image before the program ends.
+    void show_end() {
+        page_->set_stage(ViewState::Stage::over);
+        page_->wait_for_pages();
+        while (a_.stay && !signals_.raised()) std::this_thread::sleep_for(page_interval);
+    }
+
     /// Returns the exit status for outputs that cannot be had, as far as can be told before.
     int check_outputs() const {
         std::vector<std::string> paths = a_.outputs;
         if (a_.stats == "-") paths.push_back(a_.stats);
         auto [error, status] = etalon::check_outputs(paths);
+        const bool uses_standard_output = std::ranges::count(paths, "-") > 0;
+        if (error.empty() && a_.serve && uses_standard_output) {
+            return complain("standard output has the address of the page; expected files"),
+                   exit_usage;
+        }
         if (error.empty() && std::ranges::count(a_.outputs, "-") > 0) {
             error = check_image_to_standard_output();
             status = exit_usage;
@@ -191,11 +226,17 @@ class Render {
             control.observers.push_back(
                 {.after_pass = [&](const RenderedPass& pass) { reference_->note(pass); }});
         }
+        if (page_) {
+            control.estimates_error = true;
+            for (const RenderObserver& o : page_->observers()) control.observers.push_back(o);
+            page_->set_stage(ViewState::Stage::rendering);
+        }
         if (progress) {
             control.observers.push_back({.progress = [&](double part) { progress->update(part); }});
         }
         Rendering rendering = render(scene_.camera, *integrator_, settings_, control);
         stats_.render = watch_.lap();
+        if (page_) page_->set_stage(ViewState::Stage::writing);
         return rendering;
     }
 
@@ -331,6 +372,8 @@ class Render {
     std::optional<StateReader> resumed_;
     std::unique_ptr<Intersector> intersector_;
     std::unique_ptr<Integrator> integrator_;
+    std::optional<LivePage> page_;
+    bool is_written_ = false;
     std::optional<LiveImage> live_;
     std::optional<TevView> tev_;  ///< sends the last of the image when everything else is done
 };
@@ -340,6 +383,18 @@ class Render {
 Action declare_render(Options& options) {
     auto arguments = std::make_shared<RenderArguments>();
     declare_render_options(options, *arguments);
+    return [arguments] { return Render(*arguments).run(); };
+}
+
+Action declare_serve(Options& options) {
+    auto arguments = std::make_shared<RenderArguments>();
+    arguments->serve = true;
+    declare_render_options(options, *arguments);
+    options
+        .add_flag("--stay", arguments->stay,
+                  "Show the finished image until a signal ends the program (default: until the "
+                  "pages that are open have shown it)")
+        .group("Live view");
     return [arguments] { return Render(*arguments).run(); };
 }
 

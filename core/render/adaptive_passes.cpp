@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/parallel/parallel.h"
-#include "core/render/filtered_errors.h"
 
 namespace etalon {
 namespace {
@@ -27,30 +26,14 @@ constexpr std::uint32_t most_to_fewest = 64;
 
 AdaptivePasses::AdaptivePasses(const ImageFilm& image, const RenderSettings& settings,
                                std::uint32_t samples)
-    : image_(image),
-      settings_(settings),
-      estimate_(image.samples().width(),
-                static_cast<int>(image.samples().size()) / image.samples().width(),
-                settings.decodes()),
-      error_(settings.target_error),
-      samples_(samples) {}
+    : errors_(image, settings), error_(settings.target_error), samples_(samples) {}
 
 std::optional<SamplingGoal> AdaptivePasses::next(const Film& film) {
-    look(film);
-    expected_ = estimate_.total();
+    errors_.look();
+    expected_ = errors_.estimate().total();
     std::optional<SamplingGoal> goal = plan(film);
     is_complete_ = !goal;
     return goal;
-}
-
-void AdaptivePasses::look(const Film& film) {
-    if (!image_.is_filtered()) return estimate_.look(film);
-    const Film image = image_.filtered();
-    filtered_before_.resize(image.size(), Vec3(0));
-    const FilteredErrors errors =
-        filtered_errors(image, filtered_before_, film.window(), settings_);
-    estimate_.look(film, &errors);
-    for (std::size_t i = 0; i < image.size(); ++i) filtered_before_[i] = image.mean(i);
 }
 
 std::optional<SamplingGoal> AdaptivePasses::plan(const Film& film) {
@@ -62,11 +45,11 @@ std::optional<SamplingGoal> AdaptivePasses::plan(const Film& film) {
 }
 
 std::optional<double> AdaptivePasses::expected_error() const {
-    return estimate_.exists() ? std::optional(expected_) : std::nullopt;
+    return errors_.estimate().exists() ? std::optional(expected_) : std::nullopt;
 }
 
 bool AdaptivePasses::is_enough() const {
-    return estimate_.exists() && expected_ <= (1 + tolerance) * error_;
+    return errors_.estimate().exists() && expected_ <= (1 + tolerance) * error_;
 }
 
 /// Whether too little is known; not if twice the samples for all were more than was asked for.
@@ -77,13 +60,14 @@ bool AdaptivePasses::knows_too_little() const {
 
 /// The best ones first.
 std::vector<AdaptivePasses::Candidate> AdaptivePasses::candidates(const Film& film) const {
+    const ErrorEstimate& estimate = errors_.estimate();
     std::vector<Candidate> result(film.size());
     parallel_for(film.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const int x = static_cast<int>(i) % film.width();
             const int y = static_cast<int>(i) / film.width();
-            const double falls_by = 1 - std::exp2(-estimate_.rate(x, y));
-            result[i] = {estimate_.by_neighbours(x, y) * falls_by / film.counts()[i],
+            const double falls_by = 1 - std::exp2(-estimate.rate(x, y));
+            result[i] = {estimate.by_neighbours(x, y) * falls_by / film.counts()[i],
                          static_cast<std::uint32_t>(i)};
         }
     });

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/render/error_estimate.h"
-#include "core/render/image_film.h"
+#include "core/render/pass_errors.h"
 #include "core/render/sampling_passes.h"
 #include "core/scene/render_settings.h"
 
@@ -30,24 +29,19 @@ class AdaptivePasses : public SamplingPasses {
 
     template <class Bytes>
     void transfer(Bytes& bytes) {
-        estimate_.transfer(bytes);
-        bytes(filtered_before_);
+        errors_.transfer(bytes);
         bytes(expected_);
         bytes(of_all_);
         bytes(is_complete_);
     }
 
-    void look(const Film& film);
     std::optional<SamplingGoal> plan(const Film& film);
     bool is_enough() const;
     bool knows_too_little() const;
     std::vector<Candidate> candidates(const Film& film) const;
     SamplingGoal worthwhile(const Film& film) const;
 
-    const ImageFilm& image_;
-    const RenderSettings& settings_;
-    ErrorEstimate estimate_;
-    std::vector<Vec3> filtered_before_;  ///< filtered values when last looked at
+    PassErrors errors_;
     double error_, expected_ = 0;
     std::uint32_t samples_, of_all_ = 0;
     bool is_complete_ = false;

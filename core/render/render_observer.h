@@ -13,7 +13,7 @@ namespace etalon {
 struct RenderedTile {
     const Film& samples;       ///< those of the tile's pixels may be read, of no others
     const Imath::Box2i& tile;  ///< pixels, inclusive on both ends; some may be beyond the image
-    double seconds;            ///< wall time that its samples took
+    double seconds;            ///< processor time that its samples took
 };
 
 /// An image as it is after a pass, or after what a stop left of it.

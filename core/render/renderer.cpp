@@ -1,13 +1,15 @@
 #include "core/render/renderer.h"
 
+#include <time.h>
+
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <vector>
 
 #include "core/render/adaptive_passes.h"
 #include "core/render/camera_sampler.h"
 #include "core/render/image_film.h"
+#include "core/render/pass_errors.h"
 #include "core/render/sample_batch.h"
 #include "core/render/tiles.h"
 #include "core/render/uniform_passes.h"
@@ -15,7 +17,12 @@
 namespace etalon {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+/// Seconds of processor time that this thread has had.
+double thread_seconds() {
+    timespec time = {};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 class Renderer {
   public:
@@ -29,6 +36,7 @@ class Renderer {
           tiles_(film_.tiles()),
           counts_(tiles_.size()) {
         if (settings.target_error > 0) return;
+        if (control.estimates_error) errors_.emplace(film_, settings);
         film_.set_rates(sample_rates(camera, integrator, settings, film_.samples().window()));
     }
 
@@ -99,7 +107,8 @@ class Renderer {
     /// The film, if there is anything new in it.
     void show(const SamplingPasses& passes) {
         if (is_observed(&RenderObserver::after_pass) && shown_ < samples_done_) {
-            const std::optional<double> error = passes.expected_error();
+            if (errors_) errors_->look();
+            const auto error = errors_ ? errors_->expected() : passes.expected_error();
             const auto tell_film = [&](const Film& film) {
                 tell(&RenderObserver::after_pass, RenderedPass{film, error});
             };
@@ -114,8 +123,8 @@ class Renderer {
         shown_ = samples_done_;
     }
 
-    void show_tile(const Imath::Box2i& tile, std::chrono::duration<double> time) const {
-        tell(&RenderObserver::after_tile, RenderedTile{film_.samples(), tile, time.count()});
+    void show_tile(const Imath::Box2i& tile, double seconds) const {
+        tell(&RenderObserver::after_tile, RenderedTile{film_.samples(), tile, seconds});
     }
 
     template <class Function>
@@ -196,13 +205,13 @@ class Renderer {
         const bool shows_tiles = is_observed(&RenderObserver::after_tile);
         const std::vector<Imath::Box2i> tiles = unfinished_tiles();
         for_each_tile(tiles, interrupted, [&](std::size_t i, const Imath::Box2i& tile) {
-            const auto start = shows_tiles ? Clock::now() : Clock::time_point();
+            const double start = shows_tiles ? thread_seconds() : 0;
             SampleBatch batch(rays_, integrator_, film_, counts_[i]);
             for_each_pixel(tile, interrupted, [&](int x, int y) { add_pixel(x, y, batch); });
             batch.finish();
             const std::uint64_t total = samples_done_.fetch_add(batch.done()) + batch.done();
             samples_dropped_ += batch.dropped();
-            if (shows_tiles) show_tile(tile, Clock::now() - start);
+            if (shows_tiles) show_tile(tile, thread_seconds() - start);
             if (has_progress) tell(&RenderObserver::progress, passes.progress(total));
         });
     }
@@ -234,8 +243,9 @@ class Renderer {
     std::vector<RayCounts> counts_;  ///< of as many tiles, which one thread at a time adds to
     RayCounts resumed_counts_;
     SamplingGoal goal_;
-    bool in_pass_ = false;   ///< the goal is not reached
-    bool is_image_ = false;  ///< the first pass is over
+    bool in_pass_ = false;              ///< the goal is not reached
+    bool is_image_ = false;             ///< the first pass is over
+    std::optional<PassErrors> errors_;  ///< where no passes estimate them
     std::atomic<std::uint64_t> samples_done_ = 0;
     std::atomic<std::uint64_t> samples_dropped_ = 0;
     std::uint64_t samples_resumed_ = 0, shown_ = 0;

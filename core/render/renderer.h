@@ -36,6 +36,7 @@ struct RunControl {
     std::function<void(const std::function<void(StateWriter&)>&)> take_film{};
     StateKeeper* keeper = nullptr;   ///< gets the state when it is due, and when a stop ends all
     StateReader* resumed = nullptr;  ///< the state of the same rendering from which to go on
+    bool estimates_error = false;    ///< passes tell an error also where no target asks for it
 };
 
 struct Rendering {

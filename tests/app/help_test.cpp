@@ -16,7 +16,7 @@ struct Program {
 };
 
 const std::vector<Program> programs = {
-    {"etalon", {"render", "info", "trace", "crosscheck", "compare", "convert", "merge"}},
+    {"etalon", {"render", "serve", "info", "trace", "crosscheck", "compare", "convert", "merge"}},
     {"etalon-bench", {"speed", "accuracy", "convergence", "frames", "report"}},
     {"etalon-scenes", {""}},
 };

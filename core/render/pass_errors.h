@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/render/error_estimate.h"
+#include "core/render/image_film.h"
+
+namespace etalon {
+
+/// The expected error of an image, told from how it changes from pass to pass.
+class PassErrors {
+  public:
+    /// For images like this one, which must outlive this.
+    PassErrors(const ImageFilm& image, const RenderSettings& settings);
+
+    /// Looks at the image after a pass.
+    void look();
+
+    const ErrorEstimate& estimate() const { return estimate_; }
+
+    /// relMSE of the image; nothing before samples were doubled.
+    std::optional<double> expected() const;
+
+    template <class Bytes>
+    void transfer(Bytes& bytes) {
+        estimate_.transfer(bytes);
+        bytes(filtered_before_);
+    }
+
+  private:
+    const ImageFilm& image_;
+    const RenderSettings& settings_;
+    ErrorEstimate estimate_;
+    std::vector<Vec3> filtered_before_;  ///< filtered values when last looked at
+};
+
+}  // namespace etalon
