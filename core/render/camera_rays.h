@@ -52,7 +52,6 @@ class CameraRays {
     const std::optional<Imath::M44d>& world_to_ndc() const { return frame_.world_to_ndc; }
 
   private:
-    CameraFrame frame_;
     CameraFrame frame_at(ShutterTime time) const;
 
     CameraFrame frame_;
