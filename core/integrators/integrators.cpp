@@ -26,6 +26,8 @@ constexpr IntegratorType integrators[] = {
      make<Whitted>, true, false},
     {"path", "light over any number of bounces, by physical rules", path_options, make<PathTracer>,
      false, true},
+    {"volpath", "path through fog, smoke and other media of a PBRT scene", path_options,
+     make<VolumePathTracer>, false, true},
     {"ao", "ambient occlusion: the share of directions in which nothing is near", ao_options,
      make<AmbientOcclusion>, true, true},
 };

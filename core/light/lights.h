@@ -37,6 +37,9 @@ class Lights {
     /// Whether rays meet any of them.
     bool can_be_seen() const { return !area_lights_.empty() || !infinite_.empty(); }
 
+    /// Radius of a sphere around the scene's bounds.
+    double scene_radius() const { return scene_radius_; }
+
     /// How many there are to pick from: the halves of a quadrilateral are one.
     std::size_t size() const { return sources_.size(); }
 

@@ -19,6 +19,8 @@ enum PathDimension : std::uint32_t {
     other_side_ray = 1,              ///< name of the next ray, through the surface
     first_light = 2,                 ///< point on a light; light i has first_light + i
     occlusion_direction = 1U << 31,  ///< above all lights
+    medium_collisions,               ///< of a ray in a medium, after the first
+    shadow_collisions,               ///< of the shadow rays of a vertex
 };
 
 /// The name of a camera's ray.
@@ -34,6 +36,15 @@ inline std::uint32_t light_dimension(std::uint32_t ray, std::size_t light) {
 
 inline std::uint32_t occlusion_dimension(std::uint32_t ray) {
     return hash(ray, occlusion_direction);
+}
+
+inline std::uint32_t collision_dimension(std::uint32_t ray) {
+    return hash(ray, medium_collisions);
+}
+
+/// Of shadow ray number `k` of the vertex.
+inline std::uint32_t shadow_collision_dimension(std::uint32_t ray, std::size_t k) {
+    return hash(hash(ray, shadow_collisions), static_cast<std::uint32_t>(k));
 }
 
 /// The choices of a ray set, which are dimensions of samples of its own.

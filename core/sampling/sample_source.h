@@ -1,6 +1,7 @@
 // The sample points of an image, each named by its pixel, sample, dimension and seed.
 #pragma once
 
+#include "core/sampling/random_sequence.h"
 #include "core/sampling/sobol.h"
 #include "core/sampling/vertex_points.h"
 #include "core/scene/render_settings.h"
@@ -101,6 +102,11 @@ class SampleSource {
     /// Adds the choices at the vertex of that name to those that will be made together.
     void add_vertex(std::uint32_t name, VertexPoints& to) const {
         to.add(pixel_.seed(name), index_);
+    }
+
+    /// The numbers of a dimension that takes any number of them.
+    RandomSequence sequence(std::uint32_t dimension) const {
+        return {pixel_.seed(dimension), index_};
     }
 
     /// Sample number `k` of the `parts` into which this one splits. Over all samples of the pixel

@@ -8,6 +8,7 @@
 
 #include "core/parallel/large_pages.h"
 #include "core/scene/physical_light.h"
+#include "core/scene/physical_medium.h"
 #include "core/scene/physical_material.h"
 #include "core/scene/texture.h"
 
@@ -26,6 +27,7 @@ struct SurfaceBinding {
     std::uint32_t uv_offset = no_index;
     NumberSlot alpha{1.0F};         ///< a ray passes where it is 0
     NumberSlot shadow_alpha{1.0F};  ///< a shadow ray passes where it, or alpha, is 0
+    MediumInterface media{};
 };
 
 /// The statement that names an image file, for the message if the file cannot be read.
@@ -39,6 +41,8 @@ struct PhysicalLook {
     std::vector<SurfaceBinding> bindings;
     std::vector<PhysicalMaterial> materials;
     std::vector<PhysicalLight> lights;
+    std::vector<PhysicalMedium> media;
+    std::uint32_t camera_medium = no_index;  ///< in which the camera is
     Textures textures;
     std::vector<NamedImage> named_images;
     LargeVector<std::array<float, 2>> uvs;  ///< of vertices of triangles

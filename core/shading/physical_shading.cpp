@@ -28,12 +28,17 @@ bool has_cut_out(const SurfaceBinding& binding) {
     return can_be_zero(binding.alpha) || can_be_zero(binding.shadow_alpha);
 }
 
+bool is_none(const PhysicalMaterial& material) {
+    return std::holds_alternative<NoMaterial>(material.kind);
+}
+
 }  // namespace
 
 PhysicalShading::PhysicalShading(const Scene& scene, std::vector<std::string>& problems)
     : scene_(scene),
       textures_(scene.physical().textures, problems),
-      has_cut_outs_(std::ranges::any_of(scene.physical().bindings, has_cut_out)) {
+      has_cut_outs_(std::ranges::any_of(scene.physical().bindings, has_cut_out)),
+      has_passages_(has_cut_outs_ || std::ranges::any_of(scene.physical().materials, is_none)) {
     for (const PhysicalMaterial& m : scene.physical().materials) traits_.push_back(traits_of(m));
 }
 
@@ -54,8 +59,7 @@ bool PhysicalShading::is_cut_out(const PhysicalSurface& at, RayKind kind) const 
 }
 
 bool PhysicalShading::is_passed(const PhysicalSurface& at) const {
-    const PhysicalMaterial& material = scene_.physical().materials[at.binding->material];
-    return std::holds_alternative<NoMaterial>(material.kind);
+    return is_none(scene_.physical().materials[at.binding->material]);
 }
 
 MaterialPoint PhysicalShading::material_point(const PhysicalSurface& at) const {

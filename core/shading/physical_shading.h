@@ -20,6 +20,9 @@ class PhysicalShading {
     /// Whether any surface lets rays pass where a texture says so.
     bool has_cut_outs() const { return has_cut_outs_; }
 
+    /// Whether any surface lets shadow rays pass: for that, or for having no material.
+    bool has_passages() const { return has_passages_; }
+
     /// Whether there is nothing at this point of the surface for a ray of that kind.
     bool is_cut_out(const PhysicalSurface& at, RayKind kind) const;
 
@@ -46,7 +49,7 @@ class PhysicalShading {
 
     const Scene& scene_;
     TextureValues textures_;
-    bool has_cut_outs_;
+    bool has_cut_outs_, has_passages_;
     std::vector<Traits> traits_;  ///< of each material
 };
 

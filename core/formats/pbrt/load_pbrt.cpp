@@ -55,9 +55,9 @@ LoadResult load_pbrt(std::string_view text, const std::string& path, const LoadO
     build_camera(b);
     build_textures(b);
     build_materials(b);
+    build_media(b);
     build_lights(b);
     build_shapes(b);
-    for (const Medium& medium : b.frame.media) warn_of_stand_in(b, medium.plugin);
     result.diagnostics = std::move(file.diagnostics);
     std::ranges::move(b.log.take(), std::back_inserter(result.diagnostics));
     if (options.strict && has_errors(result.diagnostics)) result.scene.reset();

@@ -27,4 +27,23 @@ class PathTracer final : public Integrator {
     PathScene scene_;
 };
 
+/// The same in scenes with media. Surfaces without a material hide no light from others.
+class VolumePathTracer final : public Integrator {
+  public:
+    /// See PathTracer.
+    VolumePathTracer(const Scene& scene, const BatchIntersector& intersector,
+                     const RenderSettings& settings, std::vector<std::string>& problems);
+
+    void radiance(const CameraSamples& samples, std::span<Color> colors,
+                  RayCounts& counts) const override;
+
+    /// Not through media, in which a lamp has no outline that is worth samples.
+    bool shows_lights() const override { return !in_media_ && scene_.lights.can_be_seen(); }
+    void emission(const CameraSamples& samples, std::span<Color> colors) const override;
+
+  private:
+    PathScene scene_;
+    bool in_media_;  ///< whether the scene has anything that PathTracer does not render
+};
+
 }  // namespace etalon

@@ -21,8 +21,9 @@ float balance_weight(float a, float b) {
 
 }  // namespace
 
-PathBatch::PathBatch(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors,
-                     RayCounts& counts, int most_vertices)
+template <bool in_media>
+PathBatch<in_media>::PathBatch(const PathScene& scene, const CameraSamples& samples,
+                               std::span<Color> colors, RayCounts& counts, int most_vertices)
     : shared_(scene),
       samples_(samples),
       colors_(colors),
@@ -33,23 +34,28 @@ PathBatch::PathBatch(const PathScene& scene, const CameraSamples& samples, std::
     for (std::uint32_t i = 0; i < rays_.size(); ++i) {
         paths_.push_back({i, camera_ray_name, samples.sources[i]});
     }
+    if constexpr (in_media) media_.assign(rays_.size(), scene.scene.physical().camera_medium);
     counts_.camera += rays_.size();
 }
 
-void PathBatch::run() {
+template <bool in_media>
+void PathBatch<in_media>::run() {
     std::ranges::fill(colors_, Color(0.0F));
     for (bool from_camera = true; !paths_.empty(); from_camera = false) {
         hits_.resize(rays_.size());
         shared_.intersector.closest(rays_, hits_);
+        if constexpr (in_media) fly_all();
         make_points();
         shade_all(from_camera);
         add_answers();
         std::swap(rays_, next_rays_);
         std::swap(paths_, next_paths_);
+        if constexpr (in_media) std::swap(media_, next_media_);
     }
 }
 
-void PathBatch::make_points() {
+template <bool in_media>
+void PathBatch<in_media>::make_points() {
     asked_.clear();
     ways_.clear();
     light_points_.clear();
@@ -71,7 +77,8 @@ void PathBatch::make_points() {
     on_lights_ = light_points_.make();
 }
 
-void PathBatch::add_light_points(const Path& path) {
+template <bool in_media>
+void PathBatch<in_media>::add_light_points(const Path& path) {
     for (std::uint32_t light = 0; light < shared_.lights.size(); ++light) {
         const auto samples = static_cast<std::uint32_t>(shared_.lights.samples(light));
         const std::uint32_t dimension = light_dimension(path.name, light);
@@ -81,26 +88,34 @@ void PathBatch::add_light_points(const Path& path) {
     }
 }
 
-void PathBatch::shade_all(bool from_camera) {
+template <bool in_media>
+void PathBatch<in_media>::shade_all(bool from_camera) {
     next_rays_.clear();
     next_paths_.clear();
     shadow_rays_.clear();
     answers_.clear();
-    Numbers numbers;
+    if constexpr (in_media) {
+        next_media_.clear();
+        shadow_media_.clear();
+    }
+    VertexNumbers numbers;
     for (std::size_t i = 0; i < rays_.size(); ++i) {
-        if (hits_[i].primitive == no_index) {
+        if (is_in_medium(i)) {
+            scatter_in_medium(i, numbers);
+        } else if (hits_[i].primitive == no_index) {
             add_escaped(paths_[i], rays_[i].direction);
-            continue;
+        } else {
+            ++(from_camera ? counts_.camera_hits : counts_.secondary_hits);
+            shade(i, numbers);
         }
-        ++(from_camera ? counts_.camera_hits : counts_.secondary_hits);
-        shade(i, numbers);
         if (!may_scatter(i)) continue;
         ++numbers.vertex;
         numbers.first_way += ways_of(paths_[i]);
     }
 }
 
-void PathBatch::shade(std::size_t ray, const Numbers& numbers) {
+template <bool in_media>
+void PathBatch<in_media>::shade(std::size_t ray, const VertexNumbers& numbers) {
     Path& path = paths_[ray];
     const Vec3& direction = rays_[ray].direction;
     const PhysicalSurface surface = physical_surface(shared_.scene, rays_[ray], hits_[ray]);
@@ -109,14 +124,22 @@ void PathBatch::shade(std::size_t ray, const Numbers& numbers) {
     if (cut_out || shared_.shading.is_passed(surface)) {
         next_rays_.push_back(ray_beyond(rays_[ray], hits_[ray], surface.point.convexity));
         next_paths_.push_back(path);
+        if constexpr (in_media) {
+            next_paths_.back().name = ray_name(path.name, true);
+            next_media_.push_back(cut_out ? media_[ray]
+                                          : medium_beyond(surface, direction, media_[ray]));
+        }
         ++counts_.refracted;
         return;
     }
     if (!may_scatter(ray)) return;
     std::optional<LobeList> room;
     const auto [frame, lobes] = shared_.shading.scattering(surface, room);
-    const Vertex at{surface, frame.ns, BsdfFrom(frame, lobes, -normalized(direction)), numbers,
-                    lobes.has_smooth() ? ways_of(path) : 1};
+    const SurfaceVertex at{{numbers, lobes.has_smooth() ? ways_of(path) : 1},
+                           surface,
+                           frame.ns,
+                           BsdfFrom(frame, lobes, -normalized(direction)),
+                           in_media ? media_[ray] : no_index};
     const bool is_above = surface.ng.dot(direction) < 0;
     path.last.position = surface.point.position;
     path.last.normal = lobes.has_smooth_transmission() ? Vec3(0)
@@ -126,7 +149,24 @@ void PathBatch::shade(std::size_t ray, const Numbers& numbers) {
     scatter(path, at);
 }
 
-void PathBatch::add_escaped(const Path& path, const Vec3& direction) {
+/// Scatters a path in the medium that its ray goes through.
+template <bool in_media>
+void PathBatch<in_media>::scatter_in_medium(std::size_t ray, const VertexNumbers& numbers) {
+    Path& path = paths_[ray];
+    const Vec3 direction = normalized(rays_[ray].direction);
+    path.last.position = rays_[ray].origin + flights_[ray] * rays_[ray].direction;
+    path.last.normal = Vec3(0);
+    const MediumVertex at{{numbers, ways_of(path)},
+                          path.last.position,
+                          direction,
+                          shared_.media.phase(media_[ray]),
+                          media_[ray]};
+    if (!shared_.lights.empty()) ask_lights(path, at);
+    scatter(path, at);
+}
+
+template <bool in_media>
+void PathBatch<in_media>::add_escaped(const Path& path, const Vec3& direction) {
     for (const std::uint32_t light : shared_.lights.infinite()) {
         const InfiniteLight& infinite = shared_.lights.infinite_light(light);
         const Color radiance = infinite.radiance(direction);
@@ -140,7 +180,9 @@ void PathBatch::add_escaped(const Path& path, const Vec3& direction) {
     }
 }
 
-void PathBatch::add_emitted(const Path& path, const PhysicalSurface& at, const Vec3& direction) {
+template <bool in_media>
+void PathBatch<in_media>::add_emitted(const Path& path, const PhysicalSurface& at,
+                                      const Vec3& direction) {
     const SurfaceBinding& binding = *at.binding;
     if (binding.light == no_index) return;
     const std::uint32_t light =
@@ -156,29 +198,35 @@ void PathBatch::add_emitted(const Path& path, const PhysicalSurface& at, const V
     add(path, weight * radiance);
 }
 
-void PathBatch::ask_lights(Path& path, const Vertex& at) {
+template <bool in_media>
+template <class Vertex>
+void PathBatch<in_media>::ask_lights(Path& path, const Vertex& at) {
     if (!shared_.asks_all) {
         const std::size_t number = at.numbers.vertex;
         const auto pick = shared_.lights.pick(path.last, asked_.choices(number).x);
         if (!pick) return;
         ask_light(path, at,
-                  {pick->light, static_cast<float>(pick->probability), asked_.place(number)});
+                  {pick->light, static_cast<float>(pick->probability), asked_.place(number), 0});
         return;
     }
-    std::size_t next = at.numbers.vertex * shared_.lights.samples();
+    std::size_t first = at.numbers.vertex * shared_.lights.samples(), next = first;
     for (std::uint32_t light = 0; light < shared_.lights.size(); ++light) {
         const int samples = shared_.lights.samples(light);
         for (int k = 0; k < samples; ++k) {
-            ask_light(path, at, {light, static_cast<float>(samples), on_lights_[next++]});
+            ask_light(path, at,
+                      {light, static_cast<float>(samples), on_lights_[next], next - first});
+            ++next;
         }
     }
 }
 
-void PathBatch::ask_light(const Path& path, const Vertex& at, const Question& question) {
+template <bool in_media>
+template <class Vertex>
+void PathBatch<in_media>::ask_light(const Path& path, const Vertex& at, const Question& question) {
     const LightSample light =
         shared_.lights.sample(question.light, path.last.position, question.uv);
     if (!(light.pdf > 0)) return;
-    const Evaluation scattered = at.scattering.evaluate(light.wi);
+    const Evaluation scattered = at.evaluate(light.wi);
     if (scattered.f == Color(0.0F)) return;
 
     const float asked = question.expected_samples * light.pdf;
@@ -188,20 +236,30 @@ void PathBatch::ask_light(const Path& path, const Vertex& at, const Question& qu
         weight = light.at_infinity ? balance_weight(asked, scattered_density)
                                    : power_weight(asked, scattered_density);
     }
-    const auto cosine = static_cast<float>(std::abs(at.ns.dot(light.wi)));
+    const float cosine = at.cosine(light.wi);
     const Color color = scattered.f * light.radiance * (cosine * weight / asked);
-    Ray ray = light.at_infinity ? spawn_ray(at.surface.point, light.wi)
-                                : spawn_ray_to(at.surface.point, light.target);
+    Ray ray = light.at_infinity ? at.ray(light.wi) : at.ray_to(light.target);
     if (!light.at_infinity) ray.tmax = shadow_end;
+    if constexpr (in_media) {
+        if (light.at_infinity && light.is_delta) ray.tmax = 2 * shared_.lights.scene_radius();
+        shadow_media_.push_back(
+            {at.medium_towards(light.wi),
+             path.source.sequence(shadow_collision_dimension(path.name, question.number))});
+    }
     shadow_rays_.push_back(ray);
     answers_.push_back({path.sample, path.throughput * color});
 }
 
-void PathBatch::add_answers() {
+template <bool in_media>
+void PathBatch<in_media>::add_answers() {
     blocked_.resize(shadow_rays_.size());
-    shared_.intersector.occluded(shadow_rays_, blocked_);
     counts_.shadow += shadow_rays_.size();
-    if (shared_.shading.has_cut_outs()) pass_cut_outs();
+    if constexpr (in_media) {
+        attenuate_answers();
+    } else {
+        shared_.intersector.occluded(shadow_rays_, blocked_);
+        if (shared_.shading.has_cut_outs()) pass_cut_outs();
+    }
     for (std::size_t i = 0; i < answers_.size(); ++i) {
         counts_.shadow_blocked += blocked_[i];
         if (blocked_[i] == 0) colors_[answers_[i].sample] += answers_[i].color;
@@ -209,7 +267,8 @@ void PathBatch::add_answers() {
 }
 
 /// Asks again for rays that met nothing but holes in surfaces.
-void PathBatch::pass_cut_outs() {
+template <bool in_media>
+void PathBatch<in_media>::pass_cut_outs() {
     for (std::size_t i = 0; i < shadow_rays_.size(); ++i) {
         Ray ray = shadow_rays_[i];
         while (blocked_[i] != 0) {
@@ -225,7 +284,9 @@ void PathBatch::pass_cut_outs() {
     }
 }
 
-void PathBatch::scatter(const Path& path, const Vertex& at) {
+template <bool in_media>
+template <class Vertex>
+void PathBatch<in_media>::scatter(const Path& path, const Vertex& at) {
     if (at.ways == 1) return scatter(path, at, at.numbers.first_way);
     Path part = path;
     part.is_split = true;
@@ -236,12 +297,13 @@ void PathBatch::scatter(const Path& path, const Vertex& at) {
     }
 }
 
-void PathBatch::scatter(const Path& path, const Vertex& at, std::size_t way) {
+template <bool in_media>
+template <class Vertex>
+void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_t way) {
     const Vec2 choices = ways_.choices(way);
-    const std::optional<BsdfSample> s =
-        at.scattering.sample(static_cast<float>(choices.x), ways_.place(way));
+    const std::optional<BsdfSample> s = at.sample(static_cast<float>(choices.x), ways_.place(way));
     if (!s || s->f == Color(0.0F) || !(s->pdf > 0)) return;
-    const auto cosine = static_cast<float>(std::abs(at.ns.dot(s->wi)));
+    const float cosine = at.cosine(s->wi);
     Path& next = next_paths_.emplace_back(path);
     next.throughput *= s->f * (cosine / s->pdf);
     next.density = static_cast<float>(at.ways) * s->pdf;
@@ -255,13 +317,15 @@ void PathBatch::scatter(const Path& path, const Vertex& at, std::size_t way) {
         next_paths_.pop_back();
         return;
     }
-    next_rays_.push_back(spawn_ray(at.surface.point, s->wi));
+    next_rays_.push_back(at.ray(s->wi));
+    if constexpr (in_media) next_media_.push_back(at.medium_towards(s->wi));
     ++(s->transmission ? counts_.refracted : counts_.reflected);
 }
 
 /// Russian roulette by throughput: a path goes on with a probability in proportion to what it may
 /// still carry, so that those that do carry about the same.
-bool PathBatch::survives(Path& path, double choice) const {
+template <bool in_media>
+bool PathBatch<in_media>::survives(Path& path, double choice) const {
     // Both by measurement: earlier, or by less of the throughput as in pbrt-v3, costs more by the
     // noise of the survivors than it saves in rays.
     constexpr int first_at_stake = 3;
@@ -276,5 +340,8 @@ bool PathBatch::survives(Path& path, double choice) const {
     path.throughput /= survival;
     return true;
 }
+
+template class PathBatch<false>;
+template class PathBatch<true>;
 
 }  // namespace etalon

@@ -4,13 +4,16 @@
 
 #include "core/integrators/integrator.h"
 #include "core/integrators/path/path_scene.h"
+#include "core/integrators/path/path_vertices.h"
 #include "core/sampling/vertex_points.h"
 
 namespace etalon {
 
 /// The paths of some camera samples, which go on together: a wave of rays is intersected, each hit
 /// is shaded on its own, and what it asks (shadow rays) and how it goes on (the next wave) is put
-/// beside that of the others.
+/// beside that of the others. `in_media`: rays are attenuated and scattered by the media that they
+/// go through, and shadow rays pass surfaces without a material.
+template <bool in_media>
 class PathBatch {
   public:
     PathBatch(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors,
@@ -45,26 +48,12 @@ class PathBatch {
     /// comes after.
     static constexpr std::uint32_t split_ways = 2;
 
-    /// Where the choices of a vertex are.
-    struct Numbers {
-        std::size_t vertex = 0;     ///< among those that may scatter
-        std::size_t first_way = 0;  ///< among the ways that they may go on
-    };
-
-    /// Where a path is scattered.
-    struct Vertex {
-        const PhysicalSurface& surface;
-        Vec3 ns;
-        BsdfFrom scattering;  ///< to where the path came from
-        Numbers numbers;
-        std::uint32_t ways;  ///< in which the path goes on
-    };
-
     /// A direction to a light that a vertex asks for.
     struct Question {
         std::uint32_t light;
         float expected_samples;  ///< see PathScene::expected_samples
         Vec2 uv;
+        std::size_t number;  ///< among those of the vertex
     };
 
     /// What a light gives if nothing is in the way.
@@ -73,10 +62,24 @@ class PathBatch {
         Color color;
     };
 
+    /// The media that a shadow ray goes through.
+    struct ShadowMedium {
+        std::uint32_t medium;  ///< in which the rest of the ray begins
+        RandomSequence numbers;
+    };
+
+    /// Whether a path may be scattered where it meets something.
+    bool may_go_on(const Path& path) const { return !path.last_ray && path.depth < most_vertices_; }
+
+    /// Whether a ray's path is scattered by the medium that the ray goes through.
+    bool is_in_medium(std::size_t ray) const {
+        if constexpr (in_media) return flights_[ray] < infinity;
+        return false;
+    }
+
     /// Whether a ray's path may be scattered where the ray ends.
     bool may_scatter(std::size_t ray) const {
-        const Path& path = paths_[ray];
-        return hits_[ray].primitive != no_index && !path.last_ray && path.depth < most_vertices_;
+        return (hits_[ray].primitive != no_index || is_in_medium(ray)) && may_go_on(paths_[ray]);
     }
 
     /// Number of ways in which the path goes on where it meets a smooth lobe.
@@ -88,7 +91,8 @@ class PathBatch {
     void make_points();
     void add_light_points(const Path& path);
     void shade_all(bool from_camera);
-    void shade(std::size_t ray, const Numbers& numbers);
+    void shade(std::size_t ray, const VertexNumbers& numbers);
+    void scatter_in_medium(std::size_t ray, const VertexNumbers& numbers);
 
     void add(const Path& path, const Color& color) {
         colors_[path.sample] += path.throughput * color;
@@ -96,14 +100,25 @@ class PathBatch {
     void add_escaped(const Path& path, const Vec3& direction);
     void add_emitted(const Path& path, const PhysicalSurface& at, const Vec3& direction);
 
+    template <class Vertex>
     void ask_lights(Path& path, const Vertex& at);
+    template <class Vertex>
     void ask_light(const Path& path, const Vertex& at, const Question& question);
     void add_answers();
     void pass_cut_outs();
 
+    template <class Vertex>
     void scatter(const Path& path, const Vertex& at);
+    template <class Vertex>
     void scatter(const Path& path, const Vertex& at, std::size_t way);
     bool survives(Path& path, double choice) const;
+
+    // Of paths in media.
+    void fly_all();
+    void fly(std::size_t ray, const Vec2& choices);
+    void attenuate_answers();
+    void attenuate(std::size_t answer, const Ray& ray, double end);
+    bool passes(std::size_t answer, Ray& ray, const Hit& hit);
 
     const PathScene& shared_;
     const CameraSamples& samples_;
@@ -122,6 +137,15 @@ class PathBatch {
     std::vector<Ray> shadow_rays_;
     std::vector<Answer> answers_;
     std::vector<std::uint8_t> blocked_;
+
+    // Of paths in media.
+    std::vector<std::uint32_t> media_, next_media_;  ///< in which rays go; no_index: in none
+    std::vector<double> flights_;  ///< where rays are scattered by media; infinity: nowhere
+    VertexPoints flight_points_{Decision::flight};
+    std::vector<ShadowMedium> shadow_media_;
+    std::vector<std::uint32_t> passing_;  ///< numbers of shadow rays that are on their way
+    std::vector<Ray> passing_rays_;
+    std::vector<Hit> passing_hits_;
 };
 
 }  // namespace etalon

@@ -5,6 +5,7 @@
 
 #include "core/intersect/batch_intersector.h"
 #include "core/light/lights.h"
+#include "core/medium/media.h"
 #include "core/scene/render_settings.h"
 #include "core/shading/physical_shading.h"
 
@@ -18,6 +19,7 @@ struct PathScene {
         : scene(of),
           intersector(by),
           lights(of, problems),
+          media(of.physical().media),
           shading(of, problems),
           most_vertices(settings.max_depth - 1),
           roulette_threshold(settings.roulette_threshold),
@@ -33,6 +35,7 @@ struct PathScene {
     const Scene& scene;
     const BatchIntersector& intersector;
     Lights lights;
+    Media media;
     PhysicalShading shading;
     int most_vertices;  ///< that scatter
     float roulette_threshold;

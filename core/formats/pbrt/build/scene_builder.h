@@ -74,6 +74,7 @@ void build_settings(SceneBuilder& b);  ///< film, filter, sampler, integrator
 void build_camera(SceneBuilder& b);    ///< needs the settings' resolution
 void build_textures(SceneBuilder& b);
 void build_materials(SceneBuilder& b);  ///< needs textures
+void build_media(SceneBuilder& b);
 void build_lights(SceneBuilder& b);
 void build_shapes(SceneBuilder& b);  ///< needs materials
 

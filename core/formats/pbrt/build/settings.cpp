@@ -89,6 +89,11 @@ bool is_direct(std::string_view name) {
     return name == "directlighting" || name == "whitted";
 }
 
+/// The integrators that look at media, and through surfaces without a material towards lights.
+bool sees_media(std::string_view name) {
+    return name == "volpath" || name == "bdpt" || name == "mlt";
+}
+
 bool asks_all_lights(const Plugin& integrator) {
     return is_direct(integrator.type->name) && !(integrator.type->find("strategy") &&
                                                  integrator.parameters.string("strategy") == "one");
@@ -104,7 +109,7 @@ void build_integrator(SceneBuilder& b) {
         return;
     }
     warn_of_stand_in(b, integrator);
-    to.integrator = "path";
+    to.integrator = sees_media(name) ? "volpath" : "path";
     to.direct_lighting = is_direct(name);
     to.ask_all_lights = asks_all_lights(integrator);
     to.max_depth = within(b, integrator, "as maxdepth", p.integer("maxdepth"), 0, 1 << 20) + 1;

@@ -13,7 +13,7 @@ bool same(const SurfaceBinding& a, const SurfaceBinding& b) {
     return a.material == b.material && a.flipped == b.flipped &&
            a.corner_normals == b.corner_normals && a.light == b.light &&
            a.uv_offset == b.uv_offset && same(a.alpha, b.alpha) &&
-           same(a.shadow_alpha, b.shadow_alpha);
+           same(a.shadow_alpha, b.shadow_alpha) && a.media == b.media;
 }
 
 /// Whether a material, or one that it mixes, has a texture. Deep nests are taken to have one.
@@ -45,6 +45,7 @@ bool ShapeBuilder::has_texture() const {
 void ShapeBuilder::begin(SurfaceBinding binding) {
     PhysicalLook& look = b.look();
     binding.material = shape.material;
+    binding.media = {shape.media.inside, shape.media.outside};
     if (shape.plugin.type->find("alpha") != nullptr) {
         binding.alpha = b.number(parameters(), "alpha");
         binding.shadow_alpha = b.number(parameters(), "shadowalpha");

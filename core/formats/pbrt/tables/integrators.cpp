@@ -32,14 +32,15 @@ constexpr std::array ambient_occlusion = {flag("cossample", true), integer("nsam
                                           pixel_bounds};
 
 constexpr std::string_view as_path = "path, which converges to the same image";
+constexpr std::string_view as_volpath = "volpath, which converges to the same image";
 
 constexpr std::array types = {
     PluginType{Category::integrator, "path", path},
-    PluginType{Category::integrator, "volpath", path, {}, "path, without the media"},
+    PluginType{Category::integrator, "volpath", path},
     PluginType{Category::integrator, "directlighting", direct_lighting},
     PluginType{Category::integrator, "whitted", whitted},
-    PluginType{Category::integrator, "bdpt", bdpt, {}, as_path},
-    PluginType{Category::integrator, "mlt", mlt, {}, as_path},
+    PluginType{Category::integrator, "bdpt", bdpt, {}, as_volpath},
+    PluginType{Category::integrator, "mlt", mlt, {}, as_volpath},
     PluginType{Category::integrator, "sppm", sppm, {}, as_path},
     PluginType{Category::integrator, "ambientocclusion", ambient_occlusion},
 };

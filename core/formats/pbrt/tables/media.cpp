@@ -38,8 +38,8 @@ std::optional<Objection> check_grid(const Parameters& m) {
 }
 
 constexpr std::array types = {
-    PluginType{Category::medium, "homogeneous", homogeneous, {}, "nothing"},
-    PluginType{Category::medium, "heterogeneous", heterogeneous, {}, "nothing", check_grid},
+    PluginType{Category::medium, "homogeneous", homogeneous},
+    PluginType{Category::medium, "heterogeneous", heterogeneous, {}, {}, check_grid},
 };
 
 }  // namespace

@@ -1,0 +1,100 @@
+// Media of a frame, in its order.
+#include "core/formats/nearest_name.h"
+#include "core/formats/pbrt/build/scattering_presets.h"
+#include "core/formats/pbrt/build/scene_builder.h"
+
+namespace etalon::pbrt {
+namespace {
+
+/// Scattering straight on has no density: cosines up to this one have.
+constexpr float largest_cosine = 0.9999F;
+
+Color color_of(const std::array<float, 3>& rgb) {
+    return {rgb[0], rgb[1], rgb[2]};
+}
+
+const ScatteringPreset* preset_of(SceneBuilder& b, const Plugin& medium) {
+    const std::string name(medium.parameters.string("preset"));
+    if (name.empty()) return nullptr;
+    const ScatteringPreset* const found = find_scattering_preset(name);
+    if (!found) {
+        b.warn(medium.where, "preset", "unknown preset '{}'; it has the defaults{}", name,
+               did_you_mean(name, scattering_preset_names()));
+    }
+    return found;
+}
+
+/// A coefficient: what the file gives, else the preset's, else the default, times the scale.
+Color coefficient(SceneBuilder& b, const Plugin& medium, std::string_view name,
+                  const std::array<float, 3>* preset) {
+    const Parameters& p = medium.parameters;
+    const Color given = preset && !p.is_given(name) ? color_of(*preset) : p.color(name);
+    const Color scaled = given * p.number("scale");
+    const Color positive(std::max(scaled.x, 0.0F), std::max(scaled.y, 0.0F),
+                         std::max(scaled.z, 0.0F));
+    if (!etalon::is_finite(scaled)) {
+        b.warn(medium.where, "medium", "'{}' is infinite; taken as 0", name);
+        return Color(0.0F);
+    }
+    if (positive != scaled) {
+        b.warn(medium.where, "medium", "'{}' is below 0, where it is taken as 0", name);
+    }
+    return positive;
+}
+
+float mean_cosine(SceneBuilder& b, const Plugin& medium) {
+    const float g = medium.parameters.number("g");
+    const float nearest = std::clamp(g, -largest_cosine, largest_cosine);
+    if (nearest != g) {
+        b.warn(medium.where, "medium", "'g' {}: expected a number between -1 and 1; taken as {}", g,
+               nearest);
+    }
+    return nearest;
+}
+
+/// The grid's densities; nothing, and a warning, where its box has no volume.
+std::optional<DensityGrid> grid_of(SceneBuilder& b, const Medium& medium) {
+    const Parameters& p = medium.plugin.parameters;
+    const std::optional<Affine> to_world = b.affine(medium.to_world, medium.plugin.where);
+    if (!to_world) return std::nullopt;
+    const Vec3 corner(p.vector("p0")), size = Vec3(p.vector("p1")) - corner;
+    const Affine box = *to_world * Affine{{size.x, 0, 0}, {0, size.y, 0}, {0, 0, size.z}, corner};
+    if (!(std::abs(box.determinant()) > 0) || !etalon::is_finite(inverse(box))) {
+        b.warn(medium.plugin.where, "medium", "the medium is left out: its box has no volume");
+        return std::nullopt;
+    }
+    const std::span<const float> densities = p.numbers("density");
+    DensityGrid grid{
+        {p.integer("nx"), p.integer("ny"), p.integer("nz")}, {}, inverse(box)};
+    grid.densities.reserve(densities.size());
+    for (const float density : densities) grid.densities.push_back(std::max(density, 0.0F));
+    return grid;
+}
+
+PhysicalMedium build_medium(SceneBuilder& b, const Medium& medium) {
+    const Plugin& plugin = medium.plugin;
+    const ScatteringPreset* const preset = preset_of(b, plugin);
+    PhysicalMedium built{
+        coefficient(b, plugin, "sigma_a", preset ? &preset->absorption : nullptr),
+        coefficient(b, plugin, "sigma_s", preset ? &preset->scattering : nullptr),
+        mean_cosine(b, plugin)};
+    if (plugin.type->name == "homogeneous") return built;
+    built.grid = grid_of(b, medium);
+    return built.grid ? built : PhysicalMedium{Color(0.0F), Color(0.0F)};
+}
+
+}  // namespace
+
+void build_media(SceneBuilder& b) {
+    for (const Medium& medium : b.frame.media) {
+        b.look().media.push_back(build_medium(b, medium));
+    }
+    b.look().camera_medium = b.frame.camera_medium;
+    const Plugin& integrator = b.frame.integrator;
+    if (!b.frame.has_media || b.result.settings.integrator == "volpath") return;
+    b.warn(integrator.where, "media",
+           "integrator \"{}\" leaves out media, as in pbrt-v3; \"volpath\" renders them",
+           integrator.type->name);
+}
+
+}  // namespace etalon::pbrt

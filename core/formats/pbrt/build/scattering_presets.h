@@ -1,0 +1,22 @@
+// Measured coefficients of what scatters light within it, by the names that PBRT's scenes use.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace etalon::pbrt {
+
+/// Coefficients per millimetre for red, green and blue; of scattering the reduced one, as if
+/// scattering were alike in all directions.
+struct ScatteringPreset {
+    std::string_view name;
+    std::array<float, 3> absorption, scattering;
+};
+
+/// Returns the preset of that name; null if there is none.
+const ScatteringPreset* find_scattering_preset(std::string_view name);
+
+std::vector<std::string_view> scattering_preset_names();
+
+}  // namespace etalon::pbrt

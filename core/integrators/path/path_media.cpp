@@ -1,0 +1,124 @@
+// What paths meet on their way through media.
+#include <numeric>
+
+#include "core/integrators/path/path_batch.h"
+#include "core/sampling/dimensions.h"
+
+namespace etalon {
+namespace {
+
+/// The part of a ray up to `end`.
+RaySegment segment_of(const Ray& ray, double end) {
+    const double length = ray.direction.length(), begin = std::max(ray.tmin, 0.0);
+    return {ray.origin + begin * ray.direction, ray.direction / length, (end - begin) * length};
+}
+
+}  // namespace
+
+/// Chooses how far all rays go in their media.
+template <bool in_media>
+void PathBatch<in_media>::fly_all() {
+    flights_.assign(rays_.size(), infinity);
+    flight_points_.clear();
+    const auto flies = [&](std::size_t i) { return media_[i] != no_index && may_go_on(paths_[i]); };
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+        if (flies(i)) paths_[i].source.add_vertex(paths_[i].name, flight_points_);
+    }
+    flight_points_.make(shared_.sampler);
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+        if (media_[i] == no_index) continue;
+        if (flies(i)) {
+            fly(i, flight_points_.place(number++));
+        } else {
+            RandomSequence numbers =
+                paths_[i].source.sequence(collision_dimension(paths_[i].name));
+            paths_[i].throughput *= shared_.media.transmittance(
+                media_[i], segment_of(rays_[i], hits_[i].primitive == no_index ? infinity : hits_[i].t),
+                numbers);
+        }
+    }
+}
+
+/// Chooses how far a ray goes in its medium.
+template <bool in_media>
+void PathBatch<in_media>::fly(std::size_t ray, const Vec2& choices) {
+    Path& path = paths_[ray];
+    Hit& hit = hits_[ray];
+    const RaySegment segment =
+        segment_of(rays_[ray], hit.primitive == no_index ? infinity : hit.t);
+    const FreeFlight flight =
+        shared_.media.sample(media_[ray], segment, path.throughput,
+                             {choices, path.source.sequence(collision_dimension(path.name))});
+    path.throughput *= flight.weight;
+    if (path.throughput == Color(0.0F)) {
+        hit.primitive = no_index;  // nothing is seen by what is left of the path
+    } else if (flight.scatters()) {
+        flights_[ray] =
+            std::max(rays_[ray].tmin, 0.0) + flight.distance / rays_[ray].direction.length();
+    }
+}
+
+/// Weakens what lights send by what is in the way: all of it by a surface, a part by media.
+template <bool in_media>
+void PathBatch<in_media>::attenuate_answers() {
+    if (!shared_.shading.has_passages()) {
+        shared_.intersector.occluded(shadow_rays_, blocked_);
+        for (std::size_t i = 0; i < answers_.size(); ++i) {
+            if (blocked_[i] == 0) attenuate(i, shadow_rays_[i], shadow_rays_[i].tmax);
+        }
+        return;
+    }
+    std::ranges::fill(blocked_, std::uint8_t{0});
+    passing_.resize(shadow_rays_.size());
+    std::iota(passing_.begin(), passing_.end(), 0U);
+    passing_rays_ = shadow_rays_;
+    while (!passing_.empty()) {
+        passing_hits_.resize(passing_rays_.size());
+        shared_.intersector.closest(passing_rays_, passing_hits_);
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < passing_.size(); ++i) {
+            if (!passes(passing_[i], passing_rays_[i], passing_hits_[i])) continue;
+            passing_[count] = passing_[i];
+            passing_rays_[count++] = passing_rays_[i];
+        }
+        passing_.resize(count);
+        passing_rays_.resize(count);
+        counts_.shadow += count;
+    }
+}
+
+/// Weakens an answer by the medium that its ray goes through up to `end`.
+template <bool in_media>
+void PathBatch<in_media>::attenuate(std::size_t answer, const Ray& ray, double end) {
+    auto& [medium, numbers] = shadow_media_[answer];
+    if (medium == no_index) return;
+    answers_[answer].color *= shared_.media.transmittance(medium, segment_of(ray, end), numbers);
+}
+
+/// Whether a shadow ray goes on beyond what it has met, if anything. What is left of it is `ray`
+/// then.
+template <bool in_media>
+bool PathBatch<in_media>::passes(std::size_t answer, Ray& ray, const Hit& hit) {
+    if (hit.primitive == no_index) {
+        attenuate(answer, ray, ray.tmax);
+        return false;
+    }
+    const PhysicalSurface at = physical_surface(shared_.scene, ray, hit);
+    const bool cut_out = shared_.shading.is_cut_out(at, PhysicalShading::RayKind::shadow);
+    if (!cut_out && !shared_.shading.is_passed(at)) {
+        blocked_[answer] = 1;
+        return false;
+    }
+    attenuate(answer, ray, hit.t);
+    if (answers_[answer].color == Color(0.0F)) return false;
+    std::uint32_t& medium = shadow_media_[answer].medium;
+    if (!cut_out) medium = medium_beyond(at, ray.direction, medium);
+    ray = ray_beyond(ray, hit, at.point.convexity);
+    return ray.tmin < ray.tmax;
+}
+
+template void PathBatch<true>::fly_all();
+template void PathBatch<true>::attenuate_answers();
+
+}  // namespace etalon

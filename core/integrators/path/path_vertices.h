@@ -1,0 +1,71 @@
+// What scatters a path at its vertices: surfaces and media, with the same functions.
+#pragma once
+
+#include "core/bsdf/bsdf_from.h"
+#include "core/medium/henyey_greenstein.h"
+#include "core/shading/physical_surface.h"
+
+namespace etalon {
+
+/// Where the choices of a vertex are.
+struct VertexNumbers {
+    std::size_t vertex = 0;     ///< among those that may scatter
+    std::size_t first_way = 0;  ///< among the ways that they may go on
+};
+
+struct PathVertex {
+    VertexNumbers numbers;
+    std::uint32_t ways;  ///< in which the path goes on
+};
+
+/// The medium on the side of a surface to which `direction` leaves it; `medium` is the one that the
+/// ray to the surface came through.
+inline std::uint32_t medium_beyond(const PhysicalSurface& at, const Vec3& direction,
+                                   std::uint32_t medium) {
+    const MediumInterface& media = at.binding->media;
+    if (!media.is_transition()) return medium;
+    return direction.dot(at.ng) > 0 ? media.outside : media.inside;
+}
+
+/// A point of a surface.
+struct SurfaceVertex : PathVertex {
+    const PhysicalSurface& surface;
+    Vec3 ns;
+    BsdfFrom scattering;   ///< to where the path came from
+    std::uint32_t medium;  ///< through which it came
+
+    Evaluation evaluate(const Vec3& wi) const { return scattering.evaluate(wi); }
+    std::optional<BsdfSample> sample(float choice, const Vec2& uv) const {
+        return scattering.sample(choice, uv);
+    }
+    float cosine(const Vec3& wi) const { return static_cast<float>(std::abs(ns.dot(wi))); }
+    Ray ray(const Vec3& wi) const { return spawn_ray(surface.point, wi); }
+    Ray ray_to(const Vec3& target) const { return spawn_ray_to(surface.point, target); }
+    std::uint32_t medium_towards(const Vec3& wi) const {
+        return medium_beyond(surface, wi, medium);
+    }
+};
+
+/// A point of a medium.
+struct MediumVertex : PathVertex {
+    Vec3 position;
+    Vec3 direction;  ///< unit, from where the path came
+    const HenyeyGreenstein& phase;
+    std::uint32_t medium;
+
+    Evaluation evaluate(const Vec3& wi) const {
+        const float value = phase.value(direction.dot(wi));
+        return {Color(value), value};
+    }
+    std::optional<BsdfSample> sample(float, const Vec2& uv) const {
+        const Vec3 wi = phase.sample(direction, uv);
+        const float value = phase.value(direction.dot(wi));
+        return BsdfSample{wi, Color(value), value, false, false, false, 1};
+    }
+    static float cosine(const Vec3&) { return 1; }
+    Ray ray(const Vec3& wi) const { return {position, wi}; }
+    Ray ray_to(const Vec3& target) const { return {position, target - position, 0, 1}; }
+    std::uint32_t medium_towards(const Vec3&) const { return medium; }
+};
+
+}  // namespace etalon

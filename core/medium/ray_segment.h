@@ -1,0 +1,40 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/numerics/vec.h"
+
+namespace etalon {
+
+/// The part of a ray that lies in one medium.
+struct RaySegment {
+    Vec3 origin, direction;  ///< direction of unit length
+    double length;           ///< infinity where the medium has no end
+
+    Vec3 point(double distance) const { return origin + distance * direction; }
+};
+
+/// Where a ray in a medium is scattered, if it is.
+struct FreeFlight {
+    double distance;  ///< from the segment's origin; infinity: not before the segment's end
+    Color weight;     ///< factor of the path's throughput
+
+    bool scatters() const { return distance < infinity; }
+};
+
+/// Part of the light that is left after `length` in a medium of that extinction (Beer and Lambert).
+inline Color transmittance(const Color& extinction, double length) {
+    const double finite = std::min(length, std::numeric_limits<double>::max());
+    Color result;
+    for (int c = 0; c < 3; ++c) result[c] = static_cast<float>(std::exp(-extinction[c] * finite));
+    return result;
+}
+
+/// Distance of the next collision in units of the mean free path, for u in [0, 1).
+inline double optical_distance(double u) {
+    return -std::log1p(-u);
+}
+
+}  // namespace etalon

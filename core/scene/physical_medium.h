@@ -1,0 +1,40 @@
+// Participating media by physical rules. Plain data; core/medium follows rays through them.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/numerics/affine.h"
+#include "core/scene/shapes.h"
+
+namespace etalon {
+
+/// Numbers at the middles of the cells of a box, interpolated linearly between them, 0 outside the
+/// box. A medium has its coefficients times that number.
+struct DensityGrid {
+    std::array<int, 3> size;       ///< cells along x, y and z
+    std::vector<float> densities;  ///< not below 0; along x first, then along y
+    Affine to_box;                 ///< from the world to the cube [0, 1]^3 that is the box
+};
+
+/// What fills space between surfaces. Coefficients are not below 0, per unit of length of the world.
+struct PhysicalMedium {
+    Color absorption, scattering;
+    float g = 0;  ///< mean cosine of scattering, between -1 and 1
+    std::optional<DensityGrid> grid{};
+
+    Color extinction() const { return absorption + scattering; }
+};
+
+/// The media on the two sides of a surface, as numbers among the look's. A surface with the same on
+/// both sides leaves a ray in the medium that it comes through.
+struct MediumInterface {
+    std::uint32_t inside = no_index;   ///< behind the side that the format calls the front
+    std::uint32_t outside = no_index;  ///< no_index: nothing is there
+
+    bool is_transition() const { return inside != outside; }
+    bool operator==(const MediumInterface&) const = default;
+};
+
+}  // namespace etalon
