@@ -66,6 +66,7 @@ LookFacts facts_of(const PhysicalLook& look) {
     facts.need(facts.lights.contains("area"), "area light samples");
     facts.need(!look.textures.numbers.empty() || !look.textures.colors.empty(), "textures");
     facts.need(!look.textures.images.empty(), "pictures");
+    facts.need(!look.media.empty(), "media");
     return facts;
 }
 

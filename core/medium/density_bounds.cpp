@@ -35,8 +35,7 @@ DensityBounds::Range DensityBounds::range_of(const DensityGrid& grid,
     Range range{leaves ? 0 : std::numeric_limits<float>::infinity(), 0};
     for (int z = first[2]; z <= last[2]; ++z) {
         for (int y = first[1]; y <= last[1]; ++y) {
-            const std::size_t row =
-                (static_cast<std::size_t>(z) * grid.size[1] + y) * grid.size[0];
+            const std::size_t row = (static_cast<std::size_t>(z) * grid.size[1] + y) * grid.size[0];
             for (int x = first[0]; x <= last[0]; ++x) {
                 range.least = std::min(range.least, grid.densities[row + x]);
                 range.most = std::max(range.most, grid.densities[row + x]);

@@ -9,8 +9,8 @@
 
 namespace etalon {
 
-/// Bounds of a grid's densities in boxes of several cells each, so that a ray takes steps as long as
-/// the density near it allows.
+/// Bounds of a grid's densities in boxes of several cells each, so that a ray takes steps as long
+/// as the density near it allows.
 class DensityBounds {
   public:
     explicit DensityBounds(const DensityGrid& grid);

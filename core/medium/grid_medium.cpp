@@ -53,7 +53,8 @@ float GridMedium::density(const Vec3& point) const {
     const auto dx = static_cast<float>(x - fx), dy = static_cast<float>(y - fy),
                dz = static_cast<float>(z - fz);
     const std::ptrdiff_t layer = nx * ny;
-    const bool is_inner = ix >= 0 && iy >= 0 && iz >= 0 && ix + 1 < nx && iy + 1 < ny && iz + 1 < nz;
+    const bool is_inner =
+        ix >= 0 && iy >= 0 && iz >= 0 && ix + 1 < nx && iy + 1 < ny && iz + 1 < nz;
     const auto cell = [&](int i, int j, int k) {
         if (!is_inner) {
             const bool is_outside = ix + i < 0 || iy + j < 0 || iz + k < 0 || ix + i >= nx ||

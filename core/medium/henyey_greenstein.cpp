@@ -8,8 +8,7 @@ namespace etalon {
 
 float HenyeyGreenstein::value(double cosine) const {
     const double root2 = 1 + g_ * g_ - 2 * g_ * cosine;
-    return static_cast<float>((1 - g_ * g_) /
-                              (4 * std::numbers::pi * root2 * std::sqrt(root2)));
+    return static_cast<float>((1 - g_ * g_) / (4 * std::numbers::pi * root2 * std::sqrt(root2)));
 }
 
 /// The cosine below which the share u of all directions has theirs.
@@ -25,8 +24,7 @@ Vec3 HenyeyGreenstein::sample(const Vec3& direction, const Vec2& uv) const {
     orthonormal_basis(direction, x, y);
     const double cosine = cosine_at(uv.x), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
     const double angle = 2 * std::numbers::pi * uv.y;
-    return normalized(sine * std::cos(angle) * x + sine * std::sin(angle) * y +
-                      cosine * direction);
+    return normalized(sine * std::cos(angle) * x + sine * std::sin(angle) * y + cosine * direction);
 }
 
 }  // namespace etalon

@@ -4,8 +4,8 @@
 
 namespace etalon {
 
-/// The phase function of Henyey and Greenstein (1941). Directions are unit vectors along the light's
-/// way, seen from the eye: one that goes straight on has the cosine 1.
+/// The phase function of Henyey and Greenstein (1941). Directions are unit vectors along the
+/// light's way, seen from the eye: one that goes straight on has the cosine 1.
 class HenyeyGreenstein {
   public:
     /// `g`: mean cosine, between -1 and 1.

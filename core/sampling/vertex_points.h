@@ -12,8 +12,8 @@ namespace etalon {
 
 /// What a vertex of a path decides by a place and up to two choices, all in [0, 1).
 enum class Decision : std::uint32_t {
-    light,  ///< a light by the first choice, and the place on it
-    way,    ///< a lobe and survival by the choices, and the place among the lobe's directions
+    light,   ///< a light by the first choice, and the place on it
+    way,     ///< a lobe and survival by the choices, and the place among the lobe's directions
     flight,  ///< how far a ray goes in a medium, by the place
 };
 

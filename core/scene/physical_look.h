@@ -8,8 +8,8 @@
 
 #include "core/parallel/large_pages.h"
 #include "core/scene/physical_light.h"
-#include "core/scene/physical_medium.h"
 #include "core/scene/physical_material.h"
+#include "core/scene/physical_medium.h"
 #include "core/scene/texture.h"
 
 namespace etalon {

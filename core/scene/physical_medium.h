@@ -18,7 +18,8 @@ struct DensityGrid {
     Affine to_box;                 ///< from the world to the cube [0, 1]^3 that is the box
 };
 
-/// What fills space between surfaces. Coefficients are not below 0, per unit of length of the world.
+/// What fills space between surfaces. Coefficients are not below 0, per unit of length of the
+/// world.
 struct PhysicalMedium {
     Color absorption, scattering;
     float g = 0;  ///< mean cosine of scattering, between -1 and 1

@@ -98,7 +98,14 @@ class Similarity {
     }
     void operator()(PhysicalLook& look) const {
         for (PhysicalLight& light : look.lights) std::visit(*this, light);
+        for (PhysicalMedium& medium : look.media) (*this)(medium);
         (*this)(look.textures);
+    }
+    /// As thick as before over a distance that is `factor` times as long.
+    void operator()(PhysicalMedium& medium) const {
+        medium.absorption /= static_cast<float>(factor_);
+        medium.scattering /= static_cast<float>(factor_);
+        if (medium.grid) medium.grid->to_box = before(medium.grid->to_box);
     }
 
     template <class T>

@@ -31,10 +31,10 @@ void PathBatch<in_media>::fly_all() {
         if (flies(i)) {
             fly(i, flight_points_.place(number++));
         } else {
-            RandomSequence numbers =
-                paths_[i].source.sequence(collision_dimension(paths_[i].name));
+            RandomSequence numbers = paths_[i].source.sequence(collision_dimension(paths_[i].name));
             paths_[i].throughput *= shared_.media.transmittance(
-                media_[i], segment_of(rays_[i], hits_[i].primitive == no_index ? infinity : hits_[i].t),
+                media_[i],
+                segment_of(rays_[i], hits_[i].primitive == no_index ? infinity : hits_[i].t),
                 numbers);
         }
     }
@@ -45,8 +45,7 @@ template <bool in_media>
 void PathBatch<in_media>::fly(std::size_t ray, const Vec2& choices) {
     Path& path = paths_[ray];
     Hit& hit = hits_[ray];
-    const RaySegment segment =
-        segment_of(rays_[ray], hit.primitive == no_index ? infinity : hit.t);
+    const RaySegment segment = segment_of(rays_[ray], hit.primitive == no_index ? infinity : hit.t);
     const FreeFlight flight =
         shared_.media.sample(media_[ray], segment, path.throughput,
                              {choices, path.source.sequence(collision_dimension(path.name))});

@@ -43,14 +43,39 @@ TEST_CASE("textures are nested until one value takes more than a thousand of the
     CHECK(said_of_world(nested_textures(40)).size() == 4);  // the count begins anew each time
 }
 
-TEST_CASE("a medium is said to be not rendered at its statement") {
+TEST_CASE("an integrator that leaves out media says so where it is named") {
     const std::string medium = "MakeNamedMedium \"m\" \"string type\" \"homogeneous\"";
-    const Said said = said_of_world(medium);
-    REQUIRE(said.size() == 1);
-    CHECK(said[0].starts_with("a.pbrt:2:1: warning: medium \"homogeneous\" is not rendered yet; "));
-    LoadOptions strict;
-    strict.strict = true;
-    CHECK(said_of_world(medium, strict)[0].starts_with("a.pbrt:2:1: error: medium "));
+    CHECK(said_of_world(medium) == Said{});
+    CHECK(said_of_world(medium + " MediumInterface \"m\"") ==
+          Said{"a.pbrt: warning: integrator \"path\" leaves out media, as in pbrt-v3; \"volpath\" "
+               "renders them"});
+}
+
+TEST_CASE("numbers that no medium can have are replaced, and named") {
+    const std::string before = "MakeNamedMedium \"m\" \"string type\" \"homogeneous\" ";
+    CHECK(said_of_world(before + "\"float g\" 1") ==
+          Said{"a.pbrt:2:1: warning: 'g' 1: expected a number between -1 and 1; taken as 0.9999"});
+    CHECK(said_of_world(before + "\"rgb sigma_a\" [1 -1 1]") ==
+          Said{"a.pbrt:2:1: warning: 'sigma_a' is below 0, where it is taken as 0"});
+    CHECK(said_of_world(before + "\"string preset\" \"Skin\"") ==
+          Said{"a.pbrt:2:1: warning: unknown preset 'Skin'; it has the defaults; did you mean "
+               "'Skin1'?"});
+    CHECK(said_of_world("Scale 1 0 1 MakeNamedMedium \"m\" \"string type\" \"heterogeneous\" "
+                        "\"float density\" 1")
+              .size() == 1);
+}
+
+TEST_CASE("a medium has the coefficients of its preset unless it has its own") {
+    const LoadResult r = load_scene_text(
+        "WorldBegin MakeNamedMedium \"m\" \"string type\" \"homogeneous\" \"string preset\" "
+        "\"Ketchup\" \"rgb sigma_a\" [1 2 3] \"float scale\" 2 \"float g\" .5 WorldEnd",
+        "a.pbrt", {});
+    REQUIRE(r.scene);
+    REQUIRE(r.scene->physical().media.size() == 1);
+    const PhysicalMedium& medium = r.scene->physical().media[0];
+    CHECK(medium.absorption == Color(2, 4, 6));
+    CHECK(medium.scattering == Color(0.36F, 0.14F, 0.06F));
+    CHECK(medium.g == 0.5F);
 }
 
 TEST_CASE("tangents of a mesh are said to be left out") {

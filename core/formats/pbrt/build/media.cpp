@@ -64,8 +64,7 @@ std::optional<DensityGrid> grid_of(SceneBuilder& b, const Medium& medium) {
         return std::nullopt;
     }
     const std::span<const float> densities = p.numbers("density");
-    DensityGrid grid{
-        {p.integer("nx"), p.integer("ny"), p.integer("nz")}, {}, inverse(box)};
+    DensityGrid grid{{p.integer("nx"), p.integer("ny"), p.integer("nz")}, {}, inverse(box)};
     grid.densities.reserve(densities.size());
     for (const float density : densities) grid.densities.push_back(std::max(density, 0.0F));
     return grid;
@@ -74,10 +73,9 @@ std::optional<DensityGrid> grid_of(SceneBuilder& b, const Medium& medium) {
 PhysicalMedium build_medium(SceneBuilder& b, const Medium& medium) {
     const Plugin& plugin = medium.plugin;
     const ScatteringPreset* const preset = preset_of(b, plugin);
-    PhysicalMedium built{
-        coefficient(b, plugin, "sigma_a", preset ? &preset->absorption : nullptr),
-        coefficient(b, plugin, "sigma_s", preset ? &preset->scattering : nullptr),
-        mean_cosine(b, plugin)};
+    PhysicalMedium built{coefficient(b, plugin, "sigma_a", preset ? &preset->absorption : nullptr),
+                         coefficient(b, plugin, "sigma_s", preset ? &preset->scattering : nullptr),
+                         mean_cosine(b, plugin)};
     if (plugin.type->name == "homogeneous") return built;
     built.grid = grid_of(b, medium);
     return built.grid ? built : PhysicalMedium{Color(0.0F), Color(0.0F)};
