@@ -82,6 +82,12 @@ struct DeltaSample {
     const SphericalImage* image;  ///< of a light that has one
 };
 
+bool is_point_light(const PhysicalLight& light) {
+    return std::holds_alternative<PointSource>(light) ||
+           std::holds_alternative<SpotSource>(light) ||
+           std::holds_alternative<GoniometricSource>(light);
+}
+
 }  // namespace
 
 bool Lights::AreaLight::shines(const Vec3& normal, const Vec3& ray) const {
@@ -108,7 +114,12 @@ Lights::Lights(const Scene& scene, std::vector<std::string>& problems)
     : scene_(scene), scene_radius_(radius_of(scene.geometry)) {
     for (const PhysicalLight& light : scene.physical().lights) add(light, problems);
     double sum = 0;
+    double point_sum = 0;
     for (const Source& source : sources_) {
+        if (is_point_light(*source.light) && source.power > 0) {
+            point_lights_.push_back(static_cast<std::uint32_t>(&source - sources_.data()));
+            point_power_sums_.push_back(point_sum += source.power);
+        }
         power_sums_.push_back(sum += source.power);
         samples_ += static_cast<std::size_t>(source.samples);
     }
@@ -247,6 +258,20 @@ std::optional<LightPick> Lights::pick_by_power(double choice) const {
     const auto light = static_cast<std::uint32_t>(
         std::min<std::ptrdiff_t>(found - power_sums_.begin(), std::ssize(power_sums_) - 1));
     return LightPick{light, sources_[light].power / sum};
+}
+
+LightPick Lights::pick_point_light(double choice) const {
+    const double sum = point_power_sums_.back();
+    const auto found = std::ranges::upper_bound(point_power_sums_, choice * sum);
+    const std::ptrdiff_t number =
+        std::min<std::ptrdiff_t>(found - point_power_sums_.begin(), std::ssize(point_lights_) - 1);
+    const std::uint32_t light = point_lights_[static_cast<std::size_t>(number)];
+    return {light, sources_[light].power / sum};
+}
+
+double Lights::point_light_probability(std::uint32_t light) const {
+    const bool is_one = std::ranges::binary_search(point_lights_, light);
+    return is_one ? sources_[light].power / point_power_sums_.back() : 0;
 }
 
 double Lights::pick_probability(const Receiver& at, std::uint32_t light) const {

@@ -10,6 +10,7 @@
 #include "core/light/area_shape.h"
 #include "core/light/infinite_light.h"
 #include "core/light/light_sample.h"
+#include "core/light/lit_range.h"
 #include "core/scene/scene.h"
 
 namespace etalon {
@@ -52,6 +53,21 @@ class Lights {
 
     /// The probability with which pick() chose the light for the same receiver.
     double pick_probability(const Receiver& at, std::uint32_t light) const;
+
+    /// Whether any light has a place but no extent.
+    bool has_point_lights() const { return !point_lights_.empty(); }
+
+    /// Chooses one of them by its power.
+    LightPick pick_point_light(double choice) const;
+
+    /// The probability of that: 0 of other lights.
+    double point_light_probability(std::uint32_t light) const;
+
+    /// The part of a ray that one of them shines on: see lit_range().
+    std::optional<Equiangular> lit_range(std::uint32_t light, const Vec3& origin,
+                                         const Vec3& direction, double length) const {
+        return etalon::lit_range(*sources_[light].light, origin, direction, length);
+    }
 
     /// How many samples a vertex takes of the light where it asks every one.
     int samples(std::uint32_t light) const { return sources_[light].samples; }
@@ -113,6 +129,8 @@ class Lights {
     std::vector<SphericalImage> images_;
     std::vector<std::uint32_t> infinite_;
     std::vector<double> power_sums_;
+    std::vector<std::uint32_t> point_lights_;
+    std::vector<double> point_power_sums_;
 };
 
 }  // namespace etalon

@@ -30,7 +30,12 @@ FreeFlight sample_homogeneous(const PhysicalMedium& medium, const RaySegment& se
     const float density = probabilities.dot(scatters ? extinction * left : left);
     if (!(density > 0)) return {infinity, Color(0.0F)};
     if (!scatters) return {infinity, left / density};
-    return {distance, medium.scattering * left / density};
+    return {distance, medium.scattering * left / density, density};
+}
+
+float flight_density(const PhysicalMedium& medium, const Color& throughput, double distance) {
+    const Color extinction = medium.extinction();
+    return channel_probabilities(throughput).dot(extinction * transmittance(extinction, distance));
 }
 
 }  // namespace etalon

@@ -11,4 +11,8 @@ namespace etalon {
 FreeFlight sample_homogeneous(const PhysicalMedium& medium, const RaySegment& segment,
                               const Color& throughput, const Vec2& choices);
 
+/// Density per unit of length with which sample_homogeneous() chooses that distance in a segment
+/// that is longer, in a medium that scatters.
+float flight_density(const PhysicalMedium& medium, const Color& throughput, double distance);
+
 }  // namespace etalon

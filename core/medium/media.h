@@ -26,6 +26,11 @@ class Media {
     Color transmittance(std::uint32_t medium, const RaySegment& segment,
                         RandomSequence& numbers) const;
 
+    /// Whether the densities of flights in the medium are known, and there are any.
+    bool knows_densities(std::uint32_t medium) const {
+        return !grids_[medium] && media_[medium].scattering != Color(0.0F);
+    }
+
     const HenyeyGreenstein& phase(std::uint32_t medium) const { return phases_[medium]; }
 
   private:

@@ -18,8 +18,9 @@ struct RaySegment {
 
 /// Where a ray in a medium is scattered, if it is.
 struct FreeFlight {
-    double distance;  ///< from the segment's origin; infinity: not before the segment's end
-    Color weight;     ///< factor of the path's throughput
+    double distance;    ///< from the segment's origin; infinity: not before the segment's end
+    Color weight;       ///< factor of the path's throughput
+    float density = 0;  ///< of `distance` per unit of length; 0 where it is not known
 
     bool scatters() const { return distance < infinity; }
 };

@@ -21,6 +21,7 @@ enum PathDimension : std::uint32_t {
     occlusion_direction = 1U << 31,  ///< above all lights
     medium_collisions,               ///< of a ray in a medium, after the first
     shadow_collisions,               ///< of the shadow rays of a vertex
+    along_ray_collisions,            ///< of a shadow ray from anywhere along a ray
 };
 
 /// The name of a camera's ray.
@@ -45,6 +46,10 @@ inline std::uint32_t collision_dimension(std::uint32_t ray) {
 /// Of shadow ray number `k` of the vertex.
 inline std::uint32_t shadow_collision_dimension(std::uint32_t ray, std::size_t k) {
     return hash(hash(ray, shadow_collisions), static_cast<std::uint32_t>(k));
+}
+
+inline std::uint32_t along_ray_collision_dimension(std::uint32_t ray) {
+    return hash(ray, along_ray_collisions);
 }
 
 /// The choices of a ray set, which are dimensions of samples of its own.

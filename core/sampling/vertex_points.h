@@ -14,7 +14,7 @@ namespace etalon {
 enum class Decision : std::uint32_t {
     light,   ///< a light by the first choice, and the place on it
     way,     ///< a lobe and survival by the choices, and the place among the lobe's directions
-    flight,  ///< how far a ray goes in a medium, by the place
+    flight,  ///< how far a ray goes in a medium, by the place, and where on it a light is asked
 };
 
 /// The points by which vertices take one of their decisions, made together. Those of the samples of

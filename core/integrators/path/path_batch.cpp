@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/integrators/path/ray_segments.h"
 #include "core/sampling/dimensions.h"
 #include "core/shading/shadow_rays.h"
 
@@ -44,7 +45,12 @@ void PathBatch<in_media>::run() {
     for (bool from_camera = true; !paths_.empty(); from_camera = false) {
         hits_.resize(rays_.size());
         shared_.intersector.closest(rays_, hits_);
-        if constexpr (in_media) fly_all();
+        shadow_rays_.clear();
+        answers_.clear();
+        if constexpr (in_media) {
+            shadow_media_.clear();
+            fly_all();
+        }
         make_points();
         shade_all(from_camera);
         add_answers();
@@ -92,12 +98,7 @@ template <bool in_media>
 void PathBatch<in_media>::shade_all(bool from_camera) {
     next_rays_.clear();
     next_paths_.clear();
-    shadow_rays_.clear();
-    answers_.clear();
-    if constexpr (in_media) {
-        next_media_.clear();
-        shadow_media_.clear();
-    }
+    if constexpr (in_media) next_media_.clear();
     VertexNumbers numbers;
     for (std::size_t i = 0; i < rays_.size(); ++i) {
         if (is_in_medium(i)) {
@@ -160,7 +161,9 @@ void PathBatch<in_media>::scatter_in_medium(std::size_t ray, const VertexNumbers
                           path.last.position,
                           direction,
                           shared_.media.phase(media_[ray]),
-                          media_[ray]};
+                          media_[ray],
+                          segment_of(rays_[ray], end_of(hits_[ray])),
+                          flight_densities_[ray]};
     if (!shared_.lights.empty()) ask_lights(path, at);
     scatter(path, at);
 }
@@ -235,6 +238,9 @@ void PathBatch<in_media>::ask_light(const Path& path, const Vertex& at, const Qu
         const float scattered_density = static_cast<float>(at.ways) * scattered.pdf;
         weight = light.at_infinity ? balance_weight(asked, scattered_density)
                                    : power_weight(asked, scattered_density);
+    }
+    if constexpr (std::is_same_v<Vertex, MediumVertex>) {
+        if (light.is_delta && !light.at_infinity) weight = flight_share(at, question);
     }
     const float cosine = at.cosine(light.wi);
     const Color color = scattered.f * light.radiance * (cosine * weight / asked);

@@ -115,7 +115,9 @@ class PathBatch {
 
     // Of paths in media.
     void fly_all();
-    void fly(std::size_t ray, const Vec2& choices);
+    void fly(std::size_t ray, std::size_t number);
+    void ask_along(std::size_t ray, const RaySegment& segment, const Vec2& choices);
+    float flight_share(const MediumVertex& at, const Question& question) const;
     void attenuate_answers();
     void attenuate(std::size_t answer, const Ray& ray, double end);
     bool passes(std::size_t answer, Ray& ray, const Hit& hit);
@@ -140,7 +142,8 @@ class PathBatch {
 
     // Of paths in media.
     std::vector<std::uint32_t> media_, next_media_;  ///< in which rays go; no_index: in none
-    std::vector<double> flights_;  ///< where rays are scattered by media; infinity: nowhere
+    std::vector<double> flights_;          ///< where rays are scattered by media; infinity: nowhere
+    std::vector<float> flight_densities_;  ///< of those beside which a light was asked, else 0
     VertexPoints flight_points_{Decision::flight};
     std::vector<ShadowMedium> shadow_media_;
     std::vector<std::uint32_t> passing_;  ///< numbers of shadow rays that are on their way

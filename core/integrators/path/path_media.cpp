@@ -2,23 +2,16 @@
 #include <numeric>
 
 #include "core/integrators/path/path_batch.h"
+#include "core/integrators/path/ray_segments.h"
 #include "core/sampling/dimensions.h"
 
 namespace etalon {
-namespace {
-
-/// The part of a ray up to `end`.
-RaySegment segment_of(const Ray& ray, double end) {
-    const double length = ray.direction.length(), begin = std::max(ray.tmin, 0.0);
-    return {ray.origin + begin * ray.direction, ray.direction / length, (end - begin) * length};
-}
-
-}  // namespace
 
 /// Chooses how far all rays go in their media.
 template <bool in_media>
 void PathBatch<in_media>::fly_all() {
     flights_.assign(rays_.size(), infinity);
+    flight_densities_.assign(rays_.size(), 0);
     flight_points_.clear();
     const auto flies = [&](std::size_t i) { return media_[i] != no_index && may_go_on(paths_[i]); };
     for (std::size_t i = 0; i < rays_.size(); ++i) {
@@ -29,32 +22,34 @@ void PathBatch<in_media>::fly_all() {
     for (std::size_t i = 0; i < rays_.size(); ++i) {
         if (media_[i] == no_index) continue;
         if (flies(i)) {
-            fly(i, flight_points_.place(number++));
+            fly(i, number++);
         } else {
             RandomSequence numbers = paths_[i].source.sequence(collision_dimension(paths_[i].name));
             paths_[i].throughput *= shared_.media.transmittance(
-                media_[i],
-                segment_of(rays_[i], hits_[i].primitive == no_index ? infinity : hits_[i].t),
-                numbers);
+                media_[i], segment_of(rays_[i], end_of(hits_[i])), numbers);
         }
     }
 }
 
-/// Chooses how far a ray goes in its medium.
+/// Chooses how far a ray goes in its medium, by the points of that number.
 template <bool in_media>
-void PathBatch<in_media>::fly(std::size_t ray, const Vec2& choices) {
+void PathBatch<in_media>::fly(std::size_t ray, std::size_t number) {
     Path& path = paths_[ray];
     Hit& hit = hits_[ray];
-    const RaySegment segment = segment_of(rays_[ray], hit.primitive == no_index ? infinity : hit.t);
-    const FreeFlight flight =
-        shared_.media.sample(media_[ray], segment, path.throughput,
-                             {choices, path.source.sequence(collision_dimension(path.name))});
+    const std::uint32_t medium = media_[ray];
+    const RaySegment segment = segment_of(rays_[ray], end_of(hit));
+    const bool asks = shared_.lights.has_point_lights() && shared_.media.knows_densities(medium);
+    if (asks) ask_along(ray, segment, flight_points_.choices(number));
+    const FreeFlight flight = shared_.media.sample(
+        medium, segment, path.throughput,
+        {flight_points_.place(number), path.source.sequence(collision_dimension(path.name))});
     path.throughput *= flight.weight;
     if (path.throughput == Color(0.0F)) {
         hit.primitive = no_index;  // nothing is seen by what is left of the path
     } else if (flight.scatters()) {
         flights_[ray] =
             std::max(rays_[ray].tmin, 0.0) + flight.distance / rays_[ray].direction.length();
+        if (asks) flight_densities_[ray] = flight.density;
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/bsdf/bsdf_from.h"
 #include "core/medium/henyey_greenstein.h"
+#include "core/medium/ray_segment.h"
 #include "core/shading/physical_surface.h"
 
 namespace etalon {
@@ -52,6 +53,8 @@ struct MediumVertex : PathVertex {
     Vec3 direction;  ///< unit, from where the path came
     const HenyeyGreenstein& phase;
     std::uint32_t medium;
+    RaySegment flight;  ///< all of the ray on which it was chosen
+    float density;      ///< with which it was, per unit of length, if a light was asked beside
 
     Evaluation evaluate(const Vec3& wi) const {
         const float value = phase.value(direction.dot(wi));
