@@ -25,7 +25,7 @@ TEST_CASE("Points of a ray have the density that is said of them", "[light]") {
                 CHECK_THAT(integral, WithinAbs(u, 1e-3));
             }
             CHECK(range.density(0.4) == 0);
-            CHECK(range.sample(0) == Catch::Approx(0.5));
+            CHECK(range.sample(0) == Approx(0.5));
         }
         CHECK(Equiangular(light, Vec3(0), along, 0.5, 6).density(6.1) == 0);
     }

@@ -15,6 +15,12 @@ bool has_media(const PhysicalLook& look) {
            });
 }
 
+/// What camera rays meet that shines, if no medium is in the way.
+void emission_of(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors) {
+    RayCounts not_of_the_image;
+    PathBatch<false>(scene, samples, colors, not_of_the_image, 0).run();
+}
+
 }  // namespace
 
 void PathTracer::radiance(const CameraSamples& samples, std::span<Color> colors,
@@ -23,8 +29,7 @@ void PathTracer::radiance(const CameraSamples& samples, std::span<Color> colors,
 }
 
 void PathTracer::emission(const CameraSamples& samples, std::span<Color> colors) const {
-    RayCounts not_of_the_image;
-    PathBatch<false>(scene_, samples, colors, not_of_the_image, 0).run();
+    emission_of(scene_, samples, colors);
 }
 
 VolumePathTracer::VolumePathTracer(const Scene& scene, const BatchIntersector& intersector,
@@ -42,8 +47,7 @@ void VolumePathTracer::radiance(const CameraSamples& samples, std::span<Color> c
 }
 
 void VolumePathTracer::emission(const CameraSamples& samples, std::span<Color> colors) const {
-    RayCounts not_of_the_image;
-    PathBatch<false>(scene_, samples, colors, not_of_the_image, 0).run();
+    emission_of(scene_, samples, colors);
 }
 
 }  // namespace etalon

@@ -37,7 +37,7 @@ class VolumePathTracer final : public Integrator {
     void radiance(const CameraSamples& samples, std::span<Color> colors,
                   RayCounts& counts) const override;
 
-    /// Where there are media, what is seen of lights is not looked at beforehand.
+    /// Not through media, in which a lamp has no outline that is worth samples.
     bool shows_lights() const override { return !in_media_ && scene_.lights.can_be_seen(); }
     void emission(const CameraSamples& samples, std::span<Color> colors) const override;
 
