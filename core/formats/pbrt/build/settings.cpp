@@ -61,6 +61,24 @@ void build_filter(SceneBuilder& b) {
     }
 }
 
+/// Takes the pixels outside of an integrator's bounds from the image.
+void build_pixel_bounds(SceneBuilder& b) {
+    const Plugin& plugin = b.frame.integrator;
+    if (plugin.type->find("pixelbounds") == nullptr) return;
+    const std::span<const std::int32_t> given = plugin.parameters.integers("pixelbounds");
+    if (given.size() != 4) return;
+    RenderSettings& to = b.result.settings;
+    const Imath::Box2i whole = to.window();
+    const Imath::Box2i window({std::max(whole.min.x, given[0]), std::max(whole.min.y, given[2])},
+                              {std::min(whole.max.x, std::max(given[1], 0) - 1),
+                               std::min(whole.max.y, std::max(given[3], 0) - 1)});
+    if (window.isEmpty()) {
+        b.warn(plugin.where, "film", "pixelbounds left out: they hold no pixel");
+    } else {
+        to.crop = window;
+    }
+}
+
 /// The number, or the nearest of those that can be, after a warning.
 int within(SceneBuilder& b, const Plugin& plugin, std::string_view what, std::int64_t number,
            int least, int most) {
@@ -131,6 +149,7 @@ void build_settings(SceneBuilder& b) {
     build_film(b);
     build_filter(b);
     build_sampler(b);
+    build_pixel_bounds(b);
     build_integrator(b);
 }
 

@@ -1,0 +1,134 @@
+// Every parameter of every PBRT plugin changes what it must.
+#include <fmt/format.h>
+
+#include "tests/catch.h"
+#include "tests/inventory/row.h"
+#include "tests/inventory/worlds.h"
+#include "tests/render/pbrt_scene.h"
+#include "tests/render/test_images.h"
+#include "tests/temporary_folder.h"
+
+using namespace etalon;
+using namespace etalon::test;
+using pbrt::Category;
+using pbrt::ParameterSpec;
+using pbrt::PluginType;
+using pbrt::ValueType;
+
+namespace {
+
+bool is_quoted(ValueType type) {
+    return type == ValueType::string || type == ValueType::file || type == ValueType::material ||
+           type == ValueType::flag;
+}
+
+std::string given(std::string_view name, ValueType type, std::string_view value) {
+    if (value.starts_with('@')) {
+        return fmt::format(" \"texture {}\" \"{}\"", name, value.substr(1));
+    }
+    const std::string_view quote = is_quoted(type) ? "\"" : "";
+    return fmt::format(" \"{} {}\" [ {}{}{} ]", to_string(type), name, quote, value, quote);
+}
+
+using Picture = std::vector<Color>;
+
+/// Renders scenes in a folder with the files that they name.
+class Studio {
+  public:
+    Studio() { write_files(folder_ / ""); }
+
+    Picture picture(const PluginType& plugin, const std::string& parameters,
+                    const std::string& textures = {}) const {
+        const std::string text = world_with(plugin, parameters, textures);
+        LoadResult loaded = load_scene_text(text, folder_ / "scene.pbrt");
+        INFO(text);
+        INFO(report(loaded.diagnostics));
+        REQUIRE(loaded.scene);
+        TestScene scene;
+        static_cast<Scene&>(scene) = std::move(*loaded.scene);
+        scene.settings = loaded.settings;
+        return rendered(scene).film.pixels();
+    }
+
+  private:
+    TemporaryFolder folder_;
+};
+
+bool is_same(const Picture& a, const Picture& b) {
+    return a == b;
+}
+
+/// A row with the parameter that it is about.
+struct Change {
+    const Studio& studio;
+    const PluginType& plugin;
+    const ParameterSpec& spec;
+    const Row& row;
+
+    Picture with(std::string_view name, ValueType type, std::string_view value) const {
+        return studio.picture(plugin, std::string(row.with) + given(name, type, value));
+    }
+    Picture before() const {
+        return row.other.empty() ? studio.picture(plugin, std::string(row.with))
+                                 : with(spec.name, spec.type, row.other);
+    }
+    Picture after() const { return with(spec.name, spec.type, row.value); }
+
+    /// With a texture in place of the value.
+    Picture textured(const std::string& texture) const {
+        const bool is_number = spec.type == ValueType::number;
+        return studio.picture(
+            plugin, std::string(row.with) + given(spec.name, spec.type, "@made"),
+            fmt::format("Texture \"made\" \"{}\" {}\n", is_number ? "float" : "spectrum", texture));
+    }
+};
+
+/// Checks that a texture shows, and so does one that is not even.
+void check_textures(const Change& c, const Picture& before, const Picture& after) {
+    const Picture even = c.textured("\"constant\"" + given("value", c.spec.type, c.row.value));
+    CHECK_FALSE(is_same(even, before));
+    const bool is_number = c.spec.type == ValueType::number;
+    const Picture uneven = c.textured("\"checkerboard\" \"float uscale\" 7 \"float vscale\" 5" +
+                                      given("tex1", c.spec.type, c.row.value) +
+                                      given("tex2", c.spec.type, is_number ? "1" : "0.6 0.7 1"));
+    CHECK_FALSE(is_same(uneven, before));
+    CHECK_FALSE(is_same(uneven, after));
+}
+
+void check(const Change& c) {
+    const Picture before = c.before(), after = c.after();
+    if (!c.row.no_effect.empty()) {
+        CHECK(is_same(before, after));
+        return;
+    }
+    // Of what others stand in for, only integrators have parameters with an effect.
+    if (!c.plugin.stand_in.empty() && c.plugin.category != Category::integrator) return;
+    CHECK_FALSE(is_same(before, after));
+    const std::string preset = default_of(c.spec);
+    if (c.row.other.empty() && !preset.empty()) {
+        CHECK(is_same(c.with(c.spec.name, c.spec.type, preset), before));
+    }
+    for (const pbrt::Spelling& other : c.spec.other_spellings()) {
+        CAPTURE(other.name);
+        CHECK(is_same(c.with(other.name, other.type, c.row.value), after));
+    }
+    if (c.spec.slot == pbrt::Slot::texture && !c.row.value.starts_with('@')) {
+        check_textures(c, before, after);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("every parameter of every plugin changes the picture, or it is said why not") {
+    const Studio studio;
+    for (std::size_t c = 0; c < pbrt::category_count; ++c) {
+        for (const PluginType& plugin : plugin_types(static_cast<Category>(c))) {
+            for (const ParameterSpec& spec : plugin.parameters) {
+                CAPTURE(to_string(plugin.category), plugin.name, spec.name);
+                const Row* row = find_row(plugin, spec.name);
+                CHECK(row != nullptr);
+                if (row) check({studio, plugin, spec, *row});
+            }
+        }
+    }
+}

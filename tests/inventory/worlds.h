@@ -1,0 +1,18 @@
+// Small scenes that show a plugin of any category.
+#pragma once
+
+#include <string>
+
+#include "core/formats/pbrt/plugin_type.h"
+
+namespace etalon::test {
+
+/// The text of a scene with a plugin, whose parameters are `parameters`, to be seen; `textures` are
+/// statements of those that the parameters name.
+std::string world_with(const pbrt::PluginType& plugin, const std::string& parameters,
+                       const std::string& textures = {});
+
+/// Writes the files that scenes and rows name into a folder.
+void write_files(const std::string& folder);
+
+}  // namespace etalon::test
