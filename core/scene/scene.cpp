@@ -15,8 +15,8 @@ std::size_t bytes(const WhittedLook& look) {
 
 std::size_t bytes(const PhysicalLook& look) {
     const Textures& t = look.textures;
-    return bytes(look.bindings, look.materials, look.lights, look.uvs, t.numbers, t.colors,
-                 t.images, look.named_images);
+    return bytes(look.bindings, look.materials, look.lights, t.numbers, t.colors, t.images,
+                 look.named_images);
 }
 
 }  // namespace

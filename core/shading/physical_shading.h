@@ -15,14 +15,6 @@ class PhysicalShading {
     /// `scene` must outlive it. `problems` gets the reasons why images are replaced by constants.
     PhysicalShading(const Scene& scene, std::vector<std::string>& problems);
 
-    enum class RayKind { seeing, shadow };
-
-    /// Whether any surface lets rays pass where a texture says so.
-    bool has_cut_outs() const { return has_cut_outs_; }
-
-    /// Whether there is nothing at this point of the surface for a ray of that kind.
-    bool is_cut_out(const PhysicalSurface& at, RayKind kind) const;
-
     /// Whether the surface is none: a ray passes.
     bool is_passed(const PhysicalSurface& at) const;
 
@@ -46,7 +38,6 @@ class PhysicalShading {
 
     const Scene& scene_;
     TextureValues textures_;
-    bool has_cut_outs_;
     std::vector<Traits> traits_;  ///< of each material
 };
 

@@ -104,9 +104,8 @@ void PathBatch::shade(std::size_t ray, const Numbers& numbers) {
     Path& path = paths_[ray];
     const Vec3& direction = rays_[ray].direction;
     const PhysicalSurface surface = physical_surface(shared_.scene, rays_[ray], hits_[ray]);
-    const bool cut_out = shared_.shading.is_cut_out(surface, PhysicalShading::RayKind::seeing);
-    if (!cut_out) add_emitted(path, surface, direction);
-    if (cut_out || shared_.shading.is_passed(surface)) {
+    add_emitted(path, surface, direction);
+    if (shared_.shading.is_passed(surface)) {
         next_rays_.push_back(ray_beyond(rays_[ray], hits_[ray], surface.point.convexity));
         next_paths_.push_back(path);
         ++counts_.refracted;
@@ -193,6 +192,7 @@ void PathBatch::ask_light(const Path& path, const Vertex& at, const Question& qu
     Ray ray = light.at_infinity ? spawn_ray(at.surface.point, light.wi)
                                 : spawn_ray_to(at.surface.point, light.target);
     if (!light.at_infinity) ray.tmax = shadow_end;
+    ray.set_shadow();
     shadow_rays_.push_back(ray);
     answers_.push_back({path.sample, path.throughput * color});
 }
@@ -201,27 +201,9 @@ void PathBatch::add_answers() {
     blocked_.resize(shadow_rays_.size());
     shared_.intersector.occluded(shadow_rays_, blocked_);
     counts_.shadow += shadow_rays_.size();
-    if (shared_.shading.has_cut_outs()) pass_cut_outs();
     for (std::size_t i = 0; i < answers_.size(); ++i) {
         counts_.shadow_blocked += blocked_[i];
         if (blocked_[i] == 0) colors_[answers_[i].sample] += answers_[i].color;
-    }
-}
-
-/// Asks again for rays that met nothing but holes in surfaces.
-void PathBatch::pass_cut_outs() {
-    for (std::size_t i = 0; i < shadow_rays_.size(); ++i) {
-        Ray ray = shadow_rays_[i];
-        while (blocked_[i] != 0) {
-            Hit hit;
-            shared_.intersector.closest({&ray, 1}, {&hit, 1});
-            blocked_[i] = hit.primitive != no_index ? 1 : 0;
-            if (blocked_[i] == 0) break;
-            const PhysicalSurface at = physical_surface(shared_.scene, ray, hit);
-            if (!shared_.shading.is_cut_out(at, PhysicalShading::RayKind::shadow)) break;
-            ray = ray_beyond(ray, hit, at.point.convexity);
-            ++counts_.shadow;
-        }
     }
 }
 

@@ -99,7 +99,6 @@ class PathBatch {
     void ask_lights(Path& path, const Vertex& at);
     void ask_light(const Path& path, const Vertex& at, const Question& question);
     void add_answers();
-    void pass_cut_outs();
 
     void scatter(const Path& path, const Vertex& at);
     void scatter(const Path& path, const Vertex& at, std::size_t way);
