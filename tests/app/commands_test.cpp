@@ -350,7 +350,7 @@ TEST_CASE("trace, render and crosscheck know holes", "[app]") {
             "Film \"image\" \"integer xresolution\" 32 \"integer yresolution\" 32\n"
             "WorldBegin LightSource \"distant\"\n"
             "Texture \"left\" \"float\" \"checkerboard\" \"float uscale\" 2 \"float vscale\" 0\n"
-            "  \"float tex1\" 0\n"
+            "  \"float tex1\" 0 \"float tex2\" 1\n"
             "ObjectBegin \"o\" Shape \"trianglemesh\" \"texture shadowalpha\" \"left\" " +
                 square + "ObjectEnd\nShape \"trianglemesh\" \"texture alpha\" \"left\" " + square +
                 "Shape \"trianglemesh\" \"float alpha\" 0 " + square +
