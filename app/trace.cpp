@@ -9,6 +9,7 @@
 #include "app/common/exit_status.h"
 #include "app/common/hit_text.h"
 #include "app/common/output.h"
+#include "app/replaced_images.h"
 #include "app/scene_arguments.h"
 #include "app/subcommands.h"
 #include "core/formats/file_text.h"
@@ -23,6 +24,7 @@ constexpr std::string_view ray_format = "ox oy oz dx dy dz [tmin tmax [time]]";
 struct TraceArguments {
     SceneArguments scene;
     std::string rays, output = "-", backend;
+    bool shadow = false;
 };
 
 /// The numbers of one line; what is behind `#` is a comment. False for anything that is no number.
@@ -90,9 +92,13 @@ int trace(const TraceArguments& a) {
     }
     LoadedScene loaded = load(a.scene);
     if (!loaded.scene) return loaded.status;
+    if (!make_cut_outs(*loaded.scene, a.scene)) return exit_unusable;
     const Scene& scene = *loaded.scene;
     std::vector<Ray> rays;
     if (!read_rays(a, rays)) return exit_unusable;
+    if (a.shadow) {
+        for (Ray& ray : rays) ray.set_shadow();
+    }
     if (!a.backend.empty()) loaded.settings.backend = a.backend;
     const auto intersector = chosen_backend(loaded.settings).build(scene.geometry);
     if (!intersector) return exit_unusable;
@@ -113,6 +119,8 @@ Action declare_trace(Options& options) {
                          ray_format))
         .value("FILE")
         .required();
+    options.add_flag("--shadow", a->shadow,
+                     "The rays are shadow rays: they pass where a shadowalpha is 0, too");
     options
         .add("-o,--output", a->output,
              "File for the hits, one line per ray (default: standard output)")

@@ -10,6 +10,7 @@
 #include "app/common/progress.h"
 #include "app/common/signals.h"
 #include "app/crosscheck/crosscheck_report.h"
+#include "app/replaced_images.h"
 #include "app/scene_arguments.h"
 #include "app/subcommands.h"
 
@@ -52,8 +53,9 @@ int run(const Arguments& a) {
         return status;
     }
     const SignalGuard signals;
-    const LoadedScene loaded = load(a.scene);
+    LoadedScene loaded = load(a.scene);
     if (!loaded.scene) return loaded.status;
+    if (!make_cut_outs(*loaded.scene, a.scene)) return exit_unusable;
     const crosscheck::Results results = crosscheck_scene(a, loaded, signals.raised());
     const bool written = write(a, results);
     if (signals.signal() != 0) return exit_signal + signals.signal();

@@ -23,6 +23,7 @@
 #include "app/render/memory.h"
 #include "app/render/output_image.h"
 #include "app/render/reference.h"
+#include "app/replaced_images.h"
 #include "app/stats.h"
 #include "app/subcommands.h"
 #include "core/base/read_log.h"
@@ -30,6 +31,7 @@
 #include "core/image/io.h"
 #include "core/parallel/parallel.h"
 #include "core/render/renderer.h"
+#include "core/shading/textured_cut_outs.h"
 
 namespace etalon {
 namespace {
@@ -84,7 +86,7 @@ class Render {
                    exit_unusable;
         }
         warn_of_dropped_samples(rendering);
-        const bool usable = tolerates(integrator_->late_problems());
+        const bool usable = tolerates(scene_, a_.scene, integrator_->late_problems());
         const bool written = rendering.counts.camera == 0 || write(rendering);
         is_written_ = written;
         if (signals_.signal() != 0) return exit_signal + signals_.signal();
@@ -166,26 +168,6 @@ class Render {
         return error.empty() ? exit_done : (complain(error), status);
     }
 
-    /// The place of the statement that names the image that a problem begins with, and what stands
-    /// in for it.
-    std::pair<std::string_view, std::string_view> statement_of(std::string_view problem) const {
-        if (scene_.is_physical()) {
-            for (const NamedImage& image : scene_.physical().named_images) {
-                if (problem.starts_with(image.file + ": ")) return {image.where, image.stand_in};
-            }
-        }
-        return {a_.scene.path, "the background colour"};
-    }
-
-    /// Warns of images that something else stands in for; false if that is an error.
-    bool tolerates(const std::vector<std::string>& problems) const {
-        for (const std::string& problem : problems) {
-            const auto [where, stand_in] = statement_of(problem);
-            print_message("{}: warning: {}; {} stands in\n", where, problem, stand_in);
-        }
-        return problems.empty() || !a_.scene.options.strict;
-    }
-
     void warn_of_dropped_samples(const Rendering& rendering) const {
         if (rendering.dropped_samples == 0) return;
         print_message("{}: warning: {} samples are infinite or no number: they count as black\n",
@@ -193,11 +175,12 @@ class Render {
     }
 
     bool build() {
-        intersector_ = chosen_backend(settings_).build(scene_.geometry);
         std::vector<std::string> problems;
+        make_cut_outs(scene_, problems);
+        intersector_ = chosen_backend(settings_).build(scene_.geometry);
         integrator_ =
             find_integrator(settings_.integrator)->make(scene_, *intersector_, settings_, problems);
-        if (!tolerates(problems)) return false;
+        if (!tolerates(scene_, a_.scene, problems)) return false;
         stats_.build = watch_.lap();
         return true;
     }

@@ -8,6 +8,7 @@
 
 #include "bench/scenes/bench_families.h"
 #include "core/formats/load.h"
+#include "core/shading/textured_cut_outs.h"
 
 namespace etalon::bench {
 namespace {
@@ -45,6 +46,8 @@ std::string names_of_families() {
 
 NamedScene from_file(const std::string& path) {
     LoadResult loaded = load_scene(path);
+    std::vector<std::string> problems;  // grey stands in for an image of holes
+    if (loaded.scene) make_cut_outs(*loaded.scene, problems);
     return {std::move(loaded.scene), std::move(loaded.settings), report(loaded.diagnostics)};
 }
 

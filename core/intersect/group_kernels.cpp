@@ -132,7 +132,9 @@ bool offer_one_by_one(const Geometry& geometry, std::uint32_t primitive, RayGrou
 }  // namespace
 
 bool offer_to_group(const Geometry& geometry, std::uint32_t primitive, RayGroup& group) {
-    switch (geometry.primitives[primitive].kind) {
+    const Primitive p = geometry.primitives[primitive];
+    if (p.sides == Sides::cut_out) return offer_one_by_one(geometry, primitive, group);
+    switch (p.kind) {
         case kind_of<Triangle>():
             return HWY_DYNAMIC_DISPATCH(offer_triangle)(geometry, primitive, group);
         case kind_of<Sphere>():

@@ -1,5 +1,6 @@
 #include "core/intersect/kernels.h"
 
+#include "core/intersect/cut_outs.h"
 #include "core/intersect/placement.h"
 #include "core/intersect/shapes/all_shapes.h"
 
@@ -21,12 +22,31 @@ template <class Shape>
     return first_hit(geometry, geometry.get<Shape>(p), p.sides, query);
 }
 
+/// A line meets a triangle once: behind a hole there is no more of it.
+[[gnu::noinline]] double cut_out_first_hit(const Geometry& geometry, std::uint32_t primitive,
+                                           const RayQuery& query) {
+    const auto triangle = geometry.get<Triangle>(geometry.primitives[primitive]);
+    const double t = first_hit(geometry, triangle, Sides::both, query);
+    return t <= query.ray.tmax && meets_hole(geometry, primitive, query) ? no_hit : t;
+}
+
 }  // namespace
+
+bool meets_hole(const Geometry& geometry, std::uint32_t primitive, const RayQuery& query) {
+    if (!geometry.cut_outs) return false;
+    const Primitive p = geometry.primitives[primitive];
+    SurfacePoint point = surface(geometry, geometry.get<Triangle>(p), query, 0);
+    point.primitive = primitive;
+    point.material = p.material;
+    return geometry.cut_outs->is_hole(geometry, point, query.ray.is_shadow());
+}
 
 double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive,
                            const RayQuery& query) {
     if (primitive == query.ray.exclude) return no_hit;
     const Primitive p = geometry.primitives[primitive];
+    if (p.sides == Sides::cut_out) [[unlikely]]
+        return cut_out_first_hit(geometry, primitive, query);
     return with_shape(p.kind,
                       [&]<class Shape>() { return first_hit_of<Shape>(geometry, p, query); });
 }

@@ -13,8 +13,12 @@ Box3 primitive_bounds(const Geometry& geometry, std::uint32_t primitive);
 double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive,
                            const RayQuery& query);
 
-/// The same for whoever has the shape at hand: a primitive's number leads to it over two cache
-/// misses. Triangles only need their corners.
+/// Whether a ray that meets a primitive which is cut out does so in a hole. The kernel asks this.
+bool meets_hole(const Geometry& geometry, std::uint32_t primitive, const RayQuery& query);
+
+/// The same as primitive_first_hit() for whoever has the shape at hand: a primitive's number leads
+/// to it over two cache misses. Triangles only need their corners; those that are cut out are not
+/// for it.
 template <class Shape>
 double shape_first_hit(const Geometry& geometry, const Shape& shape, Sides sides,
                        const RayQuery& query);

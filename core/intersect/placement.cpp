@@ -42,7 +42,7 @@ Vec3 to_object(const Instance& instance, const Vec3& point) {
 Ray to_object(const Instance& instance, const Ray& ray) {
     Ray local{to_object(instance, ray.origin), times(instance.rows, ray.direction), ray.tmin,
               ray.tmax};
-    local.hint_and_time = ray.hint_and_time;
+    local.traits_and_time = ray.traits_and_time;
     return local;
 }
 

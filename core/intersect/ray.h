@@ -17,17 +17,23 @@ struct Ray {
     /// The number of a primitive that the ray has just left and cannot meet again, if there is one:
     /// it need not be tested to learn that.
     std::uint32_t exclude = no_index;
-    /// Bits of coherent() and time(): one word, which takes an instruction to copy.
-    std::uint32_t hint_and_time = 0;
+    /// Bits of coherent(), is_shadow() and time(): one word, which takes an instruction to copy.
+    std::uint32_t traits_and_time = 0;
 
     /// A hint, which changes no hit: rays traced just before it by the same thread went nearly the
     /// same way.
-    bool coherent() const { return (hint_and_time & 1) != 0; }
-    void set_coherent() { hint_and_time |= 1; }
+    bool coherent() const { return (traits_and_time & 1) != 0; }
+    void set_coherent() { traits_and_time |= 1; }
+
+    /// Whether the ray asks what is in a light's way: it passes some holes that others do not.
+    bool is_shadow() const { return (traits_and_time & 2) != 0; }
+    void set_shadow() { traits_and_time |= 2; }
 
     /// When the ray sees the scene.
-    ShutterTime time() const { return hint_and_time >> time_shift; }
-    void set_time(ShutterTime time) { hint_and_time = time << time_shift | (hint_and_time & 1); }
+    ShutterTime time() const { return traits_and_time >> time_shift; }
+    void set_time(ShutterTime time) {
+        traits_and_time = time << time_shift | (traits_and_time & ((1U << time_shift) - 1));
+    }
 
     static constexpr int time_shift = 32 - shutter_time_bits;
 };

@@ -10,7 +10,7 @@ namespace etalon {
 namespace {
 
 Certainty is_visible(const Crossing& c, Sides sides) {
-    if (sides == Sides::both) return Certainty::yes;
+    if (sides == Sides::both || sides == Sides::cut_out) return Certainty::yes;
     return sides == Sides::front ? c.front : !c.front;
 }
 
@@ -132,14 +132,17 @@ std::vector<Oracle::Candidate> Oracle::candidates(const Ray& ray) const {
 }
 
 /// Adds meetings with the primitives of an instance, whose object this is, or with all primitives.
+/// Where holes are is for the kernels' function to say.
 void Oracle::meet(const Ray& ray, double tie, std::uint32_t instance, Meetings& meetings) const {
     if (!is_valid(ray)) return;
+    const RayQuery query(ray);
     for (const Candidate& candidate : candidates(ray)) {
         if (meetings.nearest && Quad(candidate.entry) > meetings.nearest->t.value) break;
         const Sides sides = geometry_.primitives[candidate.primitive].sides;
         for (const Crossing& c : crossings(geometry_, candidate.primitive, ray)) {
             const Certainty exists = c.exists & is_visible(c, sides) & is_within(c, ray, tie);
             if (exists == Certainty::no) continue;
+            if (sides == Sides::cut_out && meets_hole(geometry_, candidate.primitive, query)) break;
             meetings.add({c.t, exists, key_of(candidate.primitive, instance)});
         }
     }

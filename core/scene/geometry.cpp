@@ -130,6 +130,7 @@ void shrink_to_fit(Geometry& g) {
     give_back_room(g.vertices);
     give_back_room(g.normals);
     give_back_room(g.decimal_vertices);
+    give_back_room(g.uvs);
     give_back_room(g.instances);
     g.motions.shrink_to_fit();
     for (Geometry& object : g.objects) shrink_to_fit(object);
@@ -141,8 +142,8 @@ std::size_t memory_bytes(const Geometry& g) {
     std::size_t objects = g.objects.capacity() * sizeof(Geometry);
     for (const Geometry& object : g.objects) objects += memory_bytes(object);
     return shapes + g.primitives.memory_bytes() + memory_bytes(g.vertices) +
-           memory_bytes(g.normals) + memory_bytes(g.decimal_vertices) + memory_bytes(g.instances) +
-           g.motions.capacity() * sizeof(AnimatedTransform) + objects;
+           memory_bytes(g.normals) + memory_bytes(g.decimal_vertices) + memory_bytes(g.uvs) +
+           memory_bytes(g.instances) + g.motions.capacity() * sizeof(AnimatedTransform) + objects;
 }
 
 }  // namespace etalon

@@ -1,7 +1,9 @@
 // Geometry: plain data, filled by a loader, then read by kernels and backends alone.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -13,6 +15,8 @@
 #include "core/scene/shapes.h"
 
 namespace etalon {
+
+class CutOuts;
 
 /// A point whose coordinates have few digits.
 using DecimalVertex = std::array<Decimal, 3>;
@@ -33,9 +37,12 @@ struct Geometry {
     ShapeArrays shapes;
     LargeVector<Vec3> vertices, normals;
     LargeVector<DecimalVertex> decimal_vertices;
+    LargeVector<std::array<float, 2>> uvs;   ///< texture coordinates of vertices of triangles
     std::vector<Geometry> objects;           ///< seen only as instances; they have none themselves
     LargeVector<Instance> instances;         ///< of the objects
     std::vector<AnimatedTransform> motions;  ///< of instances
+    /// Tells of the holes of primitives that are cut out. Those are whole where there is none.
+    std::shared_ptr<const CutOuts> cut_outs;
 
     std::uint32_t item_count() const {
         return static_cast<std::uint32_t>(primitives.size() + instances.size());
@@ -117,8 +124,8 @@ struct Geometry {
     }
 };
 
-/// Adds the primitives and instances of `other` after those that there are. Materials keep their
-/// numbers.
+/// Adds the primitives and instances of `other`, which has no texture coordinates, after those that
+/// there are. Materials keep their numbers.
 void append(Geometry& geometry, const Geometry& other);
 
 /// Gives back the memory that the arrays hold beyond what is in them: for a geometry that is whole.

@@ -23,11 +23,19 @@ struct SurfaceBinding {
     std::uint32_t light = no_index;  ///< number of the light that the first primitive is
     std::uint32_t first = 0;         ///< number of the first primitive, where they are lights
     /// Offset of the coordinates of triangles that have some at their corners: those of vertex v
-    /// are number v - uv_offset. Else no_index.
+    /// are number v - uv_offset of the geometry's. Else no_index.
     std::uint32_t uv_offset = no_index;
     NumberSlot alpha{1.0F};         ///< a ray passes where it is 0
     NumberSlot shadow_alpha{1.0F};  ///< a shadow ray passes where it, or alpha, is 0
     MediumInterface media{};
+
+    /// Whether any ray passes the surface anywhere.
+    bool is_cut_out() const { return can_be_zero(alpha) || can_be_zero(shadow_alpha); }
+
+  private:
+    static bool can_be_zero(const NumberSlot& slot) {
+        return slot.texture != no_index || slot.value == 0;
+    }
 };
 
 /// The statement that names an image file, for the message if the file cannot be read.
@@ -45,7 +53,6 @@ struct PhysicalLook {
     std::uint32_t camera_medium = no_index;  ///< in which the camera is
     Textures textures;
     std::vector<NamedImage> named_images;
-    LargeVector<std::array<float, 2>> uvs;  ///< of vertices of triangles
 };
 
 }  // namespace etalon

@@ -11,7 +11,12 @@
 namespace etalon {
 
 /// Sides of a surface that can be hit. The front of a closed shape is its outside.
-enum class Sides : std::uint8_t { both, front, back };
+enum class Sides : std::uint8_t {
+    both,
+    front,
+    back,
+    cut_out  ///< both, except in holes; of triangles alone: see core/intersect/cut_outs.h
+};
 
 /// One primitive: what there is to know of it beside its shape's own data.
 struct Primitive {

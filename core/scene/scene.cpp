@@ -15,8 +15,8 @@ std::size_t bytes(const WhittedLook& look) {
 
 std::size_t bytes(const PhysicalLook& look) {
     const Textures& t = look.textures;
-    std::size_t sum = bytes(look.bindings, look.materials, look.lights, look.media, look.uvs,
-                            t.numbers, t.colors, t.images, look.named_images);
+    std::size_t sum = bytes(look.bindings, look.materials, look.lights, look.media, t.numbers,
+                            t.colors, t.images, look.named_images);
     for (const PhysicalMedium& medium : look.media) {
         if (medium.grid) sum += bytes(medium.grid->densities);
     }

@@ -20,14 +20,6 @@ bool is_anisotropic(const Lobe& lobe) {
         lobe);
 }
 
-bool can_be_zero(const NumberSlot& slot) {
-    return slot.texture != no_index || slot.value == 0;
-}
-
-bool has_cut_out(const SurfaceBinding& binding) {
-    return can_be_zero(binding.alpha) || can_be_zero(binding.shadow_alpha);
-}
-
 bool is_none(const PhysicalMaterial& material) {
     return std::holds_alternative<NoMaterial>(material.kind);
 }
@@ -37,8 +29,7 @@ bool is_none(const PhysicalMaterial& material) {
 PhysicalShading::PhysicalShading(const Scene& scene, std::vector<std::string>& problems)
     : scene_(scene),
       textures_(scene.physical().textures, problems),
-      has_cut_outs_(std::ranges::any_of(scene.physical().bindings, has_cut_out)),
-      has_passages_(has_cut_outs_ || std::ranges::any_of(scene.physical().materials, is_none)) {
+      has_passages_(std::ranges::any_of(scene.physical().materials, is_none)) {
     for (const PhysicalMaterial& m : scene.physical().materials) traits_.push_back(traits_of(m));
 }
 
@@ -48,14 +39,6 @@ PhysicalShading::Traits PhysicalShading::traits_of(const PhysicalMaterial& mater
     traits.needs_coordinates = !traits.lobes || is_bumpy(material, all) ||
                                std::ranges::any_of(traits.lobes->span(), is_anisotropic);
     return traits;
-}
-
-bool PhysicalShading::is_cut_out(const PhysicalSurface& at, RayKind kind) const {
-    const SurfaceBinding& binding = *at.binding;
-    if (!has_cut_out(binding)) return false;
-    const TexturePoint place{physical_parametrization(scene_, at).uv, at.point.position};
-    return textures_.number(binding.alpha, place) == 0 ||
-           (kind == RayKind::shadow && textures_.number(binding.shadow_alpha, place) == 0);
 }
 
 bool PhysicalShading::is_passed(const PhysicalSurface& at) const {

@@ -15,16 +15,8 @@ class PhysicalShading {
     /// `scene` must outlive it. `problems` gets the reasons why images are replaced by constants.
     PhysicalShading(const Scene& scene, std::vector<std::string>& problems);
 
-    enum class RayKind { seeing, shadow };
-
-    /// Whether any surface lets rays pass where a texture says so.
-    bool has_cut_outs() const { return has_cut_outs_; }
-
-    /// Whether any surface lets shadow rays pass: for that, or for having no material.
+    /// Whether any surface lets shadow rays pass because it has no material.
     bool has_passages() const { return has_passages_; }
-
-    /// Whether there is nothing at this point of the surface for a ray of that kind.
-    bool is_cut_out(const PhysicalSurface& at, RayKind kind) const;
 
     /// Whether the surface is none: a ray passes.
     bool is_passed(const PhysicalSurface& at) const;
@@ -49,7 +41,7 @@ class PhysicalShading {
 
     const Scene& scene_;
     TextureValues textures_;
-    bool has_cut_outs_, has_passages_;
+    bool has_passages_;
     std::vector<Traits> traits_;  ///< of each material
 };
 

@@ -35,17 +35,20 @@ Parametrization with_coordinates(const std::array<std::array<float, 2>, 3>& corn
 
 }  // namespace
 
-Parametrization physical_parametrization(const Scene& scene, const PhysicalSurface& at) {
-    const Parametrization own = parametrization_at(scene.geometry, at.point);
-    if (at.binding->uv_offset == no_index) return own;
-    const Geometry& geometry = scene.geometry.holder(at.point.instance);
-    const Primitive p = geometry.primitives[at.point.primitive];
+Parametrization with_coordinates_of_mesh(const Geometry& geometry, std::uint32_t primitive,
+                                         std::uint32_t uv_offset, const Parametrization& own) {
+    if (uv_offset == no_index) return own;
+    const Primitive p = geometry.primitives[primitive];
     const TriangleIndices vertices = geometry.get<Triangle>(p).vertices;
     std::array<std::array<float, 2>, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-        corners[k] = scene.physical().uvs[vertices[k] - at.binding->uv_offset];
-    }
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = geometry.uvs[vertices[k] - uv_offset];
     return with_coordinates(corners, own);
+}
+
+Parametrization physical_parametrization(const Scene& scene, const PhysicalSurface& at) {
+    return with_coordinates_of_mesh(scene.geometry.holder(at.point.instance), at.point.primitive,
+                                    at.binding->uv_offset,
+                                    parametrization_at(scene.geometry, at.point));
 }
 
 }  // namespace etalon

@@ -113,6 +113,7 @@ class RaySetMaker {
                     : points.position(0);
             rays.push_back(spawn_ray_to(p, target));
             rays.back().set_coherent();
+            rays.back().set_shadow();
         });
     }
 
@@ -126,6 +127,7 @@ class RaySetMaker {
             const Vec3 up = s.wi == Vec3(0) ? p.normal : s.wi;  // of a light that nobody samples
             rays.push_back(s.at_infinity ? spawn_ray(p, up) : spawn_ray_to(p, s.target));
             rays.back().set_coherent();
+            rays.back().set_shadow();
         });
     }
 

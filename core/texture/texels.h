@@ -2,9 +2,11 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "core/image/image.h"
 #include "core/scene/texture.h"
+#include "core/texture/zero_texels.h"
 
 namespace etalon {
 
@@ -23,14 +25,14 @@ class Texels {
     Color color(const Vec2& st) const;
     float number(const Vec2& st) const;
 
-  private:
-    /// Texels about a point, and their weights.
-    struct Neighbours {
-        std::array<std::size_t, 4> texels;  ///< numbers by rows from the top
-        std::array<float, 4> weights;
-    };
+    /// Returns where number() is 0, if a bit for each texel tells: where no sum or product of what
+    /// is not 0 can be.
+    std::optional<ZeroTexels> zeros() const;
 
-    Neighbours neighbours(const Vec2& st) const;
+  private:
+    /// The number that a stored one means.
+    template <class Stored>
+    float shown(Stored value) const;
 
     template <class Value>
     Value interpolated(const Vec2& st) const;

@@ -339,6 +339,39 @@ TEST_CASE("trace, info, convert and crosscheck know what moves", "[app]") {
     CHECK_THAT(r.err, ContainsSubstring("bad.txt:1:1: error: time outside of [0, 1)"));
 }
 
+TEST_CASE("trace, render and crosscheck know holes", "[app]") {
+    const Folder f;
+    const std::string square =
+        "\"integer indices\" [ 0 1 2 0 2 3 ] \"float uv\" [ 0 0 1 0 1 1 0 1 ]\n"
+        "\"point P\" [ -1 -1 0 1 -1 0 1 1 0 -1 1 0 ]\n";
+    f.write("h.pbrt",
+            "LookAt 0 0 -9  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 20\n"
+            "Integrator \"path\" Sampler \"sobol\" \"integer pixelsamples\" 4\n"
+            "Film \"image\" \"integer xresolution\" 32 \"integer yresolution\" 32\n"
+            "WorldBegin LightSource \"distant\"\n"
+            "Texture \"left\" \"float\" \"checkerboard\" \"float uscale\" 2 \"float vscale\" 0\n"
+            "  \"float tex1\" 0 \"float tex2\" 1\n"
+            "ObjectBegin \"o\" Shape \"trianglemesh\" \"texture shadowalpha\" \"left\" " +
+                square + "ObjectEnd\nShape \"trianglemesh\" \"texture alpha\" \"left\" " + square +
+                "Shape \"trianglemesh\" \"float alpha\" 0 " + square +
+                "TransformBegin Translate 0 0 1 ObjectInstance \"o\" TransformEnd WorldEnd\n");
+    f.write("rays.txt", "-0.5 0.1 -9 0 0 1\n0.5 0.1 -9 0 0 1\n");
+    REQUIRE(f.etalon("render h.pbrt -q -b none -o h.exr").status == 0);
+    for (const char* backend : {"none", "grid", "bvh", "embree", "embree-user"}) {
+        CAPTURE(backend);
+        const std::string trace = std::string("trace h.pbrt --rays rays.txt -b ") + backend;
+        const auto seen = f.etalon(trace);
+        REQUIRE(seen.status == 0);
+        CHECK(seen.out.find("hit 10 triangle 0/1 ") == 0);
+        CHECK(seen.out.find("\nhit 9 triangle 0 ") != std::string::npos);
+        const auto shadow = f.etalon(trace + " --shadow");
+        CHECK(shadow.out.find("miss\nhit 9 triangle 0 ") == 0);
+        REQUIRE(f.etalon(std::string("render h.pbrt -q -o b.exr -b ") + backend).status == 0);
+        CHECK(pixels(f.path("h.exr")) == pixels(f.path("b.exr")));
+    }
+    CHECK(f.etalon("crosscheck h.pbrt --rays 500 -b grid,bvh,embree").status == 0);
+}
+
 TEST_CASE("An image of instances is that of their copies, but for roundings", "[app]") {
     const Folder f;
     const std::string head =

@@ -10,6 +10,7 @@
 
 #include "core/formats/load.h"
 #include "core/image/io.h"
+#include "core/shading/textured_cut_outs.h"
 #include "tests/catch.h"
 #include "tests/formats/shared_scenes.h"
 #include "tests/render/test_images.h"
@@ -204,6 +205,9 @@ TEST_CASE("pictures of PBRT scenes are those of pbrt-v3", "[needs_shared_scenes]
         LoadResult loaded = load_scene(path.string());
         REQUIRE(loaded.scene);
         if (file.empty() || !is_rendered_whole(loaded)) continue;
+        std::vector<std::string> problems;
+        make_cut_outs(*loaded.scene, problems);
+        REQUIRE(problems.empty());
         const Result<Image> reference = read_image(file);
         REQUIRE(reference);
         std::vector<std::vector<Color>> images;
@@ -241,6 +245,9 @@ TEST_CASE("pictures of small scenes are those of pbrt-v3") {
         LoadResult loaded = load_scene(entry.path().string());
         REQUIRE(loaded.scene);
         CHECK(loaded.diagnostics.empty());
+        std::vector<std::string> problems;
+        make_cut_outs(*loaded.scene, problems);
+        REQUIRE(problems.empty());
         const Result<Image> reference = read_image(file);
         REQUIRE(reference);
         std::vector<std::vector<Color>> images;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/formats/load.h"
+#include "core/shading/textured_cut_outs.h"
 #include "tests/catch.h"
 #include "tests/render/test_scenes.h"
 
@@ -19,6 +20,9 @@ inline TestScene pbrt_scene(const std::string& world, const std::string& options
     INFO(report(loaded.diagnostics));
     REQUIRE(loaded.scene);
     REQUIRE(loaded.diagnostics.empty());
+    std::vector<std::string> problems;
+    make_cut_outs(*loaded.scene, problems);
+    REQUIRE(problems.empty());
     TestScene scene;
     static_cast<Scene&>(scene) = std::move(*loaded.scene);
     scene.settings = loaded.settings;

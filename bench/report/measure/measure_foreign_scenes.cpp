@@ -11,6 +11,7 @@
 #include "bench/report/tasks.h"
 #include "core/formats/alters_image.h"
 #include "core/formats/load.h"
+#include "core/shading/textured_cut_outs.h"
 
 namespace etalon::bench_report {
 namespace {
@@ -76,9 +77,11 @@ std::string measure_own(const LoadResult& loaded, const convergence::Plan& plan,
 std::string compare_scene(const ForeignRequest& request, const Settings& settings,
                           const TaskProgress& task_progress, ForeignFigures& figures) {
     Stopwatch reading;
-    const LoadResult loaded = load_scene(request.scene);
+    LoadResult loaded = load_scene(request.scene);
     const double reading_seconds = frames::seconds_before_main() + reading.lap().cpu;
     if (std::string why = check_rendered_whole(loaded); !why.empty()) return why;
+    std::vector<std::string> problems;  // the integrator tells of them
+    make_cut_outs(*loaded.scene, problems);
     figures.size = loaded.settings.resolution;
     figures.reference = reference_for(request.images, request.scene);
     if (figures.reference.empty()) return "no reference image";

@@ -8,6 +8,7 @@
 #include "app/common/console.h"
 #include "core/formats/load.h"
 #include "core/integrators/integrators.h"
+#include "core/shading/textured_cut_outs.h"
 
 namespace etalon::bench_report {
 namespace {
@@ -35,6 +36,8 @@ std::optional<ShippedScene> shipped_scene(const std::string& name) {
     LoadResult loaded = load_scene(shipped_path(name));
     write_message(report(loaded.diagnostics));
     if (!loaded.scene) return std::nullopt;
+    std::vector<std::string> problems;  // the integrator tells of them
+    make_cut_outs(*loaded.scene, problems);
     return ShippedScene{std::move(*loaded.scene), std::move(loaded.settings)};
 }
 

@@ -114,9 +114,12 @@ inline Clusters::Candidate Clusters::intersect_lane(const Geometry& geometry, Cl
     switch (ref.kind()) {
         case ClusterRef::triangles: {
             const TriangleCluster& cluster = triangles(ref);
+            const std::uint32_t id = cluster.ids[lane];
+            const Sides sides = cluster.sides[lane];
+            if (sides == Sides::cut_out) [[unlikely]]
+                return {id, primitive_first_hit(geometry, id, query)};
             const Triangle triangle{cluster.vertices[lane]};
-            return {cluster.ids[lane],
-                    shape_first_hit(geometry, triangle, cluster.sides[lane], query)};
+            return {id, shape_first_hit(geometry, triangle, sides, query)};
         }
         case ClusterRef::spheres: {
             const SphereCluster& cluster = spheres(ref);

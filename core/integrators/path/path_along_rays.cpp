@@ -31,6 +31,7 @@ void PathBatch<in_media>::ask_along(std::size_t ray, const RaySegment& segment,
     Ray shadow{position, light.target - position};
     shadow.tmax = shadow_end;
     shadow.set_time(rays_[ray].time());
+    shadow.set_shadow();
     shadow_rays_.push_back(shadow);
     shadow_media_.push_back(
         {media_[ray], path.source.sequence(along_ray_collision_dimension(path.name))});

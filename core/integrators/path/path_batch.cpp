@@ -120,15 +120,13 @@ void PathBatch<in_media>::shade(std::size_t ray, const VertexNumbers& numbers) {
     Path& path = paths_[ray];
     const Vec3& direction = rays_[ray].direction;
     const PhysicalSurface surface = physical_surface(shared_.scene, rays_[ray], hits_[ray]);
-    const bool cut_out = shared_.shading.is_cut_out(surface, PhysicalShading::RayKind::seeing);
-    if (!cut_out) add_emitted(path, surface, direction);
-    if (cut_out || shared_.shading.is_passed(surface)) {
+    add_emitted(path, surface, direction);
+    if (shared_.shading.is_passed(surface)) {
         next_rays_.push_back(ray_beyond(rays_[ray], hits_[ray], surface.point.convexity));
         next_paths_.push_back(path);
         if constexpr (in_media) {
             next_paths_.back().name = ray_name(path.name, true);
-            next_media_.push_back(cut_out ? media_[ray]
-                                          : medium_beyond(surface, direction, media_[ray]));
+            next_media_.push_back(medium_beyond(surface, direction, media_[ray]));
         }
         ++counts_.refracted;
         return;
@@ -253,6 +251,7 @@ void PathBatch<in_media>::ask_light(const Path& path, const Vertex& at, const Qu
             {at.medium_towards(light.wi),
              path.source.sequence(shadow_collision_dimension(path.name, question.number))});
     }
+    ray.set_shadow();
     shadow_rays_.push_back(ray);
     answers_.push_back({path.sample, path.throughput * color});
 }
@@ -265,29 +264,10 @@ void PathBatch<in_media>::add_answers() {
         attenuate_answers();
     } else {
         shared_.intersector.occluded(shadow_rays_, blocked_);
-        if (shared_.shading.has_cut_outs()) pass_cut_outs();
     }
     for (std::size_t i = 0; i < answers_.size(); ++i) {
         counts_.shadow_blocked += blocked_[i];
         if (blocked_[i] == 0) colors_[answers_[i].sample] += answers_[i].color;
-    }
-}
-
-/// Asks again for rays that met nothing but holes in surfaces.
-template <bool in_media>
-void PathBatch<in_media>::pass_cut_outs() {
-    for (std::size_t i = 0; i < shadow_rays_.size(); ++i) {
-        Ray ray = shadow_rays_[i];
-        while (blocked_[i] != 0) {
-            Hit hit;
-            shared_.intersector.closest({&ray, 1}, {&hit, 1});
-            blocked_[i] = hit.primitive != no_index ? 1 : 0;
-            if (blocked_[i] == 0) break;
-            const PhysicalSurface at = physical_surface(shared_.scene, ray, hit);
-            if (!shared_.shading.is_cut_out(at, PhysicalShading::RayKind::shadow)) break;
-            ray = ray_beyond(ray, hit, at.point.convexity);
-            ++counts_.shadow;
-        }
     }
 }
 

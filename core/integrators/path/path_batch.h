@@ -105,7 +105,6 @@ class PathBatch {
     template <class Vertex>
     void ask_light(const Path& path, const Vertex& at, const Question& question);
     void add_answers();
-    void pass_cut_outs();
 
     template <class Vertex>
     void scatter(const Path& path, const Vertex& at);

@@ -99,15 +99,14 @@ bool PathBatch<in_media>::passes(std::size_t answer, Ray& ray, const Hit& hit) {
         return false;
     }
     const PhysicalSurface at = physical_surface(shared_.scene, ray, hit);
-    const bool cut_out = shared_.shading.is_cut_out(at, PhysicalShading::RayKind::shadow);
-    if (!cut_out && !shared_.shading.is_passed(at)) {
+    if (!shared_.shading.is_passed(at)) {
         blocked_[answer] = 1;
         return false;
     }
     attenuate(answer, ray, hit.t);
     if (answers_[answer].color == Color(0.0F)) return false;
     std::uint32_t& medium = shadow_media_[answer].medium;
-    if (!cut_out) medium = medium_beyond(at, ray.direction, medium);
+    medium = medium_beyond(at, ray.direction, medium);
     ray = ray_beyond(ray, hit, at.point.convexity);
     return ray.tmin < ray.tmax;
 }

@@ -143,7 +143,7 @@ void Whitted::add_light(std::size_t light, int k, const RaysView& batch,
     ShadowRays shadow(surfaces, light_points(light, k, batch, surfaces), rules_.fixed_bias);
     for (std::size_t i = 0; i < shadow.rays.size(); ++i) {
         const std::uint32_t ray = surfaces.traits[shadow.facing[i].surface].ray;
-        shadow.rays[i].hint_and_time = batch.rays[ray].hint_and_time;
+        shadow.rays[i].traits_and_time = batch.rays[ray].traits_and_time;
     }
     std::vector<std::uint8_t> blocked(shadow.rays.size());
     intersector_.occluded(shadow.rays, blocked);
@@ -219,7 +219,7 @@ void Whitted::leave(const RaysView& batch, const SeenSurfaces::Traits& from,
         to.surfaces.push_back(first + i);
         to.weights.push_back(weight);
         to.rays.push_back(ray);
-        to.rays.back().hint_and_time = batch.rays[from.ray].hint_and_time;
+        to.rays.back().traits_and_time = batch.rays[from.ray].traits_and_time;
         to.paths.push_back({path.sample, ray_name(path.name, crosses), within});
     };
     if (!is_black(reflection) || counted) {

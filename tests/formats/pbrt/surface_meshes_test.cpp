@@ -38,7 +38,7 @@ TEST_CASE("a height field is a mesh over the unit square, with the square's coor
     CHECK(g.all<Triangle>().size() == 4);
     CHECK(g.vertices[1] == Vec3(0.5, 0, 2));
     CHECK(g.vertices[5] == Vec3(1, 1, 10));
-    CHECK(r.scene->physical().uvs[4] == std::array{0.5F, 1.0F});
+    CHECK(r.scene->geometry.uvs[4] == std::array{0.5F, 1.0F});
     CHECK(g.all<Triangle>()[1] == TriangleIndices{0, 4, 3});
     CHECK_FALSE(r.scene->physical().bindings[0].flipped);
 }
@@ -62,7 +62,7 @@ TEST_CASE("a NURBS surface is a mesh of 30 x 30 points with normals and coordina
     CHECK(g.all<Triangle>().size() == 2 * 29 * 29);
     CHECK(g.vertices[899] == Vec3(2, 1, 0));
     CHECK(g.normals[450] == Vec3(0, 0, 1));
-    CHECK(r.scene->physical().uvs[29] == std::array{1.0F, 0.0F});
+    CHECK(r.scene->geometry.uvs[29] == std::array{1.0F, 0.0F});
     CHECK(r.scene->physical().bindings[0].corner_normals);
 }
 

@@ -32,7 +32,7 @@ std::uint32_t add_vertices(ShapeBuilder& s, const MeshData& mesh) {
     append(g.vertices, count, [&](std::size_t i) { return s.point(triple(mesh.points, i)); });
     append(g.normals, mesh.normals.size() / 3,
            [&](std::size_t i) { return s.normal(Vec3(triple(mesh.normals, i))).normalized(); });
-    append(s.b.look().uvs, mesh.uvs.size() / 2, [&](std::size_t i) {
+    append(g.uvs, mesh.uvs.size() / 2, [&](std::size_t i) {
         return std::array{mesh.uvs[2 * i], mesh.uvs[2 * i + 1]};
     });
     return first;
@@ -105,7 +105,7 @@ void build_mesh(ShapeBuilder& s, const MeshData& mesh) {
     binding.corner_normals = has_normals;
     binding.flipped = has_normals ? mesh.flipped : s.flips_normals();
     if (!mesh.uvs.empty()) {
-        binding.uv_offset = static_cast<std::uint32_t>(g.vertices.size() - s.b.look().uvs.size());
+        binding.uv_offset = static_cast<std::uint32_t>(g.vertices.size() - g.uvs.size());
     }
     s.begin(binding);
     const std::uint32_t normal_offset = has_normals ? g.normal_offset() : no_index;

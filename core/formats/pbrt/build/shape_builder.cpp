@@ -50,6 +50,7 @@ void ShapeBuilder::begin(SurfaceBinding binding) {
         binding.alpha = b.number(parameters(), "alpha");
         binding.shadow_alpha = b.number(parameters(), "shadowalpha");
     }
+    sides_ = binding.is_cut_out() ? Sides::cut_out : Sides::both;
     if (shape.area_light != none) {
         binding.light = static_cast<std::uint32_t>(look.lights.size());
         binding.first = static_cast<std::uint32_t>(geometry().primitives.size());

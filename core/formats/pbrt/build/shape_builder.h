@@ -38,7 +38,7 @@ class ShapeBuilder {
     template <class Shape>
     void add(const Shape& primitive) {
         add_light();
-        geometry().add(primitive, binding_);
+        geometry().add(primitive, binding_, sides_);
     }
 
     /// Nothing of the shape is shown.
@@ -49,6 +49,7 @@ class ShapeBuilder {
 
     bool swaps_hand_;  ///< the map mirrors
     std::uint32_t binding_ = 0;
+    Sides sides_ = Sides::both;
 };
 
 /// Triangles with what a mesh knows of their corners; n vertices.

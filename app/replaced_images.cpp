@@ -1,0 +1,42 @@
+#include "app/replaced_images.h"
+
+#include <algorithm>
+
+#include "app/common/console.h"
+#include "core/shading/textured_cut_outs.h"
+
+namespace etalon {
+namespace {
+
+/// The place of the statement that names the image that a problem begins with, and what stands in
+/// for it.
+std::pair<std::string_view, std::string_view> statement_of(const Scene& scene,
+                                                           const SceneArguments& arguments,
+                                                           std::string_view problem) {
+    if (scene.is_physical()) {
+        for (const NamedImage& image : scene.physical().named_images) {
+            if (problem.starts_with(image.file + ": ")) return {image.where, image.stand_in};
+        }
+    }
+    return {arguments.path, "the background colour"};
+}
+
+}  // namespace
+
+bool tolerates(const Scene& scene, const SceneArguments& arguments,
+               const std::vector<std::string>& problems) {
+    for (auto problem = problems.begin(); problem != problems.end(); ++problem) {
+        if (std::find(problems.begin(), problem, *problem) != problem) continue;
+        const auto [where, stand_in] = statement_of(scene, arguments, *problem);
+        print_message("{}: warning: {}; {} stands in\n", where, *problem, stand_in);
+    }
+    return problems.empty() || !arguments.options.strict;
+}
+
+bool make_cut_outs(Scene& scene, const SceneArguments& arguments) {
+    std::vector<std::string> problems;
+    make_cut_outs(scene, problems);
+    return tolerates(scene, arguments, problems);
+}
+
+}  // namespace etalon

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <array>
+
+#include "core/numerics/vec.h"
+#include "core/scene/texture.h"
+
+namespace etalon {
+
+/// Texels about a point, and their weights.
+struct NearTexels {
+    std::array<std::size_t, 4> texels;  ///< numbers by rows from the top
+    std::array<float, 4> weights;       ///< 0 for those that are beyond a border of black
+};
+
+/// Finds the four texels of an image whose centres are about the point (s, t).
+NearTexels near_texels(int width, int height, Wrap wrap, const Vec2& st);
+
+}  // namespace etalon
