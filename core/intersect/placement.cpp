@@ -29,8 +29,8 @@ Vec3 to_object(const Instance& instance, const Vec3& point) {
 }
 
 Ray to_object(const Instance& instance, const Ray& ray) {
-    Ray local{to_object(instance, ray.origin), times(instance.rows, ray.direction), ray.tmin,
-              ray.tmax};
+    Ray local{times(instance.rows, ray.origin - instance.origin),
+              times(instance.rows, ray.direction), ray.tmin, ray.tmax};
     local.coherent = ray.coherent;
     return local;
 }
