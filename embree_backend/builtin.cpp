@@ -1,6 +1,7 @@
 #include "embree_backend/builtin.h"
 
-#include <map>
+#include <algorithm>
+#include <array>
 
 #include "core/numerics/rounding.h"
 #include "embree_backend/float_geometry.h"
@@ -20,34 +21,97 @@ float first_t(const NormalizedRay& ray, double tmin) {
     return ray.tmin(tmin) + margin * size;
 }
 
+constexpr unsigned first_shape = UserPrimitives::geometries;
+
+/// Whether Embree's floats can invert a map.
+bool is_invertible(const Affine& map) {
+    constexpr double largest = 0x1p100;
+    const double volume = std::abs(map.determinant());
+    return is_finite(map) && volume > 1 / largest && volume < largest &&
+           max_abs(map.origin) < largest;
+}
+
+std::array<float, 12> columns_of(const Affine& map) {
+    std::array<float, 12> columns;
+    float* to = columns.data();
+    for (const Vec3& column : {map.x, map.y, map.z, map.origin}) {
+        for (int k = 0; k < 3; ++k) *to++ = static_cast<float>(column[k]);
+    }
+    return columns;
+}
+
 }  // namespace
 
-EmbreeBuiltin::EmbreeBuiltin(const Geometry& geometry, Traversal traversal)
+EmbreeBuiltin::EmbreeBuiltin(const Geometry& geometry, Traversal traversal, const Device& of_scene)
     : Intersector(geometry),
+      is_object_(of_scene != nullptr),
+      device_(is_object_ ? of_scene : std::make_shared<const EmbreeDevice>()),
       others_(geometry, *this),
-      embree_scene_(rtcNewScene(device_.handle())) {
-    device_.check();
-    build_objects<EmbreeBuiltin>(traversal);
+      embree_scene_(rtcNewScene(device_->handle())) {
+    device_->check();
+    build_objects<EmbreeBuiltin>(traversal, device_);
     if (traversal == Traversal::robust) {
         rtcSetSceneFlags(embree_scene_.get(), RTC_SCENE_FLAG_ROBUST);
     }
-    const FloatGeometry floats(device_, geometry, scene_bounds().space);
     std::map<RTCGeometryType, std::vector<std::uint32_t>> by_type;
+    std::vector<std::pair<std::uint32_t, Affine>> instances;
     std::vector<BoundedPrimitive> others;
     for (const BoundedPrimitive& p : take_bounded()) {
+        if (geometry.is_instance(p.id)) {
+            const auto map = embree_map(geometry.instances[p.id - geometry.primitives.size()]);
+            if (map) {
+                instances.emplace_back(p.id, *map);
+                continue;
+            }
+        }
         if (const auto type = embree_type_of(geometry, scene_bounds().space, p.id)) {
             by_type[*type].push_back(p.id);
         } else {
             others.push_back(p);
         }
     }
+    attach_shapes(std::move(by_type));
+    for (const auto& [item, map] : instances) attach_instance(item, map);
+    others_.build(*device_, embree_scene_.get(), 0, scene_bounds().space, std::move(others));
+}
+
+const EmbreeBuiltin& EmbreeBuiltin::object_of(const Instance& instance) const {
+    return static_cast<const EmbreeBuiltin&>(object(instance.object));
+}
+
+std::optional<Affine> EmbreeBuiltin::embree_map(const Instance& instance) const {
+    const EmbreeBuiltin& shown = object_of(instance);
+    if (instance.moves()) return std::nullopt;
+    if (!shown.others_.empty() || !shown.scene_bounds().unbounded.empty()) return std::nullopt;
+    const NormalizedSpace &from = shown.scene_bounds().space, &to = scene_bounds().space;
+    const Affine map = instance.to_world();
+    const double scale = to.scale() / from.scale();
+    const Affine between{scale * map.x, scale * map.y, scale * map.z,
+                         to.point(map.point(from.centre()))};
+    return is_invertible(between) ? std::optional(between) : std::nullopt;
+}
+
+void EmbreeBuiltin::attach_shapes(std::map<RTCGeometryType, std::vector<std::uint32_t>> by_type) {
+    const FloatGeometry floats(*device_, geometry(), scene_bounds().space);
     for (auto& [type, ids] : by_type) {
-        const auto number = static_cast<unsigned>(ids_.size());
+        const auto number = first_shape + static_cast<unsigned>(ids_.size());
         rtcAttachGeometryByID(embree_scene_.get(), floats.make(type, ids).get(), number);
         ids_.emplace_back(std::move(ids));
     }
-    others_.build(device_, embree_scene_.get(), static_cast<unsigned>(ids_.size()),
-                  scene_bounds().space, std::move(others));
+}
+
+void EmbreeBuiltin::attach_instance(std::uint32_t item, const Affine& map) {
+    const EmbreeOwned<RTCGeometry> shown(
+        rtcNewGeometry(device_->handle(), RTC_GEOMETRY_TYPE_INSTANCE));
+    device_->check();
+    const Instance& instance = geometry().instances[item - geometry().primitives.size()];
+    rtcSetGeometryInstancedScene(shown.get(), object_of(instance).embree_scene_.get());
+    rtcSetGeometryTransform(shown.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                            columns_of(map).data());
+    rtcCommitGeometry(shown.get());
+    const std::size_t number = first_shape + ids_.size() + instances_.size();
+    rtcAttachGeometryByID(embree_scene_.get(), shown.get(), static_cast<unsigned>(number));
+    instances_.push_back(item);
 }
 
 bool EmbreeBuiltin::has_own_kernels(const Geometry& geometry) {
@@ -60,9 +124,9 @@ bool EmbreeBuiltin::has_own_kernels(const Geometry& geometry) {
 }
 
 std::size_t EmbreeBuiltin::own_bytes() const {
-    std::size_t tables = others_.memory_bytes();
+    std::size_t tables = others_.memory_bytes() + instances_.size() * sizeof(std::uint32_t);
     for (const PrimitiveIds& ids : ids_) tables += ids.memory_bytes();
-    return device_.bytes() + tables;
+    return tables + (is_object_ ? 0 : device_->bytes());
 }
 
 void EmbreeBuiltin::closest_bounded(const RayQuery& query, const NormalizedRay& local,
@@ -75,9 +139,16 @@ void EmbreeBuiltin::closest_bounded(const RayQuery& query, const NormalizedRay& 
     } else {
         others_.intersect(embree_scene_.get(), query, local, nearest, ray);
     }
-    if (ray.hit.geomID >= ids_.size()) return;
-    const double t = ray.ray.tfar / local.scale + local.shift;
-    nearest.offer(std::min(t, nearest.t), ids_[ray.hit.geomID][ray.hit.primID]);
+    const RTCHit& hit = ray.hit;
+    if (hit.geomID == RTC_INVALID_GEOMETRY_ID || hit.geomID < first_shape) return;
+    const double t = std::min(ray.ray.tfar / local.scale + local.shift, nearest.t);
+    if (hit.instID[0] == RTC_INVALID_GEOMETRY_ID) {
+        return nearest.offer(t, ids_[hit.geomID - first_shape][hit.primID]);
+    }
+    const std::uint32_t item = instances_[hit.instID[0] - first_shape - ids_.size()];
+    const EmbreeBuiltin& shown =
+        object_of(geometry().instances[item - geometry().primitives.size()]);
+    nearest.offer(t, item, shown.ids_[hit.geomID - first_shape][hit.primID]);
 }
 
 bool EmbreeBuiltin::occluded_bounded(const RayQuery& query, const NormalizedRay& local) const {

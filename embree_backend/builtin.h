@@ -1,17 +1,20 @@
 #pragma once
 
+#include <map>
+#include <memory>
 #include <vector>
 
 #include "core/intersect/intersector.h"
+#include "core/numerics/affine.h"
 #include "embree_backend/device.h"
 #include "embree_backend/primitive_ids.h"
 #include "embree_backend/user_primitives.h"
 
 namespace etalon {
 
-/// The backend `embree-builtin`: Embree's own float triangles, quads and spheres, as the baseline
-/// in speed and in accuracy. One-sided primitives, and what Embree has no geometry for, are tested
-/// as by the backend `embree`.
+/// The backend `embree-builtin`: Embree's own float triangles, quads, spheres and instances, as the
+/// baseline in speed and in accuracy. One-sided primitives, and what Embree has no geometry for,
+/// are tested as by the backend `embree`; so are instances of objects that have any of those.
 class EmbreeBuiltin final : public Intersector {
   public:
     enum class Traversal {
@@ -19,13 +22,17 @@ class EmbreeBuiltin final : public Intersector {
         robust,  ///< RTC_SCENE_FLAG_ROBUST: fewer leaks between triangles, 5 to 40 % slower
     };
 
-    /// Throws as EmbreeDevice does.
-    explicit EmbreeBuiltin(const Geometry& geometry, Traversal traversal = Traversal::fast);
+    using Device = std::shared_ptr<const EmbreeDevice>;
+
+    /// Throws as EmbreeDevice does. An object is built on the device of the scene that shows it, as
+    /// Embree asks of what it instances; without one given a device is made.
+    explicit EmbreeBuiltin(const Geometry& geometry, Traversal traversal = Traversal::fast,
+                           const Device& of_scene = nullptr);
 
     /// Whether Embree has a geometry for any of the primitives.
     static bool has_own_kernels(const Geometry& geometry);
 
-    std::string isa() const override { return device_.isa(); }
+    std::string isa() const override { return device_->isa(); }
 
   protected:
     std::size_t own_bytes() const override;
@@ -34,8 +41,20 @@ class EmbreeBuiltin final : public Intersector {
     bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const override;
 
   private:
-    EmbreeDevice device_;
-    std::vector<PrimitiveIds> ids_;  ///< for each geometry of Embree's own; the next is others_
+    const EmbreeBuiltin& object_of(const Instance& instance) const;
+
+    /// Returns the map that Embree applies, from the object's normalized space to this one; nothing
+    /// where not all of the instance is Embree's, or where its floats cannot invert the map.
+    std::optional<Affine> embree_map(const Instance& instance) const;
+
+    /// Numbers of geometries: those of others_, those of ids_ and those of instances_.
+    void attach_shapes(std::map<RTCGeometryType, std::vector<std::uint32_t>> by_type);
+    void attach_instance(std::uint32_t item, const Affine& map);
+
+    bool is_object_;
+    Device device_;
+    std::vector<PrimitiveIds> ids_;         ///< for each geometry of Embree's own shapes
+    std::vector<std::uint32_t> instances_;  ///< items that are Embree's own instances
     UserPrimitives others_;
     EmbreeOwned<RTCScene> embree_scene_;
 };

@@ -25,7 +25,7 @@ constexpr Backend backends[] = {
      false, 6},
     {"embree-user", "Embree's user geometry, one primitive a callback: the witness", true,
      build<PlainUserGeometry>, false, false, 4},
-    {"embree-builtin", "Embree's own float triangles, quads and spheres", false,
+    {"embree-builtin", "Embree's own float triangles, quads, spheres and instances", false,
      build<EmbreeBuiltin>, false, false, 2, EmbreeBuiltin::has_own_kernels},
 };
 

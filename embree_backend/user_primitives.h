@@ -21,6 +21,9 @@ class UserPrimitives {
     UserPrimitives(const UserPrimitives&) = delete;
     UserPrimitives& operator=(const UserPrimitives&) = delete;
 
+    /// How many numbers of geometries build() may use.
+    static constexpr unsigned geometries = 3;
+
     /// Puts `primitives`, of this frame, into `target` as geometries from the number `first` on,
     /// and builds it with whatever else is in it.
     void build(const EmbreeDevice& device, RTCScene target, unsigned first,

@@ -1,9 +1,11 @@
 #include "core/intersect/intersector.h"
 
 #include <algorithm>
+#include <ranges>
 
 #include "core/intersect/kernels.h"
 #include "core/intersect/local_rays.h"
+#include "core/intersect/normalized_ray.h"
 #include "core/intersect/placement.h"
 #include "core/numerics/denormals.h"
 
@@ -43,25 +45,31 @@ inline bool Intersector::occludes(std::uint32_t item, const RayQuery& query) con
     return primitive_first_hit(geometry_, item, query) <= query.ray.tmax;
 }
 
-bool Intersector::must_test_all(const Ray& ray) const {
-    return !bounds_.space.resolves(ray) && !bounds_.space.surely_misses(ray);
+NearestHit Intersector::nearest_unresolved(const Ray& ray, TraversalCost* cost) const {
+    NearestHit nearest(ray.tmax);
+    const RayQuery query(ray);
+    if (bounds_.space.surely_misses(ray)) {
+        for (const std::uint32_t item : bounds_.unbounded) offer(item, query, nearest, cost);
+        if (cost != nullptr) cost->primitive_tests += bounds_.unbounded.size();
+        return nearest;
+    }
+    if (cost != nullptr) cost->primitive_tests += geometry_.item_count();
+    for (std::uint32_t item = 0; item < geometry_.item_count(); ++item) {
+        offer(item, query, nearest, cost);
+    }
+    return nearest;
 }
 
+/// Rays that pass an object by are many where there are instances: they need no query.
 NearestHit Intersector::nearest_hit(const Ray& ray, TraversalCost* cost) const {
     NearestHit nearest(ray.tmax);
     if (!is_valid(ray)) return nearest;
+    if (!is_resolved(bounds_.space, ray)) return nearest_unresolved(ray, cost);
+    const auto local = normalized_ray(bounds_.space, ray);
+    if (!local && bounds_.unbounded.empty()) return nearest;
     const RayQuery query(ray);
-    if (must_test_all(ray)) {
-        if (cost != nullptr) cost->primitive_tests += geometry_.item_count();
-        for (std::uint32_t item = 0; item < geometry_.item_count(); ++item) {
-            offer(item, query, nearest, cost);
-        }
-        return nearest;
-    }
     for (const std::uint32_t item : bounds_.unbounded) offer(item, query, nearest, cost);
     if (cost != nullptr) cost->primitive_tests += bounds_.unbounded.size();
-    if (!bounds_.space.resolves(ray)) return nearest;
-    const auto local = bounds_.space.ray(ray);
     if (!local) return nearest;
     if (cost != nullptr) {
         closest_counted(query, *local, nearest, *cost);
@@ -71,20 +79,22 @@ NearestHit Intersector::nearest_hit(const Ray& ray, TraversalCost* cost) const {
     return nearest;
 }
 
+bool Intersector::is_occluded_unresolved(const Ray& ray) const {
+    const RayQuery query(ray);
+    const auto blocks = [&](std::uint32_t item) { return occludes(item, query); };
+    if (bounds_.space.surely_misses(ray)) return std::ranges::any_of(bounds_.unbounded, blocks);
+    return std::ranges::any_of(std::views::iota(0U, geometry_.item_count()), blocks);
+}
+
 bool Intersector::is_occluded(const Ray& ray) const {
     if (!is_valid(ray)) return false;
+    if (!is_resolved(bounds_.space, ray)) return is_occluded_unresolved(ray);
+    const auto local = normalized_ray(bounds_.space, ray);
+    if (!local && bounds_.unbounded.empty()) return false;
     const RayQuery query(ray);
-    if (must_test_all(ray)) {
-        for (std::uint32_t item = 0; item < geometry_.item_count(); ++item) {
-            if (occludes(item, query)) return true;
-        }
-        return false;
-    }
     for (const std::uint32_t item : bounds_.unbounded) {
         if (occludes(item, query)) return true;
     }
-    if (!bounds_.space.resolves(ray)) return false;
-    const auto local = bounds_.space.ray(ray);
     return local && occluded_bounded(query, *local);
 }
 

@@ -65,6 +65,9 @@ class Intersector : public BatchIntersector {
         }
     }
 
+    /// Returns what build_objects() made of an object.
+    const Intersector& object(std::uint32_t number) const { return *objects_[number]; }
+
     /// Returns the hit that `nearest` holds; its primitive is no_index if there is none.
     Hit hit_of(const NearestHit& nearest) const {
         if (!nearest.found() || !geometry_.is_instance(nearest.item)) {
@@ -95,8 +98,11 @@ class Intersector : public BatchIntersector {
     std::vector<BoundedPrimitive> take_bounded() { return std::move(bounds_.bounded); }
 
   private:
-    /// Whether only tests of everything tell what the ray meets.
-    bool must_test_all(const Ray& ray) const;
+    /// What is hit of all that a ray must be tested against which the space does not resolve:
+    /// everything, or what is not bounded if it surely misses the rest.
+    NearestHit nearest_unresolved(const Ray& ray, TraversalCost* cost) const;
+    bool is_occluded_unresolved(const Ray& ray) const;
+
     NearestHit nearest_hit(const Ray& ray, TraversalCost* cost = nullptr) const;
     bool is_occluded(const Ray& ray) const;
     void offer(std::uint32_t item, const RayQuery& query, NearestHit& nearest,

@@ -1,5 +1,7 @@
 #include "core/intersect/normalized_space.h"
 
+#include "core/intersect/normalized_ray.h"
+
 namespace etalon {
 
 NormalizedSpace::NormalizedSpace(const Box3& world) {
@@ -17,26 +19,11 @@ Box3f NormalizedSpace::box(const Box3& world) const {
 }
 
 std::optional<NormalizedRay> NormalizedSpace::ray(const Ray& ray) const {
-    const double shrink = power_of_two_reciprocal(max_abs(ray.direction));
-    const Vec3 direction = ray.direction * shrink;
-    Vec3 origin = (ray.origin - centre_) * scale_;
-    double shift = 0;
-    if (max_abs(origin) > largest_origin) {
-        // The scene lies within sqrt(3) of normalized space's origin: start 2 before the closest
-        // approach.
-        const double length2 = direction.dot(direction);
-        shift = -origin.dot(direction) / length2 - 2 / std::sqrt(length2);
-        origin += shift * direction;
-        if (max_abs(origin) > largest_origin) return std::nullopt;
-    }
-    const double scale = scale_ / shrink;
-    return NormalizedRay{Vec3f(origin), Vec3f(direction), shift / scale, scale};
+    return normalized_ray(*this, ray);
 }
 
 bool NormalizedSpace::resolves(const Ray& ray) const {
-    const double distance = max_abs(ray.origin - centre_) * scale_;
-    const double speed = max_abs(ray.direction) * scale_;
-    return distance < largest_distance && speed > 1 / largest_speed && speed < largest_speed;
+    return is_resolved(*this, ray);
 }
 
 /// The point of the line next to the origin is good to 2^-49 of the distance, and an instance's ray

@@ -44,6 +44,9 @@ class Studio {
         INFO(text);
         INFO(report(loaded.diagnostics));
         REQUIRE(loaded.scene);
+        std::vector<std::string> problems;
+        make_cut_outs(*loaded.scene, problems);
+        REQUIRE(problems.empty());
         TestScene scene;
         static_cast<Scene&>(scene) = std::move(*loaded.scene);
         scene.settings = loaded.settings;
