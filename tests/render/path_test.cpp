@@ -51,6 +51,31 @@ TestScene lit_room() {
 
 }  // namespace
 
+TEST_CASE("A ball in a box of many lights reflects its albedo", "[path]") {
+    // A face of 10 x 10 squares, six times: too many lights to compare all at each point.
+    std::string points, indices;
+    for (int i = 0; i < 121; ++i) {
+        points += std::to_string(i % 11 * 1.2 - 6) + " " + std::to_string(i / 11 * 1.2 - 6) + " 6 ";
+    }
+    for (int i = 0; i < 100; ++i) {
+        const int a = i / 10 * 11 + i % 10;
+        for (const int corner : {a, a + 1, a + 12, a, a + 12, a + 11}) {
+            indices += std::to_string(corner) + " ";
+        }
+    }
+    std::string box =
+        "AttributeBegin Material \"matte\" \"color Kd\" [0 0 0]\n"
+        "AreaLightSource \"diffuse\" \"bool twosided\" \"true\"\n";
+    for (const char* turn :
+         {"0 1 0 0", "90 1 0 0", "180 1 0 0", "270 1 0 0", "90 0 1 0", "270 0 1 0"}) {
+        box += "TransformBegin Rotate " + std::string(turn) +
+               " Shape \"trianglemesh\" \"point P\" [" + points + "] \"integer indices\" [" +
+               indices + "] TransformEnd\n";
+    }
+    box += "AttributeEnd Material \"matte\" \"color Kd\" [.5 .5 .5] Shape \"sphere\"";
+    CHECK_THAT(brightness(box), WithinRel(0.5, 0.005));
+}
+
 TEST_CASE("A ball in an even sky reflects its albedo, without noise", "[path]") {
     const std::string ball = "Material \"matte\" \"color Kd\" [.25 .5 .75] Shape \"sphere\"";
     for (const Color& c : image(pbrt_scene(sky + ball))) {
