@@ -10,6 +10,16 @@
 #include "core/numerics/denormals.h"
 
 namespace etalon {
+namespace {
+
+/// Returns the ray in a space if it may meet anything of what is bounded. Those that pass an object
+/// by are many where there are instances: they need no query.
+std::optional<NormalizedRay> entering(const NormalizedSpace& space, const Ray& ray) {
+    const auto local = normalized_ray(space, ray);
+    return local && passes_by(space, *local) ? std::nullopt : local;
+}
+
+}  // namespace
 
 Intersector::Intersector(const Geometry& geometry, SceneBounds bounds)
     : geometry_(geometry), bounds_(std::move(bounds)) {}
@@ -60,12 +70,11 @@ NearestHit Intersector::nearest_unresolved(const Ray& ray, TraversalCost* cost) 
     return nearest;
 }
 
-/// Rays that pass an object by are many where there are instances: they need no query.
 NearestHit Intersector::nearest_hit(const Ray& ray, TraversalCost* cost) const {
     NearestHit nearest(ray.tmax);
     if (!is_valid(ray)) return nearest;
     if (!is_resolved(bounds_.space, ray)) return nearest_unresolved(ray, cost);
-    const auto local = normalized_ray(bounds_.space, ray);
+    const auto local = entering(bounds_.space, ray);
     if (!local && bounds_.unbounded.empty()) return nearest;
     const RayQuery query(ray);
     for (const std::uint32_t item : bounds_.unbounded) offer(item, query, nearest, cost);
@@ -89,7 +98,7 @@ bool Intersector::is_occluded_unresolved(const Ray& ray) const {
 bool Intersector::is_occluded(const Ray& ray) const {
     if (!is_valid(ray)) return false;
     if (!is_resolved(bounds_.space, ray)) return is_occluded_unresolved(ray);
-    const auto local = normalized_ray(bounds_.space, ray);
+    const auto local = entering(bounds_.space, ray);
     if (!local && bounds_.unbounded.empty()) return false;
     const RayQuery query(ray);
     for (const std::uint32_t item : bounds_.unbounded) {

@@ -35,4 +35,19 @@ inline std::optional<NormalizedRay> normalized_ray(const NormalizedSpace& space,
     return NormalizedRay{Vec3f(origin), Vec3f(direction), shift / scale, scale};
 }
 
+/// Whether the ray's line passes the box of all that is bounded by, or leaves it before its origin:
+/// by floats, whose roundings are far below NormalizedSpace::margin. Says nothing of lines that are
+/// next to parallel to one of the sides.
+inline bool passes_by(const NormalizedSpace& space, const NormalizedRay& ray) {
+    const Vec3f reach(space.reach()), inverse = Vec3f(1) / ray.direction;
+    float in = -std::numeric_limits<float>::infinity(), out = -in, largest = 0;
+    for (int k = 0; k < 3; ++k) {
+        const float middle = -ray.origin[k] * inverse[k], half = std::abs(inverse[k]) * reach[k];
+        in = std::max(in, middle - half);
+        out = std::min(out, middle + half);
+        largest = std::max(largest, std::abs(inverse[k]));
+    }
+    return (in > out || out < 0) && largest < 0x1p60F;
+}
+
 }  // namespace etalon
