@@ -26,7 +26,7 @@ class Chessboards : public CutOuts {
     }
 
     /// Whether the squares about a point could be confused with their neighbours.
-    bool is_near_border(const Vec3& p, std::uint32_t material) const {
+    bool is_doubtful_at(const Vec3& p, std::uint32_t material) const {
         const auto near = [&](double x) {
             const double place = x / unit_ * fields(material);
             return std::abs(place - std::round(place)) < 1e-6;
@@ -111,7 +111,7 @@ Expected expected_hit(const Geometry& whole, const Chessboards& boards, const Ra
             SurfacePoint point{};
             point.position = local.origin + t * local.direction;
             point.material = p.material;
-            if (boards.is_near_border(point.position, p.material)) expected.is_doubtful = true;
+            if (boards.is_doubtful_at(point.position, p.material)) expected.is_doubtful = true;
             if (boards.is_hole(holder, point, ray.is_shadow())) {
                 expected.passes_hole = true;
                 return;
