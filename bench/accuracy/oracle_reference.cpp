@@ -119,7 +119,9 @@ std::optional<Spawned> spawn(const hard::CaseSetup& setup, const Ray& ray, const
         side * cosine * p.normal + sine * (std::cos(angle) * u + std::sin(angle) * v);
     const Vec3 origin = spawn_origin(p, direction);
     const double shift = (origin - p.position).length() / setup.size;
-    return Spawned{{origin, direction}, key_of(answer.primitive, answer.instance), side > 0, shift};
+    Ray left{origin, direction};
+    left.set_time(p.time);
+    return Spawned{left, key_of(answer.primitive, answer.instance), side > 0, shift};
 }
 
 bool is_self_hit(const Scene& scene, const Spawned& spawned, const Answer& answer) {

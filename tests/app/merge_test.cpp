@@ -22,10 +22,11 @@ std::vector<float> pixels(const Folder& f, const std::string& name) {
     return std::get<std::vector<float>>(image.value.pixels);
 }
 
-/// Renders a scene of the feature scenes, 80 by 60 pixels large.
-void render(const Folder& f, const std::string& arguments, const std::string& output) {
+/// Renders a scene of the feature scenes.
+void render(const Folder& f, const std::string& arguments, const std::string& output,
+            const std::string& resolution = "80x60") {
     const auto r = f.etalon("render '" ETALON_SOURCE_DIR "/scenes/'" + arguments +
-                            " --resolution 80x60 -q -o " + output);
+                            " --resolution " + resolution + " -q -o " + output);
     CAPTURE(arguments, r.err);
     REQUIRE(r.status == 0);
 }
@@ -153,7 +154,7 @@ TEST_CASE("What are no parts of one image is refused in words", "[app]") {
     render(f, scene + "--part 1/2", "a.exr");
     render(f, scene + "--part 2/3", "overlap.exr");
     render(f, scene + "--part 2/2 --crop 0,0,40,40", "crop.exr");
-    render(f, scene + "--part 2/2 --resolution 40x30", "small.exr");
+    render(f, scene + "--part 2/2", "small.exr", "40x30");
     render(f, scene + "--part 2/2 --filter triangle", "filter.exr");
     render(f, "features/spheres.p3f --spp 8 --part 2/2", "scene.exr");
     f.write("damaged.exr", [&] {

@@ -71,6 +71,12 @@ struct Change {
     Picture with(std::string_view name, ValueType type, std::string_view value) const {
         return studio.picture(plugin, std::string(row.with) + given(name, type, value));
     }
+    /// Whether the first picture has a value of its own.
+    bool is_given_before() const {
+        const bool is_among_others =
+            row.with.find(fmt::format(" {}\"", spec.name)) != std::string_view::npos;
+        return is_among_others || !row.other.empty();
+    }
     Picture before() const {
         return row.other.empty() ? studio.picture(plugin, std::string(row.with))
                                  : with(spec.name, spec.type, row.other);
@@ -108,7 +114,7 @@ void check(const Change& c) {
     if (!c.plugin.stand_in.empty() && c.plugin.category != Category::integrator) return;
     CHECK_FALSE(is_same(before, after));
     const std::string preset = default_of(c.spec);
-    if (c.row.other.empty() && !preset.empty()) {
+    if (!c.is_given_before() && !preset.empty()) {
         CHECK(is_same(c.with(c.spec.name, c.spec.type, preset), before));
     }
     for (const pbrt::Spelling& other : c.spec.other_spellings()) {

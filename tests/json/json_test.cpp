@@ -166,6 +166,10 @@ void check_renders(Comparison& c, const Programs& run) {
                     "s.json"));
     c.check(to, run("etalon render G -o b.exr --spp 4096 --time-limit 1e-300" + stats, "s.json"));
     c.check(to, run("etalon render G -o b.exr --target-error 1 --spp 1" + stats, "s.json"));
+    const std::string stopped =
+        "etalon render G -o b.exr --spp 4096 --time-limit 1e-300 --checkpoint c";
+    run(stopped + stats, "s.json");
+    c.check(to, run(stopped + " --resume" + stats, "s.json"));
     const std::string compare = "etalon-compare---json";
     c.check(compare, run("etalon compare a.exr a.exr --json -", "-"));
     c.check(compare, run("etalon compare infinite.pfm black.pfm --json -", "-"));
