@@ -5,6 +5,7 @@
 
 #include "core/intersect/instance_bounds.h"
 #include "core/intersect/kernels.h"
+#include "core/light/delta_lights.h"
 #include "core/numerics/luminance.h"
 
 namespace etalon {
@@ -20,52 +21,6 @@ double radius_of(const Geometry& geometry) {
     }
     for (const Box3& instance : instance_bounds(geometry, box)) box.extendBy(instance);
     return box.isEmpty() ? 1 : box.size().length() / 2;
-}
-
-/// The largest cosine, not below 0, between a unit vector and directions to a sphere.
-double largest_cosine(const Vec3& normal, const Vec3& to_centre, double radius) {
-    const double distance2 = to_centre.dot(to_centre), radius2 = radius * radius;
-    if (distance2 <= radius2) return 1;
-    const double distance = std::sqrt(distance2);
-    const double cosine = std::clamp(normal.dot(to_centre) / distance, -1.0, 1.0);
-    const double sine = std::sqrt(1 - cosine * cosine);
-    const double sine_half = radius / distance, cos_half = std::sqrt(1 - sine_half * sine_half);
-    if (cosine >= cos_half) return 1;
-    return std::max(0.0, cosine * cos_half + sine * sine_half);  // of the difference of the angles
-}
-
-/// From 0 at the border of a spot's cone smoothly to 1.
-double spot_falloff(const SpotSource& s, const Vec3& direction) {
-    const double cosine = s.axis.dot(direction);
-    if (cosine < s.cos_total) return 0;
-    if (cosine >= s.cos_falloff) return 1;
-    const double x = (cosine - s.cos_total) / (s.cos_falloff - s.cos_total);
-    return x * x * x * x;
-}
-
-LightSample from_point(const Vec3& position, const Color& intensity, const Vec3& from) {
-    const Vec3 way = position - from;
-    const double distance2 = way.dot(way);
-    LightSample s{way / std::sqrt(distance2), position};
-    s.radiance = intensity / static_cast<float>(distance2);
-    s.pdf = distance2 > 0 ? 1 : 0;
-    s.is_delta = true;
-    return s;
-}
-
-/// Half of the sides of a projection's window in the plane z = 1.
-Vec2 half_window(const ProjectionSource& s, const SphericalImage& image) {
-    const double aspect = image.empty() ? 1 : image.aspect();
-    return s.half_tangent * (aspect > 1 ? Vec2(aspect, 1) : Vec2(1, 1 / aspect));
-}
-
-/// What the projection's image has in a direction of the light's own space.
-Color projected(const ProjectionSource& s, const SphericalImage& image, const Vec3& direction) {
-    constexpr double nearest = 1e-3;  // of z in pbrt-v3: fields of view stay below 180 degrees
-    if (direction.z < nearest) return Color(0.0F);
-    const Vec2 place = Vec2(direction.x, direction.y) / (direction.z * half_window(s, image));
-    if (std::abs(place.x) > 1 || std::abs(place.y) > 1) return Color(0.0F);
-    return image.empty() ? Color(1.0F) : image.at((place + Vec2(1)) / 2);
 }
 
 /// Solid angle of a rectangle with such half sides at distance 1, about its middle.
@@ -92,40 +47,6 @@ struct PointBounds {
     }
 };
 
-/// Samples the lights without extent.
-struct DeltaSample {
-    LightSample operator()(const PointSource& s) const {
-        return from_point(s.position, s.intensity, from);
-    }
-    LightSample operator()(const SpotSource& s) const {
-        LightSample sample = from_point(s.position, s.intensity, from);
-        sample.radiance *= static_cast<float>(spot_falloff(s, -sample.wi));
-        return sample;
-    }
-    LightSample operator()(const GoniometricSource& s) const {
-        LightSample sample = from_point(s.position, s.intensity, from);
-        if (image->empty()) return sample;
-        const Vec3 d = normalized(s.to_light.vector(-sample.wi));
-        sample.radiance *= image->at(SphericalImage::place_of({d.x, d.z, d.y}));
-        return sample;
-    }
-    LightSample operator()(const ProjectionSource& s) const {
-        LightSample sample = from_point(s.position, s.intensity, from);
-        sample.radiance *= projected(s, *image, s.to_light.vector(-sample.wi));
-        return sample;
-    }
-    LightSample operator()(const DistantSource& s) const {
-        return {s.direction, Vec3(0), true, s.radiance, 1, true};
-    }
-    template <class Other>
-    LightSample operator()(const Other&) const {
-        return {};
-    }
-
-    const Vec3& from;
-    const SphericalImage* image;  ///< of a light that has one
-};
-
 bool is_point_light(const PhysicalLight& light) {
     return std::holds_alternative<PointSource>(light) ||
            std::holds_alternative<SpotSource>(light) ||
@@ -143,15 +64,6 @@ bool Lights::AreaLight::shines(const Vec3& normal, const Vec3& ray) const {
 /// Whether a flat light of one side shines to the other side of its plane only.
 bool Lights::AreaLight::turns_from(const Vec3& point) const {
     return flat_front && !two_sided && flat_front->dot(point - bounds.centre) <= 0;
-}
-
-/// Bound on the cosine between the front's normal and directions to a point, `back` seen from the
-/// middle of the light.
-double Lights::AreaLight::facing(const Vec3& back) const {
-    if (!flat_front) return 1;
-    const double front = largest_cosine(*flat_front, back, bounds.radius);
-    if (two_sided) return std::max(front, largest_cosine(-*flat_front, back, bounds.radius));
-    return flat_front->dot(back) > 0 ? front : 0;
 }
 
 Lights::Lights(const Scene& scene, std::vector<std::string>& problems)
@@ -289,94 +201,7 @@ void Lights::add_area(const AreaSource& source, double& power) {
 
 LightSample Lights::sample_delta(const Source& source, const Vec3& from) const {
     const SphericalImage* image = images_.empty() ? nullptr : &images_[source.index];
-    return std::visit(DeltaSample{from, image}, *source.light);
-}
-
-/// About the irradiance of a light on the point if nothing is in the way, never 0 where there is
-/// any.
-double Lights::importance(const Source& source, const Receiver& at) const {
-    if (std::holds_alternative<InfiniteSource>(*source.light)) {
-        return source.power / (pi * scene_radius_ * scene_radius_);
-    }
-    const bool one_sided = at.normal != Vec3(0);
-    if (std::holds_alternative<AreaSource>(*source.light)) {
-        const AreaLight& light = area_lights_[source.index];
-        const auto& [centre, radius] = light.bounds;
-        const Vec3 way = centre - at.position;
-        const double distance2 = std::max(way.dot(way), radius * radius);
-        const double cosine = one_sided ? largest_cosine(at.normal, way, radius) : 1;
-        return light.exitance * cosine * light.facing(-way) / distance2;
-    }
-    const LightSample sample = sample_delta(source, at.position);
-    const double cosine = one_sided ? std::max(0.0, at.normal.dot(sample.wi)) : 1;
-    return luminance(sample.radiance) * cosine;
-}
-
-std::optional<LightPick> Lights::pick(Receiver& at, double choice) const {
-    if (tree_) return pick_from_tree(at, choice);
-    if (sources_.size() == 1) return LightPick{0, 1};
-    std::array<double, most_by_importance> sums;
-    double sum = 0;
-    for (std::size_t i = 0; i < sources_.size(); ++i) sums[i] = sum += importance(sources_[i], at);
-    at.total_importance = sum;
-    if (!(sum > 0)) return std::nullopt;
-    const double wanted = choice * sum;
-    std::uint32_t light = 0;
-    while (light + 1 < sources_.size() && sums[light] <= wanted) ++light;
-    while (light > 0 && sums[light] == sums[light - 1]) --light;
-    return LightPick{light, (sums[light] - (light == 0 ? 0 : sums[light - 1])) / sum};
-}
-
-/// First between the tree and the lights at infinity: half by importance, half so that neither is
-/// lost where the bound of the whole tree is far from what it gives; then in either.
-std::optional<LightPick> Lights::pick_from_tree(Receiver& at, double choice) const {
-    double far = 0;
-    for (const std::uint32_t light : far_) far += importance(sources_[light], at);
-    const double near = tree_->importance(at);
-    at.total_importance = far;
-    if (!(far + near > 0)) return std::nullopt;
-    at.tree_probability = far > 0 && near > 0 ? (near / (far + near) + 0.5) / 2 : near > 0 ? 1 : 0;
-    if (choice < at.tree_probability) {
-        auto picked = tree_->pick(at, choice / at.tree_probability);
-        if (picked) picked->probability *= at.tree_probability;
-        return picked;
-    }
-    const double part = 1 - at.tree_probability;
-    double wanted = (choice - at.tree_probability) / part * far;
-    std::optional<LightPick> picked;
-    for (const std::uint32_t light : far_) {
-        const double own = importance(sources_[light], at);
-        if (!(own > 0)) continue;
-        picked = {light, own / far * part};
-        if ((wanted -= own) < 0) break;
-    }
-    return picked;
-}
-
-LightPick Lights::pick_point_light(double choice) const {
-    const double sum = point_power_sums_.back();
-    const auto found = std::ranges::upper_bound(point_power_sums_, choice * sum);
-    const std::ptrdiff_t number =
-        std::min<std::ptrdiff_t>(found - point_power_sums_.begin(), std::ssize(point_lights_) - 1);
-    const std::uint32_t light = point_lights_[static_cast<std::size_t>(number)];
-    return {light, sources_[light].power / sum};
-}
-
-double Lights::point_light_probability(std::uint32_t light) const {
-    const bool is_one = std::ranges::binary_search(point_lights_, light);
-    return is_one ? sources_[light].power / point_power_sums_.back() : 0;
-}
-
-double Lights::pick_probability(const Receiver& at, std::uint32_t light) const {
-    if (sources_.size() == 1) return 1;
-    if (!tree_) {
-        return at.total_importance > 0 ? importance(sources_[light], at) / at.total_importance : 0;
-    }
-    if (!std::ranges::binary_search(far_, light)) {
-        return at.tree_probability > 0 ? tree_->probability(at, light) * at.tree_probability : 0;
-    }
-    if (!(at.total_importance > 0)) return 0;
-    return importance(sources_[light], at) / at.total_importance * (1 - at.tree_probability);
+    return sample_delta_light(*source.light, image, from);
 }
 
 LightSample Lights::sample(std::uint32_t light, const Vec3& from, const Vec2& uv) const {

@@ -1,0 +1,81 @@
+#include "core/light/delta_lights.h"
+
+#include <cmath>
+
+namespace etalon {
+namespace {
+
+/// From 0 at the border of a spot's cone smoothly to 1.
+double spot_falloff(const SpotSource& s, const Vec3& direction) {
+    const double cosine = s.axis.dot(direction);
+    if (cosine < s.cos_total) return 0;
+    if (cosine >= s.cos_falloff) return 1;
+    const double x = (cosine - s.cos_total) / (s.cos_falloff - s.cos_total);
+    return x * x * x * x;
+}
+
+LightSample from_point(const Vec3& position, const Color& intensity, const Vec3& from) {
+    const Vec3 way = position - from;
+    const double distance2 = way.dot(way);
+    LightSample s{way / std::sqrt(distance2), position};
+    s.radiance = intensity / static_cast<float>(distance2);
+    s.pdf = distance2 > 0 ? 1 : 0;
+    s.is_delta = true;
+    return s;
+}
+
+/// What the projection's image has in a direction of the light's own space.
+Color projected(const ProjectionSource& s, const SphericalImage& image, const Vec3& direction) {
+    constexpr double nearest = 1e-3;  // of z in pbrt-v3: fields of view stay below 180 degrees
+    if (direction.z < nearest) return Color(0.0F);
+    const Vec2 place = Vec2(direction.x, direction.y) / (direction.z * half_window(s, image));
+    if (std::abs(place.x) > 1 || std::abs(place.y) > 1) return Color(0.0F);
+    return image.empty() ? Color(1.0F) : image.at((place + Vec2(1)) / 2);
+}
+
+struct DeltaSample {
+    LightSample operator()(const PointSource& s) const {
+        return from_point(s.position, s.intensity, from);
+    }
+    LightSample operator()(const SpotSource& s) const {
+        LightSample sample = from_point(s.position, s.intensity, from);
+        sample.radiance *= static_cast<float>(spot_falloff(s, -sample.wi));
+        return sample;
+    }
+    LightSample operator()(const GoniometricSource& s) const {
+        LightSample sample = from_point(s.position, s.intensity, from);
+        if (image->empty()) return sample;
+        const Vec3 d = normalized(s.to_light.vector(-sample.wi));
+        sample.radiance *= image->at(SphericalImage::place_of({d.x, d.z, d.y}));
+        return sample;
+    }
+    LightSample operator()(const ProjectionSource& s) const {
+        LightSample sample = from_point(s.position, s.intensity, from);
+        sample.radiance *= projected(s, *image, s.to_light.vector(-sample.wi));
+        return sample;
+    }
+    LightSample operator()(const DistantSource& s) const {
+        return {s.direction, Vec3(0), true, s.radiance, 1, true};
+    }
+    template <class Other>
+    LightSample operator()(const Other&) const {
+        return {};
+    }
+
+    const Vec3& from;
+    const SphericalImage* image;  ///< of a light that has one
+};
+
+}  // namespace
+
+Vec2 half_window(const ProjectionSource& s, const SphericalImage& image) {
+    const double aspect = image.empty() ? 1 : image.aspect();
+    return s.half_tangent * (aspect > 1 ? Vec2(aspect, 1) : Vec2(1, 1 / aspect));
+}
+
+LightSample sample_delta_light(const PhysicalLight& light, const SphericalImage* image,
+                               const Vec3& from) {
+    return std::visit(DeltaSample{from, image}, light);
+}
+
+}  // namespace etalon
