@@ -15,18 +15,15 @@
 #include "app/live/live_image.h"
 #include "app/live/live_page.h"
 #include "app/live/tev_view.h"
-#include "app/merge/film_appendix.h"
 #include "app/render/aovs.h"
 #include "app/render/arguments.h"
-#include "app/render/checkpoint.h"
-#include "app/render/image_identity.h"
+#include "app/render/kept_state.h"
 #include "app/render/memory.h"
 #include "app/render/output_image.h"
 #include "app/render/reference.h"
 #include "app/replaced_images.h"
 #include "app/stats.h"
 #include "app/subcommands.h"
-#include "core/base/read_log.h"
 #include "core/image/atomic_file.h"
 #include "core/image/io.h"
 #include "core/parallel/parallel.h"
@@ -63,7 +60,6 @@ class Render {
   private:
     int render_and_write() {
         const ThreadLimit limit(a_.threads);
-        if (!a_.checkpoint.empty() || !a_.part.empty()) files_.emplace();
         LoadedScene loaded = load(a_.scene);
         if (!loaded.scene) return loaded.status;
         scene_ = std::move(*loaded.scene);
@@ -77,11 +73,9 @@ class Render {
             return complain(missing), exit_unusable;
         }
         if (const int status = check_outputs(); status != exit_done) return status;
-        if (!open_page() || !build()) return exit_unusable;
-        identify();
-        if (!open_checkpoint() || !open_reference()) return exit_unusable;
+        if (!open_page() || !build() || !open_kept() || !open_reference()) return exit_unusable;
         const Rendering rendering = render_image();
-        if (resumed_ && resumed_->failed()) {
+        if (kept_.failed()) {
             return complain(a_.checkpoint + ": the checkpoint does not fit the image"),
                    exit_unusable;
         }
@@ -101,36 +95,8 @@ class Render {
         return error.empty() || complain(error);
     }
 
-    /// Says what the image is, once all files of the scene were read, where anybody asks for it.
-    void identify() {
-        if (!files_) return;
-        identity_ = image_identity(a_.scene, files_->fingerprint(), scene_, settings_);
-        files_.reset();
-    }
-
-    /// Prepares for checkpoints, where they are asked for; false if the one to resume from is
-    /// unusable.
-    bool open_checkpoint() {
-        if (a_.checkpoint.empty()) return true;
-        if (a_.resume && !resume()) return false;
-        const std::string error = check_writable(a_.checkpoint);
-        if (!error.empty()) {
-            print_message("etalon: warning: checkpoint {}; rendering goes on\n", error);
-        }
-        const double every =
-            a_.checkpoint_every > 0 ? a_.checkpoint_every : usual_checkpoint_interval;
-        checkpoints_.emplace(a_.checkpoint, every, identity_);
-        return true;
-    }
-
-    bool resume() {
-        std::error_code none;
-        if (!std::filesystem::exists(a_.checkpoint, none)) {
-            print_message("etalon: note: {}: no such file; rendering begins anew\n", a_.checkpoint);
-            return true;
-        }
-        const std::string error = opened_.open(a_.checkpoint, identity_);
-        if (error.empty()) resumed_.emplace(opened_.state());
+    bool open_kept() {
+        const std::string error = kept_.open(scene_, settings_);
         return error.empty() || complain(error);
     }
 
@@ -196,14 +162,7 @@ class Render {
         }
         if (a_.time_limit > 0) control.deadline = Deadline(a_.time_limit);
         control.stop = &signals_.raised();
-        if (checkpoints_) control.keeper = &*checkpoints_;
-        if (resumed_) control.resumed = &*resumed_;
-        if (!a_.part.empty()) {
-            control.take_film = [&](const auto& save) {
-                StateWriter writer([&](std::string_view bytes) { film_ += bytes; });
-                save(writer);
-            };
-        }
+        kept_.attach(control);
         if (reference_) {
             reference_->start();
             control.observers.push_back(
@@ -251,10 +210,7 @@ class Render {
         const std::string name = path == "-" ? "standard output" : path;
         auto file = encode_image(format_name(a_, path), image, a_.exposure);
         if (!file) return complain(name + ": cannot be written: " + file.error);
-        if (!a_.part.empty() && can_hold_channels(format_name(a_, path))) {
-            file.value += film_appendix(
-                {identity_, metadata_json(image), {one_film(identity_, film_.size())}}, film_);
-        }
+        if (can_hold_channels(format_name(a_, path))) file.value += kept_.appendix(image);
         if (path == "-") return write_result(file.value);  // the end of the program says why not
         const std::string error = write_file_atomically(path, file.value);
         return error.empty() || complain(error);
@@ -276,12 +232,7 @@ class Render {
         stats_.seed = a_.seed;
         stats_.primitives = primitive_counts(scene_);
         stats_.rays = rendering.counts;
-        stats_.resumed_rays = rendering.resumed_counts.total();
-        if (resumed_) stats_.resumed_samples_per_pixel = rendering.resumed_samples;
-        if (checkpoints_) {
-            stats_.checkpoints = checkpoints_->written();
-            stats_.checkpoint_seconds = checkpoints_->seconds();
-        }
+        kept_.fill(stats_, rendering);
         stats_.dropped_samples = rendering.dropped_samples;
         stats_.scene_bytes = memory_bytes(scene_);
         stats_.accelerator_bytes = intersector_->memory_bytes();
@@ -341,18 +292,13 @@ class Render {
     }
 
     RenderArguments a_;
+    KeptState kept_{a_};
     SignalGuard signals_;
     Stopwatch watch_;
     Scene scene_;
     RenderSettings settings_;
     RenderStats stats_;
     std::optional<Reference> reference_;
-    std::optional<ReadLog> files_;  ///< until the scene is known
-    nlohmann::ordered_json identity_;
-    std::string film_;  ///< of a part, as bytes
-    std::optional<CheckpointWriter> checkpoints_;
-    CheckpointReader opened_;
-    std::optional<StateReader> resumed_;
     std::unique_ptr<Intersector> intersector_;
     std::unique_ptr<Integrator> integrator_;
     std::optional<LivePage> page_;

@@ -1,0 +1,71 @@
+#include "app/render/kept_state.h"
+
+#include <filesystem>
+
+#include "app/common/console.h"
+#include "app/common/output.h"
+#include "app/merge/film_appendix.h"
+#include "app/render/image_identity.h"
+
+namespace etalon {
+
+KeptState::KeptState(const RenderArguments& a)
+    : scene_(a.scene),
+      path_(a.checkpoint),
+      part_(a.part),
+      every_(a.checkpoint_every > 0 ? a.checkpoint_every : usual_checkpoint_interval),
+      resumes_(a.resume) {
+    if (!path_.empty() || is_part()) files_.emplace();
+}
+
+std::string KeptState::open(const Scene& scene, const RenderSettings& settings) {
+    if (!files_) return {};
+    identity_ = image_identity(scene_, files_->fingerprint(), scene, settings);
+    files_.reset();
+    if (path_.empty()) return {};
+    if (resumes_) {
+        if (std::string error = resume(); !error.empty()) return error;
+    }
+    if (const std::string error = check_writable(path_); !error.empty()) {
+        print_message("etalon: warning: checkpoint {}; rendering goes on\n", error);
+    }
+    writer_.emplace(path_, every_, identity_);
+    return {};
+}
+
+std::string KeptState::resume() {
+    std::error_code none;
+    if (!std::filesystem::exists(path_, none)) {
+        print_message("etalon: note: {}: no such file; rendering begins anew\n", path_);
+        return {};
+    }
+    std::string error = reader_.open(path_, identity_);
+    if (error.empty()) resumed_.emplace(reader_.state());
+    return error;
+}
+
+void KeptState::attach(RunControl& control) {
+    if (writer_) control.keeper = &*writer_;
+    if (resumed_) control.resumed = &*resumed_;
+    if (!is_part()) return;
+    control.take_film = [this](const auto& save) {
+        StateWriter writer([this](std::string_view bytes) { film_ += bytes; });
+        save(writer);
+    };
+}
+
+std::string KeptState::appendix(const RenderedImage& image) const {
+    if (!is_part()) return {};
+    return film_appendix({identity_, metadata_json(image), {one_film(identity_, film_.size())}},
+                         film_);
+}
+
+void KeptState::fill(RenderStats& stats, const Rendering& rendering) const {
+    stats.resumed_rays = rendering.resumed_counts.total();
+    if (resumed_) stats.resumed_samples_per_pixel = rendering.resumed_samples;
+    if (!writer_) return;
+    stats.checkpoints = writer_->written();
+    stats.checkpoint_seconds = writer_->seconds();
+}
+
+}  // namespace etalon

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/render/arguments.h"
+#include "app/render/checkpoint.h"
+#include "app/stats.h"
+#include "core/base/read_log.h"
+#include "core/image/rendered_image.h"
+
+namespace etalon {
+
+/// What outlives a rendering beside its images, where it is asked for: checkpoints to go on from,
+/// and the film of a part.
+class KeptState {
+  public:
+    /// To be made before the scene is read, whose files identify the image.
+    explicit KeptState(const RenderArguments& arguments);
+
+    /// Prepares for a scene that was read whole. Returns why the checkpoint to resume from is
+    /// unusable, beginning with its name, or nothing.
+    std::string open(const Scene& scene, const RenderSettings& settings);
+
+    /// Lets a rendering keep its state, and go on from the one that was opened. The control must
+    /// not outlive this.
+    void attach(RunControl& control);
+
+    /// Whether a state that was resumed from did not fit the image.
+    bool failed() const { return resumed_ && resumed_->failed(); }
+
+    /// What stands behind the image in the EXR of a part; nothing for other images.
+    std::string appendix(const RenderedImage& image) const;
+
+    void fill(RenderStats& stats, const Rendering& rendering) const;
+
+  private:
+    std::string resume();
+    bool is_part() const { return !part_.empty(); }
+
+    const SceneArguments& scene_;
+    std::string path_, part_;
+    double every_;
+    bool resumes_;
+    std::optional<ReadLog> files_;  ///< until the scene is known
+    nlohmann::ordered_json identity_;
+    std::string film_;  ///< of a part, as bytes
+    std::optional<CheckpointWriter> writer_;
+    CheckpointReader reader_;
+    std::optional<StateReader> resumed_;
+};
+
+}  // namespace etalon
