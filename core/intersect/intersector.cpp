@@ -5,18 +5,15 @@
 
 #include "core/intersect/kernels.h"
 #include "core/intersect/local_rays.h"
-#include "core/intersect/normalized_ray.h"
 #include "core/intersect/placement.h"
 #include "core/numerics/denormals.h"
 
 namespace etalon {
 namespace {
 
-/// Returns the ray in a space if it may meet anything of what is bounded. Those that pass an object
-/// by are many where there are instances: they need no query.
+/// Returns the ray in a space if it may meet anything of what is bounded.
 std::optional<NormalizedRay> entering(const NormalizedSpace& space, const Ray& ray) {
-    const auto local = normalized_ray(space, ray);
-    return local && passes_by(space, *local) ? std::nullopt : local;
+    return surely_passes(space, ray) ? std::nullopt : normalized_ray(space, ray);
 }
 
 }  // namespace
@@ -34,14 +31,18 @@ void Intersector::offer_instance(std::uint32_t item, const RayQuery& query, Near
                                  TraversalCost* cost) const {
     const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time());
     Ray ray = to_object(*instance, query.ray);
+    const Intersector& object = *objects_[instance->object];
+    if (object.passes_all(ray)) return;
     ray.tmax = nearest.t;
-    const NearestHit hit = objects_[instance->object]->nearest_hit(ray, cost);
+    const NearestHit hit = object.nearest_hit(ray, cost);
     if (hit.found()) nearest.offer(hit.t, item, hit.item);
 }
 
 bool Intersector::instance_occludes(std::uint32_t item, const RayQuery& query) const {
     const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time());
-    return objects_[instance->object]->is_occluded(to_object(*instance, query.ray));
+    const Ray ray = to_object(*instance, query.ray);
+    const Intersector& object = *objects_[instance->object];
+    return !object.passes_all(ray) && object.is_occluded(ray);
 }
 
 inline void Intersector::offer(std::uint32_t item, const RayQuery& query, NearestHit& nearest,

@@ -8,6 +8,7 @@
 
 #include "core/intersect/batch_intersector.h"
 #include "core/intersect/bounded.h"
+#include "core/intersect/normalized_ray.h"
 #include "core/intersect/ray.h"
 #include "core/intersect/traversal_cost.h"
 #include "core/scene/geometry.h"
@@ -98,6 +99,11 @@ class Intersector : public BatchIntersector {
     std::vector<BoundedPrimitive> take_bounded() { return std::move(bounds_.bounded); }
 
   private:
+    /// Whether the ray surely hits nothing, which is true of most where there are instances.
+    bool passes_all(const Ray& ray) const {
+        return surely_passes(bounds_.space, ray) && bounds_.unbounded.empty();
+    }
+
     /// What is hit of all that a ray must be tested against which the space does not resolve:
     /// everything, or what is not bounded if it surely misses the rest.
     NearestHit nearest_unresolved(const Ray& ray, TraversalCost* cost) const;

@@ -79,6 +79,7 @@ void make_local(const NormalizedSpace& space, const RayColumns& c, LocalRayColum
     const Doubles scale = broadcast(space.scale());
     const Doubles largest_origin = broadcast(NormalizedSpace::largest_origin);
     const Vec3Lanes centre = broadcast(space.centre());
+    const Vec3 reach = space.scale() * space.reach();
     for (std::size_t i = 0; i < c.count; i += hn::Lanes(tag)) {
         const Vec3Lanes along = load(&c.directions[i]);
         const Doubles largest = max_abs(along), shrink = power_of_two_reciprocal(largest);
@@ -98,7 +99,7 @@ void make_local(const NormalizedSpace& space, const RayColumns& c, LocalRayColum
             origin = origin + shift * direction;
         }
         const DoubleMask is_here = max_abs(origin) <= largest_origin;
-        const DoubleMask enters = hn::AndNot(passes_by(space.reach(), origin, direction), is_here);
+        const DoubleMask enters = hn::AndNot(passes_by(reach, origin, direction), is_here);
         const Doubles time = scale / shrink;
         store_ways(hn::And(is_common, resolved(distance, largest * scale)), enters, to.ways + i);
         store_floats(origin, to.origins + i);

@@ -9,7 +9,7 @@ NormalizedSpace::NormalizedSpace(const Box3& world) {
     centre_ = world.center();
     const double half = std::max(max_abs(world.max - centre_), max_abs(world.min - centre_));
     scale_ = power_of_two_reciprocal(half) / 2;
-    reach_ = (world.max - centre_) * scale_ + Vec3(margin);
+    reach_ = (world.max - centre_) + Vec3(margin / scale_);
 }
 
 Box3f NormalizedSpace::box(const Box3& world) const {

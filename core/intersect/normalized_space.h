@@ -53,7 +53,8 @@ class NormalizedSpace {
     double scale() const { return scale_; }
     const Vec3& centre() const { return centre_; }
 
-    /// The box of all that is bounded, and `margin` around it: from -reach() to reach().
+    /// Half the box of all that is bounded, with `margin` (of normalized space) around it, in the
+    /// world's units: it reaches so far from the centre. Infinite where nothing is bounded.
     const Vec3& reach() const { return reach_; }
 
     /// Maps a ray. One that starts far away is first advanced, in double, to the neighbourhood of
@@ -74,7 +75,7 @@ class NormalizedSpace {
   private:
     Vec3 centre_{0};
     double scale_ = 0;  ///< 0 where nothing is bounded
-    Vec3 reach_{0};
+    Vec3 reach_{infinity};
 };
 
 }  // namespace etalon

@@ -5,10 +5,6 @@
 namespace etalon {
 namespace {
 
-Vec3 times(const std::array<Vec3, 3>& rows, const Vec3& v) {
-    return {rows[0].dot(v), rows[1].dot(v), rows[2].dot(v)};
-}
-
 Vec3 times_magnitudes(const std::array<Vec3, 3>& rows, const Vec3& v) {
     return {abs(rows[0]).dot(v), abs(rows[1]).dot(v), abs(rows[2]).dot(v)};
 }
@@ -33,17 +29,6 @@ void InstanceAt::move(const Geometry& geometry, ShutterTime time) {
         moved_.emplace(motion.at(time), instance_->object);
     }
     instance_ = &*moved_;
-}
-
-Vec3 to_object(const Instance& instance, const Vec3& point) {
-    return times(instance.rows, point - instance.origin);
-}
-
-Ray to_object(const Instance& instance, const Ray& ray) {
-    Ray local{to_object(instance, ray.origin), times(instance.rows, ray.direction), ray.tmin,
-              ray.tmax};
-    local.traits_and_time = ray.traits_and_time;
-    return local;
 }
 
 Vec3 spread(const Instance& instance) {

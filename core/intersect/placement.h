@@ -32,13 +32,25 @@ class InstanceAt {
     std::optional<Instance> moved_;
 };
 
+/// Takes a vector of the world into the object's space.
+inline Vec3 vector_to_object(const Instance& instance, const Vec3& v) {
+    return {instance.rows[0].dot(v), instance.rows[1].dot(v), instance.rows[2].dot(v)};
+}
+
 /// Takes a point of the world into the object's space.
-Vec3 to_object(const Instance& instance, const Vec3& point);
+inline Vec3 to_object(const Instance& instance, const Vec3& point) {
+    return vector_to_object(instance, point - instance.origin);
+}
 
 /// Takes a ray into the object's space. This defines what is hit of an instance: that which the
 /// ray returned here hits of the object. Its t is the world's, as its direction is not normalized.
 /// No primitive is excluded from it.
-Ray to_object(const Instance& instance, const Ray& ray);
+inline Ray to_object(const Instance& instance, const Ray& ray) {
+    Ray local{to_object(instance, ray.origin), vector_to_object(instance, ray.direction), ray.tmin,
+              ray.tmax};
+    local.traits_and_time = ray.traits_and_time;
+    return local;
+}
 
 /// A bound on |A^-1| |A| v, where A is the instance's matrix and v has three components 1: how far
 /// a relative error of a point in the object's space moves it in the world, for each axis.

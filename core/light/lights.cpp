@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "core/intersect/instance_bounds.h"
 #include "core/intersect/kernels.h"
 #include "core/light/delta_lights.h"
 #include "core/numerics/luminance.h"
@@ -13,13 +12,32 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double radius_of(const Geometry& geometry) {
+Box3 box_of_primitives(const Geometry& geometry) {
     Box3 box;
     for (std::uint32_t i = 0; i < geometry.primitives.size(); ++i) {
         const Box3 bounds = primitive_bounds(geometry, i);
         if (is_finite(bounds.min) && is_finite(bounds.max)) box.extendBy(bounds);
     }
-    for (const Box3& instance : instance_bounds(geometry, box)) box.extendBy(instance);
+    return box;
+}
+
+/// Extends a box by that of an object placed by a map, if that is finite.
+void extend(Box3& box, const Affine& map, const Box3& object) {
+    const Vec3 centre = map.point(object.center()), half = object.size() / 2;
+    const Vec3 reach = half.x * abs(map.x) + half.y * abs(map.y) + half.z * abs(map.z);
+    if (is_finite(centre) && is_finite(reach)) box.extendBy({centre - reach, centre + reach});
+}
+
+/// Half the diagonal of a box of all that is bounded, where the shutter opens: a weight of lights
+/// from everywhere, which asks for no more.
+double radius_of(const Geometry& geometry) {
+    Box3 box = box_of_primitives(geometry);
+    std::vector<Box3> objects;
+    for (const Geometry& object : geometry.objects) objects.push_back(box_of_primitives(object));
+    for (const Instance& instance : geometry.instances) {
+        const Box3& object = objects[instance.object];
+        if (!object.isEmpty()) extend(box, instance.to_world(), object);
+    }
     return box.isEmpty() ? 1 : box.size().length() / 2;
 }
 

@@ -19,7 +19,9 @@ std::vector<Range> number_leaves(BvhTree& tree) {
 
 }  // namespace
 
-Bvh::Bvh(const Geometry& geometry) : Intersector(geometry) {
+Bvh::Bvh(const Geometry& geometry)
+    : Intersector(geometry),
+      traversal_(geometry.instances.empty() ? bvh_traversal() : bvh_instance_traversal()) {
     build_objects<Bvh>();
     BvhTree tree = build_scene_bvh(geometry, scene_bounds().space, take_bounded());
     if (tree.nodes.empty()) return;

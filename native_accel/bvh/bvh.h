@@ -20,11 +20,11 @@ class Bvh final : public Intersector {
     bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const override;
 
   private:
-    BvhView view() const { return {geometry(), tree_, clusters_, *this}; }
+    BvhView view() const { return {geometry(), scene_bounds().space, tree_, clusters_, *this}; }
 
     WideTree tree_;
     Clusters clusters_;
-    const BvhTraversal traversal_ = bvh_traversal();
+    const BvhTraversal traversal_;
 };
 
 }  // namespace etalon

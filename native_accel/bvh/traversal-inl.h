@@ -30,13 +30,13 @@ struct AnyOrder {
     }
 };
 
-/// A ray on its way through the tree.
-template <class Order, class Counters>
+/// A ray on its way through the tree; `Boxes` is a SlabTest.
+template <class Order, class Boxes, class Counters>
 class Traversal {
   public:
-    HWY_INLINE Traversal(const WideTree& tree, const NormalizedRay& ray, float tmin,
-                         StackSpace& space, Order, Counters counters)
-        : tree_(tree), slabs_(ray, tmin), stack_(space), counters_(counters), next_(tree.root) {}
+    HWY_INLINE Traversal(const WideTree& tree, const Boxes& boxes, StackSpace& space, Order,
+                         Counters counters)
+        : tree_(tree), boxes_(boxes), stack_(space), counters_(counters), next_(tree.root) {}
 
     /// Whether the ray meets the tree before tmax at all: many do not, and need no more set up.
     HWY_INLINE bool begin(float tmax) { return next_.is_leaf() || descend(tmax); }
@@ -60,14 +60,14 @@ class Traversal {
         const WideNode& node = tree_.nodes[next_.node()];
         counters_.boxes(node);
         alignas(32) Lanes entry;
-        const std::uint32_t entered = slabs_.entered(node, tmax, entry);
+        const std::uint32_t entered = boxes_.entered(node, tmax, entry);
         if (entered == 0) return false;
         next_ = Order()(stack_, node, entry, entered);
         return true;
     }
 
     const WideTree& tree_;
-    const Slabs slabs_;
+    const Boxes& boxes_;
     TraversalStack stack_;
     [[no_unique_address]] const Counters counters_;
     ChildRef next_;

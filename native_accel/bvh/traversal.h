@@ -12,6 +12,7 @@ namespace etalon {
 /// View of the data that a traversal needs.
 struct BvhView {
     const Geometry& geometry;
+    const NormalizedSpace& space;
     const WideTree& tree;
     const Clusters& clusters;
     const Intersector& instances;
@@ -39,5 +40,9 @@ struct BvhTraversal {
 
 /// Returns the traversal for the instruction set in use now.
 BvhTraversal bvh_traversal();
+
+/// Returns the traversal for scenes with instances: slower at each node, but it enters no boxes
+/// that are passed closer than the scene's padding.
+BvhTraversal bvh_instance_traversal();
 
 }  // namespace etalon

@@ -12,25 +12,25 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Slab tests in float: a plane b is passed at b / d - o / d. With u = 2^-24, |o| <= 3 and |b| <=
-/// 1, its place is off by u (|o| + |b|) for each of the roundings of d, its reciprocal, and the
-/// result; by u |o| for that of o / d, and 2.1 u for o's own: together u (4 |o| + 3 |b| + 2.1)
-/// <= 17.1 u, 20 u where b / d is rounded too. The boxes' padding (NormalizedSpace::box), 26 u,
-/// makes up for it.
-class Slabs {
+/// Returns a component of a ray's direction, no smaller than 2^-40 of the largest: no infinity
+/// times zero, and over the few units a ray can travel in normalized space a drift far below the
+/// padding.
+HWY_INLINE float divisor(float d) {
+    return std::abs(d) < 0x1p-40F ? std::copysign(0x1p-40F, d) : d;
+}
+
+/// Slab test (Kay & Kajiya 1986) of a ray with the eight boxes of a node. `Passages` tells where
+/// the ray passes planes.
+template <class Passages>
+class SlabTest {
   public:
-    HWY_INLINE Slabs(const NormalizedRay& ray, float tmin) : tmin_(broadcast(tmin)) {
-        for (int k = 0; k < 3; ++k) {
-            // No smaller than 2^-40 of the largest component: no infinity times zero, and over the
-            // few units a ray can travel in normalized space a drift far below the padding.
-            const float d = ray.direction[k];
-            const float clamped = std::abs(d) < 0x1p-40F ? std::copysign(0x1p-40F, d) : d;
-            const float reciprocal = 1.0F / clamped;
-            reciprocal_[k] = broadcast(reciprocal);
-            offset_[k] = broadcast(ray.origin[k] * reciprocal);
-            near_[k] = WideNode::plane(k, std::signbit(clamped));
-        }
+    template <class... Arguments>
+    HWY_INLINE SlabTest(const NormalizedRay& ray, float tmin, const Arguments&... arguments)
+        : passages_(ray, arguments...), tmin_(broadcast(tmin)) {
+        for (int k = 0; k < 3; ++k) near_[k] = WideNode::plane(k, std::signbit(ray.direction[k]));
     }
+    SlabTest(const SlabTest&) = delete;
+    SlabTest& operator=(const SlabTest&) = delete;
 
     /// The lanes whose box is entered within [tmin, tmax], and where.
     HWY_INLINE std::uint32_t entered(const WideNode& node, float tmax, Lanes& entry) const {
@@ -38,26 +38,47 @@ class Slabs {
         for (std::size_t i = 0; i < node_width; i += hn::MaxLanes(Tag())) {
             Floats from = tmin_, to = broadcast(tmax);
             for (int k = 0; k < 3; ++k) {
-                from = hn::Max(from, passage(node, near_[k] + i, k));
-                const std::size_t far = near_[k] ^ node_width;
-                to = hn::Min(to, passage(node, far + i, k));
+                const std::size_t near = near_[k] + i, far = (near_[k] ^ node_width) + i;
+                from = hn::Max(from, passages_.entry(hn::Load(Tag(), &node.planes[near]), k));
+                to = hn::Min(to, passages_.exit(hn::Load(Tag(), &node.planes[far]), k));
             }
             hn::Store(from, Tag(), &entry[i]);
-            found |= bits(hn::Le(from, to), i);
+            found |= bits(hn::Le(from, passages_.latest(to)), i);
         }
         return found;
     }
 
   private:
-    HWY_INLINE Floats passage(const WideNode& node, std::size_t place, int k) const {
-        const Floats planes = hn::Load(Tag(), &node.planes[place]);
-        return hn::MulSub(planes, reciprocal_[k], offset_[k]);
-    }
-
+    Passages passages_;
     Floats tmin_;
-    std::array<Floats, 3> reciprocal_, offset_;
     std::array<std::size_t, 3> near_;  ///< WideNode::plane
 };
+
+/// A plane b is passed at b / d - o / d, in float. With u = 2^-24, |o| <= 3 and |b| <= 1, its place
+/// is off by u (|o| + |b|) for each of the roundings of d, its reciprocal, and the result; by u |o|
+/// for that of o / d, and 2.1 u for o's own: together u (4 |o| + 3 |b| + 2.1) <= 17.1 u, 20 u where
+/// b / d is rounded too. The boxes' padding (NormalizedSpace::box), 26 u, makes up for it.
+class Passages {
+  public:
+    HWY_INLINE explicit Passages(const NormalizedRay& ray) {
+        for (int k = 0; k < 3; ++k) {
+            const float reciprocal = 1.0F / divisor(ray.direction[k]);
+            reciprocal_[k] = broadcast(reciprocal);
+            offset_[k] = broadcast(ray.origin[k] * reciprocal);
+        }
+    }
+
+    HWY_INLINE Floats entry(Floats planes, int k) const {
+        return hn::MulSub(planes, reciprocal_[k], offset_[k]);
+    }
+    HWY_INLINE Floats exit(Floats planes, int k) const { return entry(planes, k); }
+    HWY_INLINE Floats latest(Floats to) const { return to; }
+
+  private:
+    std::array<Floats, 3> reciprocal_, offset_;
+};
+
+using Slabs = SlabTest<Passages>;
 
 }  // namespace etalon::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

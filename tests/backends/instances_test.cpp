@@ -123,6 +123,56 @@ TEST_CASE("Given a primitive and instances at the same distance, the primitive w
     }
 }
 
+namespace {
+
+/// Boxes of sizes from 1e-7 to 10, by instances of one box, anywhere within 10 of the origin.
+Geometry boxes_of_all_sizes() {
+    Geometry geometry;
+    geometry.objects.resize(1);
+    geometry.objects[0].add(Box{{-1, -1, -1}, {1, 1, 1}}, 0);
+    Random random(31);
+    for (int i = 0; i < 400; ++i) {
+        const double size = random.magnitude(-7, 1);
+        const Affine map{{size, 0, 0}, {0, size, 0}, {0, 0, size}, random.in_cube(10)};
+        geometry.instances.emplace_back(map, 0);
+    }
+    return geometry;
+}
+
+/// A ray at an edge of an instance's box, from some or very many of its sizes away.
+Ray ray_at_edge(const Geometry& geometry, Random& random) {
+    const std::uint32_t number = random.index(geometry.instances.size());
+    const Affine map = geometry.instances[number].to_world();
+    Vec3 place, offset;
+    for (int k = 0; k < 3; ++k) {
+        place[k] = random.one_in(5) ? random.uniform(-1, 1) : random.sign();
+        offset[k] = random.uniform(-1, 1) * (random.one_in(3) ? 1e-9 : 1);
+    }
+    const double distance = map.x.x * random.magnitude(0, 9);
+    const Vec3 target = map.point(place), origin = target + distance * offset;
+    return {origin, target - origin};
+}
+
+}  // namespace
+
+TEST_CASE("Given instances of all sizes and rays at their edges, none is culled that is hit",
+          "[instances]") {
+    const Geometry geometry = boxes_of_all_sizes();
+    Random random(32);
+    std::vector<Ray> rays;
+    std::vector<Hit> expected;
+    for (int i = 0; i < 4000; ++i) {
+        rays.push_back(ray_at_edge(geometry, random));
+        expected.push_back(all_tested(geometry, rays.back()));
+    }
+    const auto is_hit = [](const Hit& hit) { return hit.primitive != no_index; };
+    CHECK(std::ranges::count_if(expected, is_hit) > 1000);
+    for (const Backend& backend : exact_backends()) {
+        INFO("backend " << backend.name);
+        CHECK(count_wrong(backend, geometry, rays, expected) == 0);
+    }
+}
+
 TEST_CASE("Given instances of empty objects, nothing is hit", "[instances]") {
     Geometry geometry;
     geometry.objects.resize(1);

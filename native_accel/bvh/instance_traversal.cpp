@@ -1,0 +1,58 @@
+// Apart from the traversal of scenes without instances: in one file that one is inlined less.
+#include "core/intersect/normalized_ray.h"
+#include "core/numerics/instruction_sets.h"
+#include "native_accel/bvh/traversal.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "native_accel/bvh/instance_traversal.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "native_accel/bvh/fine_slabs-inl.h"
+#include "native_accel/bvh/queries-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+namespace {
+
+void traverse_closest(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
+                      NearestHit& nearest) {
+    const float tmin = local.tmin(query.ray.tmin);
+    const FineSlabs boxes(local, tmin, origin_rest(bvh.space, query.ray, local));
+    find_closest<BranchlessLaneSelect>(bvh, query, local, tmin, boxes, nearest, Uncounted());
+}
+
+void traverse_closest_counted(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
+                              NearestHit& nearest, TraversalCost& cost) {
+    const float tmin = local.tmin(query.ray.tmin);
+    const FineSlabs boxes(local, tmin, origin_rest(bvh.space, query.ray, local));
+    find_closest<BranchlessLaneSelect>(bvh, query, local, tmin, boxes, nearest, Counted{cost});
+}
+
+bool traverse_occluded(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local) {
+    const float tmin = local.tmin(query.ray.tmin);
+    const FineSlabs boxes(local, tmin, origin_rest(bvh.space, query.ray, local));
+    return find_any<BranchlessLaneSelect>(bvh, query, local, tmin, boxes);
+}
+
+}  // namespace
+
+BvhTraversal bvh_instance_traversal() {
+    return {traverse_closest, traverse_closest_counted, traverse_occluded};
+}
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace etalon {
+
+HWY_EXPORT(bvh_instance_traversal);
+
+BvhTraversal bvh_instance_traversal() {
+    return HWY_DYNAMIC_DISPATCH(bvh_instance_traversal)();
+}
+
+}  // namespace etalon
+#endif

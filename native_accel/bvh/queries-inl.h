@@ -1,0 +1,90 @@
+// What is asked of the tree: the nearest hit, and any. Compiled for each instruction set.
+#if defined(ETALON_BVH_QUERIES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ETALON_BVH_QUERIES_INL_H
+#undef ETALON_BVH_QUERIES_INL_H
+#else
+#define ETALON_BVH_QUERIES_INL_H
+#endif
+
+#include <algorithm>
+#include <bit>
+
+#include "core/accel/clusters/filter-inl.h"
+#include "core/accel/clusters/instance_list.h"
+#include "native_accel/bvh/lane_select.h"
+#include "native_accel/bvh/traversal-inl.h"
+#include "native_accel/bvh/traversal.h"
+#include "native_accel/common/tally.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+/// Calls offer(t, id) for what could be hit at t <= tmax, for as long as it returns true.
+template <class Offer>
+HWY_INLINE void visit(const BvhView& bvh, ClusterRef ref, const ClusterFilter& filter, float tmax,
+                      const RayQuery& query, const Offer& offer) {
+    std::uint32_t lanes = filter.candidates(bvh.clusters, ref, tmax);
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const auto [id, t] =
+            bvh.clusters.intersect_lane(bvh.geometry, ref, std::countr_zero(lanes), query);
+        if (!offer(t, id)) return;
+    }
+}
+
+/// Offers `nearest` what could be hit; `boxes` is a SlabTest of the ray, from `tmin` on.
+template <class LowestLane, class Boxes, class Counters>
+HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
+                             float tmin, const Boxes& boxes, NearestHit& nearest,
+                             Counters counters) {
+    float tmax = local.tmax(nearest.t);
+    StackSpace space;
+    Traversal traversal(bvh.tree, boxes, space, FrontToBack<LowestLane>(), counters);
+    if (!traversal.begin(tmax)) return;
+    const ClusterFilter filter(bvh.clusters, query, local, tmin);
+    const auto offer = [&](double t, std::uint32_t id) HWY_ATTR {
+        nearest.offer(t, id);
+        return true;
+    };
+    traversal.finish(tmax, [&](ClusterRef ref) HWY_ATTR {
+        const double before = nearest.t;
+        traversal.counters().members(bvh.clusters, ref);
+        if (HWY_UNLIKELY(ref.kind() == ClusterRef::instances)) {
+            offer_instances(bvh.instances, bvh.clusters, ref, query, nearest,
+                            traversal.counters().sum());
+        } else {
+            visit(bvh, ref, filter, tmax, query, offer);
+        }
+        if (nearest.t < before) tmax = local.tmax(nearest.t);
+        return true;
+    });
+}
+
+/// Whether anything is hit at t <= query.ray.tmax; arguments as for find_closest().
+template <class LowestLane, class Boxes>
+HWY_INLINE bool find_any(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
+                         float tmin, const Boxes& boxes) {
+    const float tmax = local.tmax(query.ray.tmax);
+    StackSpace space;
+    Traversal traversal(bvh.tree, boxes, space, AnyOrder<LowestLane>(), Uncounted());
+    if (!traversal.begin(tmax)) return false;
+    const ClusterFilter filter(bvh.clusters, query, local, tmin);
+    bool found = false;
+    const auto offer = [&](double t, std::uint32_t) HWY_ATTR {
+        found = t <= query.ray.tmax;
+        return !found;
+    };
+    traversal.finish(tmax, [&](ClusterRef ref) HWY_ATTR {
+        if (HWY_UNLIKELY(ref.kind() == ClusterRef::instances)) {
+            found = instances_occlude(bvh.instances, bvh.clusters, ref, query);
+        } else {
+            visit(bvh, ref, filter, tmax, query, offer);
+        }
+        return !found;
+    });
+    return found;
+}
+
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
