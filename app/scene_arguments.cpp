@@ -2,8 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
+
 #include "app/common/console.h"
 #include "app/common/exit_status.h"
+#include "app/common/memory_limit.h"
 
 namespace etalon {
 namespace {
@@ -45,6 +48,27 @@ void declare_scene(Options& options, SceneArguments& a) {
         .within(1, most_frames)
         .group(group);
     options
+        .add("--root", a.options.root,
+             "Let the scene open no file outside of this directory, wherever symbolic links lead "
+             "(default: any file)")
+        .value("DIR")
+        .check([](const std::string& directory) {
+            std::error_code none;
+            if (std::filesystem::is_directory(directory, none)) return std::string();
+            return directory + ": expected a directory";
+        })
+        .group(group);
+    options
+        .add("--max-memory", a.max_memory,
+             "Memory for the scene, its accelerator and its image, as 500M, 4G or 1.5GiB; beyond "
+             "it the program ends, with a message (default: three quarters of the machine's)")
+        .value("SIZE")
+        .check([](const std::string& size) {
+            if (parse_bytes(size)) return std::string();
+            return size + ": expected a size as 500M, 4G or 1.5GiB";
+        })
+        .group(group);
+    options
         .add_flag("--one-sided", a.options.one_sided, "Show opaque surfaces from their front only")
         .group(group);
 }
@@ -57,6 +81,7 @@ bool refuse_frame(const SceneArguments& a, int frames) {
 }
 
 LoadedScene load(SceneArguments a, std::optional<std::string_view> text) {
+    limit_memory(parse_bytes(a.max_memory).value_or(0));
     a.options.legacy = !a.legacy.empty();
     LoadResult result =
         text ? load_scene_text(*text, a.path, a.options) : load_scene(a.path, a.options);

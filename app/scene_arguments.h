@@ -13,7 +13,8 @@ namespace etalon {
 /// Options of every subcommand that reads a scene.
 struct SceneArguments {
     std::string path;
-    std::string legacy;  ///< a format's name, or empty
+    std::string legacy;      ///< a format's name, or empty
+    std::string max_memory;  ///< a size for parse_bytes(), or empty
     LoadOptions options;
 };
 
@@ -30,8 +31,8 @@ struct LoadedScene {
 /// Says that a file holds fewer frames than --frame asks for; false if it does not.
 bool refuse_frame(const SceneArguments& arguments, int frames);
 
-/// Loads the scene and prints its diagnostics on standard error. `text` is that of the file where
-/// it was read already.
+/// Limits the memory of the process, loads the scene and prints its diagnostics on standard error.
+/// `text` is that of the file where it was read already.
 LoadedScene load(SceneArguments arguments, std::optional<std::string_view> text = {});
 
 }  // namespace etalon

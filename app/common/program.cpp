@@ -16,6 +16,7 @@
 #include "app/common/documentation.h"
 #include "app/common/exit_status.h"
 #include "app/common/help.h"
+#include "app/common/memory_limit.h"
 #include "app/common/program_facts.h"
 #include "app/common/usage_error.h"
 
@@ -109,7 +110,8 @@ int guarded(const ProgramText& text, const Task& task) {
         line.program.set_version_flag("--version", [&] { return version_text(text); });
         return task(line);
     } catch (const std::bad_alloc&) {
-        print_message("{}: error: not enough memory for what was asked\n", text.name);
+        print_message("{}: error: not enough memory for what was asked: the program may take {}\n",
+                      text.name, bytes_text(memory_limit()));
     } catch (const std::exception& error) {
         print_message("{}: error: {}\n", text.name, error.what());
     }

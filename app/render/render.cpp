@@ -46,6 +46,12 @@ std::string default_output(const std::string& scene) {
     return stem + ".exr";
 }
 
+/// Limits the threads for as long as the process lives. As it lifts a limit oneTBB asks for more
+/// threads: where memory has run out it then ends the program, or waits for ever.
+void limit_threads(int threads) {
+    [[maybe_unused]] static const auto* const limit = new ThreadLimit(threads);
+}
+
 /// One run of the subcommand, in the order things happen.
 class Render {
   public:
@@ -59,7 +65,7 @@ class Render {
 
   private:
     int render_and_write() {
-        const ThreadLimit limit(a_.threads);
+        limit_threads(a_.threads);
         LoadedScene loaded = load(a_.scene);
         if (!loaded.scene) return loaded.status;
         scene_ = std::move(*loaded.scene);

@@ -21,6 +21,9 @@ struct LoadOptions {
     bool legacy = false;     ///< shade as the format's own old programs did
     bool one_sided = false;  ///< opaque surfaces are seen from their front only
 
+    /// Directory outside of which the scene may open nothing, wherever links lead; empty: it may.
+    std::string root;
+
     /// The frame that is wanted of a file with several, from 1; the last one where there are fewer.
     /// 0: the first, with a warning if there are more.
     int frame = 0;

@@ -34,7 +34,9 @@ TEST_CASE("a size of an image that cannot be says what could be", "[app]") {
     const auto r = folder().shell("ulimit -v 4000000; " ETALON_BINARY_DIR
                                   "/bin/etalon render ball.p3f --resolution 60000x50000 -o a.exr");
     CHECK(r.status == 3);
-    CHECK(r.err == "etalon: error: 60000 x 50000 pixels need 120.0 GB; there are 4.1\n");
+    CHECK(r.err ==
+          "etalon: error: 60000 x 50000 pixels need 120.0 GB; the program may take "
+          "4.1 GB (--max-memory)\n");
 }
 
 TEST_CASE("an exposure that no output has is refused", "[app]") {

@@ -44,7 +44,10 @@ void read_environment(Loader& loader) {
     const std::size_t offset = in.tokens().offset();
     const std::string_view name = in.word("directory");
     if (!in.ok()) return;
-    SkyboxFiles found = find_skybox(name, {loader.directory, ""});
+    SkyboxFiles found = find_skybox(name, {loader.directory, ""}, FileScope(loader.options.root));
+    if (!found.missing.empty() && !found.objection.empty()) {
+        return in.error("skybox", "{}", found.objection);
+    }
     if (!found.missing.empty()) {
         in.warn_at(offset, "skybox", "no skybox in {}: nothing found for {}, as {}",
                    in_quotes(name), fmt::join(found.missing, ", "), ".jpg, .png, .exr or .hdr");

@@ -143,7 +143,7 @@ Values Binder::convert(const ParameterSpec& spec, GivenParameter& given) {
     Values values = std::visit(Copied{}, given.values);
     if (spec.type == ValueType::file) {
         std::string& name = std::get<std::vector<std::string>>(values).front();
-        name = tokens_.resolve(name);
+        name = tokens_.resolve(name, given.where).value_or(std::string());
     } else if (spec.type == ValueType::integer && given.type == ValueType::number) {
         const float x = std::get<std::vector<float>>(values).front();
         values = std::vector{static_cast<std::int32_t>(std::clamp(x, -1e9F, 1e9F))};

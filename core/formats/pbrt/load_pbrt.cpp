@@ -22,7 +22,7 @@ Diagnostic about_file(const ParsedFile& file, Severity severity, std::string mes
 }  // namespace
 
 LoadResult load_pbrt(std::string_view text, const std::string& path, const LoadOptions& options) {
-    ParsedFile file = parse(text, path, {options.strict});
+    ParsedFile file = parse(text, path, {options.strict, options.root});
     LoadResult result;
     const bool usable =
         !file.frames.empty() && !file.is_fatal && !(options.strict && has_errors(file.diagnostics));

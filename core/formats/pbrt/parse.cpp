@@ -104,7 +104,7 @@ const Directive* find_directive(std::string_view word) {
 
 ParsedFile parse(std::string_view text, const std::string& path, const ParseOptions& options) {
     Log log(options.strict);
-    Parser parser(text, path, log);
+    Parser parser(text, path, options.root, log);
     read_all(parser);
     end_file(parser);
     return {std::move(parser.frames), log.take_files(), log.take(), log.is_fatal()};

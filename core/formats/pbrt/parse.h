@@ -14,6 +14,7 @@ bool is_directive(std::string_view word);
 
 struct ParseOptions {
     bool strict = false;  ///< warnings are errors
+    std::string root;     ///< as LoadOptions::root
 };
 
 struct ParsedFile {

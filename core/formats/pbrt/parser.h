@@ -57,8 +57,8 @@ struct Unknown {
 
 /// A PBRT file being read.
 struct Parser {
-    Parser(std::string_view text, const std::string& path, Log& l)
-        : log(l), tokens(text, path, l), in(tokens, l) {}
+    Parser(std::string_view text, const std::string& path, const std::string& root, Log& l)
+        : log(l), tokens(text, path, root, l), in(tokens, l) {}
 
     Log& log;
     TokenStream tokens;

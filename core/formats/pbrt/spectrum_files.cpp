@@ -5,9 +5,10 @@
 namespace etalon::pbrt {
 
 Color SpectrumFiles::color(const std::string& name, Place where) {
-    const std::string path = tokens_.resolve(name);
-    if (const auto known = colors_.find(path); known != colors_.end()) return known->second;
-    return colors_[path] = read(path, where);
+    const std::optional<std::string> path = tokens_.resolve(name, where);
+    if (!path) return Color(0.0F);
+    if (const auto known = colors_.find(*path); known != colors_.end()) return known->second;
+    return colors_[*path] = read(*path, where);
 }
 
 Color SpectrumFiles::read(const std::string& path, Place where) {

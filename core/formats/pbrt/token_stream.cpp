@@ -14,8 +14,9 @@ constexpr std::size_t most_repeated_bytes = std::size_t{1} << 28;
 
 }  // namespace
 
-TokenStream::TokenStream(std::string_view text, const std::string& path, Log& log)
-    : log_(log), directory_(std::filesystem::path(path).parent_path()) {
+TokenStream::TokenStream(std::string_view text, const std::string& path, const std::string& root,
+                         Log& log)
+    : log_(log), directory_(std::filesystem::path(path).parent_path()), scope_(root) {
     enter(path, nullptr, text);
 }
 
@@ -54,9 +55,13 @@ Place TokenStream::place() {
     return {source.file, position.line, position.column};
 }
 
-std::string TokenStream::resolve(const std::string& name) const {
+std::optional<std::string> TokenStream::resolve(const std::string& name, Place where) const {
     if (name.empty()) return name;
-    return (directory_ / name).lexically_normal().string();
+    std::string path = (directory_ / name).lexically_normal().string();
+    const std::string objection = scope_.objection(path);
+    if (objection.empty()) return path;
+    log_.fatal(where, "root", "{}", objection);
+    return std::nullopt;
 }
 
 std::string TokenStream::refusal(const std::string& path) const {
@@ -75,7 +80,9 @@ std::string TokenStream::refusal(const std::string& path) const {
 }
 
 void TokenStream::include(const std::string& name, Place where) {
-    const std::string path = resolve(name);
+    const std::optional<std::string> resolved = resolve(name, where);
+    if (!resolved) return;
+    const std::string& path = *resolved;
     ++included_files_;
     if (const std::string why = refusal(path); !why.empty()) {
         log_.error(where, "include", "{} is not included: {}", in_quotes(path), why);

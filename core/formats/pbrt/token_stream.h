@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "core/formats/file_scope.h"
 #include "core/formats/locator.h"
 #include "core/formats/mapped_file.h"
 #include "core/formats/pbrt/lexer.h"
@@ -17,9 +19,10 @@ namespace etalon::pbrt {
 /// included file separates no more than a blank.
 class TokenStream {
   public:
-    /// Both must outlive the stream. `path` names the text, and its directory is the one in which
-    /// files are looked for.
-    TokenStream(std::string_view text, const std::string& path, Log& log);
+    /// The text and the log must outlive the stream. `path` names the text, and its directory is
+    /// the one in which files are looked for; none outside of `root` may be opened, unless it is
+    /// empty.
+    TokenStream(std::string_view text, const std::string& path, const std::string& root, Log& log);
 
     /// Returns the next token; its text is valid until the stream moves past it.
     const Token& peek();
@@ -43,8 +46,9 @@ class TokenStream {
     /// Goes on with another file, up to its end. Says what is wrong if that cannot be.
     void include(const std::string& name, Place where);
 
-    /// Returns the path of a file that the scene names.
-    std::string resolve(const std::string& name) const;
+    /// Returns the path of a file that the scene names; nothing, and an error, if it may not be
+    /// opened.
+    std::optional<std::string> resolve(const std::string& name, Place where) const;
 
   private:
     struct Source {
@@ -62,6 +66,7 @@ class TokenStream {
 
     Log& log_;
     std::filesystem::path directory_;
+    FileScope scope_;
     std::vector<Source> sources_;  ///< the file being read is the last
     std::unordered_map<std::string, std::uint32_t> files_;
     std::size_t included_files_ = 0, repeated_bytes_ = 0;

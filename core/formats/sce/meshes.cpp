@@ -30,6 +30,10 @@ const ObjMesh* find_mesh(Loader& loader, Reader& in) {
     const std::size_t offset = in.tokens().offset();
     const std::string_view name = in.word("file");
     const std::string path = (loader.directory / name).string();
+    if (const std::string objection = loader.scope.objection(path); !objection.empty()) {
+        loader.log.error(offset, "root", "{}", objection);
+        return nullptr;
+    }
     auto place = loader.meshes.find(path);
     if (place == loader.meshes.end()) {
         place = loader.meshes.emplace(path, read_mesh(loader, path)).first;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/formats/file_scope.h"
 #include "core/formats/load.h"
 #include "core/formats/obj.h"
 #include "core/formats/reader.h"
@@ -50,6 +51,7 @@ struct Loader {
     const LoadOptions& options;
     DiagnosticLog& log;
     std::filesystem::path directory;  ///< directory of the scene file
+    FileScope scope{options.root};
     Scene scene{};
     SmoothVertices smooth_vertices{};
     RenderSettings settings{};

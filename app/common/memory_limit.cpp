@@ -1,0 +1,94 @@
+#include "app/common/memory_limit.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/sysinfo.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+namespace etalon {
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+/// Returns the factor of a unit as G, GB or GiB; 0 for what is none.
+double unit(std::string_view text) {
+    static constexpr std::string_view letters = "KMGT";
+    if (text.empty() || text == "B") return 1;
+    const std::size_t power = letters.find(text.front());
+    const std::string_view rest = text.substr(1);
+    if (power == std::string_view::npos || (rest != "" && rest != "B" && rest != "iB")) return 0;
+    return std::pow(rest == "iB" ? 1024.0 : 1000.0, static_cast<double>(power + 1));
+}
+
+double machine_bytes(bool with_swap) {
+    struct sysinfo info = {};
+    if (sysinfo(&info) != 0) return unlimited;
+    return (static_cast<double>(info.totalram) +
+            (with_swap ? static_cast<double>(info.totalswap) : 0.0)) *
+           info.mem_unit;
+}
+
+/// Memory of the control group that the process sees as its own, as in a container.
+double group_bytes() {
+    std::ifstream file("/sys/fs/cgroup/memory.max");
+    double bytes = 0;
+    return file >> bytes ? bytes : unlimited;  // "max" is no number
+}
+
+/// Bytes that count for RLIMIT_DATA and are taken already. Under a sanitizer these are terabytes of
+/// addresses.
+double bytes_in_use() {
+    std::ifstream status("/proc/self/status");
+    double kibibytes = 0;
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with("VmData:")) kibibytes = std::strtod(line.c_str() + 7, nullptr);
+    }
+    return 1024 * kibibytes;
+}
+
+double limit_of(int resource) {
+    rlimit limit = {};
+    const bool is_limited = getrlimit(static_cast<__rlimit_resource>(resource), &limit) == 0 &&
+                            limit.rlim_cur != RLIM_INFINITY;
+    return is_limited ? static_cast<double>(limit.rlim_cur) : unlimited;
+}
+
+}  // namespace
+
+std::optional<double> parse_bytes(std::string_view text) {
+    double number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number, std::chars_format::fixed);
+    std::string_view name(rest, static_cast<std::size_t>(end - rest));
+    if (name.starts_with(' ')) name.remove_prefix(1);
+    const double bytes = number * unit(name);
+    if (error != std::errc() || !std::isfinite(bytes) || !(bytes > 0)) return std::nullopt;
+    return bytes;
+}
+
+std::string bytes_text(double bytes) {
+    return bytes < 1e9 ? fmt::format("{:.1f} MB", 1e-6 * bytes)
+                       : fmt::format("{:.1f} GB", 1e-9 * bytes);
+}
+
+void limit_memory(double bytes) {
+    constexpr double usual_part = 0.75;
+    if (bytes == 0) bytes = usual_part * std::min(machine_bytes(false), group_bytes());
+    rlimit limit = {};
+    const double sum = bytes + bytes_in_use();
+    if (sum >= 0x1p62 || getrlimit(RLIMIT_DATA, &limit) != 0) return;
+    limit.rlim_cur = std::min(limit.rlim_cur, static_cast<rlim_t>(sum));
+    setrlimit(RLIMIT_DATA, &limit);
+}
+
+double memory_limit() {
+    return std::min(
+        {machine_bytes(true), group_bytes(), limit_of(RLIMIT_AS), limit_of(RLIMIT_DATA)});
+}
+
+}  // namespace etalon
