@@ -17,6 +17,7 @@
 #include "app/common/exit_status.h"
 #include "app/common/help.h"
 #include "app/common/program_facts.h"
+#include "app/common/started_rank.h"
 #include "app/common/usage_error.h"
 
 namespace etalon {
@@ -65,6 +66,8 @@ std::optional<int> parse(CommandLine& line, int argc, char** argv) {
         program.parse(argc, argv);
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
+        const bool is_said = started_rank().rank > 0;  // by rank 0, started with the same line
+        if (is_said) return error.get_exit_code() == 0 ? exit_done : exit_usage;
         if (error.get_exit_code() != 0) {
             write_message(usage_error(program, error));
             return exit_usage;
