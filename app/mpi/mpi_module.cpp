@@ -5,24 +5,26 @@
 #include <mpi.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <exception>
 #include <list>
+#include <optional>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "app/mpi/mpi_abi.h"
 #include "app/mpi/poll_pause.h"
 
 namespace {
 
-/// A message that is on its way.
-struct Sending {
+/// A message that is on its way, out or in. A process that died may leave it there for ever.
+struct Transfer {
     std::string bytes;
+    int from = 0;
     MPI_Request request = MPI_REQUEST_NULL;
 };
 
-std::list<Sending> sendings;
+std::list<Transfer> sendings, receivings;
 std::string error_text;
 
 /// Returns the text of MPI's error, null for none.
@@ -46,6 +48,9 @@ const char* guarded(const Call& call) {
 }
 
 const char* join(int* rank, int* size) {
+    // A message is copied by both its ends: a receiver that reads the memory of a sender which has
+    // died is ended by Open MPI, and could not keep its state.
+    setenv("OMPI_MCA_btl_vader_single_copy_mechanism", "none", 0);
     int provided = 0;
     int code = MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
     if (code != MPI_SUCCESS) return error_of(code);
@@ -56,48 +61,67 @@ const char* join(int* rank, int* size) {
     return error_of(code);
 }
 
-/// Forgets the messages that have been sent.
-int forget_sent() {
-    for (auto i = sendings.begin(); i != sendings.end();) {
-        int is_sent = 0;
-        const int code = MPI_Test(&i->request, &is_sent, MPI_STATUS_IGNORE);
+/// Takes the first transfer out of the list that is complete; nothing if none is.
+int take_complete(std::list<Transfer>& transfers, std::optional<Transfer>& taken) {
+    for (auto i = transfers.begin(); i != transfers.end(); ++i) {
+        int is_complete = 0;
+        const int code = MPI_Test(&i->request, &is_complete, MPI_STATUS_IGNORE);
         if (code != MPI_SUCCESS) return code;
-        i = is_sent ? sendings.erase(i) : std::next(i);
+        if (!is_complete) continue;
+        taken = std::move(*i);
+        transfers.erase(i);
+        break;
     }
     return MPI_SUCCESS;
 }
 
+/// Forgets the messages that have been sent.
+int forget_sent() {
+    std::optional<Transfer> sent;
+    int code = MPI_SUCCESS;
+    do {
+        sent.reset();
+        code = take_complete(sendings, sent);
+    } while (code == MPI_SUCCESS && sent);
+    return code;
+}
+
 const char* send(int to, const char* bytes, std::size_t size) {
     return guarded([&] {
-        Sending& sending = sendings.emplace_back(Sending{std::string(bytes, size)});
+        Transfer& sending = sendings.emplace_back();
+        sending.bytes.assign(bytes, size);
         return error_of(MPI_Isend(sending.bytes.data(), static_cast<int>(size), MPI_BYTE, to, 0,
                                   MPI_COMM_WORLD, &sending.request));
     });
 }
 
-/// Receives a message into `bytes`, if there is one.
-int receive_bytes(std::vector<char>& bytes, int& from, int& received) {
+/// Begins to receive a message, if one is announced.
+int begin_to_receive() {
     MPI_Message message = MPI_MESSAGE_NULL;
     MPI_Status status;
-    int size = 0;
-    int code = MPI_Improbe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &received, &message, &status);
-    if (code != MPI_SUCCESS || !received) return code;
-    from = status.MPI_SOURCE;
-    code = MPI_Get_count(&status, MPI_BYTE, &size);
-    bytes.resize(static_cast<std::size_t>(size));
-    if (code == MPI_SUCCESS) code = MPI_Mrecv(bytes.data(), size, MPI_BYTE, &message, &status);
-    return code;
+    int is_announced = 0, size = 0;
+    int code = MPI_Improbe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &is_announced, &message, &status);
+    if (code == MPI_SUCCESS && is_announced) code = MPI_Get_count(&status, MPI_BYTE, &size);
+    if (code != MPI_SUCCESS || !is_announced) return code;
+    Transfer& receiving = receivings.emplace_back();
+    receiving.bytes.resize(static_cast<std::size_t>(size));
+    receiving.from = status.MPI_SOURCE;
+    return MPI_Imrecv(receiving.bytes.data(), size, MPI_BYTE, &message, &receiving.request);
 }
 
 const char* receive(const EtalonMpiReceiver* receiver, int* received) {
     *received = 0;
-    return guarded([&]() -> const char* {
-        static std::vector<char> bytes;
-        int from = 0, code = forget_sent();
-        if (code == MPI_SUCCESS) code = receive_bytes(bytes, from, *received);
-        if (code != MPI_SUCCESS) return error_of(code);
-        if (*received) receiver->take(receiver->context, from, bytes.data(), bytes.size());
-        return nullptr;
+    return guarded([&] {
+        std::optional<Transfer> message;
+        int code = forget_sent();
+        if (code == MPI_SUCCESS) code = begin_to_receive();
+        if (code == MPI_SUCCESS) code = take_complete(receivings, message);
+        if (code == MPI_SUCCESS && message) {
+            *received = 1;
+            receiver->take(receiver->context, message->from, message->bytes.data(),
+                           message->bytes.size());
+        }
+        return error_of(code);
     });
 }
 
@@ -109,7 +133,7 @@ bool all_have_come(MPI_Request& barrier, bool& has_begun) {
     do {
         if (receive(&dropped, &received)) return false;
     } while (received);
-    if (!sendings.empty()) return false;
+    if (!sendings.empty() || !receivings.empty()) return false;
     if (!has_begun) has_begun = MPI_Ibarrier(MPI_COMM_WORLD, &barrier) == MPI_SUCCESS;
     return has_begun && MPI_Test(&barrier, &is_complete, MPI_STATUS_IGNORE) == MPI_SUCCESS &&
            is_complete;
