@@ -3,10 +3,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <mutex>
 #include <system_error>
 
 #include "app/common/exit_status.h"
@@ -16,6 +18,23 @@ namespace {
 
 /// errno of the first failure to write to standard output; 0 if there was none.
 int result_failure = 0;
+
+/// Messages of a process that is not to write them.
+struct HeldMessages {
+    std::atomic<bool> is_on = false;
+    std::mutex mutex;
+    std::string text;
+};
+HeldMessages held;
+
+/// Keeps a message, as far as there is memory for it.
+void hold(std::string_view text) noexcept {
+    try {
+        const std::lock_guard lock(held.mutex);
+        held.text += text;
+    } catch (const std::exception&) {
+    }
+}
 
 void note_failure() {
     if (result_failure == 0) result_failure = errno != 0 ? errno : EIO;
@@ -36,7 +55,17 @@ void prepare_standard_streams() {
     }
 }
 
+void hold_messages() noexcept {
+    held.is_on = true;
+}
+
+std::string held_messages() {
+    const std::lock_guard lock(held.mutex);
+    return held.text;
+}
+
 void write_message(std::string_view text) noexcept {
+    if (held.is_on) return hold(text);
     while (!text.empty()) {
         const ssize_t n = ::write(STDERR_FILENO, text.data(), text.size());
         if (n < 0 && errno != EINTR) return;

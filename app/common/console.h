@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <string_view>
 
 namespace etalon {
@@ -17,6 +18,12 @@ void prepare_standard_streams();
 /// Writes to standard error, as far as that can be written; the rest is lost.
 void write_message(std::string_view text) noexcept;
 void write_message(fmt::string_view format, fmt::format_args values) noexcept;
+
+/// Keeps messages from now on, rather than write them to standard error.
+void hold_messages() noexcept;
+
+/// The messages that were kept.
+std::string held_messages();
 
 /// Writes to standard output at once. False if that failed, now or earlier.
 bool write_result(std::string_view text) noexcept;

@@ -18,6 +18,7 @@
 #include "app/common/help.h"
 #include "app/common/memory_limit.h"
 #include "app/common/program_facts.h"
+#include "app/common/started_rank.h"
 #include "app/common/usage_error.h"
 
 namespace etalon {
@@ -66,6 +67,8 @@ std::optional<int> parse(CommandLine& line, int argc, char** argv) {
         program.parse(argc, argv);
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
+        const bool is_said = started_rank().rank > 0;  // by rank 0, started with the same line
+        if (is_said) return error.get_exit_code() == 0 ? exit_done : exit_usage;
         if (error.get_exit_code() != 0) {
             write_message(usage_error(program, error));
             return exit_usage;

@@ -9,19 +9,22 @@
 
 namespace etalon {
 
-KeptState::KeptState(const RenderArguments& a)
+KeptState::KeptState(const RenderArguments& a, bool is_shared)
     : scene_(a.scene),
       path_(a.checkpoint),
       part_(a.part),
       every_(a.checkpoint_every > 0 ? a.checkpoint_every : usual_checkpoint_interval),
       resumes_(a.resume) {
-    if (!path_.empty() || is_part()) files_.emplace();
+    if (!path_.empty() || is_part() || is_shared) files_.emplace();
 }
 
-std::string KeptState::open(const Scene& scene, const RenderSettings& settings) {
-    if (!files_) return {};
+void KeptState::identify(const Scene& scene, const RenderSettings& settings) {
+    if (!files_) return;
     identity_ = image_identity(scene_, files_->fingerprint(), scene, settings);
     files_.reset();
+}
+
+std::string KeptState::open() {
     if (path_.empty()) return {};
     if (resumes_) {
         if (std::string error = resume(); !error.empty()) return error;

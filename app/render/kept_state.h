@@ -15,12 +15,19 @@ namespace etalon {
 /// and the film of a part.
 class KeptState {
   public:
-    /// To be made before the scene is read, whose files identify the image.
-    explicit KeptState(const RenderArguments& arguments);
+    /// To be made before the scene is read, whose files identify the image; that is needed in any
+    /// case where the image `is_shared` by several processes.
+    KeptState(const RenderArguments& arguments, bool is_shared);
 
-    /// Prepares for a scene that was read whole. Returns why the checkpoint to resume from is
+    /// Tells the image's identity once its scene was read whole.
+    void identify(const Scene& scene, const RenderSettings& settings);
+
+    /// Prepares for the image that was identified. Returns why the checkpoint to resume from is
     /// unusable, beginning with its name, or nothing.
-    std::string open(const Scene& scene, const RenderSettings& settings);
+    std::string open();
+
+    /// Identity of the image; null where nobody needs it.
+    const nlohmann::ordered_json& identity() const { return identity_; }
 
     /// Lets a rendering keep its state, and go on from the one that was opened. The control must
     /// not outlive this.

@@ -10,11 +10,15 @@
 #include "app/common/output.h"
 #include "app/common/progress.h"
 #include "app/common/signals.h"
+#include "app/common/started_rank.h"
 #include "app/common/units.h"
 #include "app/compare/metrics_report.h"
 #include "app/live/live_image.h"
 #include "app/live/live_page.h"
 #include "app/live/tev_view.h"
+#include "app/mpi/rank_dealer.h"
+#include "app/mpi/tile_message.h"
+#include "app/mpi/tile_worker.h"
 #include "app/render/aovs.h"
 #include "app/render/arguments.h"
 #include "app/render/kept_state.h"
@@ -55,7 +59,9 @@ void limit_threads(int threads) {
 /// One run of the subcommand, in the order things happen.
 class Render {
   public:
-    explicit Render(RenderArguments arguments) : a_(std::move(arguments)) {}
+    Render(RenderArguments arguments, Ranks& ranks) : a_(std::move(arguments)), ranks_(ranks) {
+        if (ranks.size() > 1 && ranks.rank() == 0) dealer_.emplace(ranks);
+    }
 
     int run() {
         const int status = render_and_write();
@@ -63,9 +69,44 @@ class Render {
         return status;
     }
 
+    /// Renders tiles for rank 0, which does all the rest.
+    int work() {
+        limit_threads(a_.threads);
+        int status = prepare();
+        if (status == exit_done && !build()) status = exit_unusable;
+        if (status != exit_done) return status;
+        render_dealt_tiles(scene_.camera, *integrator_, settings_, [&](const TileTask& task) {
+            TileWorker(ranks_).run(task, kept_.identity());
+        });
+        return exit_done;
+    }
+
+    /// Whether a signal asked for the end.
+    bool is_interrupted() const { return signals_.raised(); }
+
   private:
     int render_and_write() {
         limit_threads(a_.threads);
+        if (const int status = prepare(); status != exit_done) return status;
+        if (const int status = check_outputs(); status != exit_done) return status;
+        if (!open_page() || !build() || !open_kept() || !open_reference()) return exit_unusable;
+        const Rendering rendering = render_image();
+        if (kept_.failed()) {
+            return complain(a_.checkpoint + ": the checkpoint does not fit the image"),
+                   exit_unusable;
+        }
+        if (!report_ranks()) return exit_unusable;
+        warn_of_dropped_samples(rendering);
+        const bool usable = tolerates(scene_, a_.scene, integrator_->late_problems());
+        const bool written = rendering.counts.camera == 0 || write(rendering);
+        is_written_ = written;
+        if (signals_.signal() != 0) return exit_signal + signals_.signal();
+        if (!written) return exit_not_written;
+        return usable ? exit_done : exit_unusable;
+    }
+
+    /// Reads the scene and settles how it is to be rendered. Returns the exit status.
+    int prepare() {
         LoadedScene loaded = load(a_.scene);
         if (!loaded.scene) return loaded.status;
         scene_ = std::move(*loaded.scene);
@@ -78,20 +119,20 @@ class Render {
         if (const std::string missing = check_memory(settings_); !missing.empty()) {
             return complain(missing), exit_unusable;
         }
-        if (const int status = check_outputs(); status != exit_done) return status;
-        if (!open_page() || !build() || !open_kept() || !open_reference()) return exit_unusable;
-        const Rendering rendering = render_image();
-        if (kept_.failed()) {
-            return complain(a_.checkpoint + ": the checkpoint does not fit the image"),
-                   exit_unusable;
+        return exit_done;
+    }
+
+    /// Says what the other ranks made of the rendering. False if one has failed.
+    bool report_ranks() const {
+        if (!dealer_) return true;
+        const std::string resumable =
+            a_.checkpoint.empty() ? "" : "; --resume goes on from " + a_.checkpoint;
+        if (signals_.signal() != 0) {
+            print_message("etalon: rank 0 was ended by signal {}, as all are when one has died{}\n",
+                          signals_.signal(), resumable);
         }
-        warn_of_dropped_samples(rendering);
-        const bool usable = tolerates(scene_, a_.scene, integrator_->late_problems());
-        const bool written = rendering.counts.camera == 0 || write(rendering);
-        is_written_ = written;
-        if (signals_.signal() != 0) return exit_signal + signals_.signal();
-        if (!written) return exit_not_written;
-        return usable ? exit_done : exit_unusable;
+        const std::string error = dealer_->error();
+        return error.empty() || complain(error + resumable);
     }
 
     bool open_reference() {
@@ -102,7 +143,7 @@ class Render {
     }
 
     bool open_kept() {
-        const std::string error = kept_.open(scene_, settings_);
+        const std::string error = kept_.open();
         return error.empty() || complain(error);
     }
 
@@ -153,6 +194,7 @@ class Render {
         integrator_ =
             find_integrator(settings_.integrator)->make(scene_, *intersector_, settings_, problems);
         if (!tolerates(scene_, a_.scene, problems)) return false;
+        kept_.identify(scene_, settings_);
         stats_.build = watch_.lap();
         return true;
     }
@@ -169,6 +211,10 @@ class Render {
         if (a_.time_limit > 0) control.deadline = Deadline(a_.time_limit);
         control.stop = &signals_.raised();
         kept_.attach(control);
+        if (dealer_) {
+            dealer_->listen(kept_.identity());
+            control.dealer = &*dealer_;
+        }
         if (reference_) {
             reference_->start();
             control.observers.push_back(
@@ -251,6 +297,7 @@ class Render {
 
     nlohmann::ordered_json stats_json(const Rendering& rendering) const {
         nlohmann::ordered_json json = to_json(stats_);
+        if (dealer_) json["ranks"] = dealer_->stats();
         if (reference_) {
             json["error"] = compare::as_json(reference_->metrics_of(rendering.film));
             json["convergence"] = reference_->history();
@@ -298,7 +345,9 @@ class Render {
     }
 
     RenderArguments a_;
-    KeptState kept_{a_};
+    Ranks& ranks_;
+    KeptState kept_{a_, ranks_.size() > 1};
+    std::optional<RankDealer> dealer_;
     SignalGuard signals_;
     Stopwatch watch_;
     Scene scene_;
@@ -313,12 +362,53 @@ class Render {
     std::optional<TevView> tev_;  ///< sends the last of the image when everything else is done
 };
 
+/// Time that rank 0 waits for the others to leave after a signal: one of them may have died.
+constexpr double patience_after_signal = 1;
+
+/// Runs the subcommand in this process alone, or with other ranks.
+int run_first_rank(const RenderArguments& arguments, Ranks& ranks) {
+    double patience = infinity;
+    const int status = [&] {
+        Render render(arguments, ranks);
+        const int its_status = render.run();
+        if (render.is_interrupted()) patience = patience_after_signal;
+        return its_status;
+    }();
+    ranks.leave(patience);
+    return status;
+}
+
+/// Runs it in a rank that says nothing but why it failed, to rank 0.
+int run_other_rank(const RenderArguments& arguments, Ranks& ranks) {
+    hold_messages();
+    int status = exit_unusable;
+    try {
+        status = Render(arguments, ranks).work();
+    } catch (const std::exception& e) {
+        complain(e.what());
+    }
+    if (status != exit_done) {
+        ranks.send(0, message_of(MessageKind::failure, held_messages()));
+    }
+    ranks.leave(infinity);
+    return status;
+}
+
+int run_render(const RenderArguments& arguments) {
+    Ranks ranks;
+    if (const std::string error = ranks.join(); !error.empty()) {
+        if (started_rank().rank == 0) complain(error);
+        return exit_unusable;
+    }
+    return ranks.rank() == 0 ? run_first_rank(arguments, ranks) : run_other_rank(arguments, ranks);
+}
+
 }  // namespace
 
 Action declare_render(Options& options) {
     auto arguments = std::make_shared<RenderArguments>();
     declare_render_options(options, *arguments);
-    return [arguments] { return Render(*arguments).run(); };
+    return [arguments] { return run_render(*arguments); };
 }
 
 Action declare_serve(Options& options) {
@@ -330,7 +420,7 @@ Action declare_serve(Options& options) {
                   "Show the finished image until a signal ends the program (default: until the "
                   "pages that are open have shown it)")
         .group("Live view");
-    return [arguments] { return Render(*arguments).run(); };
+    return [arguments] { return run_render(*arguments); };
 }
 
 }  // namespace etalon

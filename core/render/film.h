@@ -65,6 +65,18 @@ class Film {
         bytes(errors_);
     }
 
+    /// The same of the pixels of a tile alone, of a film to which no other was added.
+    template <class Bytes>
+    void transfer(Bytes& bytes, const Imath::Box2i& tile) {
+        for (int y = tile.min.y; y <= tile.max.y; ++y) {
+            for (std::size_t i = index(tile.min.x, y); i <= index(tile.max.x, y); ++i) {
+                bytes(sums_[i]);
+                bytes(counts_[i]);
+                if (!squares_.empty()) bytes(squares_[i]);
+            }
+        }
+    }
+
   private:
     Vec3 sample_mean(std::size_t pixel) const {
         if (counts_[pixel] == 0) return Vec3(0);

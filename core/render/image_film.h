@@ -53,6 +53,13 @@ class ImageFilm {
         if (splats_) splats_->transfer(bytes);
     }
 
+    /// The same of one of the tiles, of a film to which no other was added.
+    template <class Bytes>
+    void transfer(Bytes& bytes, const Imath::Box2i& tile) {
+        samples_.transfer(bytes, tile);
+        if (splats_) splats_->transfer(bytes, tile);
+    }
+
     /// Bytes of memory for each pixel.
     static double bytes_per_pixel(const RenderSettings& settings);
 

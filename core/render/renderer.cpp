@@ -24,6 +24,13 @@ double thread_seconds() {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+/// What came of rendering a tile, beside its film.
+struct TileResult {
+    RayCounts counts;
+    std::uint64_t samples = 0, dropped = 0;
+    double seconds = 0;  ///< of processor time
+};
+
 class Renderer {
   public:
     Renderer(const Camera& camera, const Integrator& integrator, const RenderSettings& settings,
@@ -39,6 +46,19 @@ class Renderer {
         if (control.estimates_error) errors_.emplace(film_, settings);
         film_.set_rates(sample_rates(camera, integrator, settings, film_.samples().window()));
     }
+
+    /// Renders a tile for another process.
+    void do_task(std::size_t tile, StateReader& task, StateWriter& result,
+                 const std::function<bool()>& interrupted) {
+        transfer_task(tile, task);
+        if (task.failed()) return;
+        const TileResult there = render_tile(tile, interrupted);
+        result(there);
+        film_.transfer(result, tiles_[tile]);
+    }
+
+    /// Prepares for tasks of any pass.
+    void expect_tasks() { goal_.of_pixel.resize(film_.samples().size()); }
 
     Rendering run() {
         const std::unique_ptr<SamplingPasses> passes = make_passes();
@@ -62,6 +82,7 @@ class Renderer {
     /// Whether to stop. However short the time is, an image has one sample of each pixel.
     bool stopped() const {
         return (control_.stop != nullptr && control_.stop->load()) ||
+               (control_.dealer != nullptr && control_.dealer->has_failed()) ||
                (is_image_ && control_.deadline.is_over());
     }
 
@@ -123,10 +144,6 @@ class Renderer {
         shown_ = samples_done_;
     }
 
-    void show_tile(const Imath::Box2i& tile, double seconds) const {
-        tell(&RenderObserver::after_tile, RenderedTile{film_.samples(), tile, seconds});
-    }
-
     template <class Function>
     bool is_observed(Function RenderObserver::*function) const {
         return std::ranges::any_of(control_.observers,
@@ -186,11 +203,12 @@ class Renderer {
         }
     }
 
-    std::vector<Imath::Box2i> unfinished_tiles() const {
-        std::vector<Imath::Box2i> unfinished;
-        for (const Imath::Box2i& tile : tiles_) {
+    /// The numbers of the tiles that lack samples.
+    std::vector<std::size_t> unfinished_tiles() const {
+        std::vector<std::size_t> unfinished;
+        for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
             bool lacks_samples = false;
-            for_each_pixel(tile, [&](int x, int y) {
+            for_each_pixel(tiles_[tile], [&](int x, int y) {
                 const std::size_t pixel = film_.samples().index(x, y);
                 lacks_samples |= film_.samples().counts()[pixel] < goal_.of(pixel);
             });
@@ -201,19 +219,69 @@ class Renderer {
 
     template <class Interrupted>
     void render_tiles(const Interrupted& interrupted, const SamplingPasses& passes) {
-        const bool has_progress = is_observed(&RenderObserver::progress);
-        const bool shows_tiles = is_observed(&RenderObserver::after_tile);
-        const std::vector<Imath::Box2i> tiles = unfinished_tiles();
-        for_each_tile(tiles, interrupted, [&](std::size_t i, const Imath::Box2i& tile) {
-            const double start = shows_tiles ? thread_seconds() : 0;
-            SampleBatch batch(rays_, integrator_, film_, counts_[i]);
-            for_each_pixel(tile, interrupted, [&](int x, int y) { add_pixel(x, y, batch); });
-            batch.finish();
-            const std::uint64_t total = samples_done_.fetch_add(batch.done()) + batch.done();
-            samples_dropped_ += batch.dropped();
-            if (shows_tiles) show_tile(tile, thread_seconds() - start);
-            if (has_progress) tell(&RenderObserver::progress, passes.progress(total));
+        std::vector<std::size_t> tiles = unfinished_tiles();
+        const auto render = [&](std::size_t tile) {
+            add_result(tile, render_tile(tile, interrupted), passes);
+        };
+        if (control_.dealer) {
+            return control_.dealer->deal(dealt(std::move(tiles), interrupted, render, passes));
+        }
+        parallel_for(tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end && !interrupted(); ++i) render(tiles[i]);
         });
+    }
+
+    template <class Interrupted, class Render>
+    DealtPass dealt(std::vector<std::size_t> tiles, const Interrupted& interrupted,
+                    const Render& render, const SamplingPasses& passes) {
+        return {std::move(tiles),
+                render,
+                [&](std::size_t tile, StateWriter& task) { transfer_task(tile, task); },
+                [&](std::size_t tile, StateReader& result) { read_result(tile, result, passes); },
+                interrupted,
+                [&] { return stopped(); }};
+    }
+
+    /// What another process needs to render a tile: how many samples its pixels are to have, and
+    /// all that those before gave.
+    template <class Bytes>
+    void transfer_task(std::size_t tile, Bytes& bytes) {
+        for_each_pixel(tiles_[tile], [&](int x, int y) {
+            const std::size_t pixel = film_.samples().index(x, y);
+            std::uint32_t goal = goal_.of(pixel);
+            bytes(goal);
+            if (!goal_.of_pixel.empty()) goal_.of_pixel[pixel] = goal;
+        });
+        film_.transfer(bytes, tiles_[tile]);
+    }
+
+    void read_result(std::size_t tile, StateReader& bytes, const SamplingPasses& passes) {
+        TileResult result;
+        bytes(result);
+        film_.transfer(bytes, tiles_[tile]);
+        if (!bytes.failed()) add_result(tile, result, passes);
+    }
+
+    template <class Interrupted>
+    TileResult render_tile(std::size_t tile, const Interrupted& interrupted) {
+        const double start = thread_seconds();
+        TileResult result;
+        SampleBatch batch(rays_, integrator_, film_, result.counts);
+        for_each_pixel(tiles_[tile], interrupted, [&](int x, int y) { add_pixel(x, y, batch); });
+        batch.finish();
+        result.samples = batch.done();
+        result.dropped = batch.dropped();
+        result.seconds = thread_seconds() - start;
+        return result;
+    }
+
+    void add_result(std::size_t tile, const TileResult& result, const SamplingPasses& passes) {
+        counts_[tile] += result.counts;
+        samples_dropped_ += result.dropped;
+        const std::uint64_t total = samples_done_.fetch_add(result.samples) + result.samples;
+        tell(&RenderObserver::after_tile,
+             RenderedTile{film_.samples(), tiles_[tile], result.seconds});
+        tell(&RenderObserver::progress, passes.progress(total));
     }
 
     /// Number of the pixel's first sample in this part of the image.
@@ -256,6 +324,17 @@ class Renderer {
 Rendering render(const Camera& camera, const Integrator& integrator, const RenderSettings& settings,
                  const RunControl& control) {
     return Renderer(camera, integrator, settings, control).run();
+}
+
+void render_dealt_tiles(const Camera& camera, const Integrator& integrator,
+                        const RenderSettings& settings,
+                        const std::function<void(const TileTask&)>& serve) {
+    const RunControl control;
+    Renderer renderer(camera, integrator, settings, control);
+    renderer.expect_tasks();
+    serve([&](std::size_t tile, StateReader& task, StateWriter& result, const auto& stopped) {
+        renderer.do_task(tile, task, result, stopped);
+    });
 }
 
 }  // namespace etalon

@@ -10,6 +10,7 @@
 #include "core/render/film.h"
 #include "core/render/render_observer.h"
 #include "core/render/state.h"
+#include "core/render/tile_dealer.h"
 #include "core/scene/camera.h"
 #include "core/scene/render_settings.h"
 
@@ -36,6 +37,7 @@ struct RunControl {
     std::function<void(const std::function<void(StateWriter&)>&)> take_film{};
     StateKeeper* keeper = nullptr;   ///< gets the state when it is due, and when a stop ends all
     StateReader* resumed = nullptr;  ///< the state of the same rendering from which to go on
+    TileDealer* dealer = nullptr;    ///< deals the tiles to this process and others
     bool estimates_error = false;    ///< passes tell an error also where no target asks for it
 };
 

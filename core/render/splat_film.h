@@ -52,6 +52,16 @@ class SplatFilm {
         bytes(counts_);
     }
 
+    /// The same of the cells of a tile alone, of a film to which no other was added.
+    template <class Bytes>
+    void transfer(Bytes& bytes, const Imath::Box2i& tile) {
+        for (int y = tile.min.y; y <= tile.max.y; ++y) {
+            for (int x = tile.min.x; x <= tile.max.x; ++x) {
+                if (is_first_of_cell({x, y}, tile)) transfer_cell(bytes, cell_of({x, y}));
+            }
+        }
+    }
+
   private:
     /// Sums of weighted samples, by channels, and of their weights.
     struct Splat {
@@ -73,6 +83,23 @@ class SplatFilm {
     }
 
     std::size_t cell_of(const Imath::V2i& pixel) const;
+
+    /// Whether the pixel is the first one of its cell that is in the tile.
+    bool is_first_of_cell(const Imath::V2i& pixel, const Imath::Box2i& tile) const {
+        const Imath::V2i offset = pixel - corner_;
+        return (offset.x % side_ == 0 || pixel.x == tile.min.x) &&
+               (offset.y % side_ == 0 || pixel.y == tile.min.y);
+    }
+
+    template <class Bytes>
+    void transfer_cell(Bytes& bytes, std::size_t cell) {
+        const std::size_t size = static_cast<std::size_t>(block_.x) * block_.y;
+        for (std::size_t i = cell * size; i < (cell + 1) * size; ++i) {
+            bytes(splats_[i].values);
+            if (!errors_.empty()) bytes(errors_[i].values);
+        }
+    }
+
     std::vector<double> cell_weights(const Film& samples, const SampleRates& rates) const;
     Range cells_about(int pixel, int axis) const;
     void add_row(int y, const Imath::Box2i& window, const std::vector<double>& cell_weights,

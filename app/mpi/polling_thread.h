@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <thread>
+
+#include "app/mpi/poll_pause.h"
+
+namespace etalon {
+
+/// A thread that looks for messages as long as this lives, and sleeps where there is none: it takes
+/// hardly any time from the threads that render.
+class PollingThread {
+  public:
+    /// `look` returns whether there was anything to do. It does not throw.
+    explicit PollingThread(std::function<bool()> look)
+        : thread_([look = std::move(look)](const std::stop_token& over) {
+              while (!over.stop_requested()) {
+                  if (!look()) std::this_thread::sleep_for(poll_pause);
+              }
+          }) {}
+
+  private:
+    std::jthread thread_;  ///< asked to stop, and waited for, by its destructor
+};
+
+}  // namespace etalon

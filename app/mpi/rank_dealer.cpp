@@ -1,0 +1,191 @@
+#include "app/mpi/rank_dealer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "app/mpi/tile_message.h"
+#include "app/render/image_identity.h"
+#include "core/parallel/all_threads.h"
+
+namespace etalon {
+namespace {
+
+/// Most tiles that a thread of another rank has ahead. Tiles of few samples take a fraction of a
+/// millisecond, and messages wait for about as long until they are looked for.
+constexpr std::size_t most_ahead = 16;
+
+/// Time between two looks whether a stop ends the waiting for results.
+constexpr auto stop_interval = std::chrono::milliseconds(5);
+
+}  // namespace
+
+RankDealer::~RankDealer() {
+    listener_.reset();
+    for (int rank = 1; rank < ranks_.size(); ++rank) {
+        ranks_.send(rank, message_of(MessageKind::end));
+    }
+}
+
+void RankDealer::listen(const nlohmann::ordered_json& identity) {
+    identity_ = identity;
+    all_threads_ = static_cast<std::size_t>(max_threads());
+    workers_[0].threads = all_threads_;
+    listener_.emplace([this] { return look(); });
+}
+
+void RankDealer::deal(const DealtPass& pass) {
+    begin(pass);
+    struct AtEnd {
+        RankDealer& self;
+        ~AtEnd() {
+            const std::lock_guard lock(self.mutex_);
+            self.pass_ = nullptr;
+        }
+    } at_end{*this};
+    on_all_threads([&] {
+        while (!pass.interrupted()) {
+            const std::optional<std::size_t> tile = take();
+            if (!tile) return;
+            pass.render(*tile);
+            ++rendered_here_;
+        }
+    });
+    wait_for_results(pass);
+}
+
+void RankDealer::begin(const DealtPass& pass) {
+    const std::lock_guard lock(mutex_);
+    pass_ = &pass;
+    next_ = 0;
+    is_new_ = true;
+}
+
+void RankDealer::wait_for_results(const DealtPass& pass) {
+    std::unique_lock lock(mutex_);
+    while (dealt_ > 0 && !pass.stopped()) has_results_.wait_for(lock, stop_interval);
+}
+
+/// The next tile of the pass. To be called while there is one.
+std::optional<std::size_t> RankDealer::take() {
+    const std::size_t place = next_.fetch_add(1);
+    return place < pass_->tiles.size() ? std::optional(pass_->tiles[place]) : std::nullopt;
+}
+
+/// Does what is to be done for the other ranks now; returns whether there was anything.
+bool RankDealer::look() {
+    const std::lock_guard lock(mutex_);
+    try {
+        const bool received =
+            ranks_.receive([&](int from, std::string_view message) { handle(from, message); });
+        if (!ranks_.error().empty()) fail("a message was lost: " + ranks_.error());
+        if (is_new_) {
+            is_new_ = false;
+            for (int rank = 1; rank < ranks_.size(); ++rank) supply(rank);
+        }
+        return received;
+    } catch (const std::exception& e) {
+        fail(e.what());
+        return false;
+    }
+}
+
+void RankDealer::handle(int from, std::string_view message) {
+    const std::string_view content = content_of(message);
+    switch (kind_of(message)) {
+        case MessageKind::ready:
+            note_ready(from, content);
+            break;
+        case MessageKind::failure:
+            fail(fmt::format("rank {} has failed: {}", from, content));
+            break;
+        default:
+            read_results(from, content);
+    }
+    supply(from);
+}
+
+void RankDealer::note_ready(int from, std::string_view content) {
+    std::uint64_t threads = 0;
+    StateReader reader = reader_of(content);
+    reader(threads);
+    const auto there = nlohmann::ordered_json::parse(content, nullptr, false);
+    const std::string difference = identity_difference(there, identity_, "on rank 0");
+    if (!difference.empty()) {
+        return fail(fmt::format("rank {} renders another image: {}", from, difference));
+    }
+    workers_[from].threads = threads;
+    all_threads_ += threads;
+}
+
+/// Results that come after a stop are nobody's.
+void RankDealer::read_results(int from, std::string_view content) {
+    if (!pass_) return;
+    Worker& worker = workers_[from];
+    const bool is_whole = for_each_tile_of(content, [&](std::size_t tile, std::string_view bytes) {
+        StateReader reader = reader_of(bytes);
+        pass_->read_result(tile, reader);
+        if (reader.failed()) fail(fmt::format("rank {} sent a damaged tile", from));
+        ++worker.rendered;
+        --worker.dealt;
+        --dealt_;
+    });
+    if (!is_whole) fail(fmt::format("rank {} sent a damaged message", from));
+    if (dealt_ == 0) has_results_.notify_one();
+}
+
+/// How many tiles the rank is to have: one for each of its threads, and some ahead as long as many
+/// are left for all.
+std::size_t RankDealer::most_of(const Worker& worker) const {
+    const std::size_t left = pass_->tiles.size() - std::min(next_.load(), pass_->tiles.size());
+    return worker.threads * (1 + std::min(most_ahead, left / (2 * all_threads_)));
+}
+
+/// Gives a rank tiles up to what it is to have.
+void RankDealer::supply(int rank) {
+    if (!pass_) return;
+    Worker& worker = workers_[rank];
+    TileMessage message(MessageKind::tasks);
+    while (!message.is_full() && worker.dealt < most_of(worker) && !pass_->interrupted()) {
+        const std::optional<std::size_t> tile = take();
+        if (!tile) break;
+        std::string task;
+        StateWriter writer = writer_to(task);
+        pass_->write_task(*tile, writer);
+        message.add(*tile, task);
+        ++worker.dealt;
+        ++dealt_;
+    }
+    if (!message.is_empty()) ranks_.send(rank, message.text());
+}
+
+void RankDealer::fail(const std::string& why) {
+    if (error_.empty()) error_ = why;
+    has_failed_ = true;
+}
+
+std::string RankDealer::error() const {
+    const std::lock_guard lock(mutex_);
+    return error_;
+}
+
+nlohmann::ordered_json RankDealer::stats() const {
+    const std::lock_guard lock(mutex_);
+    nlohmann::ordered_json threads, tiles;
+    for (const Worker& worker : workers_) {
+        threads.push_back(worker.threads);
+        tiles.push_back(worker.rendered);
+    }
+    tiles[0] = rendered_here_.load();
+    const Traffic& traffic = ranks_.traffic();
+    return {{"count", ranks_.size()},
+            {"threads", threads},
+            {"tiles", tiles},
+            {"messages_sent", traffic.messages_sent},
+            {"bytes_sent", traffic.bytes_sent},
+            {"messages_received", traffic.messages_received},
+            {"bytes_received", traffic.bytes_received}};
+}
+
+}  // namespace etalon

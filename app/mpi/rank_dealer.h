@@ -1,0 +1,73 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/mpi/polling_thread.h"
+#include "app/mpi/ranks.h"
+#include "core/render/tile_dealer.h"
+
+namespace etalon {
+
+/// Deals tiles to the threads of this process, rank 0, and to the other ranks. Each rank holds some
+/// tiles ahead, fewer towards the end of a pass, so that it need not wait for messages.
+class RankDealer : public TileDealer {
+  public:
+    explicit RankDealer(Ranks& ranks) : ranks_(ranks), workers_(ranks.size()) {}
+
+    /// Tells the other ranks that no more is wanted of them.
+    ~RankDealer() override;
+
+    /// Begins to listen to the other ranks, which must render an image of this identity.
+    void listen(const nlohmann::ordered_json& identity);
+
+    void deal(const DealtPass& pass) override;
+    bool has_failed() const override { return has_failed_; }
+
+    /// Why rendering had to stop, or nothing.
+    std::string error() const;
+
+    /// Numbers of processes and messages, for --stats.
+    nlohmann::ordered_json stats() const;
+
+  private:
+    /// What is known of a rank; of rank 0 itself the tiles alone.
+    struct Worker {
+        std::size_t threads = 0;  ///< 0: it is not ready yet
+        std::size_t dealt = 0;    ///< tiles it has that are not back
+        std::size_t rendered = 0;
+    };
+
+    void begin(const DealtPass& pass);
+    void wait_for_results(const DealtPass& pass);
+    std::optional<std::size_t> take();
+    bool look();
+    void handle(int from, std::string_view message);
+    void note_ready(int from, std::string_view content);
+    void read_results(int from, std::string_view content);
+    void supply(int rank);
+    std::size_t most_of(const Worker& worker) const;
+    void fail(const std::string& why);
+
+    Ranks& ranks_;
+    nlohmann::ordered_json identity_;
+    mutable std::mutex mutex_;  ///< of all below but the atomics
+    std::condition_variable has_results_;
+    const DealtPass* pass_ = nullptr;
+    bool is_new_ = false;    ///< nobody has had a tile of the pass
+    std::size_t dealt_ = 0;  ///< tiles that other ranks have
+    std::size_t all_threads_ = 0;
+    std::vector<Worker> workers_;  ///< by ranks
+    std::string error_;
+    std::atomic<std::size_t> next_ = 0;  ///< place of the next tile in the pass
+    std::atomic<std::size_t> rendered_here_ = 0;
+    std::atomic<bool> has_failed_ = false;
+    std::optional<PollingThread> listener_;
+};
+
+}  // namespace etalon

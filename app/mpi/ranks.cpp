@@ -1,0 +1,60 @@
+#include "app/mpi/ranks.h"
+
+#include <fmt/format.h>
+
+#include "app/common/started_rank.h"
+#include "core/base/module_symbol.h"
+
+namespace etalon {
+
+std::string Ranks::join() {
+    const StartedRank started = started_rank();
+    if (started.size == 1) return {};
+    const Result<void*> symbol = module_symbol("etalon_mpi.so", "etalon_mpi");
+    if (!symbol) {
+        return fmt::format(
+            "was started as a process of several by MPI, but built or installed without MPI; "
+            "expected a build with Open MPI (libopenmpi-dev), or one process: {}",
+            symbol.error);
+    }
+    module_ = reinterpret_cast<EtalonMpiEntry>(symbol.value)();
+    if (module_->version != etalon_mpi_version) {
+        return "etalon_mpi.so belongs to another version of the program";
+    }
+    const char* const error = module_->join(&rank_, &size_);
+    return error ? fmt::format("cannot join the processes of MPI: {}", error) : "";
+}
+
+void Ranks::send(int to, std::string_view message) {
+    ++traffic_.messages_sent;
+    traffic_.bytes_sent += message.size();
+    note_error(module_->send(to, message.data(), message.size()));
+}
+
+bool Ranks::receive(const std::function<void(int, std::string_view)>& take) {
+    struct Context {
+        Traffic& traffic;
+        const std::function<void(int, std::string_view)>& take;
+    } context{traffic_, take};
+    const EtalonMpiReceiver receiver = {
+        &context, [](void* to, int from, const char* bytes, std::size_t size) {
+            Context& c = *static_cast<Context*>(to);
+            ++c.traffic.messages_received;
+            c.traffic.bytes_received += size;
+            c.take(from, {bytes, size});
+        }};
+    int received = 0;
+    note_error(module_->receive(&receiver, &received));
+    return received != 0;
+}
+
+void Ranks::note_error(const char* error) {
+    if (error && error_.empty()) error_ = error;
+}
+
+void Ranks::leave(double patience) {
+    if (module_) module_->leave(patience);
+    module_ = nullptr;
+}
+
+}  // namespace etalon

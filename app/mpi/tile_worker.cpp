@@ -1,0 +1,95 @@
+#include "app/mpi/tile_worker.h"
+
+#include "app/mpi/polling_thread.h"
+#include "app/mpi/tile_message.h"
+#include "core/parallel/all_threads.h"
+
+namespace etalon {
+
+void TileWorker::run(const TileTask& task, const nlohmann::ordered_json& identity) {
+    const auto threads = static_cast<std::uint64_t>(max_threads());
+    std::string ready = message_of(MessageKind::ready);
+    writer_to(ready)(threads);
+    ranks_.send(0, ready + identity.dump());
+    const PollingThread listener([this] { return look(); });
+    on_all_threads([&] { render_tiles(task); });
+}
+
+void TileWorker::render_tiles(const TileTask& task) {
+    try {
+        while (const std::optional<Tile> tile = next()) {
+            std::string result = render(*tile, task);
+            const std::lock_guard lock(mutex_);
+            results_.emplace_back(tile->first, std::move(result));
+        }
+    } catch (const std::exception& e) {
+        const std::lock_guard lock(mutex_);
+        fail(e.what());
+    }
+}
+
+/// Waits for a task; nothing if no more is wanted.
+std::optional<TileWorker::Tile> TileWorker::next() {
+    std::unique_lock lock(mutex_);
+    is_changed_.wait(lock, [&] { return is_over_ || !tasks_.empty(); });
+    if (is_over_) return std::nullopt;
+    Tile tile = std::move(tasks_.front());
+    tasks_.pop_front();
+    return tile;
+}
+
+std::string TileWorker::render(const Tile& tile, const TileTask& task) const {
+    std::string_view bytes = tile.second;
+    std::string result;
+    StateReader reader = reader_of(bytes);
+    StateWriter writer = writer_to(result);
+    task(tile.first, reader, writer, [this] { return is_over_.load(); });
+    return result;
+}
+
+/// Exchanges messages with rank 0; returns whether one had come.
+bool TileWorker::look() {
+    const std::lock_guard lock(mutex_);
+    try {
+        const bool received =
+            ranks_.receive([&](int, std::string_view message) { handle(message); });
+        send_results();
+        return received;
+    } catch (const std::exception& e) {
+        fail(e.what());
+        return false;
+    }
+}
+
+void TileWorker::handle(std::string_view message) {
+    if (kind_of(message) == MessageKind::end) {
+        is_over_ = true;
+    } else {
+        for_each_tile_of(content_of(message), [&](std::size_t tile, std::string_view task) {
+            tasks_.emplace_back(tile, task);
+        });
+    }
+    is_changed_.notify_all();
+}
+
+void TileWorker::send_results() {
+    if (!failure_.empty()) {
+        ranks_.send(0, message_of(MessageKind::failure, std::exchange(failure_, {})));
+    }
+    while (!results_.empty()) {
+        TileMessage message(MessageKind::results);
+        for (; !results_.empty() && !message.is_full(); results_.pop_front()) {
+            const auto& [tile, result] = results_.front();
+            message.add(tile, result);
+        }
+        ranks_.send(0, message.text());
+    }
+}
+
+/// Says why this rank renders nothing more, and waits for the end.
+void TileWorker::fail(const std::string& why) {
+    failure_ = why;
+    tasks_.clear();
+}
+
+}  // namespace etalon

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/mpi/ranks.h"
+#include "core/render/tile_dealer.h"
+
+namespace etalon {
+
+/// Renders the tiles that rank 0 deals to this rank.
+class TileWorker {
+  public:
+    explicit TileWorker(Ranks& ranks) : ranks_(ranks) {}
+
+    /// Renders tiles of the image of this identity, on all threads, until rank 0 wants no more.
+    void run(const TileTask& task, const nlohmann::ordered_json& identity);
+
+  private:
+    /// A tile's number and what is sent of it.
+    using Tile = std::pair<std::size_t, std::string>;
+
+    void render_tiles(const TileTask& task);
+    std::optional<Tile> next();
+    std::string render(const Tile& tile, const TileTask& task) const;
+    bool look();
+    void handle(std::string_view message);
+    void send_results();
+    void fail(const std::string& why);
+
+    Ranks& ranks_;
+    std::mutex mutex_;  ///< of all below
+    std::condition_variable is_changed_;
+    std::deque<Tile> tasks_, results_;
+    std::string failure_;  ///< to be sent to rank 0
+    std::atomic<bool> is_over_ = false;
+};
+
+}  // namespace etalon
