@@ -62,10 +62,11 @@ Evaluation BsdfFrom::evaluate_local(const Vec3f& wi, LobeKind side) const {
     for (std::size_t k = 0; k < lobes_.size(); ++k) {
         visit_lobe(
             [&](const auto& lobe) {
-                if constexpr (!is_specular(lobe.kind)) {
+                using L = std::decay_t<decltype(lobe)>;
+                if constexpr (!is_specular(L::kind)) {
                     const Evaluation part = lobe.evaluate(wo_, wi);
-                    if (scatters_to(side, lobe.kind)) sum.f += part.f;
-                    if (!is_diffuse<std::decay_t<decltype(lobe)>> || lobe.kind == side) {
+                    if (scatters_to(side, L::kind)) sum.f += part.f;
+                    if (!is_diffuse<L> || L::kind == side) {
                         sum.pdf += picks_[k] * part.pdf;
                     }
                 }
@@ -114,13 +115,14 @@ std::optional<BsdfSample> BsdfFrom::sample(float lobe_choice, const Vec2& uv) co
     const std::size_t number = chosen(lobe_choice);
     return visit_lobe(
         [&](const auto& lobe) -> std::optional<BsdfSample> {
-            if constexpr (is_specular(lobe.kind)) {
+            using L = std::decay_t<decltype(lobe)>;
+            if constexpr (is_specular(L::kind)) {
                 return sample_specular(picks_[number], lobe.sample(exact_wo_, uv.x));
             } else {
                 const std::optional<Vec3f> local_wi = lobe.sample(wo_, uv);
                 if (!local_wi) return {};
                 std::optional<LobeKind> diffuse_side;
-                if (is_diffuse<std::decay_t<decltype(lobe)>>) diffuse_side = lobe.kind;
+                if (is_diffuse<L>) diffuse_side = L::kind;
                 auto sampled = sample_smooth(*local_wi, diffuse_side);
                 if (sampled) sampled->eta = index_beyond(lobe, wo_);
                 return sampled;

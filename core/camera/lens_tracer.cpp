@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace etalon {
 namespace {
@@ -58,8 +57,8 @@ bool LensTracer::pass(const Surface& s, bool to_scene, LensRay& ray) {
 }
 
 std::optional<LensRay> LensTracer::from_film(LensRay ray) const {
-    for (const Surface& s : std::views::reverse(surfaces_)) {
-        if (!pass(s, true, ray)) return std::nullopt;
+    for (auto s = surfaces_.rbegin(); s != surfaces_.rend(); ++s) {
+        if (!pass(*s, true, ray)) return std::nullopt;
     }
     return ray;
 }

@@ -1,7 +1,6 @@
 #include "core/intersect/intersector.h"
 
 #include <algorithm>
-#include <ranges>
 
 #include "core/intersect/kernels.h"
 #include "core/intersect/local_rays.h"
@@ -93,7 +92,10 @@ bool Intersector::is_occluded_unresolved(const Ray& ray) const {
     const RayQuery query(ray);
     const auto blocks = [&](std::uint32_t item) { return occludes(item, query); };
     if (bounds_.space.surely_misses(ray)) return std::ranges::any_of(bounds_.unbounded, blocks);
-    return std::ranges::any_of(std::views::iota(0U, geometry_.item_count()), blocks);
+    for (std::uint32_t item = 0; item < geometry_.item_count(); ++item) {
+        if (blocks(item)) return true;
+    }
+    return false;
 }
 
 bool Intersector::is_occluded(const Ray& ray) const {

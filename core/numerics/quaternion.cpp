@@ -1,5 +1,6 @@
 #include "core/numerics/quaternion.h"
 
+#include <array>
 #include <cmath>
 
 namespace etalon {

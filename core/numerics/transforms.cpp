@@ -50,7 +50,7 @@ Affine scaling(const Vec3& factors) {
 Affine rotation(double degrees, const Vec3& axis) {
     const auto [s, c] = turn_of(degrees);
     const Vec3 n = unit_vector(axis);
-    const auto image = [&](const Vec3& v) {
+    const auto image = [&, s = s, c = c](const Vec3& v) {
         return c * v + s * n.cross(v) + (1 - c) * n.dot(v) * n;
     };
     return {image({1, 0, 0}), image({0, 1, 0}), image({0, 0, 1})};

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <map>
-#include <ranges>
 #include <set>
 
 #include "app/common/backends.h"
@@ -109,7 +109,8 @@ TEST_CASE("Every scene has as many primitives as promised, within a tenth") {
 TEST_CASE("Every scene is the same whatever was made before it, and another at another size") {
     std::map<std::string_view, std::uint64_t> forwards, backwards;
     for (const Small& s : small_scenes) forwards[s.family] = hash_of(make(s));
-    for (const Small& s : small_scenes | std::views::reverse) {
+    for (auto small = std::rbegin(small_scenes); small != std::rend(small_scenes); ++small) {
+        const Small& s = *small;
         INFO(s.family);
         CHECK(forwards[s.family] != hash_of(make({s.family, s.size / 2, 0})));
         backwards[s.family] = hash_of(make(s));
