@@ -29,6 +29,9 @@ class BsdfFrom {
     /// Value and density of the smooth lobes.
     Evaluation evaluate(const Vec3& wi) const;
 
+    /// Whether `wi` is on the other side of the surface.
+    bool passes(const Vec3& wi) const { return side(wi) == LobeKind::transmission; }
+
     /// Chooses a lobe by `lobe_choice` and of it a direction by `uv`, all in [0, 1). Nothing where
     /// the choice carries no light.
     std::optional<BsdfSample> sample(float lobe_choice, const Vec2& uv) const;

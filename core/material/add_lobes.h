@@ -14,6 +14,8 @@ void add_lobes(const GlassMaterial& material, const PointValues& values, LobeLis
 void add_lobes(const TranslucentMaterial& material, const PointValues& values, LobeList& lobes);
 void add_lobes(const UberMaterial& material, const PointValues& values, LobeList& lobes);
 void add_lobes(const DisneyMaterial& material, const PointValues& values, LobeList& lobes);
+void add_lobes(const SubsurfaceMaterial& material, const PointValues& values, LobeList& lobes);
+void add_lobes(const KdSubsurfaceMaterial& material, const PointValues& values, LobeList& lobes);
 void add_lobes(const HairMaterial& material, const PointValues& values, LobeList& lobes);
 
 }  // namespace etalon

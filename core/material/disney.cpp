@@ -1,4 +1,5 @@
 #include "core/material/add_lobes.h"
+#include "core/material/subsurface.h"
 #include "core/numerics/luminance.h"
 
 namespace etalon {
@@ -15,6 +16,9 @@ struct DisneyPoint {
     float diffuse = (1 - metallic) * (1 - transmission);
     float transmitted = values.number(material.diffuse_transmission) / 2;  ///< of diffuse light
     float roughness = values.number(material.roughness);
+    /// That light goes below the surface, which replaces diffuse reflection where it is not 0.
+    Color scatter_distance =
+        material.thin || !(diffuse > 0) ? Color(0) : values.part(material.scatter_distance);
 
     /// From white to the colour's hue.
     Color tint(const NumberSlot& part) const {
@@ -34,8 +38,8 @@ void add_base(const DisneyPoint& at, LobeList& lobes) {
     const float flat = at.material.thin ? at.values.number(at.material.flatness) : 0;
     const float reflected = at.material.thin ? 1 - at.transmitted : 1;
     const float sheen = at.values.number(at.material.sheen);
-    DisneyBase base{
-        at.diffuse * at.color, at.roughness, (1 - flat) * reflected, flat * reflected, 1, Color(0)};
+    const float diffuse = is_black(at.scatter_distance) ? (1 - flat) * reflected : 0;
+    DisneyBase base{at.diffuse * at.color, at.roughness, diffuse, flat * reflected, 1, Color(0)};
     if (sheen > 0) base.sheen = at.diffuse * sheen * at.tint(at.material.sheen_tint);
     if (!is_black(base.color) || !is_black(base.sheen)) lobes.add(base);
 }
@@ -52,6 +56,7 @@ void add_gloss(const DisneyPoint& at, LobeList& lobes) {
 }
 
 void add_transmission(const DisneyPoint& at, LobeList& lobes) {
+    if (!is_black(at.scatter_distance)) lobes.add(SpecularTransmission{Color(1), at.eta});
     if (at.transmission > 0) {
         // Light that comes through twice has the colour.
         const Color& c = at.color;
@@ -76,6 +81,13 @@ void add_lobes(const DisneyMaterial& material, const PointValues& values, LobeLi
     if (at.diffuse > 0) add_base(at, lobes);
     add_gloss(at, lobes);
     add_transmission(at, lobes);
+}
+
+std::optional<Subsurface> subsurface_of(const DisneyMaterial& material, const PointValues& values) {
+    const DisneyPoint at{material, values};
+    if (is_black(at.scatter_distance)) return std::nullopt;
+    return Subsurface{NormalizedProfile(at.diffuse * at.color, material.unit * at.scatter_distance),
+                      at.eta};
 }
 
 }  // namespace etalon

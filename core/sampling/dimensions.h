@@ -26,6 +26,7 @@ enum PathDimension : std::uint32_t {
     medium_collisions,               ///< of a ray in a medium, after the first
     shadow_collisions,               ///< of the shadow rays of a vertex
     along_ray_collisions,            ///< of a shadow ray from anywhere along a ray
+    exit_vertex,                     ///< name of the vertex of light from below a surface
 };
 
 /// The name of a camera's ray.
@@ -54,6 +55,11 @@ inline std::uint32_t shadow_collision_dimension(std::uint32_t ray, std::size_t k
 
 inline std::uint32_t along_ray_collision_dimension(std::uint32_t ray) {
     return hash(ray, along_ray_collisions);
+}
+
+/// Name of the vertex at which light comes in that is scattered below the surface of vertex `ray`.
+inline std::uint32_t exit_name(std::uint32_t ray) {
+    return hash(ray, exit_vertex);
 }
 
 /// The choices of a ray set, which are dimensions of samples of its own.

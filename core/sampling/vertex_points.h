@@ -15,6 +15,7 @@ enum class Decision : std::uint32_t {
     light,   ///< a light by the first choice, and the place on it
     way,     ///< a lobe and survival by the choices, and the place among the lobe's directions
     flight,  ///< how far a ray goes in a medium, by the place, and where on it a light is asked
+    probe,   ///< where light comes in that is scattered below a surface
 };
 
 /// The points by which vertices take one of their decisions, made together. Those of the samples of

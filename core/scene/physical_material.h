@@ -69,6 +69,25 @@ struct DisneyMaterial {
     NumberSlot metallic, eta, roughness, specular_tint, anisotropic, sheen, sheen_tint, clearcoat,
         clearcoat_gloss, specular_transmission, flatness, diffuse_transmission;
     bool thin = false;
+    ColorSlot scatter_distance{Color(0)};  ///< that light goes below the surface; 0: none does
+    float unit = 1;                        ///< of that distance, as a length of the world
+};
+
+/// A border below which light is scattered by a medium, until it comes out elsewhere.
+struct SubsurfaceMaterial {
+    GlassMaterial border;              ///< with the same index everywhere
+    ColorSlot absorption, scattering;  ///< coefficients
+    float g = 0;                       ///< mean cosine of scattering, between -1 and 1
+    float factor = 1;                  ///< of the coefficients
+};
+
+/// The same by what is seen of it.
+struct KdSubsurfaceMaterial {
+    GlassMaterial border;  ///< with the same index everywhere
+    ColorSlot albedo;      ///< part of what entered that comes out
+    ColorSlot free_path;   ///< mean one
+    float g = 0;           ///< mean cosine of scattering, between -1 and 1
+    float unit = 1;        ///< of the free path, as a length of the world
 };
 
 /// What a hair's colour is told by.
@@ -95,7 +114,7 @@ struct NoMaterial {};
 struct PhysicalMaterial {
     std::variant<MatteMaterial, PlasticMaterial, MirrorMaterial, GlassMaterial, MetalMaterial,
                  UberMaterial, TranslucentMaterial, SubstrateMaterial, DisneyMaterial, HairMaterial,
-                 MixedMaterial, NoMaterial>
+                 SubsurfaceMaterial, KdSubsurfaceMaterial, MixedMaterial, NoMaterial>
         kind;
     NumberSlot bump{};  ///< height of the surface above itself; of no effect without a texture
 };

@@ -105,8 +105,15 @@ class Similarity {
     void operator()(PhysicalLook& look) const {
         for (PhysicalLight& light : look.lights) std::visit(*this, light);
         for (PhysicalMedium& medium : look.media) (*this)(medium);
+        for (PhysicalMaterial& material : look.materials) std::visit(*this, material.kind);
         (*this)(look.textures);
     }
+    void operator()(DisneyMaterial& m) const { m.unit *= static_cast<float>(factor_); }
+    void operator()(SubsurfaceMaterial& m) const { m.factor /= static_cast<float>(factor_); }
+    void operator()(KdSubsurfaceMaterial& m) const { m.unit *= static_cast<float>(factor_); }
+    template <class Material>
+    void operator()(Material&) const {}  // nothing in it is a length
+
     /// As thick as before over a distance that is `factor` times as long.
     void operator()(PhysicalMedium& medium) const {
         medium.absorption /= static_cast<float>(factor_);

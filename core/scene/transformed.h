@@ -10,7 +10,7 @@ namespace etalon {
 std::optional<Geometry> moved(Geometry geometry, const Vec3& offset);
 
 /// The scene with every length times `factor` > 0, and then every point moved by `offset`: shapes,
-/// lights and the camera, but not how matter absorbs light. Holes that have been made stay where
+/// lights and the camera, but not how glass absorbs light. Holes that have been made stay where
 /// they were made.
 Scene transformed(Scene scene, double factor, const Vec3& offset = Vec3(0));
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/material/material.h"
+#include "core/material/mixed.h"
 
 namespace etalon {
 namespace {
@@ -29,6 +29,7 @@ bool is_none(const PhysicalMaterial& material) {
 PhysicalShading::PhysicalShading(const Scene& scene, std::vector<std::string>& problems)
     : scene_(scene),
       textures_(scene.physical().textures, problems),
+      tables_(scene.physical().materials),
       has_passages_(std::ranges::any_of(scene.physical().materials, is_none)) {
     for (const PhysicalMaterial& m : scene.physical().materials) traits_.push_back(traits_of(m));
 }
@@ -38,7 +39,24 @@ PhysicalShading::Traits PhysicalShading::traits_of(const PhysicalMaterial& mater
     Traits traits{constant_lobes(material, all, textures_), true};
     traits.needs_coordinates = !traits.lobes || is_bumpy(material, all) ||
                                std::ranges::any_of(traits.lobes->span(), is_anisotropic);
+    const PhysicalMaterial& below = shape_giving(material, all);
+    traits.may_scatter_below = may_scatter_below(below);
+    if (traits.may_scatter_below)
+        traits.subsurface = constant_subsurface(below, tables_, textures_);
     return traits;
+}
+
+const Subsurface* PhysicalShading::textured_subsurface(const PhysicalSurface& at,
+                                                       std::optional<Subsurface>& room) const {
+    const MaterialPoint point = material_point(at);
+    room = subsurface_at(scene_.physical().materials[material_below(at)], tables_,
+                         PointValues(textures_, {point.uv, point.position}));
+    return room ? &*room : nullptr;
+}
+
+std::uint32_t PhysicalShading::material_below(const PhysicalSurface& at) const {
+    const std::vector<PhysicalMaterial>& all = scene_.physical().materials;
+    return static_cast<std::uint32_t>(&shape_giving(all[at.binding->material], all) - all.data());
 }
 
 bool PhysicalShading::is_passed(const PhysicalSurface& at) const {

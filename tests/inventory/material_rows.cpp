@@ -50,7 +50,7 @@ constexpr std::array materials = {
     Row{"disney", "clearcoat", "1"},
     Row{"disney", "clearcoatgloss", "0.2", coated},
     Row{"disney", "spectrans", "0.7"},
-    Row{"disney", "scatterdistance", "0.3 0.2 0.1", {}, {}, "diffuse light stands in for it"},
+    Row{"disney", "scatterdistance", "0.3 0.2 0.1"},
     Row{"disney", "thin", "true", clear},
     Row{"disney", "flatness", "0.8", thin},
     Row{"disney", "difftrans", "0.4", thin},

@@ -53,6 +53,7 @@ void PathBatch<in_media>::run() {
         }
         make_points();
         shade_all(from_camera);
+        if (!entries_.empty()) scatter_below();
         add_answers();
         std::swap(rays_, next_rays_);
         std::swap(paths_, next_paths_);
@@ -62,22 +63,36 @@ void PathBatch<in_media>::run() {
 
 template <bool in_media>
 void PathBatch<in_media>::make_points() {
+    clear_points();
+    for (std::size_t i = 0; i < rays_.size(); ++i) {
+        if (may_scatter(i)) add_points(paths_[i]);
+    }
+    make_added_points();
+}
+
+template <bool in_media>
+void PathBatch<in_media>::clear_points() {
     asked_.clear();
     ways_.clear();
     light_points_.clear();
-    for (std::size_t i = 0; i < rays_.size(); ++i) {
-        if (!may_scatter(i)) continue;
-        const Path& path = paths_[i];
-        const std::uint32_t ways = ways_of(path);
-        for (std::uint32_t way = 0; way < ways; ++way) {
-            path.source.part(way, ways).add_vertex(path.name, ways_);
-        }
-        if (shared_.asks_all) {
-            add_light_points(path);
-        } else {
-            path.source.add_vertex(path.name, asked_);
-        }
+}
+
+/// Adds the choices of a path's next vertex to those that are made together.
+template <bool in_media>
+void PathBatch<in_media>::add_points(const Path& path) {
+    const std::uint32_t ways = ways_of(path);
+    for (std::uint32_t way = 0; way < ways; ++way) {
+        path.source.part(way, ways).add_vertex(path.name, ways_);
     }
+    if (shared_.asks_all) {
+        add_light_points(path);
+    } else {
+        path.source.add_vertex(path.name, asked_);
+    }
+}
+
+template <bool in_media>
+void PathBatch<in_media>::make_added_points() {
     asked_.make(shared_.sampler);
     ways_.make(shared_.sampler);
     on_lights_ = light_points_.make();
@@ -133,12 +148,15 @@ void PathBatch<in_media>::shade(std::size_t ray, const VertexNumbers& numbers) {
     }
     if (!may_scatter(ray)) return;
     std::optional<LobeList> room;
+    std::optional<Subsurface> room_below;
     const auto [frame, lobes] = shared_.shading.scattering(surface, room);
-    const SurfaceVertex at{{numbers, lobes.has_smooth() ? ways_of(path) : 1},
-                           surface,
-                           frame.ns,
-                           BsdfFrom(frame, lobes, -normalized(direction)),
-                           in_media ? media_[ray] : no_index};
+    const SurfaceVertex at{
+        {numbers, lobes.has_smooth() ? ways_of(path) : 1},
+        surface,
+        frame,
+        BsdfFrom(frame, lobes, -normalized(direction)),
+        in_media ? media_[ray] : no_index,
+        shared_.direct_only ? nullptr : shared_.shading.subsurface(surface, room_below)};
     const bool is_above = surface.ng.dot(direction) < 0;
     path.last.position = surface.point.position;
     path.last.normal = lobes.has_smooth_transmission() ? Vec3(0)
@@ -290,6 +308,9 @@ void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_
     const Vec2 choices = ways_.choices(way);
     const std::optional<BsdfSample> s = at.sample(static_cast<float>(choices.x), ways_.place(way));
     if (!s || s->f == Color(0.0F) || !(s->pdf > 0)) return;
+    if constexpr (std::is_same_v<Vertex, SurfaceVertex>) {
+        if (at.subsurface && s->transmission) return enter(path, at, *s);
+    }
     const float cosine = at.cosine(s->wi);
     Path& next = next_paths_.emplace_back(path);
     next.throughput *= s->f * (cosine / s->pdf);
@@ -330,5 +351,9 @@ bool PathBatch<in_media>::survives(Path& path, double choice) const {
 
 template class PathBatch<false>;
 template class PathBatch<true>;
+template void PathBatch<false>::ask_lights(Path&, const SurfaceVertex&);
+template void PathBatch<true>::ask_lights(Path&, const SurfaceVertex&);
+template void PathBatch<false>::scatter(const Path&, const SurfaceVertex&);
+template void PathBatch<true>::scatter(const Path&, const SurfaceVertex&);
 
 }  // namespace etalon

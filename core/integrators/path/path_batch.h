@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <vector>
 
 #include "core/integrators/integrator.h"
@@ -68,6 +69,30 @@ class PathBatch {
         RandomSequence numbers;
     };
 
+    /// A path that went below a surface and comes out elsewhere.
+    struct Entry {
+        Path path;
+        Vec3 position;
+        BsdfFrame frame;
+        const Subsurface* subsurface;
+        std::uint32_t material;  ///< of the surfaces at which it may come out
+        std::uint32_t medium;    ///< through which it came
+        ShutterTime time;
+    };
+
+    /// A surface that the probe of an entry met.
+    struct ProbeHit {
+        std::uint32_t entry;
+        Ray ray;
+        Hit hit;
+    };
+
+    /// Where a path comes out from below.
+    struct Exit {
+        std::uint32_t entry;
+        PhysicalSurface surface;
+    };
+
     /// Whether a path may be scattered where it meets something.
     bool may_go_on(const Path& path) const { return !path.last_ray && path.depth < most_vertices_; }
 
@@ -89,6 +114,9 @@ class PathBatch {
 
     /// Makes the choices of all vertices.
     void make_points();
+    void clear_points();
+    void add_points(const Path& path);
+    void make_added_points();
     void add_light_points(const Path& path);
     void shade_all(bool from_camera);
     void shade(std::size_t ray, const VertexNumbers& numbers);
@@ -111,6 +139,15 @@ class PathBatch {
     template <class Vertex>
     void scatter(const Path& path, const Vertex& at, std::size_t way);
     bool survives(Path& path, double choice) const;
+
+    // Of paths below surfaces.
+    void enter(const Path& path, const SurfaceVertex& at, const BsdfSample& sample);
+    void scatter_below();
+    void send_probes();
+    void trace_probes();
+    void choose_exits();
+    void take_exit(const ProbeHit& met, std::uint32_t count);
+    void leave(const Exit& exit, const VertexNumbers& numbers);
 
     // Of paths in media.
     void fly_all();
@@ -138,6 +175,16 @@ class PathBatch {
     std::vector<Ray> shadow_rays_;
     std::vector<Answer> answers_;
     std::vector<std::uint8_t> blocked_;
+
+    // Of paths below surfaces.
+    std::vector<Entry> entries_;
+    std::deque<Subsurface> textured_;  ///< those of entries that are not the same everywhere
+    VertexPoints probe_points_{Decision::probe};
+    std::vector<ProbeHit> probes_;      ///< on their way
+    std::vector<ProbeHit> probe_hits_;  ///< on surfaces of the entry's material
+    std::vector<Ray> probe_rays_;
+    std::vector<Hit> found_;
+    std::vector<Exit> exits_;
 
     // Of paths in media.
     std::vector<std::uint32_t> media_, next_media_;  ///< in which rays go; no_index: in none

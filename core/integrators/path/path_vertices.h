@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/bsdf/bsdf_from.h"
+#include "core/diffusion/subsurface.h"
 #include "core/medium/henyey_greenstein.h"
 #include "core/medium/ray_segment.h"
 #include "core/shading/physical_surface.h"
@@ -31,15 +32,22 @@ inline std::uint32_t medium_beyond(const PhysicalSurface& at, const Vec3& direct
 /// A point of a surface.
 struct SurfaceVertex : PathVertex {
     const PhysicalSurface& surface;
-    Vec3 ns;
-    BsdfFrom scattering;   ///< to where the path came from
-    std::uint32_t medium;  ///< through which it came
+    const BsdfFrame& frame;
+    BsdfFrom scattering;                     ///< to where the path came from
+    std::uint32_t medium;                    ///< through which it came
+    const Subsurface* subsurface = nullptr;  ///< what scatters light below the surface, if anything
 
-    Evaluation evaluate(const Vec3& wi) const { return scattering.evaluate(wi); }
+    /// Light straight through a surface that scatters it below is no other than that of lights that
+    /// are asked: the path comes out elsewhere.
+    Evaluation evaluate(const Vec3& wi) const {
+        Evaluation e = scattering.evaluate(wi);
+        if (subsurface && scattering.passes(wi)) e.pdf = 0;
+        return e;
+    }
     std::optional<BsdfSample> sample(float choice, const Vec2& uv) const {
         return scattering.sample(choice, uv);
     }
-    float cosine(const Vec3& wi) const { return static_cast<float>(std::abs(ns.dot(wi))); }
+    float cosine(const Vec3& wi) const { return static_cast<float>(std::abs(frame.ns.dot(wi))); }
     Ray ray(const Vec3& wi) const { return spawn_ray(surface.point, wi); }
     Ray ray_to(const Vec3& target) const { return spawn_ray_to(surface.point, target); }
     std::uint32_t medium_towards(const Vec3& wi) const {

@@ -1,7 +1,7 @@
 // Materials of a frame, each by one line of a table.
 #include <array>
 
-#include "core/formats/pbrt/build/scene_builder.h"
+#include "core/formats/pbrt/build/scattering_values.h"
 
 namespace etalon::pbrt {
 namespace {
@@ -38,10 +38,13 @@ Kind translucent(SceneBuilder& b, const Material& m) {
                                b.color(p, "transmit"), same_roughness(b, p)};
 }
 
+GlassMaterial border(SceneBuilder& b, const Parameters& p) {
+    return {b.color(p, "Kr"), b.color(p, "Kt"), b.number(p, "eta"),
+            roughness(b, p, "uroughness", "vroughness")};
+}
+
 Kind glass(SceneBuilder& b, const Material& m) {
-    const Parameters& p = m.plugin.parameters;
-    return GlassMaterial{b.color(p, "Kr"), b.color(p, "Kt"), b.number(p, "eta"),
-                         roughness(b, p, "uroughness", "vroughness")};
+    return border(b, m.plugin.parameters);
 }
 
 Kind mirror(SceneBuilder& b, const Material& m) {
@@ -73,18 +76,32 @@ Kind uber(SceneBuilder& b, const Material& m) {
 
 Kind disney(SceneBuilder& b, const Material& m) {
     const Parameters& p = m.plugin.parameters;
-    if (p.texture("scatterdistance") || p.color("scatterdistance") != Color(0)) {
-        b.warn(m.plugin.where, "stand-in",
-               "light below the surface of \"disney\" is not rendered yet; diffuse light stands in "
-               "for it");
+    return DisneyMaterial{b.color(p, "color"),          b.number(p, "metallic"),
+                          b.number(p, "eta"),           b.number(p, "roughness"),
+                          b.number(p, "speculartint"),  b.number(p, "anisotropic"),
+                          b.number(p, "sheen"),         b.number(p, "sheentint"),
+                          b.number(p, "clearcoat"),     b.number(p, "clearcoatgloss"),
+                          b.number(p, "spectrans"),     b.number(p, "flatness"),
+                          b.number(p, "difftrans"),     p.flag("thin"),
+                          b.color(p, "scatterdistance")};
+}
+
+Kind subsurface(SceneBuilder& b, const Material& m) {
+    const Parameters& p = m.plugin.parameters;
+    SubsurfaceMaterial built{border(b, p), b.color(p, "sigma_a"), b.color(p, "sigma_s"),
+                             mean_cosine(b, m.plugin), p.number("scale")};
+    if (const ScatteringPreset* const preset = preset_of(b, m.plugin, "name")) {
+        built.g = 0;  // a preset's scattering is what an even one would be
+        if (!p.is_given("sigma_a")) built.absorption = {color_of(preset->absorption)};
+        if (!p.is_given("sigma_s")) built.scattering = {color_of(preset->scattering)};
     }
-    return DisneyMaterial{b.color(p, "color"),         b.number(p, "metallic"),
-                          b.number(p, "eta"),          b.number(p, "roughness"),
-                          b.number(p, "speculartint"), b.number(p, "anisotropic"),
-                          b.number(p, "sheen"),        b.number(p, "sheentint"),
-                          b.number(p, "clearcoat"),    b.number(p, "clearcoatgloss"),
-                          b.number(p, "spectrans"),    b.number(p, "flatness"),
-                          b.number(p, "difftrans"),    p.flag("thin")};
+    return built;
+}
+
+Kind kd_subsurface(SceneBuilder& b, const Material& m) {
+    const Parameters& p = m.plugin.parameters;
+    return KdSubsurfaceMaterial{border(b, p), b.color(p, "Kd"), b.color(p, "mfp"),
+                                mean_cosine(b, m.plugin), p.number("scale")};
 }
 
 /// Warns of parameters that others of a hair leave without effect.
@@ -135,18 +152,11 @@ struct Entry {
 
 // To add a material: a function above and a line here.
 constexpr std::array entries = {
-    Entry{"matte", matte},
-    Entry{"plastic", plastic},
-    Entry{"translucent", translucent},
-    Entry{"glass", glass},
-    Entry{"mirror", mirror},
-    Entry{"metal", metal},
-    Entry{"uber", uber},
-    Entry{"substrate", substrate},
-    Entry{"disney", disney},
-    Entry{"hair", hair},
-    Entry{"mix", mix},
-    Entry{"none", no_surface},
+    Entry{"matte", matte}, Entry{"plastic", plastic},       Entry{"translucent", translucent},
+    Entry{"glass", glass}, Entry{"mirror", mirror},         Entry{"metal", metal},
+    Entry{"uber", uber},   Entry{"substrate", substrate},   Entry{"disney", disney},
+    Entry{"hair", hair},   Entry{"subsurface", subsurface}, Entry{"kdsubsurface", kd_subsurface},
+    Entry{"mix", mix},     Entry{"none", no_surface},
 };
 
 /// What stands in for materials that are not rendered yet.

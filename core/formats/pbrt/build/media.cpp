@@ -1,28 +1,8 @@
 // Media of a frame, in its order.
-#include "core/formats/nearest_name.h"
-#include "core/formats/pbrt/build/scattering_presets.h"
-#include "core/formats/pbrt/build/scene_builder.h"
+#include "core/formats/pbrt/build/scattering_values.h"
 
 namespace etalon::pbrt {
 namespace {
-
-/// Scattering straight on has no density: cosines up to this one have.
-constexpr float largest_cosine = 0.9999F;
-
-Color color_of(const std::array<float, 3>& rgb) {
-    return {rgb[0], rgb[1], rgb[2]};
-}
-
-const ScatteringPreset* preset_of(SceneBuilder& b, const Plugin& medium) {
-    const std::string name(medium.parameters.string("preset"));
-    if (name.empty()) return nullptr;
-    const ScatteringPreset* const found = find_scattering_preset(name);
-    if (!found) {
-        b.warn(medium.where, "preset", "unknown preset '{}'; it has the defaults{}", name,
-               did_you_mean(name, scattering_preset_names()));
-    }
-    return found;
-}
 
 /// A coefficient: what the file gives, else the preset's, else the default, times the scale.
 Color coefficient(SceneBuilder& b, const Plugin& medium, std::string_view name,
@@ -40,16 +20,6 @@ Color coefficient(SceneBuilder& b, const Plugin& medium, std::string_view name,
         b.warn(medium.where, "medium", "'{}' is below 0, where it is taken as 0", name);
     }
     return positive;
-}
-
-float mean_cosine(SceneBuilder& b, const Plugin& medium) {
-    const float g = medium.parameters.number("g");
-    const float nearest = std::clamp(g, -largest_cosine, largest_cosine);
-    if (nearest != g) {
-        b.warn(medium.where, "medium", "'g' {}: expected a number between -1 and 1; taken as {}", g,
-               nearest);
-    }
-    return nearest;
 }
 
 /// The grid's densities; nothing, and a warning, where its box has no volume.
@@ -72,7 +42,7 @@ std::optional<DensityGrid> grid_of(SceneBuilder& b, const Medium& medium) {
 
 PhysicalMedium build_medium(SceneBuilder& b, const Medium& medium) {
     const Plugin& plugin = medium.plugin;
-    const ScatteringPreset* const preset = preset_of(b, plugin);
+    const ScatteringPreset* const preset = preset_of(b, plugin, "preset");
     PhysicalMedium built{coefficient(b, plugin, "sigma_a", preset ? &preset->absorption : nullptr),
                          coefficient(b, plugin, "sigma_s", preset ? &preset->scattering : nullptr),
                          mean_cosine(b, plugin)};

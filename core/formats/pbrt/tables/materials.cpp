@@ -129,8 +129,8 @@ constexpr std::array types = {
     PluginType{Category::material, "uber", uber},
     PluginType{Category::material, "disney", disney},
     PluginType{Category::material, "hair", hair},
-    PluginType{Category::material, "subsurface", subsurface, {}, as_matte},
-    PluginType{Category::material, "kdsubsurface", kd_subsurface, {}, as_matte},
+    PluginType{Category::material, "subsurface", subsurface},
+    PluginType{Category::material, "kdsubsurface", kd_subsurface},
     PluginType{Category::material, "fourier", fourier, {}, as_matte},
     PluginType{Category::material, "mix", mix},
     // The name is empty where a surface only bounds a medium.

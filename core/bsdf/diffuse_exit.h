@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/bsdf/evaluation.h"
+#include "core/bsdf/fresnel.h"
+#include "core/bsdf/fresnel_moments.h"
+#include "core/bsdf/lobe_kind.h"
+#include "core/bsdf/local_direction.h"
+
+namespace etalon {
+
+/// Where light comes in that was scattered below the surface until it had no direction: what a
+/// smooth border lets through, over its mean (Pharr, Jakob & Humphreys 2016, section 11.4.2). As
+/// radiance was divided by eta^2 where the eye's path went in, it is multiplied by it here.
+struct DiffuseExit {
+    static constexpr LobeKind kind = LobeKind::reflection;
+    static constexpr bool is_diffuse = true;
+    Color factor;
+    float index;  ///< below over above
+
+    /// Of a border of that index.
+    explicit DiffuseExit(float below_over_above)
+        : factor(below_over_above * below_over_above * inverse_pi /
+                 (1 - 2 * fresnel_moment1(1 / below_over_above))),
+          index(below_over_above) {}
+
+    Evaluation evaluate(const Vec3f&, const Vec3f& wi) const {
+        const float cos = std::abs(wi.z);
+        return {factor * (1 - dielectric_reflectance(cos, index)), cos * inverse_pi};
+    }
+    std::optional<Vec3f> sample(const Vec3f& wo, const Vec2& uv) const {
+        return cosine_direction(wo, uv);
+    }
+    Color albedo(const Vec3f&) const { return factor; }
+    void scale(const Color& by) { factor *= by; }
+};
+
+}  // namespace etalon

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+
+#include "core/bsdf/bsdf_frame.h"
+#include "core/diffusion/subsurface.h"
+
+namespace etalon {
+
+/// A segment that is searched for surfaces at which light comes in.
+struct Probe {
+    Vec3 origin, direction;  ///< the direction has unit length
+    double length;
+};
+
+/// How points are chosen at which light comes in that leaves a surface at another: along lines
+/// through the surroundings of that point, parallel to one of three axes (King, Kulla, Conty &
+/// Fajardo 2013, "BSSRDF Importance Sampling"). Profile and frame must outlive it.
+class ProfileSampling {
+  public:
+    ProfileSampling(const SpreadProfile& profile, const BsdfFrame& frame, const Vec3& position)
+        : profile_(profile), frame_(frame), position_(position) {}
+
+    /// By `choice` and `uv` in [0, 1). Nothing where they choose none.
+    std::optional<Probe> probe(double choice, const Vec2& uv) const;
+
+    /// Power per area that comes from a point.
+    Color value(const Vec3& point) const;
+
+    /// Density by area with which a point of a surface of that normal is on a probe, by all axes
+    /// and channels.
+    float density(const Vec3& point, const Vec3& normal) const;
+
+  private:
+    const SpreadProfile& profile_;
+    const BsdfFrame& frame_;
+    Vec3 position_;
+};
+
+}  // namespace etalon
