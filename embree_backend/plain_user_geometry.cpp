@@ -34,7 +34,7 @@ class PlainBoxes {
         for (std::uint32_t id = 0; id < geometry_.primitives.size(); ++id) {
             if (is_bounded(id)) others.extendBy(primitive_bounds(geometry_, id));
         }
-        return instance_bounds(geometry_, others, limit_);
+        return instance_bounds(geometry_, others, limit_).boxes;
     }
 
     const Geometry& geometry_;

@@ -28,7 +28,7 @@ class Surroundings {
         for (std::uint32_t id = 0; id < scene_->geometry.primitives.size(); ++id) {
             add(primitive_bounds(scene_->geometry, id));
         }
-        for (const Box3& box : instance_bounds(scene_->geometry, all)) add(box);
+        for (const Box3& box : instance_bounds(scene_->geometry, all).boxes) add(box);
         if (!all.isEmpty()) whole_ = middle_of(all);
         for (std::uint32_t id = 0; id < scene_->geometry.item_count(); ++id) {
             if (boxes[id].isEmpty()) continue;

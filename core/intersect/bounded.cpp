@@ -44,11 +44,12 @@ struct BoundsSummary {
 /// A scene's items, sorted.
 struct SortedItems {
     BoundsSummary all;
-    std::vector<Box3> instances;
+    InstanceBounds instances;
     std::vector<std::size_t> offsets;  ///< of what is bounded in each chunk, and of the instances
 };
 
-SortedItems sort_items(const Geometry& geometry, const Chunks& chunks, double limit) {
+SortedItems sort_items(const Geometry& geometry, const Chunks& chunks, double limit,
+                       const InstancePadding& padding) {
     std::vector<BoundsSummary> summaries(chunks.number(), BoundsSummary(limit));
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -62,9 +63,9 @@ SortedItems sort_items(const Geometry& geometry, const Chunks& chunks, double li
         sorted.all.add(s);
     }
     sorted.offsets.push_back(sorted.all.bounded);
-    sorted.instances = instance_bounds(geometry, sorted.all.world, limit);
+    sorted.instances = instance_bounds(geometry, sorted.all.world, limit, padding);
     auto id = static_cast<std::uint32_t>(geometry.primitives.size());
-    for (const Box3& box : sorted.instances) sorted.all.add(box, id++);
+    for (const Box3& box : sorted.instances.boxes) sorted.all.add(box, id++);
     return sorted;
 }
 
@@ -79,31 +80,32 @@ void bound(const Geometry& geometry, const NormalizedSpace& space, double limit,
 }
 
 void bound_instances(const Geometry& geometry, const NormalizedSpace& space, double limit,
-                     const std::vector<Box3>& boxes, BoundedPrimitive* out) {
+                     double pad, const std::vector<Box3>& boxes, BoundedPrimitive* out) {
     auto id = static_cast<std::uint32_t>(geometry.primitives.size());
     for (const Box3& box : boxes) {
-        if (is_bounded(box, limit)) *out++ = {space.box(box), id, instance_kind};
+        if (is_bounded(box, limit)) *out++ = {space.box(box, pad), id, instance_kind};
         ++id;
     }
 }
 
 }  // namespace
 
-SceneBounds SceneBounds::of(const Geometry& geometry) {
+SceneBounds SceneBounds::of(const Geometry& geometry, const InstancePadding& padding) {
     const Chunks chunks(geometry.primitives.size(), chunk_size);
-    SortedItems sorted = sort_items(geometry, chunks, FurthestItems::no_limit);
+    SortedItems sorted = sort_items(geometry, chunks, FurthestItems::no_limit, padding);
     const double limit = sorted.all.furthest.limit();
-    if (limit < FurthestItems::no_limit) sorted = sort_items(geometry, chunks, limit);
+    if (limit < FurthestItems::no_limit) sorted = sort_items(geometry, chunks, limit, padding);
 
     SceneBounds result;
     result.unbounded = std::move(sorted.all.unbounded);
     result.space = NormalizedSpace(sorted.all.world);
+    result.spread = sorted.instances.spread;
     result.bounded.resize(sorted.all.bounded);
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         bound(geometry, result.space, limit, begin, end,
               result.bounded.data() + sorted.offsets[chunk]);
     });
-    bound_instances(geometry, result.space, limit, sorted.instances,
+    bound_instances(geometry, result.space, limit, padding.box, sorted.instances.boxes,
                     result.bounded.data() + sorted.offsets.back());
     return result;
 }

@@ -17,7 +17,7 @@ struct alignas(16) BoundedPrimitive {
 
     Box3f box() const { return {min, max}; }
 
-    Vec3f min;         ///< lower corner of the box in normalized space, padded
+    Vec3f min;         ///< lower corner of the box in normalized space, with its padding
     std::uint32_t id;  ///< number among the geometry's items
     Vec3f max;
     std::uint32_t kind;
@@ -29,13 +29,14 @@ static_assert(sizeof(BoundedPrimitive) == 32);
 /// ones, which nothing can hit, are in neither list.
 struct SceneBounds {
     /// Sorts a scene's primitives, on as many threads as allowed; both lists are in its order.
-    static SceneBounds of(const Geometry& geometry);
+    static SceneBounds of(const Geometry& geometry, const InstancePadding& padding = full_padding);
 
     /// Puts every primitive into the list of those that must always be tested; instances are in
     /// neither list.
     static SceneBounds none_bounded(const Geometry& geometry);
 
     NormalizedSpace space;
+    double spread = 1;  ///< see InstanceBounds
     std::vector<BoundedPrimitive> bounded;
     std::vector<std::uint32_t> unbounded;
 };

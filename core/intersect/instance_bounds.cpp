@@ -1,5 +1,8 @@
 #include "core/intersect/instance_bounds.h"
 
+#include <algorithm>
+#include <span>
+
 #include "core/intersect/kernels.h"
 #include "core/intersect/motion_bounds.h"
 #include "core/intersect/placement.h"
@@ -117,44 +120,63 @@ Roundings roundings_of(const Geometry& geometry, const Instance& instance, const
     return {spread(instance), max_abs(instance.origin - centre)};
 }
 
-/// Pads a box by what roundings of rays to the object move a hit. A ray's origin o and the place of
-/// the hit are within 2^24 S of the scene's centre, S half its size (NormalizedSpace::resolves);
-/// o' and t d' are good to 4 u |A| (|o - c| + t |d|), which the inverse spreads. The factors leave
-/// room for three times as much.
-Box3 padded(const Box3& box, const Roundings& roundings, double half) {
-    const double reach = 0x1p-24 * half + 0x1p-48 * roundings.distance;
-    const Vec3 margin = reach * roundings.spread;
-    if (!(max_abs(margin) <= half / 8)) return everywhere();
-    return {box.min - margin, box.max + margin};
+/// How far roundings of rays to the object move a hit: a ray's origin o and the place of the hit
+/// are within 2^24 S of the scene's centre, S half its size (NormalizedSpace::resolves), or, for
+/// boxes without padding, within 8 S; o' and t d' are good to 4 u |A| (|o - c| + t |d|), which the
+/// inverse spreads. The factors leave room for three times as much.
+Vec3 margin_of(const Roundings& roundings, double half, const InstancePadding& padding) {
+    return (padding.roundings * half + 0x1p-48 * roundings.distance) * roundings.spread;
+}
+
+/// Pads the boxes of the instances from the number `first` on, in a world as large as given.
+/// Returns the largest spread of those that stay bounded.
+double pad(const Geometry& geometry, const Box3& world, const InstancePadding& padding,
+           std::span<Box3> boxes, std::size_t first) {
+    const Vec3 centre = world.center();
+    const double half = 1.5 * max_abs(world.max - centre);  // with room for the margins
+    double spread = 1;
+    for (Box3& box : boxes) {
+        const Instance& instance = geometry.instances[first++];
+        if (box.isEmpty() || !is_bounded(box)) continue;
+        const Roundings roundings = roundings_of(geometry, instance, centre);
+        if (!(max_abs(margin_of(roundings, half, full_padding)) <= half / 8)) {
+            box = everywhere();
+            continue;
+        }
+        const Vec3 margin = margin_of(roundings, half, padding);
+        box = {box.min - margin, box.max + margin};
+        spread = std::max(spread, max_abs(roundings.spread));
+    }
+    return spread;
 }
 
 }  // namespace
 
-std::vector<Box3> instance_bounds(const Geometry& geometry, const Box3& others, double limit) {
+InstanceBounds instance_bounds(const Geometry& geometry, const Box3& others, double limit,
+                               const InstancePadding& padding) {
     const auto& instances = geometry.instances;
-    std::vector<Box3> boxes(instances.size());
-    if (instances.empty()) return boxes;
+    InstanceBounds result{std::vector<Box3>(instances.size())};
+    if (instances.empty()) return result;
     const std::vector<Outline> outlines = outlines_of(geometry.objects);
     const Chunks chunks(instances.size(), chunk_size);
     std::vector<Box3> of_chunk(chunks.number());
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            boxes[i] = unpadded(geometry, instances[i], outlines[instances[i].object]);
-            if (is_bounded(boxes[i], limit)) of_chunk[chunk].extendBy(boxes[i]);
+            Box3& box = result.boxes[i];
+            box = unpadded(geometry, instances[i], outlines[instances[i].object]);
+            if (is_bounded(box, limit)) of_chunk[chunk].extendBy(box);
         }
     });
     Box3 world = others;
     for (const Box3& box : of_chunk) world.extendBy(box);
-    if (world.isEmpty()) return boxes;
-    const Vec3 centre = world.center();
-    const double half = 1.5 * max_abs(world.max - centre);  // with room for the margins
-    chunks.parallel_for_each([&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            if (boxes[i].isEmpty() || !is_bounded(boxes[i])) continue;
-            boxes[i] = padded(boxes[i], roundings_of(geometry, instances[i], centre), half);
-        }
+    if (world.isEmpty()) return result;
+    std::vector<double> spreads(chunks.number());
+    chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        const std::span boxes(result.boxes);
+        spreads[chunk] = pad(geometry, world, padding, boxes.subspan(begin, end - begin), begin);
     });
-    return boxes;
+    result.spread = std::ranges::max(spreads);
+    return result;
 }
 
 Box3 finite_bounds(const Geometry& geometry) {
@@ -165,7 +187,7 @@ Box3 finite_bounds(const Geometry& geometry) {
     for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
         add(primitive_bounds(geometry, id));
     }
-    for (const Box3& box : instance_bounds(geometry, all)) add(box);
+    for (const Box3& box : instance_bounds(geometry, all).boxes) add(box);
     return all;
 }
 

@@ -35,12 +35,22 @@ inline std::optional<NormalizedRay> normalized_ray(const NormalizedSpace& space,
     return NormalizedRay{Vec3f(origin), Vec3f(direction), shift / scale, scale};
 }
 
-/// Returns what the exact origin of a ray in normalized space has over the float one.
-inline Vec3f origin_rest(const NormalizedSpace& space, const Ray& ray, const NormalizedRay& local) {
+/// What float slab tests need to know of a ray to be as good as its doubles.
+struct FineRay {
+    Vec3f rest;   ///< what its exact origin has over the float one, in normalized space
+    float slack;  ///< how far outside of boxes with least_padding there may be what it hits
+};
+
+/// Provides for roundings of coordinates in double and, where the ray comes from further, for what
+/// they move of what it hits of instances (see instance_bounds()), with room for much more.
+inline FineRay fine_ray(const NormalizedSpace& space, double spread, const Ray& ray,
+                        const NormalizedRay& local) {
     const Vec3 direction = ray.direction * power_of_two_reciprocal(max_abs(ray.direction));
-    const Vec3 origin =
-        (ray.origin - space.centre()) * space.scale() + (local.shift * local.scale) * direction;
-    return Vec3f(origin - Vec3(local.origin));
+    const double shift = local.shift * local.scale;
+    const Vec3 origin = (ray.origin - space.centre()) * space.scale() + shift * direction;
+    const double slack = 0x1p-40 + 0x1p-48 * max_abs(space.centre()) * space.scale() +
+                         0x1p-46 * spread * std::abs(shift);
+    return {Vec3f(origin - Vec3(local.origin)), static_cast<float>(slack)};
 }
 
 /// Whether the ray's line passes the box of all that is bounded, or leaves it behind, beyond all

@@ -12,9 +12,9 @@ NormalizedSpace::NormalizedSpace(const Box3& world) {
     reach_ = (world.max - centre_) + Vec3(margin / scale_);
 }
 
-Box3f NormalizedSpace::box(const Box3& world) const {
-    const Box3 local((world.min - centre_) * scale_ - Vec3(padding),
-                     (world.max - centre_) * scale_ + Vec3(padding));
+Box3f NormalizedSpace::box(const Box3& world, double pad) const {
+    const Box3 local((world.min - centre_) * scale_ - Vec3(pad),
+                     (world.max - centre_) * scale_ + Vec3(pad));
     return round_outward(local);
 }
 

@@ -27,6 +27,12 @@ struct NormalizedRay {
     }
 };
 
+/// By how much boxes of instances are larger than what they hold.
+struct InstancePadding {
+    double box;        ///< in normalized space
+    double roundings;  ///< in parts of the scene's half size: see instance_bounds()
+};
+
 class NormalizedSpace {
   public:
     static constexpr double largest_origin = 3;
@@ -46,7 +52,7 @@ class NormalizedSpace {
     static constexpr double padding = unit_roundoff_f * (7 * largest_origin + 5);
 
     /// `world` in normalized space, rounded outward and padded.
-    Box3f box(const Box3& world) const;
+    Box3f box(const Box3& world, double pad = padding) const;
 
     /// Maps a point without padding: for geometry that an accelerator decides on by itself.
     Vec3 point(const Vec3& world) const { return (world - centre_) * scale_; }
@@ -77,5 +83,12 @@ class NormalizedSpace {
     double scale_ = 0;  ///< 0 where nothing is bounded
     Vec3 reach_{infinity};
 };
+
+/// For all rays that a space resolves, and float slab tests.
+inline constexpr InstancePadding full_padding = {NormalizedSpace::padding, 0x1p-24};
+
+/// For rays from next to the scene, and slab tests that do not round: whoever takes boxes with so
+/// little knows what else a ray needs.
+inline constexpr InstancePadding least_padding = {0, 0x1p-40};
 
 }  // namespace etalon

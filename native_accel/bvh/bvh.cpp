@@ -17,10 +17,14 @@ std::vector<Range> number_leaves(BvhTree& tree) {
     return ranges;
 }
 
+const InstancePadding& padding_for(const Geometry& geometry) {
+    return geometry.instances.empty() ? full_padding : least_padding;
+}
+
 }  // namespace
 
 Bvh::Bvh(const Geometry& geometry)
-    : Intersector(geometry),
+    : Intersector(geometry, SceneBounds::of(geometry, padding_for(geometry))),
       traversal_(geometry.instances.empty() ? bvh_traversal() : bvh_instance_traversal()) {
     build_objects<Bvh>();
     BvhTree tree = build_scene_bvh(geometry, scene_bounds().space, take_bounded());

@@ -20,7 +20,7 @@ class Bvh final : public Intersector {
     bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const override;
 
   private:
-    BvhView view() const { return {geometry(), scene_bounds().space, tree_, clusters_, *this}; }
+    BvhView view() const { return {geometry(), scene_bounds(), tree_, clusters_, *this}; }
 
     WideTree tree_;
     Clusters clusters_;

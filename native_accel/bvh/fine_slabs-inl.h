@@ -7,40 +7,35 @@
 #define ETALON_FINE_SLABS_INL_H
 #endif
 
+#include "core/intersect/normalized_ray.h"
 #include "native_accel/common/slabs-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// A plane b is passed at (b - o) / d, o in two floats. Boxes may be far smaller than the scene's
-/// padding, as those of instances of many sizes are: so most of it is taken off again. What is left,
-/// 2 u with u = 2^-24, makes up for the roundings of o in double and of the padding. All others, of
-/// the two differences, of d, its reciprocal and the product, are at most 6 u of the result, and
-/// those of the plane on the other side as much: `to` is lengthened by 16 u of itself.
+/// A plane b is passed at (b - o) / d, o in two floats: boxes may be far smaller than the padding
+/// that Passages need, as those of instances of many sizes are. So they have the least; the ray's
+/// slack moves their planes outward. The roundings of the two differences, of d, its reciprocal and
+/// the product are at most 6 u of the result, u = 2^-24, and those of the plane on the other side
+/// as much: `to` is lengthened by 16 u of itself.
 class FinePassages {
   public:
-    /// `rest`: what the ray's exact origin has over its float one.
-    HWY_INLINE FinePassages(const NormalizedRay& ray, const Vec3f& rest) {
+    HWY_INLINE FinePassages(const NormalizedRay& ray, const FineRay& fine) {
         for (int k = 0; k < 3; ++k) {
-            const float d = divisor(ray.direction[k]);
-            const float inward = std::copysign(taken_off, d);
+            const float d = divisor(ray.direction[k], 0x1p-60F);
+            const float outward = std::copysign(fine.slack, d);
             reciprocal_[k] = broadcast(1.0F / d);
             origin_[k] = broadcast(ray.origin[k]);
-            rest_in_[k] = broadcast(rest[k] - inward);
-            rest_out_[k] = broadcast(rest[k] + inward);
+            rest_in_[k] = broadcast(fine.rest[k] + outward);
+            rest_out_[k] = broadcast(fine.rest[k] - outward);
         }
     }
 
     HWY_INLINE Floats entry(Floats planes, int k) const { return passage(planes, rest_in_[k], k); }
     HWY_INLINE Floats exit(Floats planes, int k) const { return passage(planes, rest_out_[k], k); }
-    HWY_INLINE Floats latest(Floats to) const {
-        return hn::Mul(to, broadcast(1 + 16 * static_cast<float>(unit_roundoff_f)));
-    }
+    HWY_INLINE Floats latest(Floats to) const { return hn::Mul(to, broadcast(1 + 0x1p-20F)); }
 
   private:
-    static constexpr auto taken_off =
-        static_cast<float>(NormalizedSpace::padding - 2 * unit_roundoff_f);
-
     HWY_INLINE Floats passage(Floats planes, Floats rest, int k) const {
         return hn::Mul(hn::Sub(hn::Sub(planes, origin_[k]), rest), reciprocal_[k]);
     }

@@ -19,20 +19,23 @@ namespace {
 void traverse_closest(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
                       NearestHit& nearest) {
     const float tmin = local.tmin(query.ray.tmin);
-    const FineSlabs boxes(local, tmin, origin_rest(bvh.space, query.ray, local));
+    const FineSlabs boxes(local, tmin,
+                          fine_ray(bvh.bounds.space, bvh.bounds.spread, query.ray, local));
     find_closest<BranchlessLaneSelect>(bvh, query, local, tmin, boxes, nearest, Uncounted());
 }
 
 void traverse_closest_counted(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
                               NearestHit& nearest, TraversalCost& cost) {
     const float tmin = local.tmin(query.ray.tmin);
-    const FineSlabs boxes(local, tmin, origin_rest(bvh.space, query.ray, local));
+    const FineSlabs boxes(local, tmin,
+                          fine_ray(bvh.bounds.space, bvh.bounds.spread, query.ray, local));
     find_closest<BranchlessLaneSelect>(bvh, query, local, tmin, boxes, nearest, Counted{cost});
 }
 
 bool traverse_occluded(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local) {
     const float tmin = local.tmin(query.ray.tmin);
-    const FineSlabs boxes(local, tmin, origin_rest(bvh.space, query.ray, local));
+    const FineSlabs boxes(local, tmin,
+                          fine_ray(bvh.bounds.space, bvh.bounds.spread, query.ray, local));
     return find_any<BranchlessLaneSelect>(bvh, query, local, tmin, boxes);
 }
 

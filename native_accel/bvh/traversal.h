@@ -12,7 +12,7 @@ namespace etalon {
 /// View of the data that a traversal needs.
 struct BvhView {
     const Geometry& geometry;
-    const NormalizedSpace& space;
+    const SceneBounds& bounds;
     const WideTree& tree;
     const Clusters& clusters;
     const Intersector& instances;
@@ -41,8 +41,8 @@ struct BvhTraversal {
 /// Returns the traversal for the instruction set in use now.
 BvhTraversal bvh_traversal();
 
-/// Returns the traversal for scenes with instances: slower at each node, but it enters no boxes
-/// that are passed closer than the scene's padding.
+/// Returns the traversal of boxes with least_padding, for scenes with instances of any size: slower
+/// at each node, but it enters no more than it must.
 BvhTraversal bvh_instance_traversal();
 
 }  // namespace etalon

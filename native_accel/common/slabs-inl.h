@@ -12,11 +12,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Returns a component of a ray's direction, no smaller than 2^-40 of the largest: no infinity
-/// times zero, and over the few units a ray can travel in normalized space a drift far below the
-/// padding.
-HWY_INLINE float divisor(float d) {
-    return std::abs(d) < 0x1p-40F ? std::copysign(0x1p-40F, d) : d;
+/// Returns a component of a ray's direction, no smaller than `least`: no infinity times zero, and
+/// over the few units a ray can travel in normalized space a drift far below the padding.
+HWY_INLINE float divisor(float d, float least) {
+    return std::abs(d) < least ? std::copysign(least, d) : d;
 }
 
 /// Slab test (Kay & Kajiya 1986) of a ray with the eight boxes of a node. `Passages` tells where
@@ -62,7 +61,7 @@ class Passages {
   public:
     HWY_INLINE explicit Passages(const NormalizedRay& ray) {
         for (int k = 0; k < 3; ++k) {
-            const float reciprocal = 1.0F / divisor(ray.direction[k]);
+            const float reciprocal = 1.0F / divisor(ray.direction[k], 0x1p-40F);
             reciprocal_[k] = broadcast(reciprocal);
             offset_[k] = broadcast(ray.origin[k] * reciprocal);
         }

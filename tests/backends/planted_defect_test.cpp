@@ -33,12 +33,10 @@ class BvhOfTree final : public Intersector {
     std::size_t own_bytes() const override { return clusters_.memory_bytes(); }
     void closest_bounded(const RayQuery& query, const NormalizedRay& local,
                          NearestHit& nearest) const override {
-        walk_.closest({geometry(), scene_bounds().space, tree_, clusters_, *this}, query, local,
-                      nearest);
+        walk_.closest({geometry(), scene_bounds(), tree_, clusters_, *this}, query, local, nearest);
     }
     bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const override {
-        return walk_.occluded({geometry(), scene_bounds().space, tree_, clusters_, *this}, query,
-                              local);
+        return walk_.occluded({geometry(), scene_bounds(), tree_, clusters_, *this}, query, local);
     }
 
   private:

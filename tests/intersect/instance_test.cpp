@@ -78,7 +78,7 @@ TEST_CASE("Instance: given a map that is singular or not finite, then nothing is
                               translation({infinity, 0, 0})}) {
         CHECK_FALSE(Instance(map, 0).exists());
         const Geometry geometry = sphere_under(map);
-        CHECK(instance_bounds(geometry, {}).front().isEmpty());
+        CHECK(instance_bounds(geometry, {}).boxes.front().isEmpty());
     }
     CHECK(Instance(scaling({1e-100, 1e-100, 1e-100}), 0).exists());
     CHECK(Instance(scaling({1e100, 1, 1e-100}), 0).exists());
@@ -166,7 +166,7 @@ TEST_CASE("Instance: given any map, then its box holds what it shows, and is tig
     for (int i = 0; i < 300; ++i) {
         const Affine map = random_map(random, random.magnitude(0, 3));
         const Geometry geometry = sphere_under(map);
-        const Box3 box = instance_bounds(geometry, {}).front();
+        const Box3 box = instance_bounds(geometry, {}).boxes.front();
         for (int k = 0; k < 100; ++k) {
             REQUIRE(box.intersects(map.point(random.direction())));
         }
@@ -178,5 +178,5 @@ TEST_CASE("Instance: given any map, then its box holds what it shows, and is tig
 TEST_CASE("Instance: given an object without a bound, then neither has its instance one") {
     Geometry geometry = sphere_under({});
     geometry.objects[0].add(Plane{{0, 0, 0}, {0, 0, 1}}, 0);
-    CHECK(instance_bounds(geometry, {}).front().max.x == infinity);
+    CHECK(instance_bounds(geometry, {}).boxes.front().max.x == infinity);
 }

@@ -86,7 +86,7 @@ TEST_CASE("The box of a moving instance holds it at all times, and is tight") {
     for (int i = 0; i < 500; ++i) {
         const AnimatedTransform motion = any_motion(random, i % 2 == 0 ? 180 : 3);
         const Geometry geometry = moving_sphere(motion);
-        const Box3 box = instance_bounds(geometry, {}).front();
+        const Box3 box = instance_bounds(geometry, {}).boxes.front();
         Box3 needed;
         for (int k = 0; k < 400; ++k) {
             const Vec3 point =
@@ -103,17 +103,17 @@ TEST_CASE("The box of an instance that only moves is that of its two ends") {
     Affine end;
     end.origin = {4, 0, 0};
     const Geometry geometry = moving_sphere({Affine{}, end, MotionTimes{}}, Vec3(0));
-    const Box3 box = instance_bounds(geometry, {}).front();
+    const Box3 box = instance_bounds(geometry, {}).boxes.front();
     CHECK(max_abs(box.min - Vec3(-1)) < 1e-5);
     CHECK(max_abs(box.max - Vec3(5, 1, 1)) < 1e-5);
     const Geometry early = moving_sphere({Affine{}, end, MotionTimes{0, 1, 0, 0.25}}, Vec3(0));
-    CHECK(instance_bounds(early, {}).front().max.x == Approx(2).epsilon(1e-5));
+    CHECK(instance_bounds(early, {}).boxes.front().max.x == Approx(2).epsilon(1e-5));
 }
 
 TEST_CASE("An instance that is singular on its way has no box") {
     const Geometry geometry =
         moving_sphere({scaling({1, 1, 1}), scaling({1, 1, -1}), MotionTimes{}}, Vec3(0));
-    CHECK(instance_bounds(geometry, {}).front().max.x == infinity);
+    CHECK(instance_bounds(geometry, {}).boxes.front().max.x == infinity);
 }
 
 TEST_CASE("A moving instance in a scene scaled by a power of two has the same hits") {
