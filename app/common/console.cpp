@@ -5,11 +5,11 @@
 
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <exception>
 #include <system_error>
 
 #include "app/common/exit_status.h"
+#include "core/base/uninterrupted.h"
 
 namespace etalon {
 namespace {
@@ -17,8 +17,8 @@ namespace {
 /// errno of the first failure to write to standard output; 0 if there was none.
 int result_failure = 0;
 
-void note_failure() {
-    if (result_failure == 0) result_failure = errno != 0 ? errno : EIO;
+void note_failure(Errno failure) {
+    if (result_failure == 0) result_failure = failure;
 }
 
 std::string_view view_of(const fmt::memory_buffer& text) {
@@ -37,11 +37,7 @@ void prepare_standard_streams() {
 }
 
 void write_message(std::string_view text) noexcept {
-    while (!text.empty()) {
-        const ssize_t n = ::write(STDERR_FILENO, text.data(), text.size());
-        if (n < 0 && errno != EINTR) return;
-        text.remove_prefix(static_cast<std::size_t>(n < 0 ? 0 : n));
-    }
+    write_all(STDERR_FILENO, text);
 }
 
 void write_message(fmt::string_view format, fmt::format_args values) noexcept {
@@ -54,9 +50,7 @@ void write_message(fmt::string_view format, fmt::format_args values) noexcept {
 }
 
 bool write_result(std::string_view text) noexcept {
-    errno = 0;
-    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-    if (!written || std::fflush(stdout) != 0) note_failure();
+    note_failure(write_all(STDOUT_FILENO, text));
     return result_failure == 0;
 }
 
@@ -66,8 +60,7 @@ bool write_result(fmt::string_view format, fmt::format_args values) noexcept {
         fmt::vformat_to(fmt::appender(text), format, values);
         return write_result(view_of(text));
     } catch (const std::exception&) {
-        errno = ENOMEM;
-        note_failure();
+        note_failure(ENOMEM);
         return false;
     }
 }
