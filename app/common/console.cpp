@@ -6,12 +6,12 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <exception>
 #include <mutex>
 #include <system_error>
 
 #include "app/common/exit_status.h"
+#include "core/base/uninterrupted.h"
 
 namespace etalon {
 namespace {
@@ -36,8 +36,8 @@ void hold(std::string_view text) noexcept {
     }
 }
 
-void note_failure() {
-    if (result_failure == 0) result_failure = errno != 0 ? errno : EIO;
+void note_failure(Errno failure) {
+    if (result_failure == 0) result_failure = failure;
 }
 
 std::string_view view_of(const fmt::memory_buffer& text) {
@@ -66,11 +66,7 @@ std::string held_messages() {
 
 void write_message(std::string_view text) noexcept {
     if (held.is_on) return hold(text);
-    while (!text.empty()) {
-        const ssize_t n = ::write(STDERR_FILENO, text.data(), text.size());
-        if (n < 0 && errno != EINTR) return;
-        text.remove_prefix(static_cast<std::size_t>(n < 0 ? 0 : n));
-    }
+    write_all(STDERR_FILENO, text);
 }
 
 void write_message(fmt::string_view format, fmt::format_args values) noexcept {
@@ -83,9 +79,7 @@ void write_message(fmt::string_view format, fmt::format_args values) noexcept {
 }
 
 bool write_result(std::string_view text) noexcept {
-    errno = 0;
-    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-    if (!written || std::fflush(stdout) != 0) note_failure();
+    note_failure(write_all(STDOUT_FILENO, text));
     return result_failure == 0;
 }
 
@@ -95,8 +89,7 @@ bool write_result(fmt::string_view format, fmt::format_args values) noexcept {
         fmt::vformat_to(fmt::appender(text), format, values);
         return write_result(view_of(text));
     } catch (const std::exception&) {
-        errno = ENOMEM;
-        note_failure();
+        note_failure(ENOMEM);
         return false;
     }
 }

@@ -1,6 +1,5 @@
 #include "core/image/atomic_file.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,6 +10,7 @@
 #include <system_error>
 
 #include "core/base/link_target.h"
+#include "core/base/uninterrupted.h"
 
 namespace etalon {
 namespace {
@@ -18,12 +18,12 @@ namespace {
 namespace fs = std::filesystem;
 
 Errno close_after(int file, Errno earlier) {
-    const Errno closing = ::close(file) == 0 ? 0 : errno;  // where network disks report failures
+    const Errno closing = close_file(file);
     return earlier != 0 ? earlier : closing;
 }
 
 Errno write_in_place(const std::string& path, std::string_view content) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    const int file = open_file(path.c_str(), O_WRONLY);
     return file < 0 ? errno : close_after(file, write_all(file, content));
 }
 
@@ -35,7 +35,7 @@ int open_beside(const fs::path& path, std::string& name) {
     do {
         name = path.parent_path() /
                (".etalon-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp");
-        file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        file = open_file(name.c_str(), O_WRONLY | O_CREAT | O_EXCL);
     } while (file < 0 && errno == EEXIST);
     return file;
 }
@@ -49,7 +49,7 @@ Errno write_and_rename(const std::string& path, std::string_view content,
     Errno error = write_all(file, content);
     if (error == 0 && replaced && ::fchmod(file, replaced->st_mode & 0777) != 0) error = errno;
     // The name must not reach the disk before the content does.
-    if (error == 0 && ::fsync(file) != 0) error = errno;
+    if (error == 0) error = synchronize(file);
     error = close_after(file, error);
     if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
     if (error != 0) ::unlink(temporary.c_str());
@@ -67,18 +67,6 @@ Errno write_file(const std::string& path, std::string_view content) {
 }
 
 }  // namespace
-
-Errno write_all(int file, std::string_view content) {
-    while (!content.empty()) {
-        const ssize_t n = ::write(file, content.data(), content.size());
-        if (n >= 0) {
-            content.remove_prefix(static_cast<std::size_t>(n));
-        } else if (errno != EINTR) {
-            return errno;
-        }
-    }
-    return 0;
-}
 
 std::string write_file_atomically(const std::string& path, std::string_view content) {
     try {

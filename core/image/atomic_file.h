@@ -13,10 +13,4 @@ namespace etalon {
 /// left behind, or an empty string.
 std::string write_file_atomically(const std::string& path, std::string_view content);
 
-/// 0, or the errno of the call that failed.
-using Errno = int;
-
-/// Writes all bytes to a file that is open, however many calls it takes.
-Errno write_all(int file, std::string_view content);
-
 }  // namespace etalon

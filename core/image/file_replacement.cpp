@@ -1,6 +1,5 @@
 #include "core/image/file_replacement.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -13,7 +12,7 @@
 
 #include "core/base/hash64.h"
 #include "core/base/link_target.h"
-#include "core/image/atomic_file.h"
+#include "core/base/uninterrupted.h"
 
 namespace etalon {
 namespace {
@@ -44,18 +43,18 @@ FileReplacement::FileReplacement(const std::string& path) : path_(path) {
 FileReplacement::~FileReplacement() {
     if (file_ < 0) return;
     ::unlink(temporary_.c_str());
-    ::close(file_);
+    close_file(file_);
 }
 
 void FileReplacement::open() {
-    file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    file_ = open_file(temporary_.c_str(), O_WRONLY | O_CREAT);
     if (file_ < 0) {
         error_ = errno;
     } else if (!lock()) {
         error_ = EBUSY;
-        ::close(file_);
+        close_file(file_);
         file_ = -1;
-    } else if (::ftruncate(file_, 0) != 0) {
+    } else if (uninterrupted([&] { return ::ftruncate(file_, 0); }) != 0) {
         error_ = errno;
     }
 }
@@ -74,10 +73,10 @@ void FileReplacement::write(std::string_view bytes) {
 }
 
 std::string FileReplacement::put_in_place() {
-    if (error_ == 0 && ::fsync(file_) != 0) error_ = errno;
+    if (error_ == 0) error_ = synchronize(file_);
     if (error_ == 0 && std::rename(temporary_.c_str(), path_.c_str()) != 0) error_ = errno;
     if (error_ == 0) {
-        ::close(file_);
+        close_file(file_);
         file_ = -1;
         return {};
     }

@@ -125,16 +125,45 @@ TEST_CASE("A checkpoint that cannot be written is a warning, and the old one is 
             const auto r = f.shell(with_fault(fmt::format("{}+:{} ", call, error)) + render(task) +
                                    checkpointed + "--resume");
             CAPTURE(error, call, r.err);
-            if (call <= 3) CHECK(r.status == 4);  // the image takes three: it cannot be written
+            if (call <= 4) CHECK(r.status == 4);  // the image takes four: it cannot be written
             CHECK((r.status == 4) == (r.err.find("image.exr: cannot be written") != r.err.npos));
             check_resumed(f, task);
         }
         CHECK(f.shell("ls -A | grep -c tmp").out == "0\n");
     }
-    const auto interrupted =
-        f.shell(with_fault(fmt::format("4:{} ", EINTR)) + render(task) + checkpointed + "--resume");
-    CHECK(interrupted.status == 0);
-    CHECK(f.read("image.exr") == f.read("whole.exr"));
+}
+
+TEST_CASE("Signals that interrupt calls, and writes of a part, leave files as they would have been",
+          "[app][needs_preload]") {
+    SKIP_UNLESS(can_preload, "a build without sanitizers, which libraries can be preloaded into");
+    const Folder f;
+    const std::string& task = tasks[0];
+    render_whole(f, task);
+    for (const char* fault : {"4:4", "2%:4", "3%:4", "1+:half", "2%:half", "5%:half"}) {
+        f.shell("rm -f c image.exr");
+        const auto r = f.shell(with_fault(std::string(fault) + " ") + render(task) +
+                               "-o image.exr --checkpoint c --checkpoint-every 0.01");
+        CAPTURE(fault, r.err);
+        CHECK(r.status == 0);
+        CHECK(r.err.empty());
+        CHECK(f.read("image.exr") == f.read("whole.exr"));
+        CHECK(f.shell("ls -A | grep -c tmp").out == "0\n");
+        check_resumed(f, task);
+    }
+    static_assert(EINTR == 4);
+}
+
+TEST_CASE("A folder that vanishes while it is rendered for is told", "[app]") {
+    const Folder f;
+    f.shell("mkdir there");
+    const auto r = interrupted(f,
+                               "etalon render '" ETALON_SOURCE_DIR
+                               "/scenes/features/glass.p3f' --spp 4000 -q "
+                               "-o there/image.exr --checkpoint there/c",
+                               "{ " + has_worked(20) + " && rm -r there; }");
+    CHECK(r.status == 128 + SIGINT);
+    CHECK_THAT(r.err, ContainsSubstring("image.exr: cannot be written: No such file or directory"));
+    CHECK(!f.has("there"));
 }
 
 TEST_CASE("A checkpoint of something else is refused, and says what differs", "[app]") {

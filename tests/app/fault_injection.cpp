@@ -1,6 +1,8 @@
-// A library to preload into a program under test: the n-th call that writes to a file which is made
-// beside its place (see core/image/file_replacement.h), or puts it there, fails or kills the
-// program. FAULT=N:kill, N:ERRNO (that call alone) or N+:ERRNO (that one and all after it).
+// A library to preload into a program under test: the n-th call that opens, or writes to, a file
+// which is made beside its place (see core/image/file_replacement.h), or puts it there, fails or
+// kills the program. FAULT=N:kill, N:ERRNO (that call alone), N+:ERRNO (that one and all after it)
+// or N%:ERRNO (each n-th). In place of a failure, "half" writes a part of the bytes, as the system
+// may.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -11,6 +13,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdarg>
 #include <cstdio>
 #include <cstring>
 
@@ -30,19 +33,26 @@ bool is_made_beside(int file) {
     return is_made_beside(path);
 }
 
-/// Whether this call fails; errno is set.
-bool fails() {
-    const char* fault = getenv("FAULT");
-    if (fault == nullptr) return false;
+enum class Fault { none, failure, half };
+
+/// Returns what befalls this call; errno is set for a failure.
+Fault fault() {
+    const char* wanted = getenv("FAULT");
+    if (wanted == nullptr) return Fault::none;
     char* rest = nullptr;
-    const int at = static_cast<int>(strtol(fault, &rest, 10));
+    const int at = static_cast<int>(strtol(wanted, &rest, 10));
     const int call = ++calls;
-    const bool goes_on = *rest == '+';
-    if (goes_on) ++rest;
-    if (goes_on ? call < at : call != at) return false;
+    const char how = *rest;
+    if (how == '+' || how == '%') ++rest;
+    if (how == '+' ? call < at : how == '%' ? call % at != 0 : call != at) return Fault::none;
     if (strcmp(rest, ":kill") == 0) kill(getpid(), SIGKILL);
+    if (strcmp(rest, ":half") == 0) return Fault::half;
     errno = atoi(rest + 1);
-    return true;
+    return Fault::failure;
+}
+
+bool fails() {
+    return fault() == Fault::failure;
 }
 
 template <class Function>
@@ -57,13 +67,23 @@ extern "C" {
 /// A write that fails for want of space leaves half of its bytes first.
 ssize_t write(int file, const void* bytes, size_t size) {
     static const auto real = next<ssize_t (*)(int, const void*, size_t)>("write");
-    if (is_made_beside(file) && fails()) {
-        const int error = errno;
-        if (error == ENOSPC && size > 1) real(file, bytes, size / 2);
-        errno = error;
-        return -1;
-    }
-    return real(file, bytes, size);
+    const Fault now = is_made_beside(file) ? fault() : Fault::none;
+    if (now == Fault::none) return real(file, bytes, size);
+    if (now == Fault::half) return real(file, bytes, (size + 1) / 2);
+    const int error = errno;
+    if (error == ENOSPC && size > 1) real(file, bytes, size / 2);
+    errno = error;
+    return -1;
+}
+
+/// Programs of 64 bits call it whether they are compiled for large files or not.
+int open(const char* path, int flags, ...) {
+    static const auto real = next<int (*)(const char*, int, ...)>("open");
+    va_list rest;
+    va_start(rest, flags);
+    const auto mode = (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : 0;
+    va_end(rest);
+    return is_made_beside(path) && fails() ? -1 : real(path, flags, mode);
 }
 
 int fsync(int file) {
@@ -76,8 +96,9 @@ int ftruncate(int file, off_t size) noexcept {
     return is_made_beside(file) && fails() ? -1 : real(file, size);
 }
 
+/// Signals do not interrupt it.
 int rename(const char* from, const char* to) noexcept {
     static const auto real = next<int (*)(const char*, const char*)>("rename");
-    return is_made_beside(from) && fails() ? -1 : real(from, to);
+    return is_made_beside(from) && fails() && errno != EINTR ? -1 : real(from, to);
 }
 }

@@ -156,7 +156,8 @@ TEST_CASE("Everything that is written to a standard stream goes through the cons
     const Folder f;
     const auto r = f.shell(
         "cd '" ETALON_SOURCE_DIR
-        "' && grep -rnE 'fmt::print|std::(cout|cerr|clog|puts|printf)|std(out|err)\\b' "
+        "' && grep -rnE "
+        "'fmt::print|std::(cout|cerr|clog|puts|printf)|std(out|err)\\b|write(_all)?.STD' "
         "app bench core embree_backend native_accel scenes --include='*.cpp' --include='*.h'");
     for (std::size_t at = 0; at < r.out.size(); at = r.out.find('\n', at) + 1) {
         CHECK(r.out.compare(at, 23, "app/common/console.cpp:") == 0);
