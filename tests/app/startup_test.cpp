@@ -51,6 +51,13 @@ TEST_CASE("EXR, PNG and JPEG need no OpenImageIO", "[app]") {
     CHECK_THAT(libraries(f, "compare a.exr a.png"), !ContainsSubstring("libOpenImageIO"));
 }
 
+TEST_CASE("a process that no MPI launcher started loads no MPI", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const std::string loaded = libraries(f, "render ball.p3f -o a.exr");
+    CHECK_THAT(loaded, !ContainsSubstring("libmpi") && !ContainsSubstring("etalon_mpi"));
+}
+
 TEST_CASE("a module that is missing is noticed before rendering", "[app]") {
     const Folder f;
     write_skybox_scene(f, {".jpg", ".hdr", ".png", ".png", ".png", ".exr"});

@@ -1,0 +1,154 @@
+// Images that several processes render together, started by mpirun.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "tests/app/run_program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+
+using nlohmann::json;
+
+namespace {
+
+/// Something to render, of a second or less: uniform and adaptive, with and without filter.
+const std::vector<std::string> tasks = {
+    "glass.p3f --spp 24",
+    "soft_shadows.p3f --integrator path --spp 12 --filter gaussian",
+    "lights.p3f --integrator ao --target-error 8e-4 --aov variance,albedo,sampleCount",
+    "mirrors.p3f --integrator path --target-error 2e-2 --filter mitchell --spp 64",
+    "spheres.p3f --spp 20 --sampler random --aov variance --part 1/2",
+};
+
+const std::string size = " --resolution 96x72 -q ";
+
+bool has_mpirun(const Folder& f) {
+    return f.shell("mpirun --version").status == 0;
+}
+
+std::string mpirun(int ranks) {
+    return fmt::format("mpirun --allow-run-as-root --oversubscribe -n {} ", ranks);
+}
+
+/// A shell's words that render; the shell of each rank may expand them.
+std::string render(const std::string& task) {
+    return "'" ETALON_BINARY_DIR "/bin/etalon' render '" ETALON_SOURCE_DIR "/scenes/features/'" +
+           task + size;
+}
+
+/// Runs a shell command in each of some ranks.
+ProgramResult in_ranks(const Folder& f, int ranks, const std::string& command) {
+    f.write("command", command);
+    return f.shell(mpirun(ranks) + "sh command");
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = 0; (at = text.find(part, at)) != text.npos; ++at) ++found;
+    return found;
+}
+
+}  // namespace
+
+TEST_CASE("Any number of ranks renders the bits of one process", "[app][needs_mpirun]") {
+    const Folder f;
+    SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
+    for (const std::string& task : tasks) {
+        REQUIRE(f.shell(render(task) + "-t 2 -o one.exr").status == 0);
+        for (const int ranks : {1, 2, 3, 5}) {
+            const auto r = f.shell(mpirun(ranks) + render(task) +
+                                   fmt::format("-t {} -o many.exr", 1 + ranks % 2));
+            CAPTURE(task, ranks, r.err);
+            CHECK(r.status == 0);
+            CHECK(f.read("many.exr") == f.read("one.exr"));
+            f.shell("rm -f many.exr");
+        }
+    }
+}
+
+TEST_CASE("Ranks share the tiles, and rank 0 alone speaks", "[app][needs_mpirun]") {
+    const Folder f;
+    SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
+    f.write("ball.p3f", small_scene + "no_such_statement\n");
+    const std::string task = "'" ETALON_BINARY_DIR "/bin/etalon' render ball.p3f --spp 4096 -t 1 ";
+    REQUIRE(f.shell(task + "-q -o one.exr --stats one.json").status == 0);
+    const auto r = f.shell(mpirun(3) + task + "-o many.exr --stats many.json");
+    CHECK(r.status == 0);
+    CHECK(count(r.err, "no_such_statement") == 1);
+    CHECK(count(r.err, "-> many.exr") == 1);
+    CHECK(f.read("many.exr") == f.read("one.exr"));
+    const json one = json::parse(f.read("one.json")), many = json::parse(f.read("many.json"));
+    CHECK(many["rays"] == one["rays"]);
+    CHECK_FALSE(one.contains("ranks"));
+    const json& ranks = many["ranks"];
+    CHECK(ranks["count"] == 3);
+    CHECK(ranks["tiles"].size() == 3);
+    CHECK(ranks["bytes_sent"] > 0);
+    const std::vector<int> tiles = ranks["tiles"];
+    // Passes of 1, 2, 4, ... 4096 samples.
+    CHECK(std::accumulate(tiles.begin(), tiles.end(), 0) == 13 * 2 * 2);
+}
+
+TEST_CASE("A rank that has another scene, or none, ends the rendering by name",
+          "[app][needs_mpirun]") {
+    const Folder f;
+    SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
+    f.write("scene0.p3f", small_scene);
+    const std::string command = "exec '" ETALON_BINARY_DIR
+                                "/bin/etalon' render scene$OMPI_COMM_WORLD_RANK.p3f --spp 60000 "
+                                "-q -o a.exr";
+    const auto missing = in_ranks(f, 2, command);
+    CHECK(missing.status == 3);
+    CHECK_THAT(missing.err, ContainsSubstring("error: rank 1 has failed: scene1.p3f"));
+    f.write("scene1.p3f", small_scene + "s 0 2 0 0.5\n");
+    const auto other = in_ranks(f, 2, command);
+    CHECK(other.status == 3);
+    CHECK_THAT(other.err, ContainsSubstring("error: rank 1 renders another image: scene is"));
+    CHECK_FALSE(f.has("a.exr"));
+}
+
+TEST_CASE("When a rank is killed, what was done can be resumed", "[app][needs_mpirun]") {
+    const Folder f;
+    SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
+    const std::string task = render("glass.p3f --spp 500") + "-t 1 ";
+    REQUIRE(f.shell(task + "-o whole.exr").status == 0);
+    f.write("rank", "echo $$ >pid$OMPI_COMM_WORLD_RANK; exec " + task +
+                        "-o image.exr --checkpoint c --checkpoint-every 0.1 --resume");
+    for (const int victim : {2, 0}) {
+        f.shell("rm -f c pid*");
+        const auto r = f.shell(fmt::format(
+            "{}sh rank & run=$!; until test -s pid{}; do sleep 0.02; done; "
+            "pid=$(cat pid{}); until {}; do sleep 0.02; done 2>loop; kill -KILL $pid; wait $run",
+            mpirun(3), victim, victim, has_worked(50)));
+        CAPTURE(victim, r.err);
+        CHECK(r.status == 128 + 9);
+        CHECK_THAT(r.err, ContainsSubstring("signal 9"));
+        if (victim > 0) CHECK_THAT(r.err, ContainsSubstring("--resume goes on from c"));
+        CHECK(f.has("c"));
+        const auto resumed = f.shell(mpirun(2) + "sh rank");
+        CAPTURE(resumed.err);
+        CHECK(resumed.status == 0);
+        CHECK_THAT(resumed.err, !ContainsSubstring("begins anew"));
+        CHECK(f.read("image.exr") == f.read("whole.exr"));
+    }
+}
+
+TEST_CASE("Ranks without the MPI module say that there is none, once", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const std::string program = "ETALON_MODULE_PATH=. " ETALON_BINARY_DIR "/bin/etalon ";
+    const std::string second = "OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=";
+    const auto first = f.shell(second + "0 " + program + "render ball.p3f -o a.exr");
+    CHECK(first.status == 3);
+    CHECK_THAT(first.err, ContainsSubstring("built or installed without MPI"));
+    CHECK(f.shell(second + "1 " + program + "render ball.p3f -o a.exr").err.empty());
+    CHECK_FALSE(f.has("a.exr"));
+    CHECK(f.shell("OMPI_COMM_WORLD_SIZE=1 OMPI_COMM_WORLD_RANK=0 " + program +
+                  "render ball.p3f -o a.exr")
+              .status == 0);
+    const auto usage = f.shell(second + "1 " + program + "render --no-such-option");
+    CHECK(usage.status == 2);
+    CHECK(usage.err.empty());
+}
