@@ -33,7 +33,7 @@ struct Outline {
 Box3 box_of(const Geometry& object) {
     Box3 all;
     for (std::uint32_t id = 0; id < object.primitives.size(); ++id) {
-        all.extendBy(primitive_bounds(object, id));
+        all.extendBy(whole_bounds(object, id));
     }
     return all;
 }
@@ -44,7 +44,7 @@ Outline outline_of(const Geometry& object) {
     const Vec3 centre = all.center();
     std::array<Box3, 8> octants;
     for (std::uint32_t id = 0; id < object.primitives.size(); ++id) {
-        const Box3 box = primitive_bounds(object, id);
+        const Box3 box = whole_bounds(object, id);
         if (box.isEmpty()) continue;
         const Vec3 c = box.center();
         octants[(c.x < centre.x ? 1U : 0U) + (c.y < centre.y ? 2U : 0U) +
@@ -139,7 +139,7 @@ std::vector<Box3> instance_bounds(const Geometry& geometry, const Box3& others, 
     std::vector<Box3> of_chunk(chunks.number());
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            boxes[i] = unpadded(geometry, instances[i], outlines[instances[i].object]);
+            boxes[i] = widened(unpadded(geometry, instances[i], outlines[instances[i].object]));
             if (is_bounded(boxes[i], limit)) of_chunk[chunk].extendBy(boxes[i]);
         }
     });
@@ -163,7 +163,7 @@ Box3 finite_bounds(const Geometry& geometry) {
         if (!box.isEmpty() && is_bounded(box)) all.extendBy(box);
     };
     for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
-        add(primitive_bounds(geometry, id));
+        add(whole_bounds(geometry, id));
     }
     for (const Box3& box : instance_bounds(geometry, all)) add(box);
     return all;
