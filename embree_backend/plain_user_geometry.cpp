@@ -22,7 +22,7 @@ class PlainBoxes {
     }
 
     Box3 box(std::uint32_t item) const {
-        if (!geometry_.is_instance(item)) return primitive_bounds(geometry_, item);
+        if (!geometry_.is_instance(item)) return whole_bounds(geometry_, item);
         return instances_[item - geometry_.primitives.size()];
     }
 
@@ -32,7 +32,7 @@ class PlainBoxes {
     std::vector<Box3> boxes_of_instances() const {
         Box3 others;
         for (std::uint32_t id = 0; id < geometry_.primitives.size(); ++id) {
-            if (is_bounded(id)) others.extendBy(primitive_bounds(geometry_, id));
+            if (is_bounded(id)) others.extendBy(whole_bounds(geometry_, id));
         }
         return instance_bounds(geometry_, others, limit_).boxes;
     }

@@ -136,17 +136,17 @@ HWY_NOINLINE void intersect_candidates(const RTCIntersectFunctionNArguments* arg
         const std::uint32_t item = query.singles[arguments->primID];
         if (query.geometry.is_instance(item)) return intersect_instance(arguments, item);
     }
-    auto& [ray, hit] = single<RTCRayHit>(arguments->rayhit);
+    auto& asked = single<RTCRayHit>(arguments->rayhit);
     bool found = false;
     ask<kind>(query, arguments->primID, lanes, [&](double t, std::uint32_t id) HWY_ATTR {
         if (!(t <= query.nearest->t)) return true;
         const float tfar = query.local.tmax(t);
-        if (tfar > ray.tfar) return true;
+        if (tfar > asked.ray.tfar) return true;
         query.nearest->offer(t, id);
-        ray.tfar = tfar;
+        asked.ray.tfar = tfar;
         return found = true;
     });
-    if (found) hit.geomID = arguments->geomID;
+    if (found) asked.hit.geomID = arguments->geomID;
     report(*arguments, found);
 }
 

@@ -54,7 +54,7 @@ SortedItems sort_items(const Geometry& geometry, const Chunks& chunks, double li
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto id = static_cast<std::uint32_t>(i);
-            summaries[chunk].add(primitive_bounds(geometry, id), id);
+            summaries[chunk].add(whole_bounds(geometry, id), id);
         }
     });
     SortedItems sorted{BoundsSummary(limit), {}, {}};
@@ -74,7 +74,7 @@ void bound(const Geometry& geometry, const NormalizedSpace& space, double limit,
            std::size_t end, BoundedPrimitive* out) {
     for (std::size_t i = begin; i < end; ++i) {
         const auto id = static_cast<std::uint32_t>(i);
-        const Box3 box = primitive_bounds(geometry, id);
+        const Box3 box = whole_bounds(geometry, id);
         if (is_bounded(box, limit)) *out++ = {space.box(box), id, geometry.primitives[i].kind};
     }
 }

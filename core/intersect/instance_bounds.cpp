@@ -36,7 +36,7 @@ struct Outline {
 Box3 box_of(const Geometry& object) {
     Box3 all;
     for (std::uint32_t id = 0; id < object.primitives.size(); ++id) {
-        all.extendBy(primitive_bounds(object, id));
+        all.extendBy(whole_bounds(object, id));
     }
     return all;
 }
@@ -47,7 +47,7 @@ Outline outline_of(const Geometry& object) {
     const Vec3 centre = all.center();
     std::array<Box3, 8> octants;
     for (std::uint32_t id = 0; id < object.primitives.size(); ++id) {
-        const Box3 box = primitive_bounds(object, id);
+        const Box3 box = whole_bounds(object, id);
         if (box.isEmpty()) continue;
         const Vec3 c = box.center();
         octants[(c.x < centre.x ? 1U : 0U) + (c.y < centre.y ? 2U : 0U) +
@@ -163,7 +163,7 @@ InstanceBounds instance_bounds(const Geometry& geometry, const Box3& others, dou
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             Box3& box = result.boxes[i];
-            box = unpadded(geometry, instances[i], outlines[instances[i].object]);
+            box = widened(unpadded(geometry, instances[i], outlines[instances[i].object]));
             if (is_bounded(box, limit)) of_chunk[chunk].extendBy(box);
         }
     });
@@ -185,7 +185,7 @@ Box3 finite_bounds(const Geometry& geometry) {
         if (!box.isEmpty() && is_bounded(box)) all.extendBy(box);
     };
     for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
-        add(primitive_bounds(geometry, id));
+        add(whole_bounds(geometry, id));
     }
     for (const Box3& box : instance_bounds(geometry, all).boxes) add(box);
     return all;

@@ -12,6 +12,36 @@ Box3 primitive_bounds(const Geometry& geometry, std::uint32_t primitive) {
                       [&]<class Shape>() { return bounds(geometry, geometry.get<Shape>(p)); });
 }
 
+Box3 widened(const Box3& box) {
+    if (box.isEmpty()) return box;
+    Box3 wide = box;
+    for (int k = 0; k < 3; ++k) {
+        const double largest = std::max(std::abs(box.min[k]), std::abs(box.max[k]));
+        const double margin = 8 * unit_roundoff * largest;
+        wide.min[k] -= margin;
+        wide.max[k] += margin;
+    }
+    return wide;
+}
+
+namespace {
+
+/// Whether the faces of a shape's box are numbers of the shape.
+template <class Shape>
+constexpr bool has_exact_bounds =
+    std::is_same_v<Shape, Triangle> || std::is_same_v<Shape, Polygon> ||
+    std::is_same_v<Shape, Box> || std::is_same_v<Shape, Plane> || std::is_same_v<Shape, Quadric>;
+
+}  // namespace
+
+Box3 whole_bounds(const Geometry& geometry, std::uint32_t primitive) {
+    const Primitive p = geometry.primitives[primitive];
+    return with_shape(p.kind, [&]<class Shape>() {
+        const Box3 box = bounds(geometry, geometry.get<Shape>(p));
+        return has_exact_bounds<Shape> ? box : widened(box);
+    });
+}
+
 namespace {
 
 /// Calls a shape's kernel. Kept out of line, so that a kernel of few registers, a sphere's, does

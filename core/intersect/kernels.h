@@ -13,6 +13,14 @@ Box3 primitive_bounds(const Geometry& geometry, std::uint32_t primitive);
 double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive,
                            const RayQuery& query);
 
+/// The box with room for the roundings of sums of coordinates, which far from the origin are more
+/// than a small shape's size: up to eight of those of each axis's largest coordinate.
+Box3 widened(const Box3& box);
+
+/// A box of which no point that can be hit is outside. The numbers of some shapes are its own;
+/// those of others are sums, and their box is widened.
+Box3 whole_bounds(const Geometry& geometry, std::uint32_t primitive);
+
 /// Whether a ray that meets a primitive which is cut out does so in a hole. The kernel asks this.
 bool meets_hole(const Geometry& geometry, std::uint32_t primitive, const RayQuery& query);
 

@@ -3,6 +3,11 @@
 #include "core/intersect/normalized_ray.h"
 
 namespace etalon {
+namespace {
+
+constexpr double furthest_origin = 0x1p1000;
+
+}  // namespace
 
 NormalizedSpace::NormalizedSpace(const Box3& world) {
     if (world.isEmpty()) return;
@@ -31,6 +36,7 @@ bool NormalizedSpace::resolves(const Ray& ray) const {
 bool NormalizedSpace::surely_misses(const Ray& ray) const {
     const Vec3 direction = ray.direction * power_of_two_reciprocal(max_abs(ray.direction));
     const Vec3 origin = (ray.origin - centre_) * scale_;
+    if (!(max_abs(origin) < furthest_origin)) return false;  // its products may leave all numbers
     const Vec3 nearest = origin - origin.dot(direction) / direction.dot(direction) * direction;
     return max_abs(nearest) > 2 + 0x1p-20 * max_abs(origin);
 }

@@ -20,8 +20,8 @@ Crossings define(const Geometry&, const Sphere& s, const Ray& ray) {
 }
 
 /// Points w from the base, with h the axis, at distance r0 + (r1 - r0) z from the line along h at
-/// the height z = w.h / h.h, 0 <= z <= 1. Squared and freed of roots and quotients: hh (hh ww -
-/// (wh)^2) = (hh r0 + (r1 - r0) wh)^2.
+/// the height z = w.h / h.h, 0 <= z <= 1. Squared and freed of roots and quotients: hh |w x h|^2 =
+/// (hh r0 + (r1 - r0) wh)^2. As hh ww - (wh)^2 the product would cancel next to a long axis.
 Crossings define(const Geometry&, const Cone& c, const Ray& ray) {
     Crossings found;
     if (!is_finite(c.base) || !is_finite(c.top) || c.base == c.top) return found;
@@ -35,9 +35,9 @@ Crossings define(const Geometry&, const Cone& c, const Ray& ray) {
     const Tracked spread = Tracked(c.top_radius) - c.base_radius;
     const Tracked hh = dot(h, h), fh = dot(f, h), dh = dot(d, h);
     const Tracked r0 = hh * c.base_radius + spread * fh, r1 = spread * dh;
-    const Roots roots =
-        solve(hh * (hh * dot(d, d) - dh * dh) - r1 * r1, hh * (hh * dot(f, d) - fh * dh) - r0 * r1,
-              hh * (hh * dot(f, f) - fh * fh) - r0 * r0);
+    const TrackedVec fxh = cross(f, h), dxh = cross(d, h);
+    const Roots roots = solve(hh * dot(dxh, dxh) - r1 * r1, hh * dot(fxh, dxh) - r0 * r1,
+                              hh * dot(fxh, fxh) - r0 * r0);
     for (std::size_t i = 0; i < roots.count; ++i) {
         const Root& root = roots.list[i];
         const Tracked z = fh + root.t * dh;

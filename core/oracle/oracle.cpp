@@ -14,10 +14,12 @@ Certainty is_visible(const Crossing& c, Sides sides) {
     return sides == Sides::front ? c.front : !c.front;
 }
 
-/// A kernel compares its rounded t with the ray's ends, and has none beyond the range of double.
+/// A kernel compares its rounded t with the ray's ends, and has none beyond the range of double;
+/// nor can it tell what is below that range.
 Certainty is_within(const Crossing& c, const Ray& ray, double tie) {
     const auto rounded = [tie](const Tracked& t) {
-        return Tracked(t.value, t.error + magnitude(t.value) * Quad(tie));
+        constexpr Quad least = std::numeric_limits<double>::denorm_min();
+        return Tracked(t.value, t.error + magnitude(t.value) * Quad(tie) + least);
     };
     const Tracked start = std::max(ray.tmin, 0.0),
                   end = std::min(ray.tmax, std::numeric_limits<double>::max());
@@ -45,6 +47,9 @@ struct Meetings {
 
 namespace {
 
+/// Relative error that an answer's t may have at most: far below that of any kernel.
+constexpr double finest_error = 0x1p-10 * t_tolerance;
+
 OracleAnswer answer_from(const Meetings& meetings, double tie) {
     OracleAnswer answer;
     const auto& nearest = meetings.nearest;
@@ -59,6 +64,10 @@ OracleAnswer answer_from(const Meetings& meetings, double tie) {
         }
     }
     if (!nearest) return answer;
+    if (nearest->t.error > magnitude(nearest->t.value) * Quad(finest_error)) {
+        answer.kind = OracleAnswer::undecidable;
+        return answer;
+    }
     std::sort(answer.tied.begin(), answer.tied.end());
     answer.tied.erase(std::unique(answer.tied.begin(), answer.tied.end()), answer.tied.end());
     answer.kind = OracleAnswer::hit;

@@ -14,7 +14,7 @@ struct OracleAnswer {
     enum Kind {
         hit,
         miss,
-        undecidable  ///< even 113 bits cannot tell
+        undecidable  ///< even 113 bits cannot tell, or not how far away
     };
 
     /// Returns |t - the true t| / |the true t|, for a hit.
@@ -22,7 +22,7 @@ struct OracleAnswer {
 
     Kind kind = miss;
     double t = 0;      ///< the double nearest to the true t
-    Quad exact_t = 0;  ///< good to about 100 bits, less where it is ill-conditioned
+    Quad exact_t = 0;  ///< good to about 100 bits, to 46 where it is ill-conditioned
     std::uint32_t primitive = no_index;  ///< that of the lowest key among `tied`
     std::uint32_t instance = no_index;   ///< likewise
     std::vector<HitKey> tied;            ///< primitives (maybe) hit at t, to within `tie`; sorted

@@ -107,3 +107,11 @@ TEST_CASE("Rays from beyond all resolution that pass the scene by are known to m
     }
     CHECK(missing > 9'900);
 }
+
+TEST_CASE("A ray from so far away that its products overflow is not known to miss") {
+    Scene scene;
+    scene.geometry.add(Sphere{Vec3(0), 1e-155}, 0);
+    const NormalizedSpace space = SceneBounds::of(scene.geometry).space;
+    const Ray ray{Vec3(5e152, 4e152, 3e152), Vec3(-5, -4, -3)};
+    CHECK_FALSE(space.surely_misses(ray));
+}

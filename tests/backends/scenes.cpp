@@ -299,6 +299,8 @@ const std::vector<SceneFamily>& scene_families() {
         {"closed_mesh", closed_mesh},
         {"far", [](std::size_t n) { return transformed(mix(n), 1, Vec3(1e6, -1e6, 1e6)); }},
         {"far_mesh", [](std::size_t n) { return transformed(closed_mesh(n), 1, Vec3(1e6)); }},
+        {"tiny_and_far",
+         [](std::size_t n) { return transformed(mix(n), 1e-6, Vec3(5e6, -5e6, 5e6)); }},
         {"minute", [](std::size_t n) { return transformed(mix(n), 1e-30); }},
         {"immense", [](std::size_t n) { return transformed(mix(n), 1e30); }},
     };

@@ -25,6 +25,17 @@ TEST_CASE("bounds: given a hit, then its point is within them but for a few roun
     }
 }
 
+TEST_CASE("bounds: given a sum that a double cannot hold, then the whole bounds hold it") {
+    Scene scene;
+    const double far = 0x1p53;  // whose neighbours are 1 below and 2 above
+    scene.geometry.add(Sphere{Vec3(far), 1}, 0);
+    scene.geometry.add(Box{Vec3(far), Vec3(far + 2)}, 0);
+    CHECK(primitive_bounds(scene.geometry, 0).max.x == far);
+    CHECK(whole_bounds(scene.geometry, 0).max.x > far + 1);
+    CHECK(whole_bounds(scene.geometry, 0).min.x <= far - 1);
+    CHECK(whole_bounds(scene.geometry, 1) == primitive_bounds(scene.geometry, 1));
+}
+
 TEST_CASE("bounds: given points all over a bounded shape, then every face of the box is reached") {
     for (const ShapeCase& shape : shape_cases()) {
         const Box3 box = primitive_bounds(shape.scene.geometry, 0);

@@ -41,7 +41,8 @@ class Builder {
         }
         const bool in_halves = depth >= bvh_heuristic_depth;
         const SplitResult d = split_large(set, spare, in_halves, config_, weights_);
-        const auto& [left, right] = d.halves;
+        const auto& left = d.halves.left;
+        const auto& right = d.halves.right;
         const std::size_t middle = left.size();
         parallel_invoke([&] { part->left = build(left, d.spare.first(middle), first, depth + 1); },
                         [&] {

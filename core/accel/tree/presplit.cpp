@@ -112,16 +112,16 @@ std::optional<Presplit> presplit(const Geometry& geometry, const NormalizedSpace
     const double limit = best_factor(some, budget(some.size()), no_limit);
     if (!(gain(some, limit) >= config.least_gain)) return std::nullopt;
 
-    const auto [places, candidates] = find_candidates(geometry, space, primitives, limit);
+    const Candidates all = find_candidates(geometry, space, primitives, limit);
     const double most = budget(primitives.size());
-    const double factor = best_factor(candidates, most, limit);
+    const double factor = best_factor(all.candidates, most, limit);
     Presplit result{copy(primitives, primitives.size() + static_cast<std::size_t>(most)), {}};
-    const Chunks chunks(places.size(), chunk_size / 16);
+    const Chunks chunks(all.places.size(), chunk_size / 16);
     std::vector<Cutter> of_chunk(chunks.number(), Cutter(geometry, space));
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const int cuts = candidates[i].cuts(factor);
-            if (cuts > 0) of_chunk[chunk].cut(result.references[places[i]], cuts);
+            const int cuts = all.candidates[i].cuts(factor);
+            if (cuts > 0) of_chunk[chunk].cut(result.references[all.places[i]], cuts);
         }
     });
     for (const Cutter& c : of_chunk) {

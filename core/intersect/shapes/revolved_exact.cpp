@@ -84,7 +84,7 @@ class ExactRevolved {
                    form_.sign_at_root(way, w[2] - high * unit, d[2]) <= 0;
         }
         const Dyadic a = square(d[0]) + square(d[1]), half_b = w[0] * d[0] + w[1] * d[1];
-        const auto side = [&](const Dyadic& radius) {
+        const auto side = [&, w = w, unit = unit](const Dyadic& radius) {
             const Dyadic c = square(w[0]) + square(w[1]) - square(radius * unit);
             return form_.sign_at_root(way, a, half_b + half_b, c);
         };

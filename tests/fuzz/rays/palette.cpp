@@ -1,0 +1,75 @@
+#include "tests/fuzz/rays/palette.h"
+
+#include <array>
+
+namespace etalon::fuzz {
+namespace {
+
+constexpr std::array far_steps = {1.0, 0x1p-20, 1e-6, 0.1, 1e3};
+
+/// Moves a number by up to two units in its last place.
+double neighbour(double x, Random& random) {
+    const double towards = random.sign() * infinity;
+    for (std::uint32_t i = random.index(3); i > 0; --i) x = std::nextafter(x, towards);
+    return std::abs(x) < 0x1p-1000 ? 0 : x;
+}
+
+}  // namespace
+
+NastyNumbers::NastyNumbers(Palette palette, Random& random)
+    : palette_(palette),
+      random_(random),
+      offset_(random.magnitude(0, 12) * random.in_cube()),
+      step_(far_steps[random.index(far_steps.size())]) {}
+
+double NastyNumbers::number(Palette palette) const {
+    switch (palette) {
+        case Palette::whole:
+            return whole();
+        case Palette::powers:
+            return random_.one_in(5)
+                       ? 0
+                       : std::ldexp(random_.sign(), static_cast<int>(random_.index(41)) - 20);
+        case Palette::beside:
+            return neighbour(whole(), random_);
+        case Palette::far:
+            return offset_.x + step_ * whole();
+        case Palette::decimal:
+            return (random_.index(2001) - 1000.0) / 100;
+        case Palette::wild:
+            break;
+    }
+    if (random_.one_in(8)) return random_.sign() * 1e20;
+    if (random_.one_in(8)) return random_.sign() * 1e-20;
+    return number(static_cast<Palette>(random_.index(palettes - 1)));
+}
+
+Vec3 NastyNumbers::point() const {
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    return {x, y, z};
+}
+
+Vec3 NastyNumbers::point_beside(const Vec3& other) const {
+    Vec3 p = point();
+    const std::uint32_t kept = random_.index(8);
+    for (int k = 0; k < 3; ++k) {
+        if ((kept >> k & 1) != 0) p[k] = other[k];
+    }
+    return p;
+}
+
+double NastyNumbers::length() const {
+    const double x = palette_ == Palette::far ? step_ * whole() : coordinate();
+    return x == 0 ? 1 : std::abs(x);
+}
+
+Vec3 NastyNumbers::direction() const {
+    Vec3 d(whole(), whole(), whole());
+    if (random_.one_in(3)) d[random_.axis()] = neighbour(d[random_.axis()], random_);
+    if (random_.one_in(4)) d = random_.direction();
+    if (random_.one_in(12))
+        d[random_.axis()] = random_.sign() * (random_.one_in(2) ? 5e-324 : 1e-20);
+    return d == Vec3(0) ? Vec3(0, 0, 1) : d;
+}
+
+}  // namespace etalon::fuzz
