@@ -15,19 +15,19 @@ namespace etalon::HWY_NAMESPACE {
 
 /// A plane b is passed at (b - o) / d, o in two floats: boxes may be far smaller than the padding
 /// that Passages need, as those of instances of many sizes are. So they have the least; the ray's
-/// slack moves their planes outward. The roundings of the two differences, of d, its reciprocal and
-/// the product are at most 6 u of the result, u = 2^-24, and those of the plane on the other side
-/// as much: `to` is lengthened by 16 u of itself.
+/// slack moves their planes outward. Those of o's second float round far below that. The other
+/// roundings, of the difference, of d, its reciprocal and the result, are at most 6 u of it, u =
+/// 2^-24, and those of the plane on the other side as much: `to` is lengthened by 16 u of itself.
 class FinePassages {
   public:
     HWY_INLINE FinePassages(const NormalizedRay& ray, const FineRay& fine) {
         for (int k = 0; k < 3; ++k) {
-            const float d = divisor(ray.direction[k], 0x1p-60F);
+            const float d = divisor(ray.direction[k], 0x1p-60F), reciprocal = 1.0F / d;
             const float outward = std::copysign(fine.slack, d);
-            reciprocal_[k] = broadcast(1.0F / d);
+            reciprocal_[k] = broadcast(reciprocal);
             origin_[k] = broadcast(ray.origin[k]);
-            rest_in_[k] = broadcast(fine.rest[k] + outward);
-            rest_out_[k] = broadcast(fine.rest[k] - outward);
+            rest_in_[k] = broadcast((fine.rest[k] + outward) * reciprocal);
+            rest_out_[k] = broadcast((fine.rest[k] - outward) * reciprocal);
         }
     }
 
@@ -37,7 +37,7 @@ class FinePassages {
 
   private:
     HWY_INLINE Floats passage(Floats planes, Floats rest, int k) const {
-        return hn::Mul(hn::Sub(hn::Sub(planes, origin_[k]), rest), reciprocal_[k]);
+        return hn::NegMulSub(hn::Sub(origin_[k], planes), reciprocal_[k], rest);
     }
 
     std::array<Floats, 3> reciprocal_, origin_, rest_in_, rest_out_;

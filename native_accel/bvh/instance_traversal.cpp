@@ -21,7 +21,11 @@ void traverse_closest(const BvhView& bvh, const RayQuery& query, const Normalize
     const float tmin = local.tmin(query.ray.tmin);
     const FineSlabs boxes(local, tmin,
                           fine_ray(bvh.bounds.space, bvh.bounds.spread, query.ray, local));
-    find_closest<BranchlessLaneSelect>(bvh, query, local, tmin, boxes, nearest, Uncounted());
+    if (bvh.predicts_branches(query.ray)) {
+        find_closest<BranchingLaneSelect>(bvh, query, local, tmin, boxes, nearest, Uncounted());
+    } else {
+        find_closest<BranchlessLaneSelect>(bvh, query, local, tmin, boxes, nearest, Uncounted());
+    }
 }
 
 void traverse_closest_counted(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
