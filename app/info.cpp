@@ -152,7 +152,7 @@ Json describe(const InfoArguments& a, const LoadedScene& loaded) {
             {"format", s.format},
             {"frame", std::max(a.scene.options.frame, 1)},
             {"frames", loaded.frames},
-            {"primitives", primitive_counts(s)},
+            {"primitives", to_json(primitive_counts(s))},
             {"objects", s.geometry.objects.size()},
             {"instances", s.geometry.instances.size()},
             {"vertices", vertices(s.geometry)},

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/common/console.h"
+#include "core/image/lack_of_memory.h"
 #include "core/shading/textured_cut_outs.h"
 
 namespace etalon {
@@ -21,6 +22,11 @@ std::pair<std::string_view, std::string_view> statement_of(const Scene& scene,
     return {arguments.path, "the background colour"};
 }
 
+/// A lack of memory says nothing of the scene: another run would make another image.
+bool is_tolerable(std::string_view problem, const SceneArguments& arguments) {
+    return !arguments.options.strict && !problem.ends_with(lack_of_memory);
+}
+
 }  // namespace
 
 bool tolerates(const Scene& scene, const SceneArguments& arguments,
@@ -28,9 +34,10 @@ bool tolerates(const Scene& scene, const SceneArguments& arguments,
     for (auto problem = problems.begin(); problem != problems.end(); ++problem) {
         if (std::find(problems.begin(), problem, *problem) != problem) continue;
         const auto [where, stand_in] = statement_of(scene, arguments, *problem);
-        print_message("{}: warning: {}; {} stands in\n", where, *problem, stand_in);
+        const char* const severity = is_tolerable(*problem, arguments) ? "warning" : "error";
+        print_message("{}: {}: {}; {} stands in\n", where, severity, *problem, stand_in);
     }
-    return problems.empty() || !arguments.options.strict;
+    return std::ranges::all_of(problems, [&](const auto& p) { return is_tolerable(p, arguments); });
 }
 
 bool make_cut_outs(Scene& scene, const SceneArguments& arguments) {

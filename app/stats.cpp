@@ -49,7 +49,7 @@ Json to_json(const RenderStats& s) {
                    {"height", s.height},
                    {"spp", s.samples_per_pixel},
                    {"seed", s.seed}}},
-                 {"primitives", s.primitives},
+                 {"primitives", to_json(s.primitives)},
                  {"seconds",
                   {{"parse", s.parse.wall},
                    {"build", s.build.wall},
@@ -76,12 +76,16 @@ Json to_json(const RenderStats& s) {
     return json;
 }
 
-Json primitive_counts(const Scene& scene) {
-    std::array<std::uint64_t, shape_kinds> counts{};
+PrimitiveCounts primitive_counts(const Scene& scene) {
+    PrimitiveCounts counts{};
     for (const Primitive p : scene.geometry.primitives) ++counts[p.kind];
     for (const Geometry& object : scene.geometry.objects) {
         for (const Primitive p : object.primitives) ++counts[p.kind];
     }
+    return counts;
+}
+
+Json to_json(const PrimitiveCounts& counts) {
     Json result = Json::object();
     for (std::size_t kind = 0; kind < counts.size(); ++kind) {
         if (counts[kind] == 0) continue;

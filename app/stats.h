@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -10,6 +11,9 @@
 
 namespace etalon {
 
+/// Numbers of primitives, those of objects included, by kind.
+using PrimitiveCounts = std::array<std::uint64_t, shape_kinds>;
+
 /// Contents of `render --stats`. The keys are a contract.
 struct RenderStats {
     std::string scene, format, backend, integrator, isa;
@@ -17,7 +21,7 @@ struct RenderStats {
     int width = 0, height = 0;
     double samples_per_pixel = 0;  ///< mean of what was taken; 0: one ray through each centre
     std::uint64_t seed = 0;
-    nlohmann::ordered_json primitives;
+    PrimitiveCounts primitives{};
     Duration parse, build, render, aovs, write;
     RayCounts rays;
     std::uint64_t resumed_rays = 0;  ///< of these, the ones before the checkpoint resumed from
@@ -32,7 +36,9 @@ struct RenderStats {
 
 nlohmann::ordered_json to_json(const RenderStats& stats);
 
+PrimitiveCounts primitive_counts(const Scene& scene);
+
 /// {"sphere": 3, ...}: the kinds that occur, in the order of ShapeArrays.
-nlohmann::ordered_json primitive_counts(const Scene& scene);
+nlohmann::ordered_json to_json(const PrimitiveCounts& counts);
 
 }  // namespace etalon

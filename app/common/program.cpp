@@ -6,6 +6,8 @@
 #endif
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <exception>
 #include <new>
 #include <optional>
 #include <sstream>
@@ -31,6 +33,23 @@ void keep_freed_memory() {
     mallopt(M_TRIM_THRESHOLD, 64 << 20);
     mallopt(M_MMAP_THRESHOLD, 4 << 20);
 #endif
+}
+
+std::terminate_handler usual_end = nullptr;
+
+/// Ends the program in words where memory runs out in what cannot throw: the destructors of JSON
+/// allocate.
+void end_without_memory() {
+    try {
+        if (const std::exception_ptr reason = std::current_exception()) {
+            std::rethrow_exception(reason);
+        }
+    } catch (const std::bad_alloc&) {
+        write_message("error: not enough memory for what was asked\n");
+        std::_Exit(exit_unusable);
+    } catch (...) {
+    }
+    usual_end();
 }
 
 constexpr const char* exit_statuses =
@@ -127,6 +146,7 @@ int run_prepared(const ProgramText& text, int argc, char** argv, const Task& tas
     note_command_line(argc, argv);
     prepare_standard_streams();
     keep_freed_memory();
+    usual_end = std::set_terminate(end_without_memory);
     return status_after_results(text.name, guarded(text, task));
 }
 

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "core/image/exr.h"
+#include "core/image/lack_of_memory.h"
 
 namespace etalon {
 namespace {
@@ -24,7 +25,7 @@ struct Refused : std::runtime_error {
 
 /// A sentence for a failure; OpenEXR's own words are about its steps.
 std::string reason(const std::exception& e, const std::string& path) {
-    if (dynamic_cast<const std::bad_alloc*>(&e)) return "not enough memory";
+    if (dynamic_cast<const std::bad_alloc*>(&e)) return lack_of_memory;
     if (dynamic_cast<const Refused*>(&e)) return e.what();
     const std::string_view text = e.what();
     if (text.find("exceeds the maximum") != text.npos) return "larger than 65536 pixels";

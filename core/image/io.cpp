@@ -20,6 +20,7 @@
 #include "core/image/encode.h"
 #include "core/image/exr.h"
 #include "core/image/jpeg_read.h"
+#include "core/image/lack_of_memory.h"
 #include "core/image/oiio.h"
 #include "core/image/png.h"
 
@@ -125,7 +126,7 @@ Result<Image> read_readable(const std::string& path, Extent extent) {
     try {
         return read_by_kind(path, extent);
     } catch (const std::bad_alloc&) {
-        return {{}, "not enough memory"};
+        return {{}, lack_of_memory};
     }
 }
 

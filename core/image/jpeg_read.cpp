@@ -5,6 +5,7 @@
 #include <jerror.h>
 #include <jpeglib.h>
 
+#include "core/image/lack_of_memory.h"
 #include "core/image/library_jump.h"
 #include "core/image/read_by_rows.h"
 
@@ -19,7 +20,7 @@ LibraryJump& jump_of(j_common_ptr info) {
 const char* reason_of(int error) {
     switch (error) {
         case JERR_OUT_OF_MEMORY:
-            return "not enough memory";
+            return lack_of_memory;
         case JERR_IMAGE_TOO_BIG:
             return "larger than 65500 pixels";
         case JERR_BAD_PRECISION:

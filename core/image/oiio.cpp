@@ -1,5 +1,6 @@
 #include "core/image/oiio.h"
 
+#include "core/image/lack_of_memory.h"
 #include "core/image/oiio_loader.h"
 
 namespace etalon {
@@ -19,7 +20,7 @@ struct Collector {
             step(result.value);
             return 1;
         } catch (const std::exception&) {
-            result.error = "not enough memory";
+            result.error = lack_of_memory;
             return 0;
         }
     }

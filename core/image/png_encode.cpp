@@ -4,6 +4,7 @@
 #include <memory>
 #include <new>
 
+#include "core/image/lack_of_memory.h"
 #include "core/image/png.h"
 #include "core/image/png_jump.h"
 
@@ -77,7 +78,7 @@ class PngWriter {
     }
 
     std::string& file() { return file_; }
-    std::string reason() const { return info_ ? jump_.reason : "not enough memory"; }
+    std::string reason() const { return info_ ? jump_.reason : lack_of_memory; }
 
   private:
     /// libpng's view of the texts, which it only reads.
@@ -115,7 +116,7 @@ class PngWriter {
         } catch (const std::exception&) {
             appended = false;  // the jump must not leave the handler's scope
         }
-        if (!appended) png_error(png, "not enough memory");
+        if (!appended) png_error(png, lack_of_memory);
     }
 
     LibraryJump jump_;

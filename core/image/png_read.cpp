@@ -1,4 +1,8 @@
 #include "core/image/png.h"
+
+#include <cstring>
+
+#include "core/image/lack_of_memory.h"
 #include "core/image/png_jump.h"
 #include "core/image/read_by_rows.h"
 
@@ -67,7 +71,8 @@ class PngReader {
     std::size_t row_bytes() const { return png_get_rowbytes(png_, info_); }
 
     std::string reason() const {
-        return info_ ? "the PNG is damaged or cut short" : "not enough memory";
+        const bool found_memory = info_ && !std::strstr(jump_.reason, "emory");
+        return found_memory ? "the PNG is damaged or cut short" : lack_of_memory;
     }
 
   private:
