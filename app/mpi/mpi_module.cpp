@@ -10,7 +10,6 @@
 #include <list>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "app/mpi/mpi_abi.h"
 #include "app/mpi/poll_pause.h"
@@ -144,9 +143,10 @@ void leave(double patience) {
     const Clock::time_point start = Clock::now();
     MPI_Request barrier = MPI_REQUEST_NULL;
     bool has_begun = false;
+    etalon::PollPause pause;
     while (!all_have_come(barrier, has_begun)) {
         if (std::chrono::duration<double>(Clock::now() - start).count() > patience) return;
-        std::this_thread::sleep_for(etalon::poll_pause);
+        pause.sleep();
     }
     MPI_Finalize();
 }

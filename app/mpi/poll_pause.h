@@ -1,10 +1,29 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <thread>
 
 namespace etalon {
 
-/// Time between two looks for a message where there was none.
-inline constexpr auto poll_pause = std::chrono::microseconds(500);
+/// Pauses between looks for messages: at most a tenth of the time since the last message, so that
+/// neither waiting nor looking costs much where tiles take long, nor where they take a moment.
+class PollPause {
+  public:
+    /// There was a message.
+    void reset() { next_ = shortest; }
+
+    void sleep() {
+        std::this_thread::sleep_for(next_);
+        next_ = std::min(longest, next_ + next_ / 10);
+    }
+
+  private:
+    using Time = std::chrono::nanoseconds;
+    static constexpr Time shortest = std::chrono::milliseconds(1);
+    static constexpr Time longest = std::chrono::milliseconds(4);
+
+    Time next_ = shortest;
+};
 
 }  // namespace etalon

@@ -14,8 +14,13 @@ class PollingThread {
     /// `look` returns whether there was anything to do. It does not throw.
     explicit PollingThread(std::function<bool()> look)
         : thread_([look = std::move(look)](const std::stop_token& over) {
+              PollPause pause;
               while (!over.stop_requested()) {
-                  if (!look()) std::this_thread::sleep_for(poll_pause);
+                  if (look()) {
+                      pause.reset();
+                  } else {
+                      pause.sleep();
+                  }
               }
           }) {}
 

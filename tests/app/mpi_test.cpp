@@ -19,7 +19,7 @@ const std::vector<std::string> tasks = {
     "soft_shadows.p3f --integrator path --spp 12 --filter gaussian",
     "lights.p3f --integrator ao --target-error 8e-4 --aov variance,albedo,sampleCount",
     "mirrors.p3f --integrator path --target-error 2e-2 --filter mitchell --spp 64",
-    "spheres.p3f --spp 20 --sampler random --aov variance --part 1/2",
+    "spheres.p3f --spp 20 --sampler random --part 1/2",
 };
 
 const std::string size = " --resolution 96x72 -q ";
