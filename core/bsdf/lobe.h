@@ -5,6 +5,7 @@
 #include "core/bsdf/diffuse.h"
 #include "core/bsdf/diffuse_exit.h"
 #include "core/bsdf/disney.h"
+#include "core/bsdf/fourier.h"
 #include "core/bsdf/fresnel_blend.h"
 #include "core/bsdf/hair.h"
 #include "core/bsdf/microfacet_reflection.h"
@@ -17,7 +18,7 @@ namespace etalon {
 /// Lobes of single materials. They are a union in the union, so that the others are few enough to
 /// be told apart by a switch (of up to eleven, as the standard library of GCC has it).
 using RareLobe = std::variant<HairScattering, DisneyBase, DisneyGloss, DisneyTransmission,
-                              DisneyClearcoat, DiffuseExit>;
+                              DisneyClearcoat, DiffuseExit, FourierScattering>;
 
 /// One way in which a surface scatters light; lobe_kind.h says what each offers.
 using Lobe = std::variant<LambertReflection, LambertTransmission, OrenNayarReflection,

@@ -28,7 +28,9 @@ class ProfileSampling {
     Color value(const Vec3& point) const;
 
     /// Density by area with which a point of a surface of that normal is on a probe, by all axes
-    /// and channels.
+    /// and channels. As in pbrt-v3 it counts those of channels that end before they reach the
+    /// point: where a surface is at a slant to all axes, up to 3 % of the light that goes farthest
+    /// is lost.
     float density(const Vec3& point, const Vec3& normal) const;
 
   private:

@@ -16,6 +16,7 @@ void add_lobes(const UberMaterial& material, const PointValues& values, LobeList
 void add_lobes(const DisneyMaterial& material, const PointValues& values, LobeList& lobes);
 void add_lobes(const SubsurfaceMaterial& material, const PointValues& values, LobeList& lobes);
 void add_lobes(const KdSubsurfaceMaterial& material, const PointValues& values, LobeList& lobes);
+void add_lobes(const FourierMaterial& material, const PointValues& values, LobeList& lobes);
 void add_lobes(const HairMaterial& material, const PointValues& values, LobeList& lobes);
 
 }  // namespace etalon

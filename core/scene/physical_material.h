@@ -2,8 +2,10 @@
 // the scattering of a point.
 #pragma once
 
+#include <memory>
 #include <variant>
 
+#include "core/scene/fourier_table.h"
 #include "core/scene/texture.h"
 
 namespace etalon {
@@ -90,6 +92,11 @@ struct KdSubsurfaceMaterial {
     float unit = 1;        ///< of the free path, as a length of the world
 };
 
+/// Scattering by a table.
+struct FourierMaterial {
+    std::shared_ptr<const FourierTable> table;  ///< null: nothing is scattered
+};
+
 /// What a hair's colour is told by.
 enum class HairPigment : std::uint8_t { absorption, reflectance, melanin };
 
@@ -114,7 +121,8 @@ struct NoMaterial {};
 struct PhysicalMaterial {
     std::variant<MatteMaterial, PlasticMaterial, MirrorMaterial, GlassMaterial, MetalMaterial,
                  UberMaterial, TranslucentMaterial, SubstrateMaterial, DisneyMaterial, HairMaterial,
-                 SubsurfaceMaterial, KdSubsurfaceMaterial, MixedMaterial, NoMaterial>
+                 SubsurfaceMaterial, KdSubsurfaceMaterial, FourierMaterial, MixedMaterial,
+                 NoMaterial>
         kind;
     NumberSlot bump{};  ///< height of the surface above itself; of no effect without a texture
 };

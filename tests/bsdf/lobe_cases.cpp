@@ -1,9 +1,23 @@
 #include "tests/bsdf/lobe_cases.h"
 
+#include "tests/fourier_tables.h"
+
 namespace etalon::test {
 namespace {
 
 const Vec3 tangent = normalized(Vec3(0.3, -0.5, 0.2));
+
+/// Where light comes in, without the factor that makes radiance of what the eye gets.
+DiffuseExit exit_of(float index) {
+    DiffuseExit exit(index);
+    exit.scale(Color(0.999F / (index * index)));  // the moment of the border is no exact one
+    return exit;
+}
+
+const FourierTable& table() {
+    static const FourierTable table = table_of(cosines_of_table(12), 16, glossy_both_sides);
+    return table;
+}
 
 }  // namespace
 
@@ -35,6 +49,11 @@ std::vector<LobeCase> lobe_cases() {
         {"gloss between metal and glass", {DisneyGloss{white, uneven, {tinted, 0.6F, 1.4F}}}},
         {"clear facets", {DisneyTransmission{white, uneven, 1.3F}}},
         {"clearcoat", {DisneyClearcoat(1, 0)}},
+        {"light from below", {exit_of(1.4F)}, false},
+        {"a table", {FourierScattering(table())}, false},
+        {"a table under a mirror",
+         {FourierScattering(table()), SpecularReflection{grey, glass}},
+         false},
         {"transparent gloss",
          {DisneyGloss{white, even, {tinted, 0.2F, 1.5F}}, DisneyTransmission{grey, even, 1.5F},
           DisneyBase{tinted / 4, 0.7F, 1, 0, 1, Color(0)}, DisneyClearcoat(0.5F, 0.3F)}},

@@ -137,6 +137,13 @@ Kind hair(SceneBuilder& b, const Material& m) {
     return hair;
 }
 
+Kind fourier(SceneBuilder& b, const Material& m) {
+    const BsdfFiles::Table& table =
+        b.bsdf_files.read(std::string(m.plugin.parameters.string("bsdffile")));
+    if (!table) b.warn(m.plugin.where, "bsdf", "{}; the surface is black", table.error);
+    return FourierMaterial{table.value};
+}
+
 Kind mix(SceneBuilder& b, const Material& m) {
     return MixedMaterial{m.mixed[0], m.mixed[1], b.color(m.plugin.parameters, "amount")};
 }
@@ -152,25 +159,29 @@ struct Entry {
 
 // To add a material: a function above and a line here.
 constexpr std::array entries = {
-    Entry{"matte", matte}, Entry{"plastic", plastic},       Entry{"translucent", translucent},
-    Entry{"glass", glass}, Entry{"mirror", mirror},         Entry{"metal", metal},
-    Entry{"uber", uber},   Entry{"substrate", substrate},   Entry{"disney", disney},
-    Entry{"hair", hair},   Entry{"subsurface", subsurface}, Entry{"kdsubsurface", kd_subsurface},
-    Entry{"mix", mix},     Entry{"none", no_surface},
+    Entry{"matte", matte},
+    Entry{"plastic", plastic},
+    Entry{"translucent", translucent},
+    Entry{"glass", glass},
+    Entry{"mirror", mirror},
+    Entry{"metal", metal},
+    Entry{"uber", uber},
+    Entry{"substrate", substrate},
+    Entry{"disney", disney},
+    Entry{"hair", hair},
+    Entry{"subsurface", subsurface},
+    Entry{"kdsubsurface", kd_subsurface},
+    Entry{"fourier", fourier},
+    Entry{"mix", mix},
+    Entry{"none", no_surface},
 };
-
-/// What stands in for materials that are not rendered yet.
-Kind grey() {
-    return MatteMaterial{{Color(0.5F)}, {0.0F}};
-}
 
 }  // namespace
 
 void build_materials(SceneBuilder& b) {
     for (const Material& m : b.frame.materials) {
         const auto* const entry = std::ranges::find(entries, m.plugin.type->name, &Entry::name);
-        PhysicalMaterial built{entry == entries.end() ? grey() : entry->build(b, m)};
-        if (entry == entries.end()) warn_of_stand_in(b, m.plugin);
+        PhysicalMaterial built{entry->build(b, m)};
         if (m.plugin.parameters.texture("bumpmap")) {
             built.bump = b.number(m.plugin.parameters, "bumpmap");
         }

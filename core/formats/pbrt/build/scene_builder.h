@@ -9,6 +9,7 @@
 
 #include "core/formats/diagnostic_list.h"
 #include "core/formats/load.h"
+#include "core/formats/pbrt/build/bsdf_file.h"
 #include "core/formats/pbrt/build/ply_files.h"
 #include "core/formats/pbrt/frame.h"
 #include "core/formats/pbrt/parse.h"
@@ -29,6 +30,7 @@ struct SceneBuilder {
     LoadResult& result;  ///< with a scene of a physical look
 
     PlyFiles ply_files{frame, strict};
+    BsdfFiles bsdf_files{};
     DiagnosticList log{};                          ///< of what is found while building
     std::vector<std::uint32_t> texture_numbers{};  ///< of the frame's textures among their kind's
 

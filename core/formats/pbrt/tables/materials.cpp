@@ -116,8 +116,6 @@ constexpr ParameterSpec material_name(std::string_view name) {
 constexpr std::array mix = {material_name("namedmaterial1"), material_name("namedmaterial2"),
                             color_texture("amount", 0.5F)};
 
-constexpr std::string_view as_matte = "a matte material";
-
 constexpr std::array types = {
     PluginType{Category::material, "matte", matte},
     PluginType{Category::material, "plastic", plastic},
@@ -131,7 +129,7 @@ constexpr std::array types = {
     PluginType{Category::material, "hair", hair},
     PluginType{Category::material, "subsurface", subsurface},
     PluginType{Category::material, "kdsubsurface", kd_subsurface},
-    PluginType{Category::material, "fourier", fourier, {}, as_matte},
+    PluginType{Category::material, "fourier", fourier},
     PluginType{Category::material, "mix", mix},
     // The name is empty where a surface only bounds a medium.
     PluginType{Category::material, "none", {}},

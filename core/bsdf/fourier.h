@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "core/bsdf/evaluation.h"
+#include "core/bsdf/lobe_kind.h"
+#include "core/bsdf/local_direction.h"
+#include "core/scene/fourier_table.h"
+
+namespace etalon {
+
+/// Scattering by a table, which must outlive it. Light to both sides comes from one table.
+class FourierScattering {
+  public:
+    static constexpr LobeKind kind = LobeKind::both;
+
+    explicit FourierScattering(const FourierTable& table) : place_(std::bit_cast<Place>(&table)) {}
+
+    Evaluation evaluate(const Vec3f& wo, const Vec3f& wi) const;
+    std::optional<Vec3f> sample(const Vec3f& wo, const Vec2& uv) const;
+    Color albedo(const Vec3f& wo) const;
+    void scale(const Color& by) { factor_ *= by; }
+
+  private:
+    /// A pointer in words, aligned as the members of other lobes, which are no larger.
+    using Place = std::array<std::uint32_t, sizeof(void*) / sizeof(std::uint32_t)>;
+
+    const FourierTable& table() const { return *std::bit_cast<const FourierTable*>(place_); }
+
+    Place place_;
+    Color factor_{1};
+};
+
+}  // namespace etalon
