@@ -7,6 +7,10 @@ namespace {
 /// The largest image that can be asked for, as on the command line.
 constexpr int most_pixels = 65536;
 
+/// Longest path. Between white walls none ends before, and while the paths of a batch go on,
+/// nothing stops them.
+constexpr int most_vertices = 1 << 14;
+
 void build_film(SceneBuilder& b) {
     const Plugin& film = b.frame.film;
     const Parameters& p = film.parameters;
@@ -130,7 +134,8 @@ void build_integrator(SceneBuilder& b) {
     to.integrator = sees_media(name) ? "volpath" : "path";
     to.direct_lighting = is_direct(name);
     to.ask_all_lights = asks_all_lights(integrator);
-    to.max_depth = within(b, integrator, "as maxdepth", p.integer("maxdepth"), 0, 1 << 20) + 1;
+    to.max_depth =
+        within(b, integrator, "as maxdepth", p.integer("maxdepth"), 0, most_vertices) + 1;
     if (integrator.type->find("rrthreshold") != nullptr) {
         to.roulette_threshold = p.number("rrthreshold");
     }

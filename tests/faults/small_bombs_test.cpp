@@ -1,0 +1,40 @@
+#include "tests/faults/small_bombs.h"
+
+#include <chrono>
+
+#include "tests/app/run_program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+
+namespace {
+
+constexpr std::size_t most_bytes_of_a_bomb = 1024;
+constexpr double most_memory = 1e9;
+
+/// Renders as a service would render a stranger's scene: limits of memory and time, and a watchdog,
+/// which should never be needed.
+ProgramResult rendered(const Folder& f, const SmallBomb& bomb) {
+    f.write("bomb." + bomb.format, bomb.text);
+    if (!bomb.file.empty()) f.write(bomb.file, bomb.bytes);
+    return f.shell("exec timeout -s KILL 60 '" ETALON_BINARY_DIR "/bin/etalon' render bomb." +
+                   bomb.format + " -t 2 --max-memory 900M --time-limit 0.2 -q -o image.exr");
+}
+
+}  // namespace
+
+TEST_CASE("A small scene that asks for too much ends in words or in an image, soon", "[faults]") {
+    for (const SmallBomb& bomb : small_bombs()) {
+        CAPTURE(bomb.name, bomb.format);
+        REQUIRE(bomb.text.size() <= most_bytes_of_a_bomb);
+        REQUIRE(bomb.bytes.size() <= most_bytes_of_a_bomb);
+        const Folder f;
+        const auto begin = std::chrono::steady_clock::now();
+        const ProgramResult r = rendered(f, bomb);
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+        CAPTURE(r.status, r.err, took.count(), r.peak_bytes);
+        CHECK((r.status == 0 ? f.has("image.exr") : r.status == 3));
+        if (r.status != 0) CHECK_THAT(r.err, ContainsSubstring("error: "));
+        CHECK(static_cast<double>(r.peak_bytes) < most_memory);
+    }
+}
