@@ -1,5 +1,5 @@
-# What cmake --install copies, in two components: `programs`, for who renders and measures, and
-# `development`, for who writes a backend or a loader in a project of their own.
+# What cmake --install copies, in components: `programs`, for who renders and measures, `mpi`, for who
+# does so with MPI, and `development`, for who writes a backend or a loader in a project of their own.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

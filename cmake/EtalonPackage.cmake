@@ -1,4 +1,4 @@
-# cpack -G DEB: the packages etalon and libetalon-dev, for the Debian on which they are built. What
+# cpack -G DEB: the packages etalon, etalon-mpi and libetalon-dev, for the Debian on which they are built. What
 # etalon depends on is read from its programs, so the versions of libraries are those of that Debian.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -28,5 +28,16 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 list(JOIN ETALON_DEBIAN_PACKAGES ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION 
   "Static libraries, headers and the configuration for CMake, for those who write a backend or a loader.")
+
+# Who renders in one process need not install Open MPI.
+if(TARGET etalon_mpi)
+  list(INSERT CPACK_COMPONENTS_ALL 1 mpi)
+  set(CPACK_DEBIAN_MPI_PACKAGE_NAME etalon-mpi)
+  set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS
+    "etalon (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), openmpi-bin")
+  set(CPACK_COMPONENT_MPI_DESCRIPTION
+    "The module by which etalon renders one image with many processes, on many machines.")
+endif()
 
 include(CPack)

@@ -13,8 +13,8 @@ namespace etalon {
 namespace {
 
 /// Most tiles that a thread of another rank has ahead. Tiles of few samples take a fraction of a
-/// millisecond, and messages wait for about as long until they are looked for.
-constexpr std::size_t most_ahead = 16;
+/// millisecond, and messages wait for some milliseconds until they are looked for.
+constexpr std::size_t most_ahead = 64;
 
 /// Time between two looks whether a stop ends the waiting for results.
 constexpr auto stop_interval = std::chrono::milliseconds(5);
