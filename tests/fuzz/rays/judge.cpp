@@ -48,9 +48,10 @@ std::optional<Finding> compare(const Backend& backend, const Intersector& inters
     intersector.closest(rays, hits);
     intersector.occluded(rays, blocked);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const Hit alone = intersector.closest(rays[i]).value_or(Hit{0, no_index});
-        const bool is_blocked = intersector.occluded(rays[i]);
-        const bool occlusion = found(expected[i]);
+        const bool occlusion = found(expected[i]), is_asked_alone = i % 4 == 0;
+        const Hit alone =
+            is_asked_alone ? intersector.closest(rays[i]).value_or(Hit{0, no_index}) : hits[i];
+        const bool is_blocked = is_asked_alone ? intersector.occluded(rays[i]) : blocked[i] != 0;
         if (same_bits(hits[i], expected[i]) && same_bits(alone, expected[i]) &&
             (blocked[i] != 0) == occlusion && is_blocked == occlusion) {
             continue;

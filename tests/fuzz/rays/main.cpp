@@ -13,6 +13,9 @@
 namespace etalon::fuzz {
 namespace {
 
+/// The oracle takes as long as all backends do: it sees every third scene.
+constexpr std::uint64_t scenes_for_oracle = 3;
+
 struct Plan {
     std::uint64_t seed = 1, first = 0;
     double rays = 1e5, seconds = infinity;
@@ -21,7 +24,7 @@ struct Plan {
 };
 
 struct Counts {
-    std::uint64_t scenes = 0, rays = 0, edited = 0, undecided = 0, differences = 0;
+    std::uint64_t scenes = 0, rays = 0, edited = 0, oracle = 0, undecided = 0, differences = 0;
 };
 
 void report(const Plan& plan, std::uint64_t number, const Shrunk& shrunk) {
@@ -40,7 +43,10 @@ bool test_scene(const Plan& plan, std::uint64_t number, Counts& counts) {
     counts.rays += rays.size();
     ++counts.scenes;
     auto finding = find_disparity(scene, rays, hits);
-    if (!finding) finding = find_error(scene, rays, hits, counts.undecided);
+    if (!finding && number % scenes_for_oracle == 0) {
+        counts.oracle += rays.size();
+        finding = find_error(scene, rays, hits, counts.undecided);
+    }
     if (finding) {
         report(plan, number, shrunk(scene, *finding, find_difference));
         return false;
@@ -80,8 +86,8 @@ int run(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     const Counts counts = test_scenes(plan);
     std::cout << "scenes " << counts.scenes << ", rays " << counts.rays << ", in edited scenes "
-              << counts.edited << ", undecided " << counts.undecided << ", differences "
-              << counts.differences << "\n";
+              << counts.edited << ", by the oracle " << counts.oracle << ", undecided "
+              << counts.undecided << ", differences " << counts.differences << "\n";
     return counts.differences == 0 ? 0 : 1;
 }
 

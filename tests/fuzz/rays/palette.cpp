@@ -5,6 +5,9 @@
 namespace etalon::fuzz {
 namespace {
 
+/// Of the largest component; others may be denormal.
+constexpr double least_direction = 1e-150;
+
 constexpr std::array far_steps = {1.0, 0x1p-20, 1e-6, 0.1, 1e3};
 
 /// Moves a number by up to two units in its last place.
@@ -69,7 +72,7 @@ Vec3 NastyNumbers::direction() const {
     if (random_.one_in(4)) d = random_.direction();
     if (random_.one_in(12))
         d[random_.axis()] = random_.sign() * (random_.one_in(2) ? 5e-324 : 1e-20);
-    return d == Vec3(0) ? Vec3(0, 0, 1) : d;
+    return max_abs(d) < least_direction ? Vec3(0, 0, 1) : d;
 }
 
 }  // namespace etalon::fuzz

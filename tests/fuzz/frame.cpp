@@ -1,0 +1,77 @@
+// libFuzzer's entry points, alike for all targets.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+#include "tests/fuzz/target.h"
+#include "tests/fuzz/text_mutator.h"
+#include "tests/temporary_folder.h"
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+
+namespace etalon::fuzz {
+namespace {
+
+/// Words of the dictionary that libFuzzer was given.
+std::vector<std::string>& words() {
+    static std::vector<std::string> list;
+    return list;
+}
+
+/// Reads lines of the form "word".
+void read_words(const std::string& path) {
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);) {
+        if (line.size() > 2 && line.front() == '"')
+            words().push_back(line.substr(1, line.size() - 2));
+    }
+}
+
+/// Moves to an empty folder of its own, gone at exit: what a text names by a relative path is there
+/// or nowhere.
+void enter_folder() {
+    static const auto folder = std::make_unique<test::TemporaryFolder>();
+    std::filesystem::current_path(*folder / "");
+}
+
+std::size_t mutate_text_in(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
+    const std::string text(reinterpret_cast<const char*>(data), size);
+    const std::string changed = mutated_text(text, words(), seed).substr(0, most);
+    std::copy(changed.begin(), changed.end(), data);
+    return changed.size();
+}
+
+}  // namespace
+
+void require(bool holds, std::string_view text) {
+    if (holds) return;
+    std::fprintf(stderr, "fuzz: %.*s\n", static_cast<int>(text.size()), text.data());
+    std::abort();
+}
+
+}  // namespace etalon::fuzz
+
+using namespace etalon::fuzz;
+
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
+    constexpr std::string_view option = "-dict=";
+    for (int i = 1; i < *argc; ++i) {
+        const std::string_view argument = (*argv)[i];
+        if (argument.starts_with(option)) read_words(std::string(argument.substr(option.size())));
+    }
+    enter_folder();
+    return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    target.run({reinterpret_cast<const char*>(data), size});
+    return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t most, unsigned seed) {
+    if (target.is_text && seed % 2 == 0) return mutate_text_in(data, size, most, seed / 2);
+    return LLVMFuzzerMutate(data, size, most);
+}

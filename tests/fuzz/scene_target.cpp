@@ -1,0 +1,51 @@
+#include "tests/fuzz/scene_target.h"
+
+#include <filesystem>
+
+#include "core/formats/load.h"
+#include "core/formats/write/write.h"
+#include "tests/formats/sane_scene.h"
+#include "tests/fuzz/target.h"
+
+namespace etalon::fuzz {
+namespace {
+
+constexpr std::size_t most_diagnostics = 200;
+
+void check(const LoadResult& result) {
+    require(result.diagnostics.size() <= most_diagnostics, "too many diagnostics");
+    for (const Diagnostic& d : result.diagnostics) {
+        require(!d.message.empty(), "a diagnostic without a message");
+    }
+    require(result.scene || !result.diagnostics.empty(), "neither a scene nor an error");
+    if (result.scene && !result.scene->is_physical()) {
+        const std::string defect = insanity(result);
+        require(defect.empty(), "not sane: " + defect);
+    }
+}
+
+/// What was read can be written; P3F can be read again.
+void write(const LoadResult& result) {
+    if (result.scene->is_physical()) return;
+    write_pbrt(*result.scene, result.settings, "");
+    const std::string text = write_p3f(*result.scene, result.settings, "").text;
+    LoadOptions options;
+    options.format = "p3f";
+    const LoadResult again = load_scene_text(text, "again.p3f", options);
+    require(again.scene.has_value(), "what was written cannot be read");
+    check(again);
+}
+
+}  // namespace
+
+void read_scene(const std::string& format, std::string_view text) {
+    if (text.find('/') != text.npos) return;
+    static const std::string path = (std::filesystem::current_path() / "scene").string();
+    LoadOptions options;
+    options.format = format;
+    const LoadResult result = load_scene_text(text, path, options);
+    check(result);
+    if (result.scene) write(result);
+}
+
+}  // namespace etalon::fuzz
