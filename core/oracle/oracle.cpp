@@ -15,10 +15,11 @@ Certainty is_visible(const Crossing& c, Sides sides) {
 }
 
 /// A kernel compares its rounded t with the ray's ends, and has none beyond the range of double;
-/// nor can it tell what is below that range.
+/// nor can it tell from 0 what is below that range. It can tell 0 itself.
 Certainty is_within(const Crossing& c, const Ray& ray, double tie) {
     const auto rounded = [tie](const Tracked& t) {
-        constexpr Quad least = std::numeric_limits<double>::denorm_min();
+        const bool is_zero = t.value == 0 && t.error == 0;
+        const Quad least = is_zero ? 0 : std::numeric_limits<double>::denorm_min();
         return Tracked(t.value, t.error + magnitude(t.value) * Quad(tie) + least);
     };
     const Tracked start = std::max(ray.tmin, 0.0),

@@ -137,3 +137,14 @@ TEST_CASE("Oracle: given one shape alone or far from everything, then its box hi
         }
     }
 }
+
+TEST_CASE("Oracle: given rays that start on a surface exactly, then they are decided") {
+    Scene scene;
+    scene.geometry.add(Box{{-1, -1, -1}, {1, 1, 1}}, 0);
+    const Oracle oracle(scene.geometry);
+    const OracleAnswer away = oracle.closest(Ray{{0.25, 0.5, 1}, {0.1, 0.2, 1}});
+    CHECK(away.kind == OracleAnswer::miss);
+    const OracleAnswer through = oracle.closest(Ray{{0.25, 0.5, 1}, {0, 0, -0.5}});
+    CHECK(through.kind == OracleAnswer::hit);
+    CHECK(through.t == 4);
+}
