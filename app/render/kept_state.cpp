@@ -21,6 +21,7 @@ KeptState::KeptState(const RenderArguments& a, bool is_shared)
 void KeptState::identify(const Scene& scene, const RenderSettings& settings) {
     if (!files_) return;
     identity_ = image_identity(scene_, files_->fingerprint(), scene, settings);
+    scene_files_ = files_->paths();
     files_.reset();
 }
 
