@@ -50,7 +50,7 @@ class KeptState {
     const SceneArguments& scene_;
     std::string path_, part_;
     double every_;
-    bool resumes_;
+    bool resumes_, is_shared_;
     std::optional<ReadLog> files_;  ///< until the scene is known
     nlohmann::ordered_json identity_;
     std::set<std::string> scene_files_;

@@ -149,8 +149,10 @@ class Render {
         const std::string resumable =
             a_.checkpoint.empty() ? "" : "; --resume goes on from " + a_.checkpoint;
         if (signals_.signal() != 0) {
-            print_message("etalon: rank 0 was ended by signal {}, as all are when one has died{}\n",
-                          signals_.signal(), resumable);
+            print_message(
+                "etalon: rank 0 was ended by signal {}: a rank has died, or mpirun was told to "
+                "end{}\n",
+                signals_.signal(), resumable);
         }
         const std::string error = dealer_->error();
         return error.empty() || complain(error + resumable);
