@@ -22,6 +22,9 @@ struct EtalonMpi {
     /// Begins to send a message of at most 2^31 - 1 bytes, of which it keeps a copy.
     const char* (*send)(int to, const char* bytes, std::size_t size);
 
+    /// Tells how many messages are still to be sent.
+    const char* (*count_unsent)(std::size_t* count);
+
     /// Receives a message, if there is one; `received` says whether.
     const char* (*receive)(const EtalonMpiReceiver* receiver, int* received);
 

@@ -9,6 +9,7 @@
 #include <exception>
 #include <list>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "app/mpi/mpi_abi.h"
@@ -19,7 +20,7 @@ namespace {
 /// A message that is on its way, out or in. A process that died may leave it there for ever.
 struct Transfer {
     std::string bytes;
-    int from = 0;
+    int peer = 0;
     MPI_Request request = MPI_REQUEST_NULL;
 };
 
@@ -60,16 +61,21 @@ const char* join(int* rank, int* size) {
     return error_of(code);
 }
 
-/// Takes the first transfer out of the list that is complete; nothing if none is.
+/// Takes a transfer that is complete out of the list; nothing if none is. Those of one peer keep
+/// their order.
 int take_complete(std::list<Transfer>& transfers, std::optional<Transfer>& taken) {
+    std::set<int> waiting;  // peers of transfers that are not complete
     for (auto i = transfers.begin(); i != transfers.end(); ++i) {
+        if (waiting.contains(i->peer)) continue;
         int is_complete = 0;
         const int code = MPI_Test(&i->request, &is_complete, MPI_STATUS_IGNORE);
         if (code != MPI_SUCCESS) return code;
-        if (!is_complete) continue;
-        taken = std::move(*i);
-        transfers.erase(i);
-        break;
+        if (is_complete) {
+            taken = std::move(*i);
+            transfers.erase(i);
+            break;
+        }
+        waiting.insert(i->peer);
     }
     return MPI_SUCCESS;
 }
@@ -89,6 +95,7 @@ const char* send(int to, const char* bytes, std::size_t size) {
     return guarded([&] {
         Transfer& sending = sendings.emplace_back();
         sending.bytes.assign(bytes, size);
+        sending.peer = to;
         return error_of(MPI_Isend(sending.bytes.data(), static_cast<int>(size), MPI_BYTE, to, 0,
                                   MPI_COMM_WORLD, &sending.request));
     });
@@ -104,8 +111,14 @@ int begin_to_receive() {
     if (code != MPI_SUCCESS || !is_announced) return code;
     Transfer& receiving = receivings.emplace_back();
     receiving.bytes.resize(static_cast<std::size_t>(size));
-    receiving.from = status.MPI_SOURCE;
+    receiving.peer = status.MPI_SOURCE;
     return MPI_Imrecv(receiving.bytes.data(), size, MPI_BYTE, &message, &receiving.request);
+}
+
+const char* count_unsent(std::size_t* count) {
+    const int code = forget_sent();
+    *count = sendings.size();
+    return error_of(code);
 }
 
 const char* receive(const EtalonMpiReceiver* receiver, int* received) {
@@ -117,7 +130,7 @@ const char* receive(const EtalonMpiReceiver* receiver, int* received) {
         if (code == MPI_SUCCESS) code = take_complete(receivings, message);
         if (code == MPI_SUCCESS && message) {
             *received = 1;
-            receiver->take(receiver->context, message->from, message->bytes.data(),
+            receiver->take(receiver->context, message->peer, message->bytes.data(),
                            message->bytes.size());
         }
         return error_of(code);
@@ -151,7 +164,7 @@ void leave(double patience) {
     MPI_Finalize();
 }
 
-constexpr EtalonMpi module = {etalon_mpi_version, join, send, receive, leave};
+constexpr EtalonMpi module = {etalon_mpi_version, join, send, count_unsent, receive, leave};
 
 }  // namespace
 

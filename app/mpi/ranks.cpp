@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/common/started_rank.h"
+#include "app/mpi/poll_pause.h"
 #include "core/base/module_symbol.h"
 
 namespace etalon {
@@ -29,6 +30,16 @@ void Ranks::send(int to, std::string_view message) {
     ++traffic_.messages_sent;
     traffic_.bytes_sent += message.size();
     note_error(module_->send(to, message.data(), message.size()));
+}
+
+void Ranks::wait_until_unsent(std::size_t most) {
+    PollPause pause;
+    while (error_.empty()) {
+        std::size_t unsent = 0;
+        note_error(module_->count_unsent(&unsent));
+        if (unsent <= most) return;
+        pause.sleep();
+    }
 }
 
 bool Ranks::receive(const std::function<void(int, std::string_view)>& take) {

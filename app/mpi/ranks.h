@@ -31,6 +31,9 @@ class Ranks {
     /// Begins to send a message.
     void send(int to, std::string_view message);
 
+    /// Waits until no more than so many messages are still to be sent.
+    void wait_until_unsent(std::size_t most);
+
     /// Gives a message to `take`, if one has come. Returns whether.
     bool receive(const std::function<void(int from, std::string_view message)>& take);
 

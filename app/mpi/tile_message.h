@@ -11,11 +11,13 @@
 namespace etalon {
 
 enum class MessageKind : char {
-    ready,    ///< to rank 0: the number of threads, and the image's identity as JSON
-    failure,  ///< to rank 0: why there is nothing to be expected of the sender, in words
-    tasks,    ///< from rank 0: tiles to render
-    results,  ///< to rank 0: tiles rendered
-    end       ///< from rank 0: no more is wanted
+    ready,     ///< to rank 0: the number of threads, and the image's identity as JSON
+    failure,   ///< to rank 0: why there is nothing to be expected of the sender, in words
+    tasks,     ///< from rank 0: tiles to render
+    results,   ///< to rank 0: tiles rendered
+    end,       ///< from rank 0: no more is wanted
+    file,      ///< a piece of a file of the scene
+    files_end  ///< all files of the scene have been sent
 };
 
 inline std::string message_of(MessageKind kind, std::string_view content = {}) {

@@ -165,6 +165,15 @@ void declare_checkpoint(Options& options, RenderArguments& a) {
         .group(group);
 }
 
+void declare_mpi(Options& options, RenderArguments& a) {
+    options
+        .add("--mpi-scene", a.mpi_scene,
+             "How the processes that mpirun started get the scene: each reads its files, or rank 0 "
+             "reads and sends them, as it does with standard input (default: each)")
+        .one_of({"each", "broadcast"})
+        .group("MPI");
+}
+
 void declare_live_view(Options& options, RenderArguments& a) {
     options
         .add("--tev", a.tev,
@@ -183,6 +192,7 @@ void declare_render_options(Options& options, RenderArguments& a) {
     declare_samples(options, a);
     declare_rendering(options, a);
     declare_checkpoint(options, a);
+    declare_mpi(options, a);
     declare_live_view(options, a);
     options
         .add("--stats", a.stats,

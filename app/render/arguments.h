@@ -18,7 +18,8 @@ struct RenderArguments {
     SceneArguments scene;
     std::vector<std::string> outputs, aovs;
     std::string output_format, backend, integrator{scene_integrator},
-        sampler = "sobol", resolution, crop, filter, stats, reference, checkpoint, part, tev;
+        sampler = "sobol", mpi_scene = "each", resolution, crop, filter, stats, reference,
+        checkpoint, part, tev;
     int samples = -1, max_depth = 0, threads = 0;
     std::size_t seed = 0;
     double exposure = 0, target_error = 0, time_limit = 0, max_distance = 0,

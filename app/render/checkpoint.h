@@ -21,6 +21,9 @@ class CheckpointWriter : public StateKeeper {
     CheckpointWriter(std::string path, double every, const nlohmann::ordered_json& identity,
                      Clock clock = wall_seconds);
 
+    /// Makes the first one due after so many seconds.
+    void begin_after(double seconds) { due_ = clock_() + seconds; }
+
     bool is_due() override;
     void keep(const std::function<void(StateWriter&)>& save) override;
 

@@ -1,5 +1,6 @@
 #include "app/render/kept_state.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/common/console.h"
@@ -8,19 +9,28 @@
 #include "app/render/image_identity.h"
 
 namespace etalon {
+namespace {
+
+/// Seconds until the first checkpoint of an image that several processes share: if one of them
+/// dies, an MPI launcher gives the others little time to write one.
+constexpr double shared_first_checkpoint = 5;
+
+}  // namespace
 
 KeptState::KeptState(const RenderArguments& a, bool is_shared)
     : scene_(a.scene),
       path_(a.checkpoint),
       part_(a.part),
       every_(a.checkpoint_every > 0 ? a.checkpoint_every : usual_checkpoint_interval),
-      resumes_(a.resume) {
+      resumes_(a.resume),
+      is_shared_(is_shared) {
     if (!path_.empty() || is_part() || is_shared) files_.emplace();
 }
 
 void KeptState::identify(const Scene& scene, const RenderSettings& settings) {
     if (!files_) return;
     identity_ = image_identity(scene_, files_->fingerprint(), scene, settings);
+    scene_files_ = files_->paths();
     files_.reset();
 }
 
@@ -33,6 +43,7 @@ std::string KeptState::open() {
         print_message("etalon: warning: checkpoint {}; rendering goes on\n", error);
     }
     writer_.emplace(path_, every_, identity_);
+    if (is_shared_) writer_->begin_after(std::min(every_, shared_first_checkpoint));
     return {};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 
 #include "app/render/arguments.h"
@@ -26,8 +27,9 @@ class KeptState {
     /// unusable, beginning with its name, or nothing.
     std::string open();
 
-    /// Identity of the image; null where nobody needs it.
+    /// Identity of the image, and the files of its scene; nothing where nobody needs them.
     const nlohmann::ordered_json& identity() const { return identity_; }
+    const std::set<std::string>& scene_files() const { return scene_files_; }
 
     /// Lets a rendering keep its state, and go on from the one that was opened. The control must
     /// not outlive this.
@@ -48,9 +50,10 @@ class KeptState {
     const SceneArguments& scene_;
     std::string path_, part_;
     double every_;
-    bool resumes_;
+    bool resumes_, is_shared_;
     std::optional<ReadLog> files_;  ///< until the scene is known
     nlohmann::ordered_json identity_;
+    std::set<std::string> scene_files_;
     std::string film_;  ///< of a part, as bytes
     std::optional<CheckpointWriter> writer_;
     CheckpointReader reader_;

@@ -17,6 +17,7 @@
 #include "app/live/live_page.h"
 #include "app/live/tev_view.h"
 #include "app/mpi/rank_dealer.h"
+#include "app/mpi/scene_copy.h"
 #include "app/mpi/tile_message.h"
 #include "app/mpi/tile_worker.h"
 #include "app/render/aovs.h"
@@ -28,6 +29,7 @@
 #include "app/replaced_images.h"
 #include "app/stats.h"
 #include "app/subcommands.h"
+#include "core/formats/file_text.h"
 #include "core/image/atomic_file.h"
 #include "core/image/io.h"
 #include "core/parallel/parallel.h"
@@ -72,6 +74,10 @@ class Render {
     /// Renders tiles for rank 0, which does all the rest.
     int work() {
         limit_threads(a_.threads);
+        if (const std::string error = receive_scene(); !error.empty()) {
+            return complain(error), exit_unusable;
+        }
+        if (copy_.is_over()) return exit_done;
         int status = prepare();
         if (status == exit_done && !build()) status = exit_unusable;
         if (status != exit_done) return status;
@@ -90,6 +96,7 @@ class Render {
         if (const int status = prepare(); status != exit_done) return status;
         if (const int status = check_outputs(); status != exit_done) return status;
         if (!open_page() || !build() || !open_kept() || !open_reference()) return exit_unusable;
+        if (is_sent()) send_scene(ranks_, kept_.scene_files(), standard_input_.text());
         const Rendering rendering = render_image();
         if (kept_.failed()) {
             return complain(a_.checkpoint + ": the checkpoint does not fit the image"),
@@ -105,9 +112,29 @@ class Render {
         return usable ? exit_done : exit_unusable;
     }
 
+    /// Whether rank 0 sends the scene to the others.
+    bool is_sent() const {
+        return ranks_.size() > 1 && (a_.mpi_scene == "broadcast" || a_.scene.path == "-");
+    }
+
+    /// Gets the scene from rank 0, if that sends it. Returns why that failed, or nothing.
+    std::string receive_scene() {
+        if (!is_sent()) return {};
+        std::string error = copy_.receive(ranks_);
+        const bool is_absolute = std::filesystem::path(a_.scene.path).is_absolute();
+        if (is_absolute) a_.scene.path = copy_.place_of(a_.scene.path);
+        return error;
+    }
+
+    LoadedScene load_scene() {
+        if (!is_sent() || a_.scene.path != "-") return load(a_.scene);
+        standard_input_ = read_file(ranks_.rank() == 0 ? "-" : copy_.place_of("-"));
+        return load(a_.scene, standard_input_.text());
+    }
+
     /// Reads the scene and settles how it is to be rendered. Returns the exit status.
     int prepare() {
-        LoadedScene loaded = load(a_.scene);
+        LoadedScene loaded = load_scene();
         if (!loaded.scene) return loaded.status;
         scene_ = std::move(*loaded.scene);
         settings_ = std::move(loaded.settings);
@@ -128,8 +155,10 @@ class Render {
         const std::string resumable =
             a_.checkpoint.empty() ? "" : "; --resume goes on from " + a_.checkpoint;
         if (signals_.signal() != 0) {
-            print_message("etalon: rank 0 was ended by signal {}, as all are when one has died{}\n",
-                          signals_.signal(), resumable);
+            print_message(
+                "etalon: rank 0 was ended by signal {}: a rank has died, or mpirun was told to "
+                "end{}\n",
+                signals_.signal(), resumable);
         }
         const std::string error = dealer_->error();
         return error.empty() || complain(error + resumable);
@@ -348,6 +377,8 @@ class Render {
     Ranks& ranks_;
     KeptState kept_{a_, ranks_.size() > 1};
     std::optional<RankDealer> dealer_;
+    SceneCopy copy_;           ///< of a rank to which the scene was sent
+    FileText standard_input_;  ///< where the scene is read from that, and sent
     SignalGuard signals_;
     Stopwatch watch_;
     Scene scene_;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <mutex>
 #include <set>
+#include <string>
 #include <string_view>
 
 #include "core/base/hash64.h"
@@ -29,18 +30,25 @@ class ReadLog {
         return hash.value();
     }
 
+    /// The paths by which files were read.
+    std::set<std::string> paths() const {
+        const std::lock_guard lock(mutex_);
+        return paths_;
+    }
+
     /// Whether anybody wants to know of files.
     static bool is_kept() { return current_ != nullptr; }
 
     /// Notes the content of a file, if that is wanted.
-    static void note(std::string_view content) {
-        if (is_kept()) note_hash(hash64(content));
+    static void note(const std::string& path, std::string_view content) {
+        if (is_kept()) note_hash(path, hash64(content));
     }
-    static void note_hash(std::uint64_t content) {
+    static void note_hash(const std::string& path, std::uint64_t content) {
         ReadLog* const log = current_;
         if (!log) return;
         const std::lock_guard lock(log->mutex_);
         log->contents_.insert(content);
+        log->paths_.insert(path);
     }
 
   private:
@@ -48,6 +56,7 @@ class ReadLog {
 
     mutable std::mutex mutex_;
     std::set<std::uint64_t> contents_;
+    std::set<std::string> paths_;
 };
 
 }  // namespace etalon

@@ -40,13 +40,10 @@ FileText read_all(std::FILE* stream, std::size_t expected) {
         file.bytes = std::move(larger);
     }
     if (std::ferror(stream)) return failure("cannot be read: " + reason());
-    ReadLog::note(file.text());
     return file;
 }
 
-}  // namespace
-
-FileText read_file(const std::string& path) {
+FileText read_unnoted(const std::string& path) {
     if (path == "-") return read_all(stdin, 0);
     std::error_code unknown;
     if (std::filesystem::is_directory(path, unknown)) return failure("is a directory");
@@ -59,6 +56,14 @@ FileText read_file(const std::string& path) {
     const std::uintmax_t size = std::filesystem::file_size(path, unknown);
     if (unknown) return read_all(file.get(), 0);
     return size > largest_file ? too_large() : read_all(file.get(), size);
+}
+
+}  // namespace
+
+FileText read_file(const std::string& path) {
+    FileText file = read_unnoted(path);
+    if (file.error.empty()) ReadLog::note(path, file.text());
+    return file;
 }
 
 }  // namespace etalon

@@ -38,7 +38,7 @@ const char* map(const std::string& path, std::size_t& size) {
 
 MappedFile::MappedFile(const std::string& path) : mapped_(map(path, size_)) {
     if (mapped_) {
-        ReadLog::note(text());
+        ReadLog::note(path, text());
     } else {
         read_ = read_file(path);
     }

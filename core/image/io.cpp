@@ -116,7 +116,7 @@ void note_content(const std::string& path) {
         size = std::fread(bytes.data(), 1, bytes.size(), file.get());
         hash.add({bytes.data(), size});
     }
-    ReadLog::note_hash(hash.value());
+    ReadLog::note_hash(path, hash.value());
 }
 
 Result<Image> read_readable(const std::string& path, Extent extent) {

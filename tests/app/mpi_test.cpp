@@ -109,10 +109,38 @@ TEST_CASE("A rank that has another scene, or none, ends the rendering by name",
     CHECK_FALSE(f.has("a.exr"));
 }
 
+TEST_CASE("A scene that rank 0 sends need not be where the others are", "[app][needs_mpirun]") {
+    const Folder f;
+    SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
+    f.shell("mkdir -p here/scenes nowhere && cp -r '" ETALON_SOURCE_DIR
+            "/scenes/features' "
+            "'" ETALON_SOURCE_DIR "/scenes/pbrt' '" ETALON_SOURCE_DIR
+            "/scenes/skybox' here/scenes");
+    const std::string options = " --spp 2 --resolution 60x40 -t 1 -q -o ",
+                      one = "cd here; '" ETALON_BINARY_DIR "/bin/etalon' render ";
+    for (const std::string scene : {"scenes/features/skybox.p3f", "scenes/pbrt/textures.pbrt",
+                                    "scenes/pbrt/shapes.pbrt", "- <scenes/features/glass.p3f"}) {
+        CAPTURE(scene);
+        REQUIRE(f.shell(one + scene + options + "one.exr").status == 0);
+        const std::string input = scene[0] == '-' ? f.read("here/scenes/features/glass.p3f") : "";
+        const std::string many =
+            "test $OMPI_COMM_WORLD_RANK = 0 && cd here || cd nowhere; "
+            "export TMPDIR=$PWD; exec '" ETALON_BINARY_DIR "/bin/etalon' render " +
+            scene.substr(0, scene.find(' ')) + options + "many.exr --stats many.json --mpi-scene ";
+        f.write("command", many + "broadcast");
+        const auto r = f.shell("exec " + mpirun(4) + "sh command", input);
+        CAPTURE(r.err);
+        CHECK(r.status == 0);
+        CHECK(f.read("here/many.exr") == f.read("here/one.exr"));
+        CHECK(f.shell("ls -A nowhere").out.empty());
+        if (input.empty()) CHECK(in_ranks(f, 2, many + "each").status == 3);
+    }
+}
+
 TEST_CASE("When a rank is killed, what was done can be resumed", "[app][needs_mpirun]") {
     const Folder f;
     SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
-    const std::string task = render("glass.p3f --spp 500") + "-t 1 ";
+    const std::string task = render("glass.p3f --spp 250") + "-t 1 ";
     REQUIRE(f.shell(task + "-o whole.exr").status == 0);
     f.write("rank", "echo $$ >pid$OMPI_COMM_WORLD_RANK; exec " + task +
                         "-o image.exr --checkpoint c --checkpoint-every 0.1 --resume");
@@ -121,7 +149,7 @@ TEST_CASE("When a rank is killed, what was done can be resumed", "[app][needs_mp
         const auto r = f.shell(fmt::format(
             "{}sh rank & run=$!; until test -s pid{}; do sleep 0.02; done; "
             "pid=$(cat pid{}); until {}; do sleep 0.02; done 2>loop; kill -KILL $pid; wait $run",
-            mpirun(3), victim, victim, has_worked(50)));
+            mpirun(3), victim, victim, has_worked(25)));
         CAPTURE(victim, r.err);
         CHECK(r.status == 128 + 9);
         CHECK_THAT(r.err, ContainsSubstring("signal 9"));

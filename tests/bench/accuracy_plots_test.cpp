@@ -1,4 +1,6 @@
 // What the plots of etalon-bench accuracy say beside their points.
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "bench/accuracy/report/remarks.h"

@@ -175,10 +175,10 @@ void check_renders(Comparison& c, const Programs& run) {
     run(stopped + stats, "s.json");
     c.check(to, run(stopped + " --resume" + stats, "s.json"));
     if (has_mpirun(run)) {
-        const auto r = run.folder().shell(
-            "mpirun --allow-run-as-root --oversubscribe -n 2 '" ETALON_BINARY_DIR
-            "/bin/etalon' render G -o b.exr --spp 4096" +
-            stats);
+        const auto r =
+            run.folder().shell("mpirun --allow-run-as-root --oversubscribe -n 2 '" ETALON_BINARY_DIR
+                               "/bin/etalon' render G -o b.exr --spp 4096" +
+                               stats);
         CHECK(r.status == 0);
         c.check(to, json::parse(run.folder().read("s.json")));
     }
