@@ -18,7 +18,7 @@ Certainty is_visible(const Crossing& c, Sides sides) {
 /// nor can it tell what is below that range.
 Certainty is_within(const Crossing& c, const Ray& ray, double tie) {
     const auto rounded = [tie](const Tracked& t) {
-        constexpr Quad least = std::numeric_limits<double>::denorm_min();
+        constexpr Quad least = std::numeric_limits<double>::min();
         return Tracked(t.value, t.error + magnitude(t.value) * Quad(tie) + least);
     };
     const Tracked start = std::max(ray.tmin, 0.0),
