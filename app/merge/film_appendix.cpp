@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "app/render/image_identity.h"
 #include "core/base/hash64.h"
 
 namespace etalon {
@@ -49,6 +50,36 @@ FilmAppendix from_json(const Json& json) {
     return result;
 }
 
+constexpr int most_pixels_of_side = 65536;
+
+/// Whether a film may be that of an image of a size: a pixel has its sums and its number of
+/// samples.
+bool is_possible(const StoredFilm& film, const Imath::V2i& size) {
+    const Imath::V2i &min = film.window.min, &max = film.window.max;
+    const bool is_inside = 0 <= min.x && min.x <= max.x && max.x < size.x && 0 <= min.y &&
+                           min.y <= max.y && max.y < size.y;
+    if (!is_inside) return false;
+    const std::uint64_t pixels = std::uint64_t(max.x - min.x + 1) * (max.y - min.y + 1);
+    return pixels <= film.bytes / (sizeof(Vec3) + sizeof(std::uint32_t));
+}
+
+/// Whether an appendix can be that of an image: a hash tells damage, but not who wrote the file.
+/// Throws as film_settings() does.
+bool is_possible(const FilmAppendix& appendix, std::uint64_t bytes) {
+    const RenderSettings settings = film_settings(appendix.identity);
+    const Imath::V2i& size = settings.resolution;
+    const auto is_radius = [](double r) { return r > 0 && r <= max_filter_radius; };
+    if (!is_radius(settings.filter.radius.x) || !is_radius(settings.filter.radius.y)) return false;
+    if (std::max(size.x, size.y) > most_pixels_of_side || appendix.films.empty()) return false;
+    metadata_of(appendix.metadata);
+    std::uint64_t left = bytes;
+    for (const StoredFilm& film : appendix.films) {
+        if (!is_possible(film, size) || film.bytes > left) return false;
+        left -= film.bytes;
+    }
+    return true;
+}
+
 /// Reads the two lines, of a file that stands where they begin; hashes everything up to the end.
 Result<FilmAppendix> read_checked(std::ifstream& file, const Ending& ending) {
     Hash64 hash;
@@ -66,8 +97,10 @@ Result<FilmAppendix> read_checked(std::ifstream& file, const Ending& ending) {
     if (!file || hash.value() != ending.hash || end == lines.npos) return {{}, damaged};
     if (!lines.starts_with(first_line)) return {{}, "its sums are of another version of Etalon"};
     try {
-        return {from_json(Json::parse(lines.substr(first_line.size(), end - first_line.size()))),
-                {}};
+        const auto line = lines.substr(first_line.size(), end - first_line.size());
+        FilmAppendix appendix = from_json(Json::parse(line));
+        if (!is_possible(appendix, ending.bytes)) return {{}, damaged};
+        return {std::move(appendix), {}};
     } catch (const Json::exception&) {
         return {{}, damaged};
     }

@@ -91,16 +91,17 @@ std::string identity_difference(const Json& identity, const Json& other, std::st
 
 RenderSettings film_settings(const Json& identity) {
     RenderSettings s;
-    s.resolution = {identity["resolution"][0], identity["resolution"][1]};
-    const Json& crop = identity["crop"];
-    s.crop = {{crop[0], crop[1]}, {crop[2].get<int>() - 1, crop[3].get<int>() - 1}};
-    const std::string name = identity["filter"][0];
+    const Json &size = identity.at("resolution"), &crop = identity.at("crop");
+    const Json &filter = identity.at("filter"), &values = identity.at("display values");
+    s.resolution = {size.at(0), size.at(1)};
+    s.crop = {{crop.at(0), crop.at(1)}, {crop.at(2).get<int>() - 1, crop.at(3).get<int>() - 1}};
+    const std::string name = filter.at(0);
     for (const FilterType& type : filter_list) {
         if (type.name == name) s.filter.kind = type.kind;
     }
-    s.filter.radius = {identity["filter"][1][0], identity["filter"][1][1]};
-    s.display_colors = identity["display values"][0];
-    s.keep_display_values = identity["display values"][1];
+    s.filter.radius = {filter.at(1).at(0), filter.at(1).at(1)};
+    s.display_colors = values.at(0);
+    s.keep_display_values = values.at(1);
     return s;
 }
 

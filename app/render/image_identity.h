@@ -18,7 +18,7 @@ nlohmann::ordered_json image_identity(const SceneArguments& arguments, std::uint
 std::string identity_difference(const nlohmann::ordered_json& identity,
                                 const nlohmann::ordered_json& other, std::string_view where);
 
-/// Returns what an identity says of the film.
+/// Returns what an identity says of the film. Throws a nlohmann::json::exception if it is none.
 RenderSettings film_settings(const nlohmann::ordered_json& identity);
 
 }  // namespace etalon

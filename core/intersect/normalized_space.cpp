@@ -12,9 +12,12 @@ constexpr double furthest_origin = 0x1p1000;
 NormalizedSpace::NormalizedSpace(const Box3& world) {
     if (world.isEmpty()) return;
     centre_ = world.center();
-    const double half = std::max(max_abs(world.max - centre_), max_abs(world.min - centre_));
-    scale_ = power_of_two_reciprocal(half) / 2;
-    reach_ = (world.max - centre_) + Vec3(margin / scale_);
+    // Far from the origin the centre is rounded: the faces are not equally far from it.
+    const Vec3 above = world.max - centre_, below = centre_ - world.min;
+    const Vec3 half(std::max(above.x, below.x), std::max(above.y, below.y),
+                    std::max(above.z, below.z));
+    scale_ = power_of_two_reciprocal(max_abs(half)) / 2;
+    reach_ = half + Vec3(margin / scale_);
 }
 
 Box3f NormalizedSpace::box(const Box3& world, double pad) const {

@@ -19,7 +19,7 @@ Certainty is_visible(const Crossing& c, Sides sides) {
 Certainty is_within(const Crossing& c, const Ray& ray, double tie) {
     const auto rounded = [tie](const Tracked& t) {
         const bool is_zero = t.value == 0 && t.error == 0;
-        const Quad least = is_zero ? 0 : std::numeric_limits<double>::denorm_min();
+        const Quad least = is_zero ? 0 : std::numeric_limits<double>::min();
         return Tracked(t.value, t.error + magnitude(t.value) * Quad(tie) + least);
     };
     const Tracked start = std::max(ray.tmin, 0.0),

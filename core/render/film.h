@@ -63,6 +63,8 @@ class Film {
         bytes(squares_);
         bytes(counts_);
         bytes(errors_);
+        bytes.expect(squares_.empty() || squares_.size() == sums_.size());
+        bytes.expect(errors_.empty() || errors_.size() == sums_.size());
     }
 
     /// The same of the pixels of a tile alone, of a film to which no other was added.

@@ -50,6 +50,7 @@ class ImageFilm {
     void transfer(Bytes& bytes) {
         samples_.transfer(bytes);
         bytes(rates_);
+        bytes.expect(rates_.empty() || rates_.size() == samples_.size());
         if (splats_) splats_->transfer(bytes);
     }
 

@@ -50,6 +50,7 @@ class SplatFilm {
         bytes(splats_);
         bytes(errors_);
         bytes(counts_);
+        bytes.expect(errors_.empty() || errors_.size() == splats_.size());
     }
 
     /// The same of the cells of a tile alone, of a film to which no other was added.

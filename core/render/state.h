@@ -3,6 +3,7 @@
 // transfer(Bytes&)`.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string_view>
@@ -36,6 +37,9 @@ class StateWriter {
         sink_({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
     }
 
+    /// Says what must hold of the values so far, for whoever reads them.
+    void expect(bool) {}
+
   private:
     Sink sink_;
 };
@@ -61,10 +65,24 @@ class StateReader {
         std::uint64_t size = 0;
         read(&size, sizeof size);
         if (size != values.size() && (!values.empty() || size > largest)) failed_ = true;
-        if (failed_) return;
-        values.resize(size);
-        read(values.data(), size * sizeof(T));
+        constexpr std::uint64_t step = 1 << 16;  // memory grows with what there really is
+        for (std::uint64_t done = 0; done < size && !failed_; done += step) {
+            const std::uint64_t count = std::min(size - done, step);
+            if (values.size() < done + count) values.resize(done + count);
+            read(values.data() + done, count * sizeof(T));
+        }
     }
+
+    /// Of a byte that is neither 0 nor 1 no truth value can be made.
+    void operator()(bool& value) {
+        std::uint8_t byte = 0;
+        (*this)(byte);
+        expect(byte <= 1);
+        value = byte == 1;
+    }
+
+    /// Fails unless the values so far are those of such objects.
+    void expect(bool holds) { failed_ = failed_ || !holds; }
 
     /// Whether the bytes were not those of such objects.
     bool failed() const { return failed_; }

@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "core/scene/instance.h"
+#include "core/scene/map_condition.h"
 #include "core/scene/spare_room.h"
 
 namespace etalon {
@@ -16,8 +17,10 @@ bool same(const Affine& a, const Affine& b) {
 
 CurvePlace::CurvePlace(const Affine& map) : to_world(map), rows(Instance(map, 0).rows) {}
 
+/// An inverse that is little but roundings would take points anywhere.
 bool CurvePlace::exists() const {
-    return is_finite(to_world) && is_finite(rows[0]) && is_finite(rows[1]) && is_finite(rows[2]);
+    constexpr double largest_condition = 0x1p30;
+    return is_finite(to_world) && condition_of(to_world, rows) < largest_condition;
 }
 
 void CurveList::push_back(const Curve& c) {

@@ -1,10 +1,29 @@
 #include "core/scene/polygon.h"
 
+#include <algorithm>
+
+#include "core/numerics/dyadic_vec.h"
+
 namespace etalon {
 namespace {
 
 bool is_degenerate(const PolygonPlane& plane) {
     return !is_finite(plane.normal) || !is_finite(plane.mean) || plane.normal == Vec3(0);
+}
+
+/// Newell's normal of corners so nearly in a line that its terms cancel among doubles.
+Vec3 exact_normal(std::span<const Vec3> corners) {
+    if (corners.empty() ||
+        !std::ranges::all_of(corners, [](const Vec3& c) { return is_finite(c); })) {
+        return Vec3(0);
+    }
+    DyadicVec previous = difference(corners[0], corners[0]), normal = previous;
+    for (const Vec3& corner : corners.subspan(1)) {
+        const DyadicVec next = difference(corner, corners[0]);
+        normal = normal + cross(previous, next);
+        previous = next;
+    }
+    return {normal[0].rounded(), normal[1].rounded(), normal[2].rounded()};
 }
 
 Box3 box_of(std::span<const Vec3> corners) {
@@ -29,6 +48,7 @@ PolygonPlane plane_of(std::span<const Vec3> p) {
 }
 
 PolygonFacts::PolygonFacts(std::span<const Vec3> corners) : plane(plane_of(corners)) {
+    if (plane.normal == Vec3(0)) plane.normal = exact_normal(corners);
     if (!is_degenerate(plane)) box = box_of(corners);
 }
 

@@ -108,10 +108,17 @@ TEST_CASE("Rays from beyond all resolution that pass the scene by are known to m
     CHECK(missing > 9'900);
 }
 
+TEST_CASE("The reach of a space holds the box of all, though its centre is rounded") {
+    const double far = 0x1p40, ulp = 0x1p-12;
+    const NormalizedSpace space(Box3(Vec3(far), Vec3(far + 3 * ulp)));
+    const Vec3 low = space.point(Vec3(far)), high = space.point(Vec3(far + 3 * ulp));
+    for (int k = 0; k < 3; ++k) CHECK(space.reach()[k] > std::max(high[k], -low[k]));
+}
+
 TEST_CASE("A ray from so far away that its products overflow is not known to miss") {
     Scene scene;
     scene.geometry.add(Sphere{Vec3(0), 1e-155}, 0);
     const NormalizedSpace space = SceneBounds::of(scene.geometry).space;
-    const Ray ray{Vec3(5e152, 4e152, 3e152), Vec3(-5, -4, -3)};
+    const Ray ray{Vec3(2.5e153, 2e153, 1.5e153), Vec3(-5, -4, -3)};
     CHECK_FALSE(space.surely_misses(ray));
 }

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <span>
 
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/text_mutator.h"
@@ -26,6 +27,16 @@ void read_words(const std::string& path) {
     for (std::string line; std::getline(file, line);) {
         if (line.size() > 2 && line.front() == '"')
             words().push_back(line.substr(1, line.size() - 2));
+    }
+}
+
+/// Makes the paths among the arguments absolute, as the process is to leave its folder.
+void fix_paths(std::span<char*> arguments) {
+    static std::vector<std::string> kept;
+    kept.reserve(arguments.size());
+    for (char*& argument : arguments) {
+        if (!std::filesystem::exists(argument)) continue;
+        argument = kept.emplace_back(std::filesystem::absolute(argument)).data();
     }
 }
 
@@ -61,6 +72,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
         const std::string_view argument = (*argv)[i];
         if (argument.starts_with(option)) read_words(std::string(argument.substr(option.size())));
     }
+    fix_paths({*argv + 1, static_cast<std::size_t>(*argc - 1)});
     enter_folder();
     return 0;
 }

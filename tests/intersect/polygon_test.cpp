@@ -139,3 +139,16 @@ TEST_CASE(
     REQUIRE(p.shading_normal == p.normal);
     REQUIRE(p.normal == Vec3(0, 0, 1));
 }
+
+TEST_CASE("Polygon: given corners whose normal vanishes among doubles alone, then it is met") {
+    // Corners of one line, but for the roundings of their numbers.
+    const Scene scene = polygon_scene({{1.69, -1.89, -2.36},
+                                       {1.69, 8.86, 2.9},
+                                       {1.69, 6.1725, 1.585},
+                                       {1.69, 19.61, 8.16},
+                                       {1.69, 8.86, 2.9}});
+    CHECK(plane_of(scene.geometry.all<Polygon>()[0].corners).normal == Vec3(0));
+    CHECK_FALSE(primitive_bounds(scene.geometry, 0).isEmpty());
+    const SurfacePoint p = surface_at(scene.geometry, {{0, 8.86, 2.9}, {1, 0, 0}}, {1.69, 0});
+    CHECK(is_finite(p.normal));
+}

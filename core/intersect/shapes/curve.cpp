@@ -1,6 +1,7 @@
 #include "core/intersect/shapes/curve.h"
 
 #include "core/intersect/shapes/curve_passage.h"
+#include "core/scene/map_condition.h"
 
 namespace etalon {
 namespace {
@@ -23,6 +24,13 @@ Vec3 reach_of_sphere(const Affine& m, double radius) {
         reach[k] = radius * std::sqrt((row * scale).dot(row * scale)) / scale;
     }
     return reach;
+}
+
+/// How far off the map's image of a curve rays may meet it, which see it by the inverse.
+double error_of_inverse(const StoredCurve& c, const Box3& box) {
+    const Affine& map = c.place.to_world;
+    const double furthest = std::max(max_abs(box.min - map.origin), max_abs(box.max - map.origin));
+    return 16 * unit_roundoff * condition_of(map, c.place.rows) * furthest;
 }
 
 /// Axes of a curve where it was passed, in its space: dpdu x dpdv is the normal.
@@ -63,7 +71,7 @@ Box3 bounds(const Geometry&, const StoredCurve& c) {
     const CubicPoints part = part_of(points_of(c.curve), c.part.begin(), c.part.end());
     for (const Vec3& p : part) box.extendBy(c.place.to_world.point(p));
     const double half = 0.5 * widest(c.curve, c.part.begin(), c.part.end());
-    const Vec3 reach = reach_of_sphere(c.place.to_world, half);
+    const Vec3 reach = reach_of_sphere(c.place.to_world, half) + Vec3(error_of_inverse(c, box));
     return {box.min - reach, box.max + reach};
 }
 

@@ -70,8 +70,7 @@ Vec3 NastyNumbers::direction() const {
     Vec3 d(whole(), whole(), whole());
     if (random_.one_in(3)) d[random_.axis()] = neighbour(d[random_.axis()], random_);
     if (random_.one_in(4)) d = random_.direction();
-    if (random_.one_in(12))
-        d[random_.axis()] = random_.sign() * (random_.one_in(2) ? 5e-324 : 1e-20);
+    if (random_.one_in(12)) d[random_.axis()] = random_.sign() * 1e-20;
     return max_abs(d) < least_direction ? Vec3(0, 0, 1) : d;
 }
 
