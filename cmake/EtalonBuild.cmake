@@ -48,6 +48,11 @@ if(ETALON_SANITIZE)
   target_link_options(etalon_options INTERFACE -fsanitize=${ETALON_SANITIZE})
 endif()
 
+# The standard library checks indices and iterators where speed is not what counts.
+if(ETALON_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug")
+  target_compile_definitions(etalon_options INTERFACE $<BUILD_INTERFACE:_GLIBCXX_ASSERTIONS>)
+endif()
+
 # Headers of other libraries are precompiled: parsing them was half of the time of a build. Each source
 # file still includes what it uses; a build with CMAKE_DISABLE_PRECOMPILE_HEADERS checks that. Headers
 # of Etalon are not precompiled, so that a change to one rebuilds only the files that include it. JSON
