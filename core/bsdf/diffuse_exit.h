@@ -17,11 +17,11 @@ struct DiffuseExit {
     Color factor;
     float index;  ///< below over above
 
-    /// Of a border of that index.
-    explicit DiffuseExit(float below_over_above)
-        : factor(below_over_above * below_over_above * inverse_pi /
-                 (1 - 2 * fresnel_moment1(1 / below_over_above))),
-          index(below_over_above) {}
+    /// Of a border of that index; black for those too far from 1 for the mean's formula.
+    explicit DiffuseExit(float below_over_above) : factor(0), index(below_over_above) {
+        const float mean = 1 - 2 * fresnel_moment1(1 / index);
+        if (mean > 0) factor = Color(index * index * inverse_pi / mean);
+    }
 
     Evaluation evaluate(const Vec3f&, const Vec3f& wi) const {
         const float cos = std::abs(wi.z);

@@ -1,7 +1,7 @@
 #include "core/bsdf/fourier.h"
 
-#include <array>
 #include <numbers>
+#include <span>
 
 #include "core/numerics/catmull_rom.h"
 
@@ -10,59 +10,58 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The pairs of the table around two cosines, with their weights.
-class Pairs {
+/// The series between those of a table, by weights of cosines. One lives at a time on a thread.
+class Series {
   public:
-    Pairs(const FourierTable& table, const SplineWeights& o, const SplineWeights& i)
-        : table_(table) {
-        for (std::size_t a = 0; a < 4; ++a) {
-            for (std::size_t b = 0; b < 4; ++b) {
-                const float weight = o.weights[a] * i.weights[b];
-                if (weight != 0) add(o.first + a - 1, i.first + b - 1, weight);
+    /// Of the first `channels`.
+    Series(const FourierTable& table, const SplineWeights& o, const SplineWeights& i,
+           int channels) {
+        const std::size_t n = table.cosines.size();
+        const auto each_pair = [&](const auto& use) {
+            for (std::size_t a = 0; a < 4; ++a) {
+                for (std::size_t b = 0; b < 4; ++b) {
+                    const float weight = o.weights[a] * i.weights[b];
+                    if (weight == 0) continue;
+                    use(table.series[(o.first + a - 1) * n + i.first + b - 1], weight);
+                }
             }
-        }
+        };
+        each_pair([&](const FourierTable::Series& s, float) {
+            length_ = std::max<std::size_t>(length_, s.length);
+        });
+        sums_.assign(channels * length_, 0.0F);
+        each_pair([&](const FourierTable::Series& s, float weight) {
+            for (int c = 0; c < channels; ++c) {
+                const float* const from = table.coefficients.data() + s.first + c * s.length;
+                float* const to = sums_.data() + c * length_;
+                for (std::size_t k = 0; k < s.length; ++k) to[k] += weight * from[k];
+            }
+        });
     }
 
-    std::size_t length() const { return length_; }
-
-    /// Coefficient number `k` of a channel.
-    double coefficient(int channel, std::size_t k) const {
-        double sum = 0;
-        for (std::size_t p = 0; p < count_; ++p) {
-            const FourierTable::Series& s = *series_[p];
-            if (k < s.length) {
-                sum += weights_[p] * table_.coefficients[s.first + channel * s.length + k];
-            }
-        }
-        return sum;
+    /// The coefficients of a channel.
+    std::span<const float> channel(int c) const {
+        return std::span(sums_).subspan(c * length_, length_);
     }
 
-    /// The channels' series at an angle of this cosine.
-    std::array<double, 3> at(double cosine) const {
-        std::array<double, 3> sums{};
-        double before = cosine, now = 1;  // of k times the angle
-        for (std::size_t k = 0; k < length_; ++k) {
-            for (int c = 0; c < table_.channels; ++c) sums[c] += coefficient(c, k) * now;
+    /// The value of a channel at an angle of this cosine.
+    double at(int c, double cosine) const {
+        double sum = 0, before = cosine, now = 1;  // of k times the angle
+        for (const float coefficient : channel(c)) {
+            sum += coefficient * now;
             const double next = 2 * cosine * now - before;
             before = now;
             now = next;
         }
-        return sums;
+        return sum;
     }
 
   private:
-    void add(std::size_t o, std::size_t i, float weight) {
-        const FourierTable::Series& s = table_.series[o * table_.cosines.size() + i];
-        series_[count_] = &s;
-        weights_[count_++] = weight;
-        length_ = std::max<std::size_t>(length_, s.length);
-    }
-
-    const FourierTable& table_;
-    std::array<const FourierTable::Series*, 16> series_;
-    std::array<float, 16> weights_;
-    std::size_t count_ = 0, length_ = 0;
+    static thread_local std::vector<float> sums_;  ///< channel by channel
+    std::size_t length_ = 0;
 };
+
+thread_local std::vector<float> Series::sums_;
 
 /// Cosine of the angle about the normal between two directions; 1 where there is none.
 double cosine_between(const Vec3f& a, const Vec3f& b) {
@@ -79,10 +78,7 @@ float sum_of(const FourierTable& table, const SplineWeights& o) {
 
 /// Half a turn's angle at which the integral of a series is the part `u` of the whole: Newton's
 /// method, halving the interval where that leaves it.
-double sample_series(const Pairs& pairs, double u) {
-    thread_local std::vector<double> a;
-    a.resize(pairs.length());
-    for (std::size_t k = 0; k < a.size(); ++k) a[k] = pairs.coefficient(0, k);
+double sample_series(std::span<const float> a, double u) {
     double low = 0, high = pi, phi = u * pi;
     for (int steps = 0; steps < 64 && high - low > 1e-7; ++steps) {
         if (!(phi > low && phi < high)) phi = (low + high) / 2;
@@ -109,19 +105,20 @@ Evaluation FourierScattering::evaluate(const Vec3f& wo, const Vec3f& wi) const {
     const auto o = spline_weights(table().cosines, wo.z),
                i = spline_weights(table().cosines, -wi.z);
     if (!o || !i || wi.z == 0) return {};
-    const Pairs pairs(table(), *o, *i);
-    const auto [y, red, blue] = pairs.at(cosine_between(-wi, wo));
+    const Series series(table(), *o, *i, table().channels);
+    const double cosine = cosine_between(-wi, wo);
     double scale = 1 / std::abs(static_cast<double>(wi.z));
     // Radiance that passes the surface is spread over other angles.
     if (wi.z * wo.z < 0)
         scale *= wi.z < 0 ? 1 / (table().eta * table().eta) : table().eta * table().eta;
     Evaluation e;
-    const double light = std::max(0.0, y);
+    const double light = std::max(0.0, series.at(0, cosine));
     const float sum = sum_of(table(), *o);
     if (sum > 0) e.pdf = static_cast<float>(light / (2 * pi * sum));
     if (table().channels == 1) {
         e.f = factor_ * static_cast<float>(light * scale);
     } else {
+        const double red = series.at(1, cosine), blue = series.at(2, cosine);
         // The weights of Rec. 709's primaries in luminance.
         const double green = 1.39829 * light - 0.100913 * blue - 0.297375 * red;
         const auto part = [&](double x) { return static_cast<float>(std::max(0.0, x * scale)); };
@@ -147,10 +144,11 @@ std::optional<Vec3f> FourierScattering::sample(const Vec3f& wo, const Vec2& uv) 
     const double cosine = sample_spline(cosines, first_coefficient, sum, uv.y).x;
     const auto i = spline_weights(cosines, static_cast<float>(cosine));
     if (!i) return std::nullopt;
-    const Pairs pairs(table(), *o, *i);
-    if (pairs.length() == 0 || !(pairs.coefficient(0, 0) > 0)) return std::nullopt;
+    const Series series(table(), *o, *i, 1);
+    const std::span<const float> luminance = series.channel(0);
+    if (luminance.empty() || !(luminance[0] > 0)) return std::nullopt;
     const bool is_right = uv.x < 0.5;
-    const double half = sample_series(pairs, is_right ? 2 * uv.x : 2 - 2 * uv.x);
+    const double half = sample_series(luminance, is_right ? 2 * uv.x : 2 - 2 * uv.x);
     const double phi = is_right ? half : -half;
     const double length = std::hypot(wo.x, wo.y),
                  sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));

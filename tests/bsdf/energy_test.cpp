@@ -46,6 +46,16 @@ TEST_CASE("A hair that absorbs nothing scatters all light", "[bsdf]") {
     }
 }
 
+TEST_CASE("Light from below comes through borders of usual indices, and is never negative",
+          "[bsdf]") {
+    for (const float index : {0.0F, 0.3F, 0.5F, 1.0F, 1.33F, 1.5F, 2.0F, 5.0F}) {
+        CAPTURE(index);
+        const double power = scattered_power({DiffuseExit(index)}, {0, 0, 1}, true);
+        CHECK(power >= 0);
+        if (index >= 1 && index <= 2) CHECK(power == Approx(index * index).epsilon(0.01));
+    }
+}
+
 TEST_CASE("Samples carry the light that the surface scatters", "[bsdf]") {
     Random random(11);
     for (const LobeCase& item : lobe_cases()) {

@@ -1,5 +1,5 @@
-// Paths that light is scattered along below a surface: it comes in at other points of surfaces of
-// the same material, which probes find, as in pbrt-v3.
+// Paths that go below a surface, where light is scattered until it comes out elsewhere: they go on
+// from other points of surfaces of the same material, which probes find, as in pbrt-v3.
 #include <algorithm>
 
 #include "core/diffusion/profile_sampling.h"
