@@ -18,8 +18,8 @@ struct Finding {
 /// Returns the hits that the reference backend finds; no_index for none.
 std::vector<Hit> reference_hits(const Scene& scene, const std::vector<Ray>& rays);
 
-/// Returns the first ray to which an exact backend, asked in a batch or, every fourth, alone, gives other bits
-/// than the reference, or an occlusion that contradicts its hit.
+/// Returns the first ray to which an exact backend, asked in a batch or, every fourth, alone, gives
+/// other bits than the reference, or an occlusion that contradicts its hit.
 std::optional<Finding> find_disparity(const Scene& scene, const std::vector<Ray>& rays,
                                       const std::vector<Hit>& reference);
 
