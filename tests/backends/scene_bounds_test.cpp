@@ -112,7 +112,8 @@ TEST_CASE("The reach of a space holds the box of all, though its centre is round
     const double far = 0x1p40, ulp = 0x1p-12;
     const NormalizedSpace space(Box3(Vec3(far), Vec3(far + 3 * ulp)));
     const Vec3 low = space.point(Vec3(far)), high = space.point(Vec3(far + 3 * ulp));
-    for (int k = 0; k < 3; ++k) CHECK(space.reach()[k] > std::max(high[k], -low[k]));
+    const Vec3 reach = space.scale() * space.reach();
+    for (int k = 0; k < 3; ++k) CHECK(reach[k] > std::max(high[k], -low[k]));
 }
 
 TEST_CASE("A ray from so far away that its products overflow is not known to miss") {
