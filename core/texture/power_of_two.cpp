@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "core/parallel/large_pages.h"
 #include "core/parallel/parallel.h"
@@ -48,7 +50,7 @@ Sources sources(int number, int stretched, int count, Wrap wrap) {
 }
 
 std::vector<Sources> all_sources(int count, Wrap wrap) {
-    const int stretched = next_power_of_two(count);
+    const int stretched = static_cast<int>(std::bit_ceil(static_cast<unsigned>(count)));
     std::vector<Sources> list;
     list.reserve(static_cast<std::size_t>(stretched));
     for (int i = 0; i < stretched; ++i) list.push_back(sources(i, stretched, count, wrap));
@@ -114,29 +116,21 @@ bool has_power_of_two_sides(int width, int height) {
            std::has_single_bit(static_cast<unsigned>(height));
 }
 
-void stretch_to_powers_of_two(const TexelGrid& image, Wrap wrap, const RowUser& use) {
+TexelGrid stretched_to_powers_of_two(const TexelGrid& image, Wrap wrap) {
     const std::vector<Sources> columns = all_sources(image.width, wrap);
     const std::vector<Sources> rows = all_sources(image.height, wrap);
+    const std::size_t length = columns.size() * image.channels;
+    TexelGrid result{
+        static_cast<int>(columns.size()), static_cast<int>(rows.size()), image.channels, {}};
+    result.values.reserve(length * rows.size());
+    prefer_large_pages(result.values.data(), length * rows.size() * sizeof(float));
+    result.values.resize(length * rows.size());
     constexpr std::size_t rows_a_task = 32;
     parallel_for(rows.size(), rows_a_task, [&](std::size_t begin, std::size_t end) {
         LongerRows longer(image, columns);
-        std::vector<float> mixed(columns.size() * image.channels);
         for (std::size_t y = begin; y < end; ++y) {
-            mix_rows(rows[y], longer, mixed);
-            use(y, mixed);
+            mix_rows(rows[y], longer, std::span(result.values).subspan(y * length, length));
         }
-    });
-}
-
-TexelGrid stretched_to_powers_of_two(const TexelGrid& image, Wrap wrap) {
-    const int width = next_power_of_two(image.width), height = next_power_of_two(image.height);
-    const std::size_t length = static_cast<std::size_t>(width) * image.channels;
-    TexelGrid result{width, height, image.channels, {}};
-    result.values.reserve(length * height);
-    prefer_large_pages(result.values.data(), length * height * sizeof(float));
-    result.values.resize(length * height);
-    stretch_to_powers_of_two(image, wrap, [&](std::size_t y, std::span<const float> row) {
-        std::ranges::copy(row, result.values.begin() + static_cast<std::ptrdiff_t>(y * length));
     });
     return result;
 }

@@ -1,9 +1,6 @@
 // Images whose sides are no powers of two, as pbrt-v3 shows them: stretched to the next ones.
 #pragma once
 
-#include <bit>
-#include <functional>
-#include <span>
 #include <vector>
 
 #include "core/scene/texture.h"
@@ -19,20 +16,9 @@ struct TexelGrid {
 /// Whether both sides are powers of two.
 bool has_power_of_two_sides(int width, int height);
 
-/// The length to which a side is stretched.
-inline int next_power_of_two(int length) {
-    return static_cast<int>(std::bit_ceil(static_cast<unsigned>(length)));
-}
-
 /// Stretches an image to the next powers of two on each side. Each texel is the mean of the four
 /// nearest ones along an axis, by Lanczos' window of a radius of two texels (Pharr, Jakob and
 /// Humphreys 2016, 10.4.3); sums below 0 are 0. `wrap` says what lies beyond a border.
 TexelGrid stretched_to_powers_of_two(const TexelGrid& image, Wrap wrap);
-
-/// Takes row number `y` of an image.
-using RowUser = std::function<void(std::size_t y, std::span<const float> row)>;
-
-/// The same, for images that need not be kept as they are: hands each row out once, on any thread.
-void stretch_to_powers_of_two(const TexelGrid& image, Wrap wrap, const RowUser& use);
 
 }  // namespace etalon

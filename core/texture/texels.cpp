@@ -10,9 +10,6 @@ Texels::Texels(std::shared_ptr<const Image> image, const TextureImage& how)
       wrap_(how.wrap),
       scale_(how.scale) {}
 
-Texels::Texels(PackedImage image, const TextureImage& how)
-    : packed_(std::move(image)), wrap_(how.wrap), scale_(how.scale) {}
-
 template <class Stored>
 float Texels::shown(Stored value) const {
     if constexpr (sizeof(value) == 1) {
@@ -44,27 +41,18 @@ Value Texels::interpolated(const Vec2& st) const {
         image_->pixels);
 }
 
-Color Texels::interpolated_packed(const Vec2& st) const {
-    const NearTexels near = near_texels(packed_.width, packed_.height, wrap_, st);
-    Color sum(0.0F);
-    for (std::size_t k = 0; k < 4; ++k) {
-        sum += unpacked(packed_.texels[near.texels[k]]) * near.weights[k];
-    }
-    return sum * scale_;
-}
-
 Color Texels::color(const Vec2& st) const {
-    return image_ ? interpolated<Color>(st) : interpolated_packed(st);
+    return interpolated<Color>(st);
 }
 
 float Texels::number(const Vec2& st) const {
-    return image_ ? interpolated<float>(st) : interpolated_packed(st).x;
+    return interpolated<float>(st);
 }
 
 std::optional<ZeroTexels> Texels::zeros() const {
     // Weights are 2^-108 or more where they are not 0, and sums are of numbers of one sign.
     const auto is_usual = [](float value) { return value == 0 || (value > 1e-5F && value < 1e5F); };
-    if (!image_ || !is_usual(scale_)) return std::nullopt;
+    if (!is_usual(scale_)) return std::nullopt;
     return std::visit(
         [&](const auto& values) -> std::optional<ZeroTexels> {
             ZeroTexels zeros(image_->width, image_->height, wrap_);

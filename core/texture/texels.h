@@ -6,13 +6,12 @@
 
 #include "core/image/image.h"
 #include "core/scene/texture.h"
-#include "core/texture/packed_colors.h"
 #include "core/texture/zero_texels.h"
 
 namespace etalon {
 
 /// An image as textures show it: interpolated between the centres of its texels, with t upwards
-/// and (0, 0) and (1, 1) at its corners. Texels stay as the file has them, or are packed.
+/// and (0, 0) and (1, 1) at its corners. Texels stay as the file has them.
 class Texels {
   public:
     /// No image; it must not be asked for values.
@@ -21,9 +20,6 @@ class Texels {
     /// Shows `image`, of one pixel or more. Bytes are decoded where `how` says so; floats are what
     /// they say.
     Texels(std::shared_ptr<const Image> image, const TextureImage& how);
-
-    /// Shows colours that say what they show.
-    Texels(PackedImage image, const TextureImage& how);
 
     /// The value at (s, t): the first three channels, or one that is grey; or the first alone.
     Color color(const Vec2& st) const;
@@ -40,10 +36,8 @@ class Texels {
 
     template <class Value>
     Value interpolated(const Vec2& st) const;
-    Color interpolated_packed(const Vec2& st) const;
 
-    std::shared_ptr<const Image> image_;  ///< null where the image is packed
-    PackedImage packed_;
+    std::shared_ptr<const Image> image_;
     const std::array<float, 256>* byte_values_ = nullptr;
     Wrap wrap_ = Wrap::repeat;
     float scale_ = 1;

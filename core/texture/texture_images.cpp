@@ -119,33 +119,13 @@ TexelGrid texels_of(const Image& image, bool decode_srgb) {
                 image.pixels)};
 }
 
-/// Whether the numbers of an image are no finer than packed colours.
-bool has_coarse_colors(const Image& image) {
-    return image.channels >= 3 && std::holds_alternative<PixelBytes>(image.pixels);
-}
-
-PackedImage stretched_and_packed(const TexelGrid& image, Wrap wrap) {
-    PackedImage result{next_power_of_two(image.width), next_power_of_two(image.height), {}};
-    const auto width = static_cast<std::size_t>(result.width);
-    result.texels.resize(width * result.height);
-    stretch_to_powers_of_two(image, wrap, [&](std::size_t y, std::span<const float> row) {
-        for (std::size_t x = 0; x < width; ++x) {
-            const float* const p = &row[3 * x];
-            result.texels[y * width + x] = packed({p[0], p[1], p[2]});
-        }
-    });
-    return result;
-}
-
-/// An image with sides of powers of two, as pbrt-v3 makes it of any other.
-Texels stretched(const SharedImage& image, const TextureImage& how) {
-    if (has_power_of_two_sides(image->width, image->height)) return {image, how};
-    const TexelGrid texels = texels_of(*image, how.decode_srgb);
-    if (has_coarse_colors(*image)) return {stretched_and_packed(texels, how.wrap), how};
-    TexelGrid grid = stretched_to_powers_of_two(texels, how.wrap);
-    return {std::make_shared<const Image>(
-                Image{grid.width, grid.height, grid.channels, std::move(grid.values), {}, {}}),
-            how};
+/// An image with sides of powers of two, as pbrt-v3 makes it of any other. Its floats are what they
+/// say.
+SharedImage stretched(const SharedImage& image, const TextureImage& how) {
+    if (has_power_of_two_sides(image->width, image->height)) return image;
+    TexelGrid grid = stretched_to_powers_of_two(texels_of(*image, how.decode_srgb), how.wrap);
+    return std::make_shared<const Image>(
+        Image{grid.width, grid.height, grid.channels, std::move(grid.values), {}, {}});
 }
 
 }  // namespace
@@ -164,12 +144,12 @@ TextureImages read_texture_images(const Textures& textures, std::vector<std::str
     for (std::size_t i = 0; i < count; ++i) {
         const TextureImage& how = textures.images[i];
         if (as_colors[i]) {
-            result.colors[i] =
-                stretched(decoded_floats(files.image(file_of[i]), how.decode_srgb), how);
+            result.colors[i] = {
+                stretched(decoded_floats(files.image(file_of[i]), how.decode_srgb), how), how};
         }
         if (as_numbers[i]) {
-            result.numbers[i] =
-                stretched(luminance_image(files.image(file_of[i]), how.decode_srgb), how);
+            result.numbers[i] = {
+                stretched(luminance_image(files.image(file_of[i]), how.decode_srgb), how), how};
         }
     }
     return result;
