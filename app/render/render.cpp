@@ -11,13 +11,11 @@
 #include "app/common/progress.h"
 #include "app/common/signals.h"
 #include "app/common/started_rank.h"
-#include "app/common/units.h"
 #include "app/compare/metrics_report.h"
 #include "app/live/live_image.h"
 #include "app/live/live_page.h"
 #include "app/live/tev_view.h"
 #include "app/mpi/rank_dealer.h"
-#include "app/mpi/scene_copy.h"
 #include "app/mpi/tile_message.h"
 #include "app/mpi/tile_worker.h"
 #include "app/render/aovs.h"
@@ -26,10 +24,11 @@
 #include "app/render/memory.h"
 #include "app/render/output_image.h"
 #include "app/render/reference.h"
+#include "app/render/scene_source.h"
+#include "app/render/summary.h"
 #include "app/replaced_images.h"
 #include "app/stats.h"
 #include "app/subcommands.h"
-#include "core/formats/file_text.h"
 #include "core/image/atomic_file.h"
 #include "core/image/io.h"
 #include "core/parallel/parallel.h"
@@ -74,10 +73,10 @@ class Render {
     /// Renders tiles for rank 0, which does all the rest.
     int work() {
         limit_threads(a_.threads);
-        if (const std::string error = receive_scene(); !error.empty()) {
+        if (const std::string error = source_.receive(); !error.empty()) {
             return complain(error), exit_unusable;
         }
-        if (copy_.is_over()) return exit_done;
+        if (source_.is_over()) return exit_done;
         int status = prepare();
         if (status == exit_done && !build()) status = exit_unusable;
         if (status != exit_done) return status;
@@ -96,7 +95,7 @@ class Render {
         if (const int status = prepare(); status != exit_done) return status;
         if (const int status = check_outputs(); status != exit_done) return status;
         if (!open_page() || !build() || !open_kept() || !open_reference()) return exit_unusable;
-        if (is_sent()) send_scene(ranks_, kept_.scene_files(), standard_input_.text());
+        source_.send(kept_.scene_files());
         const Rendering rendering = render_image();
         if (kept_.failed()) {
             return complain(a_.checkpoint + ": the checkpoint does not fit the image"),
@@ -112,29 +111,9 @@ class Render {
         return usable ? exit_done : exit_unusable;
     }
 
-    /// Whether rank 0 sends the scene to the others.
-    bool is_sent() const {
-        return ranks_.size() > 1 && (a_.mpi_scene == "broadcast" || a_.scene.path == "-");
-    }
-
-    /// Gets the scene from rank 0, if that sends it. Returns why that failed, or nothing.
-    std::string receive_scene() {
-        if (!is_sent()) return {};
-        std::string error = copy_.receive(ranks_);
-        const bool is_absolute = std::filesystem::path(a_.scene.path).is_absolute();
-        if (is_absolute) a_.scene.path = copy_.place_of(a_.scene.path);
-        return error;
-    }
-
-    LoadedScene load_scene() {
-        if (!is_sent() || a_.scene.path != "-") return load(a_.scene);
-        standard_input_ = read_file(ranks_.rank() == 0 ? "-" : copy_.place_of("-"));
-        return load(a_.scene, standard_input_.text());
-    }
-
     /// Reads the scene and settles how it is to be rendered. Returns the exit status.
     int prepare() {
-        LoadedScene loaded = load_scene();
+        LoadedScene loaded = source_.load();
         if (!loaded.scene) return loaded.status;
         scene_ = std::move(*loaded.scene);
         settings_ = std::move(loaded.settings);
@@ -283,7 +262,10 @@ class Render {
         for (const std::string& path : a_.outputs) written = write_output(path, image) && written;
         stats_.write = watch_.lap();
         if (!a_.stats.empty()) written = write_json(a_.stats, stats_json(rendering)) && written;
-        if (!a_.quiet && written) summarise(rendering);
+        if (!a_.quiet && written) {
+            write_message(
+                summary_of(a_, scene_, rendering, stats_, reference_ ? &*reference_ : nullptr));
+        }
         return written;
     }
 
@@ -334,51 +316,11 @@ class Render {
         return json;
     }
 
-    std::string error_reached(const Rendering& rendering) const {
-        std::string text;
-        const bool is_adaptive = a_.target_error > 0;
-        if (is_adaptive || !stats_.stopped.empty()) {
-            text += fmt::format(", {:.1f} samples a pixel", rendering.samples);
-        }
-        if (is_adaptive && rendering.expected_error) {
-            text += fmt::format(", relMSE {:.2e} expected", *rendering.expected_error);
-        } else if (is_adaptive) {
-            text += ", relMSE unknown";
-        }
-        if (reference_) {
-            const double error = reference_->history().back()["relmse"];
-            text += fmt::format(", relMSE {:.2e} from {}", error, a_.reference);
-        }
-        return text;
-    }
-
-    void summarise(const Rendering& rendering) const {
-        print_message("{}{}: {} primitives{}, {}, {} in {}{} -> {}\n", a_.scene.path,
-                      stats_.stopped.empty() ? "" : fmt::format(" (stopped: {})", stats_.stopped),
-                      scene_.geometry.primitives.size(), instances_text(), stats_.backend,
-                      rays_text(rendering.counts.total()), seconds_text(stats_.render.wall),
-                      error_reached(rendering), output_names());
-    }
-
-    std::string instances_text() const {
-        const std::size_t count = scene_.geometry.instances.size();
-        return count == 0 ? std::string() : fmt::format(", {} instances", count);
-    }
-
-    std::string output_names() const {
-        std::string names;
-        for (const std::string& path : a_.outputs) {
-            names += (names.empty() ? "" : ", ") + (path == "-" ? "standard output" : path);
-        }
-        return names;
-    }
-
     RenderArguments a_;
     Ranks& ranks_;
     KeptState kept_{a_, ranks_.size() > 1};
+    SceneSource source_{a_, ranks_};
     std::optional<RankDealer> dealer_;
-    SceneCopy copy_;           ///< of a rank to which the scene was sent
-    FileText standard_input_;  ///< where the scene is read from that, and sent
     SignalGuard signals_;
     Stopwatch watch_;
     Scene scene_;

@@ -1,0 +1,42 @@
+// Where a rank has its scene from: the files themselves, or those that rank 0 sends.
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "app/mpi/ranks.h"
+#include "app/mpi/scene_copy.h"
+#include "app/render/arguments.h"
+#include "app/scene_arguments.h"
+#include "core/formats/file_text.h"
+
+namespace etalon {
+
+class SceneSource {
+  public:
+    /// Both must outlive the source.
+    SceneSource(RenderArguments& arguments, Ranks& ranks) : a_(arguments), ranks_(ranks) {}
+
+    /// Gets the scene from rank 0, if that sends it. Returns why that failed, or nothing.
+    std::string receive();
+
+    /// Whether rank 0 wants nothing of this rank.
+    bool is_over() const { return copy_.is_over(); }
+
+    LoadedScene load();
+
+    /// Sends the others what was loaded here, from these files, if they are to have it so.
+    void send(const std::set<std::string>& files);
+
+  private:
+    bool is_sent() const {
+        return ranks_.size() > 1 && (a_.mpi_scene == "broadcast" || a_.scene.path == "-");
+    }
+
+    RenderArguments& a_;
+    Ranks& ranks_;
+    SceneCopy copy_;
+    FileText standard_input_;  ///< where the scene is read from that, and sent
+};
+
+}  // namespace etalon
