@@ -31,6 +31,7 @@ void run(std::string_view text) {
         return;
     }
     RenderSettings settings;
+    settings.resolution = {64, 48};  // a scene always has one
     Scene scene;
     if (!apply_overrides(a, scene, settings).empty()) return;
     const Imath::Box2i window = settings.window();
