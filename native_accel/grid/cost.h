@@ -14,7 +14,9 @@ struct GridCost {
     double enter;             ///< of beginning to traverse a grid
 
     double list(std::uint32_t items) const {
-        return items == 0 ? 0 : open + pack * ((items + pack_size - 1) / pack_size);
+        if (items == 0) return 0;
+        const std::uint32_t packs = (items + pack_size - 1) / pack_size;
+        return open + pack * packs;
     }
 
     /// Cost of a cell that may become a grid. A ray through a good one meets about as many cells as
