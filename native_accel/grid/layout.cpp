@@ -38,7 +38,8 @@ GridNode GridLayout::node(std::uint32_t first_cell) const {
 Box3 GridLayout::box_of(std::uint32_t flat_index) const {
     const int x = static_cast<int>(flat_index % count_[0]);
     const int row = static_cast<int>(flat_index / count_[0]);
-    const Vec3 corner = low() + cell_size() * Vec3(x, row % count_[1], row / count_[1]);
+    const int y = row % count_[1], z = row / count_[1];
+    const Vec3 corner = low() + cell_size() * Vec3(x, y, z);
     return {corner, corner + cell_size()};
 }
 
