@@ -106,6 +106,14 @@ TEST_CASE("floats beyond one are kept, rows from the top") {
     CHECK(std::get<Floats>(image.pixels) == Floats{-4, 1e20F, 0.125F, 1, 2, 3});
 }
 
+TEST_CASE("an image without pixels is none, and that is said") {
+    const TemporaryFolder folder;
+    put(folder / "p.pfm", "Pf2\n0\n 5\n");
+    for (const Extent extent : {Extent::header, Extent::whole}) {
+        CHECK(read_image(folder / "p.pfm", extent).error.ends_with("it has no pixels"));
+    }
+}
+
 TEST_CASE("a Radiance picture is linear floats") {
     const TemporaryFolder folder;
     const Image image =
