@@ -36,7 +36,8 @@ std::string unknown_option(const CLI::App& command, const std::string& argument)
         for (const std::string& name : option->get_lnames()) names.push_back(name);
     }
     const std::vector<std::string_view> views(names.begin(), names.end());
-    const std::string_view near = nearest_name(given.substr(given.find_first_not_of('-')), views);
+    const std::size_t dashes = std::min(given.find_first_not_of('-'), given.size());
+    const std::string_view near = nearest_name(given.substr(dashes), views);
     return fmt::format("no option {}{}", given,
                        near.empty() ? "" : fmt::format("; did you mean --{}?", near));
 }

@@ -171,6 +171,7 @@ TEST_CASE("a misspelt command or option is answered with the nearest name", "[ap
           "etalon: error: no command 'rendr'; did you mean 'render'?");
     CHECK(error_of(f, "etalon-bench sped --json a") ==
           "etalon-bench: error: no command 'sped'; did you mean 'speed'?");
+    CHECK_THAT(error_of(f, "etalon render --="), ContainsSubstring("no option --"));
     CHECK_THAT(error_of(f, "etalon paint"), ContainsSubstring("'paint'; expected render, serve, "));
     CHECK_THAT(error_of(f, "etalon"), ContainsSubstring("no command given; expected render"));
     for (const char* line : {"etalon render a.p3f --ssp 4", "etalon render --ssp 4 a.p3f",
