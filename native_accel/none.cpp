@@ -4,6 +4,8 @@
 #include <array>
 
 #include "core/intersect/group_kernels.h"
+#include "core/intersect/kernels.h"
+#include "core/intersect/ray_beam.h"
 #include "core/intersect/ray_columns.h"
 #include "core/numerics/denormals.h"
 
@@ -46,6 +48,10 @@ void for_each_group(std::span<const Ray> rays, const Trace& trace) {
 
 None::None(const Geometry& geometry) : Intersector(geometry, SceneBounds::none_bounded(geometry)) {
     build_objects<None>();
+    boxes_.reserve(geometry.primitives.size());
+    for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
+        boxes_.push_back(whole_bounds(geometry, id));
+    }
 }
 
 /// Calls visit(item) for the instances, as long as it returns true. Returns whether it always did.
@@ -59,15 +65,23 @@ bool None::for_each_instance(const Visit& visit) const {
 }
 
 std::size_t None::own_bytes() const {
-    return scene_bounds().unbounded.size() * sizeof(std::uint32_t);
+    return scene_bounds().unbounded.size() * sizeof(std::uint32_t) + boxes_.size() * sizeof(Box3);
+}
+
+/// Calls visit(id) for the primitives that a ray of the group may meet.
+template <class Visit>
+void None::for_each_near(const RayGroup& group, const Visit& visit) const {
+    if (group.count == 0) return;
+    const RayBeam beam(group);
+    for (const std::uint32_t id : scene_bounds().unbounded) {
+        if (!beam.surely_misses(boxes_[id])) visit(id);
+    }
 }
 
 void None::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
     std::ranges::fill(hits, Hit{infinity, no_index});
     for_each_group(rays, [&](RayGroup& group) {
-        for (const std::uint32_t id : scene_bounds().unbounded) {
-            offer_to_group(geometry(), id, group);
-        }
+        for_each_near(group, [&](std::uint32_t id) { offer_to_group(geometry(), id, group); });
         const bool has_instances = !geometry().instances.empty();
         for (std::size_t i = 0; i < group.count; ++i) {
             const Hit hit = group.hit(i);
@@ -97,14 +111,14 @@ bool None::instances_occlude(const Ray& ray) const {
 void None::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
     std::ranges::fill(blocked, std::uint8_t{0});
     for_each_group(rays, [&](RayGroup& group) {
-        for (const std::uint32_t id : scene_bounds().unbounded) {
-            if (!offer_to_group(geometry(), id, group)) continue;
+        for_each_near(group, [&](std::uint32_t id) {
+            if (!offer_to_group(geometry(), id, group)) return;
             for (std::size_t i = group.count; i-- > 0;) {
                 if (group.primitives[i] == RayGroup::none) continue;
                 blocked[group.rays[i] - rays.data()] = 1;
                 group.remove(i);
             }
-        }
+        });
         if (geometry().instances.empty()) return;
         for (std::size_t i = 0; i < group.count; ++i) {
             blocked[group.rays[i] - rays.data()] = instances_occlude(*group.rays[i]) ? 1 : 0;

@@ -81,10 +81,10 @@ void make_local(const NormalizedSpace& space, const RayColumns& c, LocalRayColum
     const Vec3Lanes centre = broadcast(space.centre());
     const Vec3 reach = space.scale() * space.reach();
     for (std::size_t i = 0; i < c.count; i += hn::Lanes(tag)) {
-        const Vec3Lanes along = load(&c.directions[i]);
+        const Vec3Lanes along = load(c.directions, i);
         const Doubles largest = max_abs(along), shrink = power_of_two_reciprocal(largest);
         const Vec3Lanes direction = shrink * along;
-        Vec3Lanes origin = scale * (load(&c.origins[i]) - centre);
+        Vec3Lanes origin = scale * (load(c.origins, i) - centre);
         const Doubles distance = max_abs(origin);
         const auto is_common =
             hn::MaskFromVec(hn::BitCast(tag, hn::LoadU(WordTag(), &c.common[i])));

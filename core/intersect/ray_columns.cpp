@@ -35,7 +35,7 @@ HWY_INLINE DoubleMask common(const RayColumns& c, std::size_t i, const Vec3Lanes
         hn::And(is_zero_or_above(least, size.x),
                 hn::And(is_zero_or_above(least, size.y), is_zero_or_above(least, size.z)));
     const DoubleMask is_way = hn::LoadU(tag, &c.tmins[i]) < hn::LoadU(tag, &c.tmaxs[i]);
-    return hn::And(hn::And(is_finite(load(&c.origins[i])), is_finite(size)),
+    return hn::And(hn::And(is_finite(load(c.origins, i)), is_finite(size)),
                    hn::And(is_way, hn::And(in_range, not_negligible)));
 }
 
@@ -52,7 +52,7 @@ HWY_INLINE void store_dominant(const Vec3Lanes& size, std::uint64_t* to) {
 
 void describe(RayColumns& c) {
     for (std::size_t i = 0; i < c.count; i += hn::Lanes(DoubleTag())) {
-        const Vec3Lanes size = abs(load(&c.directions[i]));
+        const Vec3Lanes size = abs(load(c.directions, i));
         const auto mask = hn::VecFromMask(DoubleTag(), common(c, i, size));
         hn::StoreU(hn::BitCast(WordTag(), mask), WordTag(), &c.common[i]);
         store_dominant(size, &c.dominants[i]);
@@ -70,8 +70,8 @@ HWY_EXPORT(describe);
 RayColumns::RayColumns(std::span<const Ray> rays) : count(rays.size()) {
     for (std::size_t i = 0; i < count; ++i) {
         const Ray& ray = rays[i];
-        origins[i] = ray.origin;
-        directions[i] = ray.direction;
+        origins.set(i, ray.origin);
+        directions.set(i, ray.direction);
         tmins[i] = ray.tmin;
         tmaxs[i] = ray.tmax;
     }

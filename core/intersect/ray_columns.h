@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/intersect/ray.h"
+#include "core/numerics/vec_columns.h"
 
 namespace etalon {
 
@@ -17,7 +18,7 @@ struct RayColumns {
     explicit RayColumns(std::span<const Ray> rays);
 
     std::size_t count = 0;
-    std::array<Vec3, most> origins, directions;
+    Vec3Columns<most> origins, directions;
     std::array<double, most> tmins, tmaxs;
 
     /// Other than 0 for what nearly all rays are: valid, and of directions whose components are

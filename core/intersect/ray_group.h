@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/intersect/ray.h"
+#include "core/numerics/vec_columns.h"
 
 namespace etalon {
 
@@ -21,7 +22,7 @@ struct RayGroup {
     int dominant = 0;  ///< the axis that is the dominant one of all
     std::size_t count = 0;
     Column<const Ray*> rays;
-    Column<Vec3> origins, directions;  ///< as in a RayQuery
+    Vec3Columns<most> origins, directions;  ///< as in a RayQuery
     Column<double> tmins, excludes;
     Column<double> ts, primitives;  ///< of the nearest hits; at first the ray's tmax, and none
 
@@ -31,8 +32,8 @@ struct RayGroup {
     void add(const Ray& ray, const Vec3& direction) {
         const std::size_t i = count++;
         rays[i] = &ray;
-        origins[i] = ray.origin;
-        directions[i] = direction;
+        origins.set(i, ray.origin);
+        directions.set(i, direction);
         tmins[i] = std::max(ray.tmin, 0.0);
         excludes[i] = ray.exclude == no_index ? none : ray.exclude;
         ts[i] = ray.tmax;
@@ -43,8 +44,8 @@ struct RayGroup {
     void remove(std::size_t i) {
         const std::size_t last = --count;
         rays[i] = rays[last];
-        origins[i] = origins[last];
-        directions[i] = directions[last];
+        origins.set(i, origins[last]);
+        directions.set(i, directions[last]);
         tmins[i] = tmins[last];
         excludes[i] = excludes[last];
         ts[i] = ts[last];

@@ -10,7 +10,7 @@
 
 #include <hwy/highway.h>
 
-#include "core/numerics/vec.h"
+#include "core/numerics/vec_columns.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
@@ -75,6 +75,12 @@ HWY_INLINE Vec3Lanes load(const Vec3* from) {
     Vec3Lanes v;
     hn::LoadInterleaved3(DoubleTag(), &from->x, v.x, v.y, v.z);
     return v;
+}
+template <std::size_t most>
+HWY_INLINE Vec3Lanes load(const Vec3Columns<most>& from, std::size_t first) {
+    const DoubleTag tag;
+    return {hn::LoadU(tag, &from.x[first]), hn::LoadU(tag, &from.y[first]),
+            hn::LoadU(tag, &from.z[first])};
 }
 HWY_INLINE void store(const Vec3Lanes& v, Vec3* to) {
     hn::StoreInterleaved3(v.x, v.y, v.z, DoubleTag(), &to->x);

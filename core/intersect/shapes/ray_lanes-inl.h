@@ -17,8 +17,8 @@ namespace etalon::HWY_NAMESPACE {
 /// Rays of a group.
 struct RayLanes {
     HWY_INLINE RayLanes(const RayGroup& group, std::size_t first)
-        : origin(load(&group.origins[first])),
-          direction(load(&group.directions[first])),
+        : origin(load(group.origins, first)),
+          direction(load(group.directions, first)),
           tmin(hn::LoadU(DoubleTag(), &group.tmins[first])) {}
 
     Vec3Lanes origin, direction;
