@@ -12,12 +12,23 @@
 namespace etalon {
 namespace {
 
+/// Whether all rays are common ones of the same dominant axis.
+bool are_alike(const RayColumns& rays) {
+    std::uint64_t common = ~std::uint64_t{0}, differences = 0;
+    for (std::size_t i = 0; i < rays.count; ++i) {
+        common &= rays.common[i];
+        differences |= rays.dominants[i] ^ rays.dominants[0];
+    }
+    return common != 0 && differences == 0;
+}
+
 /// Calls trace(group) for all rays, a group of one dominant axis at a time.
 template <class Trace>
 void for_each_group(std::span<const Ray> rays, const Trace& trace) {
     const DenormalsCount denormals_count;
     std::array<RayGroup, 3> groups;
     for (int axis = 0; axis < 3; ++axis) groups[axis].dominant = axis;
+    RayGroup alike;
     const auto finish = [&](RayGroup& group) {
         trace(group);
         group.count = 0;
@@ -31,6 +42,11 @@ void for_each_group(std::span<const Ray> rays, const Trace& trace) {
         const std::span chunk =
             rays.subspan(first, std::min(RayColumns::most, rays.size() - first));
         const RayColumns columns(chunk);
+        if (are_alike(columns)) {
+            alike.set(chunk, columns);
+            trace(alike);
+            continue;
+        }
         for (std::size_t i = 0; i < chunk.size(); ++i) {
             const Ray& ray = chunk[i];
             if (columns.common[i] != 0) {

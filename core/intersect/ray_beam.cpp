@@ -68,8 +68,6 @@ HWY_EXPORT(beam_intervals);
 
 namespace {
 
-constexpr double margin = 0x1p-20;
-
 double magnitude(const Interval& i) {
     return std::max(std::abs(i.least), std::abs(i.most));
 }
@@ -86,35 +84,42 @@ Interval product(const Interval& a, const Interval& b) {
 
 /// Whether intervals lie apart, by more than what roundings of numbers of `size` may hide.
 bool are_apart(const Interval& a, const Interval& b, double size) {
-    const double room = margin * size;
+    const double room = RayBeam::margin * size;
     return a.most < b.least - room || a.least > b.most + room;
 }
 
 }  // namespace
 
 RayBeam::RayBeam(const RayGroup& group)
-    : dominant_(group.dominant), all_(HWY_DYNAMIC_DISPATCH(beam_intervals)(group)) {}
-
-bool RayBeam::surely_misses(const Box3& box) const {
-    const auto side = [&](int k) { return Interval{box.min[k], box.max[k]}; };
-    const Interval& start = all_.origins[dominant_];
+    : dominant_(group.dominant), all_(HWY_DYNAMIC_DISPATCH(beam_intervals)(group)) {
+    // Reciprocals in this range are as good as any number, and so are slopes made with them.
+    constexpr double largest = 0x1p1001;
     const Interval& forward = all_.slopes[dominant_];
-    // From the origins to the box, along the dominant axis.
-    Interval way = sum(side(dominant_), {-start.most, -start.least});
-    const double way_size = magnitude(side(dominant_)) + magnitude(start);
-    const double room = margin * way_size;
-    if (forward.least > 0) {
+    goes_up_ = forward.least > 1 / largest && forward.most < largest;
+    goes_down_ = forward.most < -1 / largest && forward.least > -largest;
+}
+
+/// Of the roundings, fewer than ten, none is more than 2^-53 of `size`, a sum of the magnitudes
+/// that enter. What a kernel still hits is within the rest of the margin.
+bool RayBeam::surely_misses(const Box3& box) const {
+    const Interval& start = all_.origins[dominant_];
+    const Interval side{box.min[dominant_], box.max[dominant_]};
+    const double size = magnitude(side) + magnitude(start), room = margin * size;
+    Interval way = sum(side, {-start.most, -start.least});
+    if (goes_up_) {
         if (way.most < -room) return true;
         way.least = std::max(way.least, -room);
-    } else if (forward.most < 0) {
+    } else if (goes_down_) {
         if (way.least > room) return true;
         way.most = std::min(way.most, room);
+    } else {
+        return false;
     }
-    for (int k = 0; k < 3; ++k) {
-        if (k == dominant_) continue;
+    for (const int k : {(dominant_ + 1) % 3, (dominant_ + 2) % 3}) {
         const Interval there = sum(all_.origins[k], product(all_.slopes[k], way));
-        const double size = magnitude(side(k)) + magnitude(all_.origins[k]) + way_size;
-        if (are_apart(there, side(k), size)) return true;
+        const Interval sides{box.min[k], box.max[k]};
+        const double all_sizes = magnitude(sides) + magnitude(all_.origins[k]) + size;
+        if (are_apart(there, sides, all_sizes)) return true;
     }
     return false;
 }

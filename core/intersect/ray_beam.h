@@ -18,19 +18,24 @@ struct BeamIntervals {
 
 /// A group of rays taken together: what is outside of their beam is no matter for any of them
 /// (Boulos, Wald & Shirley 2006, "Geometric and Arithmetic Culling Methods for Entire Ray Packets",
-/// University of Utah).
+/// University of Utah, UUCS-06-010).
 class RayBeam {
   public:
+    /// How far outside, in parts of the coordinates' size, the beam still reaches.
+    static constexpr double margin = 0x1p-20;
+
     /// The beam of a group that is not empty.
     explicit RayBeam(const RayGroup& group);
 
-    /// Whether no ray meets the box or comes near it: within 2^-20 of the coordinates' size, which
-    /// is far above all roundings. False where a calculation leaves the range of doubles.
+    /// Whether no ray meets the box or comes near it, within the margin, which is far above all
+    /// roundings. False of rays that go different ways, up and down the dominant axis, and where a
+    /// calculation leaves the range of doubles.
     bool surely_misses(const Box3& box) const;
 
   private:
     int dominant_;
     BeamIntervals all_;
+    bool goes_up_, goes_down_;  ///< along the dominant axis
 };
 
 }  // namespace etalon

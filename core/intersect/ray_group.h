@@ -2,15 +2,14 @@
 
 #include <array>
 
-#include "core/intersect/ray.h"
-#include "core/numerics/vec_columns.h"
+#include "core/intersect/ray_columns.h"
 
 namespace etalon {
 
 /// Rays of one dominant axis, side by side, that look for their nearest hits together. So many that
 /// what kernels need of them stays in the fastest cache.
 struct RayGroup {
-    static constexpr std::size_t most = 64;
+    static constexpr std::size_t most = RayColumns::most;
 
     /// Number of no primitive. Numbers are doubles here, so that vector instructions can compare
     /// them together with the rest.
@@ -38,6 +37,21 @@ struct RayGroup {
         excludes[i] = ray.exclude == no_index ? none : ray.exclude;
         ts[i] = ray.tmax;
         primitives[i] = none;
+    }
+
+    /// Sets the group to rays whose columns are known: common ones of the same dominant axis.
+    void set(std::span<const Ray> all, const RayColumns& columns) {
+        dominant = static_cast<int>(columns.dominants[0]);
+        count = all.size();
+        origins = columns.origins;
+        directions = columns.directions;
+        ts = columns.tmaxs;
+        primitives.fill(none);
+        for (std::size_t i = 0; i < count; ++i) {
+            rays[i] = &all[i];
+            tmins[i] = std::max(columns.tmins[i], 0.0);
+            excludes[i] = all[i].exclude == no_index ? none : all[i].exclude;
+        }
     }
 
     /// Removes a ray; the last takes its place.

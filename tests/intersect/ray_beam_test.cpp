@@ -1,0 +1,114 @@
+// Beams of groups of rays, against the rays one by one: aimed past boxes, at their corners and
+// next to them, for every instruction set that the machine has.
+#include "core/intersect/ray_beam.h"
+
+#include "core/numerics/random.h"
+#include "tests/catch.h"
+#include "tests/each_instruction_set.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+struct RaySet {
+    std::vector<Ray> rays;
+    int dominant;
+};
+
+/// Rays that start near a place and go about the same way, some of them to one point; of few sizes,
+/// so that they and boxes are often next to each other.
+RaySet alike_rays(Random& random) {
+    const double scale = std::exp2(random.uniform(-40, 40));
+    const double from_spread = random.one_in(3) ? 0 : random.magnitude(-9, 0);
+    const double spread = random.one_in(3) ? 0 : random.magnitude(-9, 0);
+    const Vec3 from = scale * random.in_cube(4), way = scale * random.direction();
+    const bool to_point = random.one_in(2);
+    RaySet set;
+    set.dominant = dominant_axis(way);
+    const std::size_t count = 1 + random.index(RayGroup::most);
+    while (set.rays.size() < count) {
+        const Vec3 origin = from + from_spread * scale * random.in_cube();
+        const Vec3 aim = to_point ? from + way - origin : way;
+        const Vec3 direction = aim + spread * scale * random.in_cube();
+        if (dominant_axis(direction) == set.dominant) set.rays.push_back({origin, direction});
+    }
+    return set;
+}
+
+RayGroup group_of(const RaySet& set) {
+    RayGroup group;
+    group.dominant = set.dominant;
+    for (const Ray& ray : set.rays) group.add(ray, ray.direction);
+    return group;
+}
+
+/// A box, thin or not, with one of its corners within roundings of a point of the ray.
+Box3 box_at(const Ray& ray, Random& random) {
+    Vec3 corner = ray.origin + random.uniform(0, 3) * ray.direction;
+    for (int k = 0; k < 3; ++k) {
+        if (random.one_in(2)) corner[k] = std::nextafter(corner[k], random.sign() * infinity);
+    }
+    Vec3 other = corner;
+    for (int k = 0; k < 3; ++k) {
+        if (!random.one_in(4))
+            other[k] += random.sign() * max_abs(ray.direction) * random.uniform();
+    }
+    Box3 box(corner, corner);
+    box.extendBy(other);
+    return box;
+}
+
+/// Returns how many of the boxes that rays touch their beam misses.
+std::size_t lost_boxes(std::size_t count) {
+    Random random(31);
+    std::size_t lost = 0;
+    for (std::size_t done = 0; done < count;) {
+        const RaySet set = alike_rays(random);
+        const RayBeam beam(group_of(set));
+        for (const Ray& ray : set.rays) lost += beam.surely_misses(box_at(ray, random));
+        done += set.rays.size();
+    }
+    return lost;
+}
+
+}  // namespace
+
+TEST_CASE("Beams: a box that a ray touches is not missed") {
+    for_each_target([] { CHECK(lost_boxes(100'000) == 0); });
+}
+
+TEST_CASE("Beams: none of ten million boxes that rays touch is missed", "[long]") {
+    CHECK(lost_boxes(10'000'000) == 0);
+}
+
+TEST_CASE("Beams: what is beside or behind rays that go one way is missed") {
+    RaySet set{{}, 2};
+    for (int i = 0; i < 64; ++i) {
+        set.rays.push_back({Vec3(0), Vec3(0.01 * (i % 8), 0.01 * (i / 8), 1)});
+    }
+    const RayGroup group = group_of(set);
+    for_each_target([&] {
+        const RayBeam beam(group);
+        const auto box_of = [](const Vec3& centre) {
+            return Box3(centre - Vec3(0.25), centre + Vec3(0.25));
+        };
+        CHECK(beam.surely_misses(box_of({1, 0, 5})));
+        CHECK(beam.surely_misses(box_of({0, -1, 5})));
+        CHECK(beam.surely_misses(box_of({0, 0, -5})));
+        CHECK_FALSE(beam.surely_misses(box_of({0.2, 0.2, 5})));
+        CHECK_FALSE(beam.surely_misses(box_of({0, 0, 0})));
+    });
+}
+
+TEST_CASE("Beams: nothing is said of rays that go both ways, or by numbers beyond reciprocals") {
+    const Box3 aside(Vec3(100), Vec3(101));
+    const auto says = [&](const std::vector<Ray>& rays) {
+        return RayBeam(group_of({rays, 2})).surely_misses(aside);
+    };
+    CHECK(says({{Vec3(0), Vec3(0, 0, 1)}}));
+    CHECK_FALSE(says({{Vec3(0), Vec3(0, 0, 1)}, {Vec3(0), Vec3(0, 0, -1)}}));
+    CHECK_FALSE(says({{Vec3(0), Vec3(0, 0, 0x1p-1074)}}));
+    CHECK_FALSE(says({{Vec3(0), Vec3(0, 0, 0x1p1023)}}));
+    CHECK_FALSE(says({{Vec3(0), Vec3(0, 0, 1)}, {Vec3(0), Vec3(0, 0, 0x1p-1074)}}));
+}
