@@ -1,13 +1,16 @@
 #include "core/image/encode.h"
 
 #include "core/color/srgb.h"
+#include "core/image/srgb_bytes.h"
+#include "core/parallel/parallel.h"
 
 namespace etalon {
 
 namespace {
 
 std::uint8_t byte_of_light(float value, double gain) {
-    return static_cast<std::uint8_t>(255 * srgb_encoded(displayed(gain * value)) + 0.5);
+    static const SrgbBytes bytes;
+    return bytes(displayed(gain * value));
 }
 
 std::uint8_t byte_of_display(float value, double gain) {
@@ -17,10 +20,11 @@ std::uint8_t byte_of_display(float value, double gain) {
 template <class Encode>
 std::vector<std::uint8_t> encoded(const std::vector<Color>& pixels, const Encode& encode) {
     std::vector<std::uint8_t> bytes(3 * pixels.size());
-    std::uint8_t* to = bytes.data();
-    for (const Color& c : pixels) {
-        for (const float value : {c.x, c.y, c.z}) *to++ = encode(value);
-    }
+    const float* const values = reinterpret_cast<const float*>(pixels.data());
+    parallel_for(bytes.size(), 1 << 16, [&](std::size_t begin, std::size_t end) {
+        std::uint8_t* const to = bytes.data();
+        for (std::size_t i = begin; i < end; ++i) to[i] = encode(values[i]);
+    });
     return bytes;
 }
 

@@ -50,7 +50,10 @@ std::vector<Color> Film::pixels() const {
     std::vector<Color> result;
     result.reserve(size());
     prefer_large_pages(result.data(), size() * sizeof(Color));
-    for (std::size_t i = 0; i < size(); ++i) result.emplace_back(mean(i));
+    result.resize(size());
+    parallel_for(size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) result[i] = Color(mean(i));
+    });
     return result;
 }
 

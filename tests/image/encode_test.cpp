@@ -1,8 +1,12 @@
 #include "core/image/encode.h"
 
+#include <bit>
+
 #include <cmath>
 #include <limits>
 
+#include "core/color/srgb.h"
+#include "core/numerics/random.h"
 #include "tests/catch.h"
 
 using namespace etalon;
@@ -16,6 +20,23 @@ constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 double linear_of(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
+
+/// The same by the formula.
+int byte_by_powers(float linear) {
+    return static_cast<int>(255 * srgb_encoded(displayed(linear)) + 0.5);
+}
+
+/// Returns how many floats of a range of bits have another byte.
+std::size_t others(std::uint32_t first, std::uint32_t last) {
+    std::size_t count = 0;
+    for (std::uint32_t bits = first; bits <= last; ++bits) {
+        const auto value = std::bit_cast<float>(bits);
+        count += srgb_byte(value) != byte_by_powers(value);
+    }
+    return count;
+}
+
+constexpr auto bits_of_one = std::bit_cast<std::uint32_t>(1.0F);
 
 }  // namespace
 
@@ -42,6 +63,23 @@ TEST_CASE("sRGB bytes are rounded to nearest: each changes half way between its 
         CHECK(int(srgb_byte(static_cast<float>(linear_of((byte + 0.49) / 255.0)))) == byte);
         CHECK(int(srgb_byte(static_cast<float>(linear_of((byte + 0.51) / 255.0)))) == byte + 1);
     }
+}
+
+TEST_CASE("sRGB bytes are those of the curve's formula, next to each change and anywhere") {
+    for (int byte = 1; byte < 256; ++byte) {
+        const auto change = static_cast<float>(linear_of((byte - 0.5) / 255));
+        const auto bits = std::bit_cast<std::uint32_t>(change);
+        CHECK(others(bits - 100, std::min(bits + 100, bits_of_one)) == 0);
+    }
+    Random random(3);
+    for (int i = 0; i < 1'000'000; ++i) {
+        const std::uint32_t bits = random.index(bits_of_one);
+        if (others(bits, bits) != 0) FAIL(std::bit_cast<float>(bits));
+    }
+}
+
+TEST_CASE("all floats up to 1 have the byte of the curve's formula", "[long]") {
+    CHECK(others(0, bits_of_one) == 0);
 }
 
 TEST_CASE("display values become bytes by truncation of 255.99 times the value") {
