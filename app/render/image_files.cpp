@@ -1,0 +1,46 @@
+#include "app/render/image_files.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/common/exit_status.h"
+#include "app/common/output.h"
+#include "app/render/complain.h"
+#include "core/image/atomic_file.h"
+#include "core/image/io.h"
+
+namespace etalon {
+
+std::string default_output(const std::string& scene) {
+    const std::string stem = scene == "-" ? "render" : std::filesystem::path(scene).stem().string();
+    return stem + ".exr";
+}
+
+int check_image_files(const RenderArguments& a) {
+    std::vector<std::string> paths = a.outputs;
+    if (a.stats == "-") paths.push_back(a.stats);
+    auto [error, status] = check_outputs(paths);
+    const bool uses_standard_output = std::ranges::count(paths, "-") > 0;
+    if (error.empty() && a.serve && uses_standard_output) {
+        error = "standard output has the address of the page; expected files";
+        status = exit_usage;
+    }
+    if (error.empty() && std::ranges::count(a.outputs, "-") > 0) {
+        error = check_image_to_standard_output();
+        status = exit_usage;
+    }
+    return error.empty() ? exit_done : (complain(error), status);
+}
+
+bool write_image_file(const RenderArguments& a, const std::string& path, const RenderedImage& image,
+                      const KeptState& kept) {
+    const std::string name = path == "-" ? "standard output" : path;
+    auto file = encode_image(format_name(a, path), image, a.exposure);
+    if (!file) return complain(name + ": cannot be written: " + file.error);
+    if (can_hold_channels(format_name(a, path))) file.value += kept.appendix(image);
+    if (path == "-") return write_result(file.value);  // the end of the program says why not
+    const std::string error = write_file_atomically(path, file.value);
+    return error.empty() || complain(error);
+}
+
+}  // namespace etalon

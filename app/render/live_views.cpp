@@ -1,0 +1,45 @@
+#include "app/render/live_views.h"
+
+#include <chrono>
+#include <thread>
+
+#include "app/common/console.h"
+#include "app/common/signals.h"
+
+namespace etalon {
+namespace {
+
+/// Time between two looks whether a page that stays is to go.
+constexpr auto page_interval = std::chrono::milliseconds(50);
+
+}  // namespace
+
+std::string LiveViews::open_page(const RenderSettings& settings) {
+    if (!a_.serve) return {};
+    page_.emplace(settings, a_.scene.path, a_.exposure, SignalGuard::interrupt);
+    const std::string error = page_->start();
+    if (!error.empty()) return "the page cannot be shown: " + error;
+    print_result("{}\n", page_->address());
+    return {};
+}
+
+void LiveViews::attach(const RenderSettings& settings, RunControl& control) {
+    if (!a_.tev.empty()) {
+        image_.emplace(settings);
+        tev_.emplace(a_.tev, a_.scene.path, *image_);
+        control.observers.push_back(image_->observer());
+    }
+    if (page_) {
+        control.estimates_error = true;
+        for (const RenderObserver& o : page_->observers()) control.observers.push_back(o);
+    }
+}
+
+void LiveViews::show_end(const std::atomic<bool>& stopped) {
+    if (!page_) return;
+    page_->set_stage(ViewState::Stage::over);
+    page_->wait_for_pages();
+    while (a_.stay && !stopped) std::this_thread::sleep_for(page_interval);
+}
+
+}  // namespace etalon

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+
+#include "app/live/live_page.h"
+#include "app/live/tev_view.h"
+#include "app/render/arguments.h"
+#include "core/render/renderer.h"
+
+namespace etalon {
+
+/// What shows an image while it is rendered, where that is asked for: a page, and tev.
+class LiveViews {
+  public:
+    /// The arguments must outlive this.
+    explicit LiveViews(const RenderArguments& arguments) : a_(arguments) {}
+
+    /// Begins to serve the page, and prints its address. Returns why that failed, or nothing.
+    std::string open_page(const RenderSettings& settings);
+
+    /// Lets all of them watch a rendering.
+    void attach(const RenderSettings& settings, RunControl& control);
+
+    void set_stage(ViewState::Stage stage) {
+        if (page_) page_->set_stage(stage);
+    }
+
+    /// Lets pages show the finished image; the one that is to stay, until `stopped`.
+    void show_end(const std::atomic<bool>& stopped);
+
+  private:
+    const RenderArguments& a_;
+    std::optional<LivePage> page_;
+    std::optional<LiveImage> image_;
+    std::optional<TevView> tev_;  ///< sends the last of the image when everything else is done
+};
+
+}  // namespace etalon

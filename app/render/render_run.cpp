@@ -1,0 +1,232 @@
+#include "app/render/render_run.h"
+
+#include <algorithm>
+
+#include "app/common/backends.h"
+#include "app/common/console.h"
+#include "app/common/exit_status.h"
+#include "app/common/output.h"
+#include "app/common/progress.h"
+#include "app/compare/metrics_report.h"
+#include "app/mpi/tile_worker.h"
+#include "app/render/aovs.h"
+#include "app/render/complain.h"
+#include "app/render/image_files.h"
+#include "app/render/memory.h"
+#include "app/render/output_image.h"
+#include "app/render/summary.h"
+#include "app/replaced_images.h"
+#include "core/parallel/parallel.h"
+#include "core/shading/textured_cut_outs.h"
+
+namespace etalon {
+namespace {
+
+/// Limits the threads for as long as the process lives. As it lifts a limit oneTBB asks for more
+/// threads: where memory has run out it then ends the program, or waits for ever.
+void limit_threads(int threads) {
+    [[maybe_unused]] static const auto* const limit = new ThreadLimit(threads);
+}
+
+}  // namespace
+
+int RenderRun::run() {
+    const int status = render_and_write();
+    if (is_written_) views_.show_end(signals_.raised());
+    return status;
+}
+
+int RenderRun::work() {
+    limit_threads(a_.threads);
+    if (const std::string error = source_.receive(); !error.empty()) {
+        return complain(error), exit_unusable;
+    }
+    if (source_.is_over()) return exit_done;
+    int status = prepare();
+    if (status == exit_done && !build()) status = exit_unusable;
+    if (status != exit_done) return status;
+    render_dealt_tiles(scene_.camera, *integrator_, settings_, [&](const TileTask& task) {
+        TileWorker(ranks_).run(task, kept_.identity());
+    });
+    return exit_done;
+}
+
+int RenderRun::render_and_write() {
+    limit_threads(a_.threads);
+    if (const int status = prepare(); status != exit_done) return status;
+    if (const int status = check_image_files(a_); status != exit_done) return status;
+    if (!open_views() || !build() || !open_kept() || !open_reference()) return exit_unusable;
+    source_.send(kept_.scene_files());
+    const Rendering rendering = render_image();
+    if (kept_.failed()) {
+        return complain(a_.checkpoint + ": the checkpoint does not fit the image"), exit_unusable;
+    }
+    if (!report_ranks()) return exit_unusable;
+    warn_of_dropped_samples(rendering);
+    const bool usable = tolerates(scene_, a_.scene, integrator_->late_problems());
+    const bool written = rendering.counts.camera == 0 || write(rendering);
+    is_written_ = written;
+    if (signals_.signal() != 0) return exit_signal + signals_.signal();
+    if (!written) return exit_not_written;
+    return usable ? exit_done : exit_unusable;
+}
+
+int RenderRun::prepare() {
+    LoadedScene loaded = source_.load();
+    if (!loaded.scene) return loaded.status;
+    scene_ = std::move(*loaded.scene);
+    settings_ = std::move(loaded.settings);
+    prepare_scene(a_.integrator, scene_, settings_);
+    stats_.parse = watch_.lap();
+    const std::string error = apply_overrides(a_, scene_, settings_);
+    if (!error.empty()) return complain(error), exit_usage;
+    if (a_.outputs.empty()) a_.outputs = {default_output(a_.scene.path)};
+    if (const std::string missing = check_memory(settings_); !missing.empty()) {
+        return complain(missing), exit_unusable;
+    }
+    return exit_done;
+}
+
+bool RenderRun::report_ranks() const {
+    if (!dealer_) return true;
+    const std::string resumable =
+        a_.checkpoint.empty() ? "" : "; --resume goes on from " + a_.checkpoint;
+    if (signals_.signal() != 0) {
+        print_message(
+            "etalon: rank 0 was ended by signal {}: a rank has died, or mpirun was told to "
+            "end{}\n",
+            signals_.signal(), resumable);
+    }
+    const std::string error = dealer_->error();
+    return error.empty() || complain(error + resumable);
+}
+
+bool RenderRun::open_reference() {
+    if (a_.reference.empty()) return true;
+    const std::string error = reference_.emplace().open(a_.reference, settings_);
+    watch_.lap();  // no part of the building
+    return error.empty() || complain(error);
+}
+
+bool RenderRun::open_views() {
+    const std::string error = views_.open_page(settings_);
+    return error.empty() || complain(error);
+}
+
+bool RenderRun::open_kept() {
+    const std::string error = kept_.open();
+    return error.empty() || complain(error);
+}
+
+void RenderRun::warn_of_dropped_samples(const Rendering& rendering) const {
+    if (rendering.dropped_samples == 0) return;
+    print_message("{}: warning: {} samples are infinite or no number: they count as black\n",
+                  a_.scene.path, rendering.dropped_samples);
+}
+
+bool RenderRun::build() {
+    std::vector<std::string> problems;
+    make_cut_outs(scene_, problems);
+    intersector_ = chosen_backend(settings_).build(scene_.geometry);
+    integrator_ =
+        find_integrator(settings_.integrator)->make(scene_, *intersector_, settings_, problems);
+    if (!tolerates(scene_, a_.scene, problems)) return false;
+    kept_.identify(scene_, settings_);
+    stats_.build = watch_.lap();
+    return true;
+}
+
+Rendering RenderRun::render_image() {
+    std::optional<Progress> progress;
+    if (!a_.quiet) progress.emplace(a_.scene.path);
+    RunControl control;
+    views_.attach(settings_, control);
+    if (a_.time_limit > 0) control.deadline = Deadline(a_.time_limit);
+    control.stop = &signals_.raised();
+    kept_.attach(control);
+    if (dealer_) {
+        dealer_->listen(kept_.identity());
+        control.dealer = &*dealer_;
+    }
+    if (reference_) {
+        reference_->start();
+        control.observers.push_back(
+            {.after_pass = [&](const RenderedPass& pass) { reference_->note(pass); }});
+    }
+    views_.set_stage(ViewState::Stage::rendering);
+    if (progress) {
+        control.observers.push_back({.progress = [&](double part) { progress->update(part); }});
+    }
+    Rendering rendering = render(scene_.camera, *integrator_, settings_, control);
+    stats_.render = watch_.lap();
+    views_.set_stage(ViewState::Stage::writing);
+    return rendering;
+}
+
+std::vector<Channel> RenderRun::make_channels(const Film& film) {
+    std::vector<std::string> missing;
+    auto channels =
+        make_aovs(a_.aovs, scene_, *intersector_, film, settings_, signals_.raised(), missing);
+    for (const std::string& name : missing) {
+        print_message("etalon: warning: stopped before {} was made\n", name);
+    }
+    stats_.aovs = watch_.lap();
+    return channels;
+}
+
+bool RenderRun::write(const Rendering& rendering) {
+    std::vector<Channel> channels = make_channels(rendering.film);
+    fill_stats(rendering);
+    RenderedImage image = make_output_image(scene_, settings_, rendering, stats_);
+    image.channels = std::move(channels);
+    bool written = true;
+    for (const std::string& path : a_.outputs) {
+        written = write_image_file(a_, path, image, kept_) && written;
+    }
+    stats_.write = watch_.lap();
+    if (!a_.stats.empty()) written = write_json(a_.stats, stats_json(rendering)) && written;
+    if (!a_.quiet && written) {
+        write_message(
+            summary_of(a_, scene_, rendering, stats_, reference_ ? &*reference_ : nullptr));
+    }
+    return written;
+}
+
+void RenderRun::fill_stats(const Rendering& rendering) {
+    stats_.scene = a_.scene.path;
+    stats_.format = scene_.format;
+    stats_.backend = chosen_backend(settings_).name;
+    stats_.integrator = find_integrator(settings_.integrator)->name;
+    stats_.isa = intersector_->isa();
+    stats_.threads = max_threads();
+    stats_.width = settings_.resolution.x;
+    stats_.height = settings_.resolution.y;
+    if (settings_.samples_per_pixel > 0) stats_.samples_per_pixel = rendering.samples;
+    stats_.stopped = why_stopped(rendering);
+    if (a_.target_error > 0) stats_.target_error = a_.target_error;
+    stats_.expected_error = rendering.expected_error;
+    stats_.seed = a_.seed;
+    stats_.primitives = primitive_counts(scene_);
+    stats_.rays = rendering.counts;
+    kept_.fill(stats_, rendering);
+    stats_.dropped_samples = rendering.dropped_samples;
+    stats_.scene_bytes = memory_bytes(scene_);
+    stats_.accelerator_bytes = intersector_->memory_bytes();
+}
+
+std::string RenderRun::why_stopped(const Rendering& rendering) const {
+    if (signals_.signal() != 0) return "signal";
+    return rendering.complete ? "" : "time-limit";
+}
+
+nlohmann::ordered_json RenderRun::stats_json(const Rendering& rendering) const {
+    nlohmann::ordered_json json = to_json(stats_);
+    if (dealer_) json["ranks"] = dealer_->stats();
+    if (reference_) {
+        json["error"] = compare::as_json(reference_->metrics_of(rendering.film));
+        json["convergence"] = reference_->history();
+    }
+    return json;
+}
+
+}  // namespace etalon

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/common/signals.h"
+#include "app/mpi/rank_dealer.h"
+#include "app/render/arguments.h"
+#include "app/render/kept_state.h"
+#include "app/render/live_views.h"
+#include "app/render/reference.h"
+#include "app/render/scene_source.h"
+#include "app/stats.h"
+#include "core/integrators/integrator.h"
+#include "core/intersect/intersector.h"
+#include "core/render/renderer.h"
+
+namespace etalon {
+
+/// One run of the subcommand, in the order things happen.
+class RenderRun {
+  public:
+    RenderRun(RenderArguments arguments, Ranks& ranks) : a_(std::move(arguments)), ranks_(ranks) {
+        if (ranks.size() > 1 && ranks.rank() == 0) dealer_.emplace(ranks);
+    }
+
+    /// Renders the image and writes it. Returns the exit status.
+    int run();
+
+    /// Renders tiles for rank 0, which does all the rest. Returns the exit status.
+    int work();
+
+    /// Whether a signal asked for the end.
+    bool is_interrupted() const { return signals_.raised(); }
+
+  private:
+    int render_and_write();
+
+    /// Reads the scene and settles how it is to be rendered. Returns the exit status.
+    int prepare();
+
+    bool build();
+    bool open_views();
+    bool open_kept();
+    bool open_reference();
+    Rendering render_image();
+
+    /// Says what the other ranks made of the rendering. False if one has failed.
+    bool report_ranks() const;
+    void warn_of_dropped_samples(const Rendering& rendering) const;
+
+    bool write(const Rendering& rendering);
+    std::vector<Channel> make_channels(const Film& film);
+    void fill_stats(const Rendering& rendering);
+    std::string why_stopped(const Rendering& rendering) const;
+    nlohmann::ordered_json stats_json(const Rendering& rendering) const;
+
+    RenderArguments a_;
+    Ranks& ranks_;
+    KeptState kept_{a_, ranks_.size() > 1};
+    SceneSource source_{a_, ranks_};
+    std::optional<RankDealer> dealer_;
+    SignalGuard signals_;
+    Stopwatch watch_;
+    Scene scene_;
+    RenderSettings settings_;
+    RenderStats stats_;
+    std::optional<Reference> reference_;
+    std::unique_ptr<Intersector> intersector_;
+    std::unique_ptr<Integrator> integrator_;
+    bool is_written_ = false;
+    LiveViews views_{a_};  ///< the last, which end first
+};
+
+}  // namespace etalon
