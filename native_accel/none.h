@@ -1,15 +1,11 @@
 #pragma once
 
-#include <vector>
-
 #include "core/intersect/intersector.h"
-#include "core/intersect/ray_group.h"
 
 namespace etalon {
 
 /// No structure at all. Even the shortcuts of the normalized space are left out: to this backend
-/// every primitive is unbounded, so it is what the others are checked against. Of many rays, those
-/// that go nearly the same way pass what is far from all of them together.
+/// every primitive is unbounded, so it is what the others are checked against.
 class None final : public Intersector {
   public:
     explicit None(const Geometry& geometry);
@@ -31,10 +27,6 @@ class None final : public Intersector {
     bool instances_occlude(const Ray& ray) const;
     template <class Visit>
     bool for_each_instance(const Visit& visit) const;
-    template <class Visit>
-    void for_each_near(const RayGroup& group, const Visit& visit) const;
-
-    std::vector<Box3> boxes_;  ///< of the primitives
 };
 
 }  // namespace etalon

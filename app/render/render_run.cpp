@@ -127,9 +127,10 @@ void RenderRun::warn_of_dropped_samples(const Rendering& rendering) const {
 bool RenderRun::build() {
     std::vector<std::string> problems;
     make_cut_outs(scene_, problems);
-    intersector_ = chosen_backend(settings_).build(scene_.geometry);
-    integrator_ =
-        find_integrator(settings_.integrator)->make(scene_, *intersector_, settings_, problems);
+    const Backend& backend = chosen_backend(settings_);
+    intersector_ = backend.build(scene_.geometry);
+    beams_.emplace(scene_.geometry, *intersector_, backend.exact);
+    integrator_ = find_integrator(settings_.integrator)->make(scene_, *beams_, settings_, problems);
     if (!tolerates(scene_, a_.scene, problems)) return false;
     kept_.identify(scene_, settings_);
     stats_.build = watch_.lap();

@@ -16,6 +16,7 @@
 #include "bench/speed/statistics.h"
 #include "core/image/io.h"
 #include "core/integrators/integrators.h"
+#include "core/intersect/beam_intersector.h"
 #include "core/parallel/parallel.h"
 #include "core/render/renderer.h"
 
@@ -46,12 +47,14 @@ class Frame {
     FrameFigures measure(int repeats) {
         const ThreadLimit one_thread(1);
         std::vector<Repeat> all;
-        const std::unique_ptr<Intersector> intersector = built();
+        const std::unique_ptr<Intersector> backend = built();
+        const BeamIntersector intersector(scene_.geometry, *backend,
+                                          chosen_backend(settings_).exact);
         Stopwatch cold;
-        const std::unique_ptr<Integrator> integrator = made(*intersector);
+        const std::unique_ptr<Integrator> integrator = made(intersector);
         const Rendering first = rendered(*integrator);
         const double first_seconds = cold.lap().cpu;
-        RecordedRays recorded(*intersector, 1 + first.counts.total() / recorded_rays);
+        RecordedRays recorded(intersector, 1 + first.counts.total() / recorded_rays);
         rendered(*made(recorded));
         while (std::ssize(all) < repeats && !is_stopped()) {
             const Repeat repeat = measure_again(*integrator, recorded, first.film);

@@ -1,6 +1,7 @@
 #include "core/intersect/ray_beam.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #define ETALON_WITH_AVX3
@@ -17,22 +18,33 @@ HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
 struct IntervalLanes {
-    HWY_INLINE IntervalLanes() : least(broadcast(infinity)), most(broadcast(-infinity)) {}
+    HWY_INLINE IntervalLanes() : IntervalLanes(broadcast(infinity), broadcast(-infinity)) {}
+    HWY_INLINE IntervalLanes(Doubles least_of, Doubles most_of) : least(least_of), most(most_of) {}
+    HWY_INLINE explicit IntervalLanes(const RayBeam::Interval& i)
+        : IntervalLanes(broadcast(i.least), broadcast(i.most)) {}
 
     HWY_INLINE void extend(Doubles x) {
         least = hn::Min(least, x);
         most = hn::Max(most, x);
     }
 
-    HWY_INLINE Interval over_lanes() const {
+    HWY_INLINE RayBeam::Interval over_lanes() const {
         return {hn::GetLane(hn::MinOfLanes(DoubleTag(), least)),
                 hn::GetLane(hn::MaxOfLanes(DoubleTag(), most))};
     }
 
+    HWY_INLINE Doubles magnitude() const { return hn::Max(hn::Abs(least), hn::Abs(most)); }
+
     Doubles least, most;
 };
 
-BeamIntervals beam_intervals(const RayGroup& group) {
+HWY_INLINE IntervalLanes product(const IntervalLanes& a, const IntervalLanes& b) {
+    const Doubles w = a.least * b.least, x = a.least * b.most, y = a.most * b.least,
+                  z = a.most * b.most;
+    return {hn::Min(hn::Min(w, x), hn::Min(y, z)), hn::Max(hn::Max(w, x), hn::Max(y, z))};
+}
+
+RayBeam::Intervals beam_intervals(const RayGroup& group) {
     const DoubleTag tag;
     const auto& origins = group.origins;
     const auto& directions = group.directions;
@@ -50,12 +62,81 @@ BeamIntervals beam_intervals(const RayGroup& group) {
             slope[k].extend(k == group.dominant ? forward : column(along[k]) * forward);
         }
     }
-    BeamIntervals all;
+    RayBeam::Intervals all;
     for (int k = 0; k < 3; ++k) {
         all.origins[k] = origin[k].over_lanes();
         all.slopes[k] = slope[k].over_lanes();
     }
     return all;
+}
+
+/// A beam that goes one way, as several boxes see it.
+///
+/// Of the roundings, fewer than ten for a side, none is more than 2^-53 of `size`, a sum of the
+/// magnitudes that enter. What a kernel still hits is within the rest of the margin. What is
+/// infinite has infinite room.
+struct BeamLanes {
+    HWY_INLINE BeamLanes(const RayBeam::Intervals& all, int dominant_axis, bool up)
+        : z(dominant_axis),
+          x((z + 1) % 3),
+          y((z + 2) % 3),
+          goes_up(up),
+          origin_x(all.origins[x]),
+          origin_y(all.origins[y]),
+          origin_z(all.origins[z]),
+          slope_x(all.slopes[x]),
+          slope_y(all.slopes[y]) {}
+
+    HWY_INLINE static IntervalLanes side(const BoxColumns& boxes, int axis, std::size_t i) {
+        return {hn::LoadU(DoubleTag(), boxes.mins(axis) + i),
+                hn::LoadU(DoubleTag(), boxes.maxs(axis) + i)};
+    }
+
+    HWY_INLINE static DoubleMask passes(const IntervalLanes& origin, const IntervalLanes& slope,
+                                        const IntervalLanes& way, const IntervalLanes& side,
+                                        Doubles way_size) {
+        const IntervalLanes shift = product(slope, way);
+        const Doubles size = side.magnitude() + origin.magnitude() + way_size;
+        const Doubles room = broadcast(RayBeam::margin) * size;
+        return hn::Or(origin.most +
+                      shift.most<side.least - room, origin.least + shift.least> side.most + room);
+    }
+
+    HWY_INLINE DoubleMask misses(const BoxColumns& boxes, std::size_t i) const {
+        const IntervalLanes depth = side(boxes, z, i);
+        const Doubles size = depth.magnitude() + origin_z.magnitude();
+        const Doubles room = broadcast(RayBeam::margin) * size;
+        IntervalLanes way(depth.least - origin_z.most, depth.most - origin_z.least);
+        const DoubleMask is_behind = goes_up ? way.most < hn::Neg(room) : way.least > room;
+        if (goes_up) {
+            way.least = hn::Max(way.least, hn::Neg(room));
+        } else {
+            way.most = hn::Min(way.most, room);
+        }
+        return hn::Or(is_behind, hn::Or(passes(origin_x, slope_x, way, side(boxes, x, i), size),
+                                        passes(origin_y, slope_y, way, side(boxes, y, i), size)));
+    }
+
+    int z, x, y;
+    bool goes_up;
+    IntervalLanes origin_x, origin_y, origin_z, slope_x, slope_y;
+};
+
+std::size_t find_near(const RayBeam::Intervals& all, int dominant, bool goes_up,
+                      const BoxColumns& boxes, std::uint32_t* numbers) {
+    const DoubleTag tag;
+    const BeamLanes beam(all, dominant, goes_up);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < boxes.size(); i += hn::Lanes(tag)) {
+        const DoubleMask is_near =
+            hn::AndNot(beam.misses(boxes, i), hn::FirstN(tag, boxes.size() - i));
+        std::uint8_t bits = 0;
+        hn::StoreMaskBits(tag, is_near, &bits);
+        for (std::uint32_t left = bits; left != 0; left &= left - 1) {
+            numbers[count++] = static_cast<std::uint32_t>(i) + std::countr_zero(left);
+        }
+    }
+    return count;
 }
 
 }  // namespace etalon::HWY_NAMESPACE
@@ -65,30 +146,7 @@ HWY_AFTER_NAMESPACE();
 namespace etalon {
 
 HWY_EXPORT(beam_intervals);
-
-namespace {
-
-double magnitude(const Interval& i) {
-    return std::max(std::abs(i.least), std::abs(i.most));
-}
-
-Interval sum(const Interval& a, const Interval& b) {
-    return {a.least + b.least, a.most + b.most};
-}
-
-Interval product(const Interval& a, const Interval& b) {
-    const auto [least, most] =
-        std::minmax({a.least * b.least, a.least * b.most, a.most * b.least, a.most * b.most});
-    return {least, most};
-}
-
-/// Whether intervals lie apart, by more than what roundings of numbers of `size` may hide.
-bool are_apart(const Interval& a, const Interval& b, double size) {
-    const double room = RayBeam::margin * size;
-    return a.most < b.least - room || a.least > b.most + room;
-}
-
-}  // namespace
+HWY_EXPORT(find_near);
 
 RayBeam::RayBeam(const RayGroup& group)
     : dominant_(group.dominant), all_(HWY_DYNAMIC_DISPATCH(beam_intervals)(group)) {
@@ -99,29 +157,8 @@ RayBeam::RayBeam(const RayGroup& group)
     goes_down_ = forward.most < -1 / largest && forward.least > -largest;
 }
 
-/// Of the roundings, fewer than ten, none is more than 2^-53 of `size`, a sum of the magnitudes
-/// that enter. What a kernel still hits is within the rest of the margin.
-bool RayBeam::surely_misses(const Box3& box) const {
-    const Interval& start = all_.origins[dominant_];
-    const Interval side{box.min[dominant_], box.max[dominant_]};
-    const double size = magnitude(side) + magnitude(start), room = margin * size;
-    Interval way = sum(side, {-start.most, -start.least});
-    if (goes_up_) {
-        if (way.most < -room) return true;
-        way.least = std::max(way.least, -room);
-    } else if (goes_down_) {
-        if (way.least > room) return true;
-        way.most = std::min(way.most, room);
-    } else {
-        return false;
-    }
-    for (const int k : {(dominant_ + 1) % 3, (dominant_ + 2) % 3}) {
-        const Interval there = sum(all_.origins[k], product(all_.slopes[k], way));
-        const Interval sides{box.min[k], box.max[k]};
-        const double all_sizes = magnitude(sides) + magnitude(all_.origins[k]) + size;
-        if (are_apart(there, sides, all_sizes)) return true;
-    }
-    return false;
+std::size_t RayBeam::find_near(const BoxColumns& boxes, std::uint32_t* numbers) const {
+    return HWY_DYNAMIC_DISPATCH(find_near)(all_, dominant_, goes_up_, boxes, numbers);
 }
 
 }  // namespace etalon

@@ -1,20 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <span>
 
+#include "core/intersect/box_columns.h"
 #include "core/intersect/ray_group.h"
 
 namespace etalon {
-
-struct Interval {
-    double least, most;
-};
-
-/// What the lines of a group of rays lie within, axis by axis.
-struct BeamIntervals {
-    std::array<Interval, 3> origins;
-    std::array<Interval, 3> slopes;  ///< against the dominant axis; of that one 1 / its component
-};
 
 /// A group of rays taken together: what is outside of their beam is no matter for any of them
 /// (Boulos, Wald & Shirley 2006, "Geometric and Arithmetic Culling Methods for Entire Ray Packets",
@@ -27,14 +20,29 @@ class RayBeam {
     /// The beam of a group that is not empty.
     explicit RayBeam(const RayGroup& group);
 
-    /// Whether no ray meets the box or comes near it, within the margin, which is far above all
-    /// roundings. False of rays that go different ways, up and down the dominant axis, and where a
-    /// calculation leaves the range of doubles.
-    bool surely_misses(const Box3& box) const;
+    /// Whether anything can be said: not of rays that go both ways along the dominant axis, nor
+    /// where reciprocals leave the range of doubles.
+    bool goes_one_way() const { return goes_up_ || goes_down_; }
+
+    /// Writes to `numbers`, which has room for all, those of the boxes that a ray may meet: none of
+    /// the others is within the margin, which is far above all roundings. Returns how many. The
+    /// beam goes one way.
+    std::size_t find_near(const BoxColumns& boxes, std::uint32_t* numbers) const;
+
+    struct Interval {
+        double least, most;
+    };
+
+    /// What the lines of the rays lie within, axis by axis.
+    struct Intervals {
+        std::array<Interval, 3> origins;
+        /// Against the dominant axis; of that one 1 / its component.
+        std::array<Interval, 3> slopes;
+    };
 
   private:
     int dominant_;
-    BeamIntervals all_;
+    Intervals all_;
     bool goes_up_, goes_down_;  ///< along the dominant axis
 };
 

@@ -66,6 +66,16 @@ struct RayGroup {
         primitives[i] = primitives[last];
     }
 
+    /// Removes the rays that have hit something, and tells of each.
+    template <class Tell>
+    void remove_hit(const Tell& tell) {
+        for (std::size_t i = count; i-- > 0;) {
+            if (primitives[i] == none) continue;
+            tell(rays[i]);
+            remove(i);
+        }
+    }
+
     Hit hit(std::size_t i) const {
         const double p = primitives[i];
         return {ts[i], p == none ? no_index : static_cast<std::uint32_t>(p)};

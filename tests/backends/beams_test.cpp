@@ -1,0 +1,127 @@
+// Rays that are taken together find what each finds alone, and are taken together.
+#include <atomic>
+
+#include "core/intersect/beam_intersector.h"
+#include "tests/backends/scenes.h"
+#include "tests/backends/test_rays.h"
+#include "tests/backends/tracers.h"
+#include "tests/catch.h"
+#include "tests/each_instruction_set.h"
+
+using namespace etalon;
+using namespace etalon::test;
+
+namespace {
+
+/// Counts the rays that come to a backend.
+class CountingBackend : public BatchIntersector {
+  public:
+    explicit CountingBackend(const BatchIntersector& backend) : backend_(backend) {}
+
+    void closest(std::span<const Ray> rays, std::span<Hit> hits) const override {
+        count += rays.size();
+        backend_.closest(rays, hits);
+    }
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const override {
+        count += rays.size();
+        backend_.occluded(rays, blocked);
+    }
+
+    mutable std::size_t count = 0;
+
+  private:
+    const BatchIntersector& backend_;
+};
+
+/// Rays next to one another, in bundles of 1 to 64, about rays at corners, edges and anywhere. Some
+/// end or begin at their hits.
+std::vector<Ray> bundles(const Scene& scene, std::size_t number, Random& random) {
+    std::vector<Ray> rays;
+    for (const Ray& ray : make_rays(scene, number, random)) {
+        const double step = random.magnitude(-9, -2);
+        const std::size_t count = 1 + random.index(64);
+        const bool starts_apart = random.one_in(2);
+        for (std::size_t i = 0; i < count; ++i) {
+            Ray next = ray;
+            next.direction += step * max_abs(ray.direction) * random.in_cube();
+            if (starts_apart) next.origin += step * random.in_cube();
+            rays.push_back(next);
+        }
+        if (const auto hit = brute_force(scene, ray); hit && random.one_in(4)) {
+            for (const Ray& r : around_hit(ray, hit->t)) rays.push_back(r);
+        }
+    }
+    for (Ray& ray : rays) ray.set_coherent();
+    return rays;
+}
+
+std::size_t count_wrong(const Scene& scene, const BatchIntersector& intersector,
+                        const std::vector<Ray>& rays) {
+    std::vector<Hit> hits(rays.size());
+    std::vector<std::uint8_t> blocked(rays.size());
+    intersector.closest(rays, hits);
+    intersector.occluded(rays, blocked);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const std::optional<Hit> expected =
+            is_valid(rays[i]) ? brute_force(scene, rays[i]) : std::nullopt;
+        const bool is_right =
+            expected ? same_bits(hits[i], expected) : hits[i].primitive == no_index;
+        wrong += !is_right || (blocked[i] != 0) != expected.has_value();
+    }
+    return wrong;
+}
+
+}  // namespace
+
+TEST_CASE("Beams: rays in bundles find what each of them finds alone, to the bit", "[backends]") {
+    for_each_target([] {
+        for (const SceneFamily& family : scene_families()) {
+            const Scene scene = family.make(100);
+            INFO(family.name);
+            Random random(17);
+            const auto backend = backend_named("bvh").build(scene.geometry);
+            const BeamIntersector beams(scene.geometry, *backend, true);
+            REQUIRE(beams.has_beams());
+            CHECK(count_wrong(scene, beams, bundles(scene, 60, random)) == 0);
+        }
+    });
+}
+
+TEST_CASE("Beams: of camera rays past some spheres few are left to the backend", "[backends]") {
+    Geometry geometry;
+    for (int i = 0; i < 100; ++i) {
+        geometry.add(Sphere{Vec3(i % 10, i / 10, 0), 0.3}, 0);
+    }
+    const auto backend = backend_named("bvh").build(geometry);
+    const CountingBackend counting(*backend);
+    const BeamIntersector beams(geometry, counting, true);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 64 * 64; ++i) {
+        Ray& ray = rays.emplace_back();
+        ray.origin = Vec3(4.5, 4.5, 20);
+        ray.direction = Vec3(i % 64 / 64.0 - 0.5, i / 64 / 64.0 - 0.5, -2);
+        ray.set_coherent();
+    }
+    std::vector<Hit> hits(rays.size());
+    std::vector<std::uint8_t> blocked(rays.size());
+    beams.closest(rays, hits);
+    beams.occluded(rays, blocked);
+    CHECK(counting.count == 0);
+    CHECK(std::ranges::count(blocked, 1) > 200);
+
+    rays[0].traits_and_time = 0;
+    beams.closest(rays, hits);
+    CHECK(counting.count == rays.size());
+}
+
+TEST_CASE("Beams: scenes of many primitives, and other backends, are left alone", "[backends]") {
+    const auto has_beams = [](std::size_t spheres, bool is_exact) {
+        const Scene scene = make_scene("spheres", spheres);
+        const auto backend = backend_named("bvh").build(scene.geometry);
+        return BeamIntersector(scene.geometry, *backend, is_exact).has_beams();
+    };
+    CHECK(has_beams(100, true));
+    CHECK_FALSE(has_beams(100, false));
+    CHECK_FALSE(has_beams(1000, true));
+}
