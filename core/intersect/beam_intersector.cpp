@@ -11,32 +11,30 @@
 namespace etalon {
 namespace {
 
-/// The numbers of primitives that a group may meet.
-using Near = std::array<std::uint32_t, BeamIntersector::most_primitives>;
+/// What it costs to test a group against a primitive: 1 where rays share the test.
+constexpr std::uint8_t cost_one_by_one = 4;
 
-/// Whether to test a group against so many primitives costs less than the way of each ray through
-/// a tree: the fewer rays share a test, the fewer tests are worth it.
-bool is_worthwhile(std::size_t primitives, std::size_t rays) {
-    return primitives <= 1 + rays / 4;
+/// Whether tests of that cost take less than the way of each ray through a tree: the fewer rays
+/// share them, the less they are worth.
+bool is_worthwhile(std::size_t cost, std::size_t rays) {
+    return cost <= 1 + rays / 4;
 }
 
-/// Answers of a backend for the rays of a group.
-template <class Answer>
-class BackendAnswers {
-  public:
-    /// `ask` takes rays and where their answers go.
-    template <class Ask>
-    BackendAnswers(const RayGroup& group, const Ask& ask) {
-        std::array<Ray, RayGroup::most> rays;
-        for (std::size_t i = 0; i < group.count; ++i) rays[i] = *group.rays[i];
-        ask(std::span(rays).first(group.count), std::span(answers_).first(group.count));
-    }
+/// So many rays of a batch, of which no beam is next to few primitives, say that others will be no
+/// better.
+constexpr std::size_t probed = 2 * RayGroup::most;
 
-    const Answer& operator[](std::size_t i) const { return answers_[i]; }
-
-  private:
-    std::array<Answer, RayGroup::most> answers_;
-};
+/// Asks a backend, ask(rays, answers), for those of `rays` that are in the group.
+template <class Answer, class Ask>
+void ask_for_group(const RayGroup& group, std::span<const Ray> rays, std::span<Answer> answers,
+                   const Ask& ask) {
+    if (group.count == rays.size()) return ask(rays, answers);
+    std::array<Ray, RayGroup::most> some;
+    std::array<Answer, RayGroup::most> found;
+    for (std::size_t i = 0; i < group.count; ++i) some[i] = *group.rays[i];
+    ask(std::span<const Ray>(some).first(group.count), std::span(found).first(group.count));
+    for (std::size_t i = 0; i < group.count; ++i) answers[group.rays[i] - rays.data()] = found[i];
+}
 
 }  // namespace
 
@@ -52,23 +50,43 @@ BeamIntersector::BeamIntersector(const Geometry& geometry, const BatchIntersecto
         if (box.isEmpty()) continue;
         boxes_.add(box);
         primitives_.push_back(id);
+        costs_.push_back(has_group_kernel(geometry.primitives[id]) ? 1 : cost_one_by_one);
     }
 }
 
-/// Calls offer(group, near) with the few primitives that rays of a group may meet, or
-/// ask_backend(group) where they are many.
-template <class Offer, class AskBackend>
-void BeamIntersector::for_each_beam(std::span<const Ray> rays, const Offer& offer,
-                                    const AskBackend& ask_backend) const {
+/// Finds the primitives that rays of a group may meet. Returns nothing where they are many.
+std::optional<std::span<const std::uint32_t>> BeamIntersector::find_few(const RayGroup& group,
+                                                                        Near& near) const {
+    const RayBeam beam(group);
+    if (!beam.goes_one_way()) return std::nullopt;
+    const auto found = std::span(near).first(beam.find_near(boxes_, near.data()));
+    std::size_t cost = 0;
+    for (const std::uint32_t i : found) cost += costs_[i];
+    if (!is_worthwhile(cost, group.count)) return std::nullopt;
+    return found;
+}
+
+/// Sets the answers by offer(group, near), with the few primitives that rays of a group may meet,
+/// or by ask(rays, answers), which asks the backend.
+template <class Answer, class Offer, class Ask>
+void BeamIntersector::answer_all(std::span<const Ray> rays, std::span<Answer> answers,
+                                 const Offer& offer, const Ask& ask) const {
     const DenormalsCount denormals_count;
-    for_each_group(rays, [&](RayGroup& group) {
-        const RayBeam beam(group);
-        if (!beam.goes_one_way()) return ask_backend(group);
-        Near near;
-        const std::size_t count = beam.find_near(boxes_, near.data());
-        if (!is_worthwhile(count, group.count)) return ask_backend(group);
-        offer(group, std::span(near).first(count));
-    });
+    bool any_few = false;
+    for (std::size_t first = 0; first < rays.size(); first += RayGroup::most) {
+        if (first == probed && !any_few) return ask(rays.subspan(first), answers.subspan(first));
+        const std::size_t count = std::min(RayGroup::most, rays.size() - first);
+        const auto chunk = rays.subspan(first, count);
+        for_each_group(chunk, [&](RayGroup& group) {
+            Near near;
+            if (const auto few = find_few(group, near)) {
+                offer(group, *few);
+                any_few = true;
+            } else {
+                ask_for_group(group, chunk, answers.subspan(first, count), ask);
+            }
+        });
+    }
 }
 
 /// Rays of a batch are alike in that hint. That shadow rays of neighbours go to the same lights is
@@ -76,40 +94,25 @@ void BeamIntersector::for_each_beam(std::span<const Ray> rays, const Offer& offe
 void BeamIntersector::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
     if (!has_beams_ || rays.empty() || !rays[0].coherent()) return backend_.closest(rays, hits);
     std::ranges::fill(hits, Hit{infinity, no_index});
-    const auto hit_of = [&](const Ray* ray) -> Hit& { return hits[ray - rays.data()]; };
-    for_each_beam(
-        rays,
-        [&](RayGroup& group, std::span<const std::uint32_t> near) {
-            for (const std::uint32_t i : near) offer_to_group(geometry_, primitives_[i], group);
-            for (std::size_t i = 0; i < group.count; ++i) hit_of(group.rays[i]) = group.hit(i);
-        },
-        [&](const RayGroup& group) {
-            const BackendAnswers<Hit> answers(
-                group, [&](auto some, auto to) { backend_.closest(some, to); });
-            for (std::size_t i = 0; i < group.count; ++i) hit_of(group.rays[i]) = answers[i];
-        });
+    const auto offer = [&](RayGroup& group, std::span<const std::uint32_t> near) {
+        for (const std::uint32_t i : near) offer_to_group(geometry_, primitives_[i], group);
+        for (std::size_t i = 0; i < group.count; ++i) {
+            hits[group.rays[i] - rays.data()] = group.hit(i);
+        }
+    };
+    answer_all(rays, hits, offer, [&](auto some, auto to) { backend_.closest(some, to); });
 }
 
 void BeamIntersector::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
     if (!has_beams_) return backend_.occluded(rays, blocked);
     std::ranges::fill(blocked, std::uint8_t{0});
-    const auto is_blocked = [&](const Ray* ray) -> std::uint8_t& {
-        return blocked[ray - rays.data()];
+    const auto offer = [&](RayGroup& group, std::span<const std::uint32_t> near) {
+        for (const std::uint32_t i : near) {
+            if (!offer_to_group(geometry_, primitives_[i], group)) continue;
+            group.remove_hit([&](const Ray* ray) { blocked[ray - rays.data()] = 1; });
+        }
     };
-    for_each_beam(
-        rays,
-        [&](RayGroup& group, std::span<const std::uint32_t> near) {
-            for (const std::uint32_t i : near) {
-                if (offer_to_group(geometry_, primitives_[i], group)) {
-                    group.remove_hit([&](const Ray* ray) { is_blocked(ray) = 1; });
-                }
-            }
-        },
-        [&](const RayGroup& group) {
-            const BackendAnswers<std::uint8_t> answers(
-                group, [&](auto some, auto to) { backend_.occluded(some, to); });
-            for (std::size_t i = 0; i < group.count; ++i) is_blocked(group.rays[i]) = answers[i];
-        });
+    answer_all(rays, blocked, offer, [&](auto some, auto to) { backend_.occluded(some, to); });
 }
 
 }  // namespace etalon

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "core/intersect/batch_intersector.h"
@@ -26,15 +28,20 @@ class BeamIntersector final : public BatchIntersector {
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const override;
 
   private:
-    template <class Offer, class AskBackend>
-    void for_each_beam(std::span<const Ray> rays, const Offer& offer,
-                       const AskBackend& ask_backend) const;
+    /// Numbers of boxes.
+    using Near = std::array<std::uint32_t, most_primitives>;
+
+    std::optional<std::span<const std::uint32_t>> find_few(const RayGroup& group, Near& near) const;
+    template <class Answer, class Offer, class Ask>
+    void answer_all(std::span<const Ray> rays, std::span<Answer> answers, const Offer& offer,
+                    const Ask& ask) const;
 
     const Geometry& geometry_;
     const BatchIntersector& backend_;
     bool has_beams_;
     BoxColumns boxes_;                       ///< of the primitives that can be hit
     std::vector<std::uint32_t> primitives_;  ///< numbers of these
+    std::vector<std::uint8_t> costs_;        ///< of testing a group against them
 };
 
 }  // namespace etalon

@@ -131,9 +131,15 @@ bool offer_one_by_one(const Geometry& geometry, std::uint32_t primitive, RayGrou
 
 }  // namespace
 
+bool has_group_kernel(const Primitive& p) {
+    return p.sides != Sides::cut_out &&
+           (p.kind == kind_of<Triangle>() || p.kind == kind_of<Sphere>() ||
+            p.kind == kind_of<Box>() || p.kind == kind_of<Plane>());
+}
+
 bool offer_to_group(const Geometry& geometry, std::uint32_t primitive, RayGroup& group) {
     const Primitive p = geometry.primitives[primitive];
-    if (p.sides == Sides::cut_out) return offer_one_by_one(geometry, primitive, group);
+    if (!has_group_kernel(p)) return offer_one_by_one(geometry, primitive, group);
     switch (p.kind) {
         case kind_of<Triangle>():
             return HWY_DYNAMIC_DISPATCH(offer_triangle)(geometry, primitive, group);
@@ -141,10 +147,8 @@ bool offer_to_group(const Geometry& geometry, std::uint32_t primitive, RayGroup&
             return HWY_DYNAMIC_DISPATCH(offer_sphere)(geometry, primitive, group);
         case kind_of<Box>():
             return HWY_DYNAMIC_DISPATCH(offer_box)(geometry, primitive, group);
-        case kind_of<Plane>():
-            return HWY_DYNAMIC_DISPATCH(offer_plane)(geometry, primitive, group);
         default:
-            return offer_one_by_one(geometry, primitive, group);
+            return HWY_DYNAMIC_DISPATCH(offer_plane)(geometry, primitive, group);
     }
 }
 

@@ -10,4 +10,7 @@ namespace etalon {
 /// nearest hit of any.
 bool offer_to_group(const Geometry& geometry, std::uint32_t primitive, RayGroup& group);
 
+/// Whether several rays are tested at a time; else one after another.
+bool has_group_kernel(const Primitive& primitive);
+
 }  // namespace etalon
