@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/intersect/group_kernels.h"
-#include "core/intersect/ray_groups.h"
+#include "core/intersect/packet_kernels.h"
+#include "core/intersect/ray_packets.h"
 #include "core/numerics/denormals.h"
 
 namespace etalon {
@@ -28,15 +28,15 @@ std::size_t None::own_bytes() const {
 void None::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
     const DenormalsCount denormals_count;
     std::ranges::fill(hits, Hit{infinity, no_index});
-    for_each_group(rays, [&](RayGroup& group) {
+    for_each_packet(rays, [&](RayPacket& packet) {
         for (const std::uint32_t id : scene_bounds().unbounded) {
-            offer_to_group(geometry(), id, group);
+            offer_to_packet(geometry(), id, packet);
         }
         const bool has_instances = !geometry().instances.empty();
-        for (std::size_t i = 0; i < group.count; ++i) {
-            const Hit hit = group.hit(i);
-            hits[group.rays[i] - rays.data()] =
-                has_instances ? with_instances(*group.rays[i], hit) : hit;
+        for (std::size_t i = 0; i < packet.count; ++i) {
+            const Hit hit = packet.hit(i);
+            hits[packet.rays[i] - rays.data()] =
+                has_instances ? with_instances(*packet.rays[i], hit) : hit;
         }
     });
 }
@@ -61,14 +61,14 @@ bool None::instances_occlude(const Ray& ray) const {
 void None::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
     const DenormalsCount denormals_count;
     std::ranges::fill(blocked, std::uint8_t{0});
-    for_each_group(rays, [&](RayGroup& group) {
+    for_each_packet(rays, [&](RayPacket& packet) {
         for (const std::uint32_t id : scene_bounds().unbounded) {
-            if (!offer_to_group(geometry(), id, group)) continue;
-            group.remove_hit([&](const Ray* ray) { blocked[ray - rays.data()] = 1; });
+            if (!offer_to_packet(geometry(), id, packet)) continue;
+            packet.remove_hit([&](const Ray* ray) { blocked[ray - rays.data()] = 1; });
         }
         if (geometry().instances.empty()) return;
-        for (std::size_t i = 0; i < group.count; ++i) {
-            blocked[group.rays[i] - rays.data()] = instances_occlude(*group.rays[i]) ? 1 : 0;
+        for (std::size_t i = 0; i < packet.count; ++i) {
+            blocked[packet.rays[i] - rays.data()] = instances_occlude(*packet.rays[i]) ? 1 : 0;
         }
     });
 }

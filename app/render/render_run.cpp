@@ -129,8 +129,9 @@ bool RenderRun::build() {
     make_cut_outs(scene_, problems);
     const Backend& backend = chosen_backend(settings_);
     intersector_ = backend.build(scene_.geometry);
-    beams_.emplace(scene_.geometry, *intersector_, backend.exact);
-    integrator_ = find_integrator(settings_.integrator)->make(scene_, *beams_, settings_, problems);
+    packets_.emplace(scene_.geometry, *intersector_, backend.exact);
+    integrator_ =
+        find_integrator(settings_.integrator)->make(scene_, *packets_, settings_, problems);
     if (!tolerates(scene_, a_.scene, problems)) return false;
     kept_.identify(scene_, settings_);
     stats_.build = watch_.lap();

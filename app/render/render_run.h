@@ -14,8 +14,8 @@
 #include "app/render/scene_source.h"
 #include "app/stats.h"
 #include "core/integrators/integrator.h"
-#include "core/intersect/beam_intersector.h"
 #include "core/intersect/intersector.h"
+#include "core/intersect/packet_intersector.h"
 #include "core/render/renderer.h"
 
 namespace etalon {
@@ -70,7 +70,7 @@ class RenderRun {
     RenderStats stats_;
     std::optional<Reference> reference_;
     std::unique_ptr<Intersector> intersector_;
-    std::optional<BeamIntersector> beams_;
+    std::optional<PacketIntersector> packets_;
     std::unique_ptr<Integrator> integrator_;
     bool is_written_ = false;
     LiveViews views_{a_};  ///< the last, which end first

@@ -16,7 +16,7 @@
 #include "bench/speed/statistics.h"
 #include "core/image/io.h"
 #include "core/integrators/integrators.h"
-#include "core/intersect/beam_intersector.h"
+#include "core/intersect/packet_intersector.h"
 #include "core/parallel/parallel.h"
 #include "core/render/renderer.h"
 
@@ -48,8 +48,8 @@ class Frame {
         const ThreadLimit one_thread(1);
         std::vector<Repeat> all;
         const std::unique_ptr<Intersector> backend = built();
-        const BeamIntersector intersector(scene_.geometry, *backend,
-                                          chosen_backend(settings_).exact);
+        const PacketIntersector intersector(scene_.geometry, *backend,
+                                            chosen_backend(settings_).exact);
         Stopwatch cold;
         const std::unique_ptr<Integrator> integrator = made(intersector);
         const Rendering first = rendered(*integrator);

@@ -8,18 +8,18 @@
 #define ETALON_RAY_LANES_INL_H
 #endif
 
-#include "core/intersect/ray_group.h"
+#include "core/intersect/ray_packet.h"
 #include "core/numerics/vec_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Rays of a group.
+/// Rays of a packet.
 struct RayLanes {
-    HWY_INLINE RayLanes(const RayGroup& group, std::size_t first)
-        : origin(load(group.origins, first)),
-          direction(load(group.directions, first)),
-          tmin(hn::LoadU(DoubleTag(), &group.tmins[first])) {}
+    HWY_INLINE RayLanes(const RayPacket& packet, std::size_t first)
+        : origin(load(packet.origins, first)),
+          direction(load(packet.directions, first)),
+          tmin(hn::LoadU(DoubleTag(), &packet.tmins[first])) {}
 
     Vec3Lanes origin, direction;
     Doubles tmin;

@@ -8,7 +8,7 @@ namespace etalon {
 
 /// Rays of one dominant axis, side by side, that look for their nearest hits together. So many that
 /// what kernels need of them stays in the fastest cache.
-struct RayGroup {
+struct RayPacket {
     static constexpr std::size_t most = RayColumns::most;
 
     /// Number of no primitive. Numbers are doubles here, so that vector instructions can compare
@@ -39,7 +39,7 @@ struct RayGroup {
         primitives[i] = none;
     }
 
-    /// Sets the group to rays whose columns are known: common ones of the same dominant axis.
+    /// Sets the packet to rays whose columns are known: common ones of the same dominant axis.
     void set(std::span<const Ray> all, const RayColumns& columns) {
         dominant = static_cast<int>(columns.dominants[0]);
         count = all.size();

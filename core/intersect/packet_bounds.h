@@ -5,20 +5,20 @@
 #include <span>
 
 #include "core/intersect/box_columns.h"
-#include "core/intersect/ray_group.h"
+#include "core/intersect/ray_packet.h"
 
 namespace etalon {
 
-/// A group of rays taken together: what is outside of their beam is no matter for any of them
+/// What all rays of a packet lie within: what is outside is no matter for any of them
 /// (Boulos, Wald & Shirley 2006, "Geometric and Arithmetic Culling Methods for Entire Ray Packets",
 /// University of Utah, UUCS-06-010).
-class RayBeam {
+class PacketBounds {
   public:
-    /// How far outside, in parts of the coordinates' size, the beam still reaches.
+    /// How much wider the bounds are, in parts of the coordinates' size.
     static constexpr double margin = 0x1p-20;
 
-    /// The beam of a group that is not empty.
-    explicit RayBeam(const RayGroup& group);
+    /// The bounds of a packet that is not empty.
+    explicit PacketBounds(const RayPacket& packet);
 
     /// Whether anything can be said: not of rays that go both ways along the dominant axis, nor
     /// where reciprocals leave the range of doubles.
@@ -26,7 +26,7 @@ class RayBeam {
 
     /// Writes to `numbers`, which has room for all, those of the boxes that a ray may meet: none of
     /// the others is within the margin, which is far above all roundings. Returns how many. The
-    /// beam goes one way.
+    /// rays go one way.
     std::size_t find_near(const BoxColumns& boxes, std::uint32_t* numbers) const;
 
     struct Interval {

@@ -1,4 +1,4 @@
-#include "core/intersect/group_kernels.h"
+#include "core/intersect/packet_kernels.h"
 
 #include <bit>
 
@@ -8,7 +8,7 @@
 #include "core/numerics/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/intersect/group_kernels.cpp"
+#define HWY_TARGET_INCLUDE "core/intersect/packet_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -22,82 +22,82 @@ namespace etalon::HWY_NAMESPACE {
 
 /// Asks primitive_first_hit() of the rays, from number `first` on, for which it is to say.
 HWY_NOINLINE Doubles decide(const Geometry& geometry, std::uint32_t primitive, const HitLanes& hits,
-                            const RayGroup& group, std::size_t first) {
+                            const RayPacket& packet, std::size_t first) {
     HWY_ALIGN double ts[most_doubles];
     hn::Store(hits.t, DoubleTag(), ts);
     std::uint8_t bits = 0;
     hn::StoreMaskBits(DoubleTag(), hits.doubtful, &bits);
     for (std::uint32_t left = bits; left != 0; left &= left - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-        ts[lane] = primitive_first_hit(geometry, primitive, RayQuery(*group.rays[first + lane]));
+        ts[lane] = primitive_first_hit(geometry, primitive, RayQuery(*packet.rays[first + lane]));
     }
     return hn::Load(DoubleTag(), ts);
 }
 
 /// Offers `hits` to the rays from number `first` on: see NearestHit. Returns whether any was hit.
 HWY_INLINE bool offer_lanes(const Geometry& geometry, std::uint32_t primitive, HitLanes hits,
-                            RayGroup& group, std::size_t first) {
+                            RayPacket& packet, std::size_t first) {
     const DoubleTag tag;
     const Doubles number = broadcast(primitive);
-    const DoubleMask is_excluded = hn::LoadU(tag, &group.excludes[first]) == number;
-    const DoubleMask is_tested = hn::AndNot(is_excluded, hn::FirstN(tag, group.count - first));
+    const DoubleMask is_excluded = hn::LoadU(tag, &packet.excludes[first]) == number;
+    const DoubleMask is_tested = hn::AndNot(is_excluded, hn::FirstN(tag, packet.count - first));
     hits.doubtful = hn::And(is_tested, hits.doubtful);
     if (HWY_UNLIKELY(!hn::AllFalse(tag, hits.doubtful))) {
-        hits.t = decide(geometry, primitive, hits, group, first);
+        hits.t = decide(geometry, primitive, hits, packet, first);
     }
-    const Doubles t = hits.t, nearest = hn::LoadU(tag, &group.ts[first]);
-    const Doubles holder = hn::LoadU(tag, &group.primitives[first]);
+    const Doubles t = hits.t, nearest = hn::LoadU(tag, &packet.ts[first]);
+    const Doubles holder = hn::LoadU(tag, &packet.primitives[first]);
     const DoubleMask wins_tie =
         hn::And(t == nearest, hn::And(number < holder, t < broadcast(infinity)));
     const DoubleMask is_hit = hn::And(is_tested, hn::Or(t < nearest, wins_tie));
     if (hn::AllFalse(tag, is_hit)) return false;
-    hn::StoreU(hn::IfThenElse(is_hit, t, nearest), tag, &group.ts[first]);
-    hn::StoreU(hn::IfThenElse(is_hit, number, holder), tag, &group.primitives[first]);
+    hn::StoreU(hn::IfThenElse(is_hit, t, nearest), tag, &packet.ts[first]);
+    hn::StoreU(hn::IfThenElse(is_hit, number, holder), tag, &packet.primitives[first]);
     return true;
 }
 
 /// Offers a primitive, for which first_hits(rays) answers.
 template <class FirstHits>
-HWY_INLINE bool offer(const Geometry& geometry, std::uint32_t primitive, RayGroup& group,
+HWY_INLINE bool offer(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet,
                       const FirstHits& first_hits) {
     bool any = false;
-    for (std::size_t i = 0; i < group.count; i += hn::Lanes(DoubleTag())) {
-        any |= offer_lanes(geometry, primitive, first_hits(RayLanes(group, i)), group, i);
+    for (std::size_t i = 0; i < packet.count; i += hn::Lanes(DoubleTag())) {
+        any |= offer_lanes(geometry, primitive, first_hits(RayLanes(packet, i)), packet, i);
     }
     return any;
 }
 
 template <class Shape>
-bool offer_shape(const Geometry& geometry, std::uint32_t primitive, RayGroup& group) {
+bool offer_shape(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
     const Primitive p = geometry.primitives[primitive];
     const auto& shape = geometry.get<Shape>(p);
-    return offer(geometry, primitive, group,
+    return offer(geometry, primitive, packet,
                  [&](const RayLanes& rays) HWY_ATTR { return first_hits(shape, p.sides, rays); });
 }
 
 template <int dominant>
-bool offer_triangle_along(const Geometry& geometry, std::uint32_t primitive, RayGroup& group) {
+bool offer_triangle_along(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
     const Primitive p = geometry.primitives[primitive];
     const TriangleCorners corners(geometry, geometry.get<Triangle>(p));
-    return offer(geometry, primitive, group, [&](const RayLanes& rays) HWY_ATTR {
+    return offer(geometry, primitive, packet, [&](const RayLanes& rays) HWY_ATTR {
         return first_hits<dominant>(corners, p.sides, rays);
     });
 }
 
-bool offer_triangle(const Geometry& geometry, std::uint32_t primitive, RayGroup& group) {
-    if (group.dominant == 0) return offer_triangle_along<0>(geometry, primitive, group);
-    if (group.dominant == 1) return offer_triangle_along<1>(geometry, primitive, group);
-    return offer_triangle_along<2>(geometry, primitive, group);
+bool offer_triangle(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
+    if (packet.dominant == 0) return offer_triangle_along<0>(geometry, primitive, packet);
+    if (packet.dominant == 1) return offer_triangle_along<1>(geometry, primitive, packet);
+    return offer_triangle_along<2>(geometry, primitive, packet);
 }
 
-bool offer_sphere(const Geometry& geometry, std::uint32_t primitive, RayGroup& group) {
-    return offer_shape<Sphere>(geometry, primitive, group);
+bool offer_sphere(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
+    return offer_shape<Sphere>(geometry, primitive, packet);
 }
-bool offer_box(const Geometry& geometry, std::uint32_t primitive, RayGroup& group) {
-    return offer_shape<Box>(geometry, primitive, group);
+bool offer_box(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
+    return offer_shape<Box>(geometry, primitive, packet);
 }
-bool offer_plane(const Geometry& geometry, std::uint32_t primitive, RayGroup& group) {
-    return offer_shape<Plane>(geometry, primitive, group);
+bool offer_plane(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
+    return offer_shape<Plane>(geometry, primitive, packet);
 }
 
 }  // namespace etalon::HWY_NAMESPACE
@@ -113,17 +113,17 @@ HWY_EXPORT(offer_plane);
 
 namespace {
 
-bool offer_one_by_one(const Geometry& geometry, std::uint32_t primitive, RayGroup& group) {
+bool offer_one_by_one(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
     bool any = false;
-    for (std::size_t i = 0; i < group.count; ++i) {
-        const Hit before = group.hit(i);
+    for (std::size_t i = 0; i < packet.count; ++i) {
+        const Hit before = packet.hit(i);
         NearestHit nearest(before.t);
         nearest.item = before.primitive;
-        nearest.offer(primitive_first_hit(geometry, primitive, RayQuery(*group.rays[i])),
+        nearest.offer(primitive_first_hit(geometry, primitive, RayQuery(*packet.rays[i])),
                       primitive);
         if (nearest.item != primitive) continue;
-        group.ts[i] = nearest.t;
-        group.primitives[i] = primitive;
+        packet.ts[i] = nearest.t;
+        packet.primitives[i] = primitive;
         any = true;
     }
     return any;
@@ -131,24 +131,24 @@ bool offer_one_by_one(const Geometry& geometry, std::uint32_t primitive, RayGrou
 
 }  // namespace
 
-bool has_group_kernel(const Primitive& p) {
+bool has_packet_kernel(const Primitive& p) {
     return p.sides != Sides::cut_out &&
            (p.kind == kind_of<Triangle>() || p.kind == kind_of<Sphere>() ||
             p.kind == kind_of<Box>() || p.kind == kind_of<Plane>());
 }
 
-bool offer_to_group(const Geometry& geometry, std::uint32_t primitive, RayGroup& group) {
+bool offer_to_packet(const Geometry& geometry, std::uint32_t primitive, RayPacket& packet) {
     const Primitive p = geometry.primitives[primitive];
-    if (!has_group_kernel(p)) return offer_one_by_one(geometry, primitive, group);
+    if (!has_packet_kernel(p)) return offer_one_by_one(geometry, primitive, packet);
     switch (p.kind) {
         case kind_of<Triangle>():
-            return HWY_DYNAMIC_DISPATCH(offer_triangle)(geometry, primitive, group);
+            return HWY_DYNAMIC_DISPATCH(offer_triangle)(geometry, primitive, packet);
         case kind_of<Sphere>():
-            return HWY_DYNAMIC_DISPATCH(offer_sphere)(geometry, primitive, group);
+            return HWY_DYNAMIC_DISPATCH(offer_sphere)(geometry, primitive, packet);
         case kind_of<Box>():
-            return HWY_DYNAMIC_DISPATCH(offer_box)(geometry, primitive, group);
+            return HWY_DYNAMIC_DISPATCH(offer_box)(geometry, primitive, packet);
         default:
-            return HWY_DYNAMIC_DISPATCH(offer_plane)(geometry, primitive, group);
+            return HWY_DYNAMIC_DISPATCH(offer_plane)(geometry, primitive, packet);
     }
 }
 

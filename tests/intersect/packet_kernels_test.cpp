@@ -1,6 +1,6 @@
-// Kernels for groups of rays, against those for single ones, for every instruction set that they
+// Kernels for packets of rays, against those for single ones, for every instruction set that they
 // are compiled for and this machine has.
-#include "core/intersect/group_kernels.h"
+#include "core/intersect/packet_kernels.h"
 
 #include <bit>
 
@@ -32,34 +32,34 @@ void limit(Ray& ray, const Hit& hit, int i) {
     if (i % 16 == 3) ray.exclude = 0;
 }
 
-void require_same(const Geometry& geometry, RayGroup& group) {
+void require_same(const Geometry& geometry, RayPacket& packet) {
     bool any = false;
-    for (std::size_t i = 0; i < group.count; ++i) {
-        any |= hit_alone(geometry, *group.rays[i]).primitive == 0;
+    for (std::size_t i = 0; i < packet.count; ++i) {
+        any |= hit_alone(geometry, *packet.rays[i]).primitive == 0;
     }
-    REQUIRE(offer_to_group(geometry, 0, group) == any);
-    for (std::size_t i = 0; i < group.count; ++i) {
-        const Ray& ray = *group.rays[i];
-        if (same_bits(group.hit(i), hit_alone(geometry, ray))) continue;
-        CAPTURE(i, group.count, ray.origin, ray.direction, ray.tmin, ray.tmax);
-        CHECK(group.hit(i).t == hit_alone(geometry, ray).t);
+    REQUIRE(offer_to_packet(geometry, 0, packet) == any);
+    for (std::size_t i = 0; i < packet.count; ++i) {
+        const Ray& ray = *packet.rays[i];
+        if (same_bits(packet.hit(i), hit_alone(geometry, ray))) continue;
+        CAPTURE(i, packet.count, ray.origin, ray.direction, ray.tmin, ray.tmax);
+        CHECK(packet.hit(i).t == hit_alone(geometry, ray).t);
         FAIL("other bits than alone");
     }
-    group.count = 0;
+    packet.count = 0;
 }
 
-/// Offers the geometry's one primitive to rays, in groups of 1, 2, 3... rays of each axis.
+/// Offers the geometry's one primitive to rays, in packets of 1, 2, 3... rays of each axis.
 void require_same(const Geometry& geometry, const std::vector<Ray>& rays) {
-    std::array<RayGroup, 3> groups;
+    std::array<RayPacket, 3> packets;
     std::array<std::size_t, 3> sizes{1, 1, 1};
-    for (int axis = 0; axis < 3; ++axis) groups[axis].dominant = axis;
+    for (int axis = 0; axis < 3; ++axis) packets[axis].dominant = axis;
     for (const Ray& ray : rays) {
         const RayQuery query(ray);
-        RayGroup& group = groups[query.kz];
-        group.add(ray, query.ray.direction);
-        if (group.count < sizes[query.kz]) continue;
-        sizes[query.kz] = sizes[query.kz] % RayGroup::most + 1;
-        require_same(geometry, group);
+        RayPacket& packet = packets[query.kz];
+        packet.add(ray, query.ray.direction);
+        if (packet.count < sizes[query.kz]) continue;
+        sizes[query.kz] = sizes[query.kz] % RayPacket::most + 1;
+        require_same(geometry, packet);
     }
 }
 
@@ -81,15 +81,16 @@ void check_shapes(int rays_each) {
 
 }  // namespace
 
-TEST_CASE("Kernels: a ray of a group has the hit that it has alone, to the bit") {
+TEST_CASE("Kernels: a ray of a packet has the hit that it has alone, to the bit") {
     check_shapes(4000);
 }
 
-TEST_CASE("Kernels: many rays of groups have the hits that they have alone, to the bit", "[long]") {
+TEST_CASE("Kernels: many rays of packets have the hits that they have alone, to the bit",
+          "[long]") {
     check_shapes(300'000);
 }
 
-TEST_CASE("Kernels: a group hits degenerate shapes as little as a ray does") {
+TEST_CASE("Kernels: a packet hits degenerate shapes as little as a ray does") {
     for_each_target([&] {
         for (const DegenerateCase& shape : degenerate_cases()) {
             CAPTURE(shape.name);
@@ -104,18 +105,18 @@ TEST_CASE("Kernels: a group hits degenerate shapes as little as a ray does") {
     });
 }
 
-TEST_CASE("Kernels: of two primitives at the same distance a group keeps the lower number") {
+TEST_CASE("Kernels: of two primitives at the same distance a packet keeps the lower number") {
     Geometry geometry;
     geometry.add(Sphere{Vec3(0), 1}, 0);
     geometry.add(Sphere{Vec3(0), 1}, 0);
     const Ray ray{Vec3(0, 0, 5), Vec3(0, 0, -1)};
     for (const auto& [first, second] : {std::pair(0U, 1U), std::pair(1U, 0U)}) {
-        RayGroup group;
-        group.dominant = 2;
-        group.add(ray, RayQuery(ray).ray.direction);
-        offer_to_group(geometry, first, group);
-        offer_to_group(geometry, second, group);
-        CHECK(group.hit(0).primitive == 0);
-        CHECK(group.hit(0).t == 4);
+        RayPacket packet;
+        packet.dominant = 2;
+        packet.add(ray, RayQuery(ray).ray.direction);
+        offer_to_packet(geometry, first, packet);
+        offer_to_packet(geometry, second, packet);
+        CHECK(packet.hit(0).primitive == 0);
+        CHECK(packet.hit(0).t == 4);
     }
 }

@@ -1,6 +1,6 @@
-// Beams of groups of rays, against the rays one by one: aimed past boxes, at their corners and
+// Bounds of packets, against the rays one by one: aimed past boxes, at their corners and
 // next to them, for every instruction set that the machine has.
-#include "core/intersect/ray_beam.h"
+#include "core/intersect/packet_bounds.h"
 
 #include "core/numerics/random.h"
 #include "tests/catch.h"
@@ -26,7 +26,7 @@ RaySet alike_rays(Random& random) {
     const bool to_point = random.one_in(2);
     RaySet set;
     set.dominant = dominant_axis(way);
-    const std::size_t count = 1 + random.index(RayGroup::most);
+    const std::size_t count = 1 + random.index(RayPacket::most);
     while (set.rays.size() < count) {
         const Vec3 origin = from + from_spread * scale * random.in_cube();
         const Vec3 aim = to_point ? from + way - origin : way;
@@ -36,11 +36,11 @@ RaySet alike_rays(Random& random) {
     return set;
 }
 
-RayGroup group_of(const RaySet& set) {
-    RayGroup group;
-    group.dominant = set.dominant;
-    for (const Ray& ray : set.rays) group.add(ray, ray.direction);
-    return group;
+RayPacket packet_of(const RaySet& set) {
+    RayPacket packet;
+    packet.dominant = set.dominant;
+    for (const Ray& ray : set.rays) packet.add(ray, ray.direction);
+    return packet;
 }
 
 /// A box, thin or not, with one of its corners within roundings of a point of the ray.
@@ -59,24 +59,24 @@ Box3 box_at(const Ray& ray, Random& random) {
     return box;
 }
 
-std::size_t count_near(const RayBeam& beam, const std::vector<Box3>& boxes) {
+std::size_t count_near(const PacketBounds& bounds, const std::vector<Box3>& boxes) {
     BoxColumns columns;
     for (const Box3& box : boxes) columns.add(box);
     std::vector<std::uint32_t> numbers(boxes.size());
-    return beam.find_near(columns, numbers.data());
+    return bounds.find_near(columns, numbers.data());
 }
 
-/// Returns how many of the boxes that rays touch their beam misses.
+/// Returns how many of the boxes that rays touch their packets miss.
 std::size_t lost_boxes(std::size_t count) {
     Random random(31);
     std::size_t lost = 0;
     for (std::size_t done = 0; done < count;) {
         const RaySet set = alike_rays(random);
-        const RayBeam beam(group_of(set));
-        if (!beam.goes_one_way()) continue;
+        const PacketBounds bounds(packet_of(set));
+        if (!bounds.goes_one_way()) continue;
         std::vector<Box3> boxes;
         for (const Ray& ray : set.rays) boxes.push_back(box_at(ray, random));
-        lost += boxes.size() - count_near(beam, boxes);
+        lost += boxes.size() - count_near(bounds, boxes);
         done += boxes.size();
     }
     return lost;
@@ -84,22 +84,22 @@ std::size_t lost_boxes(std::size_t count) {
 
 }  // namespace
 
-TEST_CASE("Beams: a box that a ray touches is not missed") {
+TEST_CASE("Packet bounds: a box that a ray touches is not missed") {
     for_each_target([] { CHECK(lost_boxes(100'000) == 0); });
 }
 
-TEST_CASE("Beams: none of ten million boxes that rays touch is missed", "[long]") {
+TEST_CASE("Packet bounds: none of ten million boxes that rays touch is missed", "[long]") {
     CHECK(lost_boxes(10'000'000) == 0);
 }
 
-TEST_CASE("Beams: what is beside or behind rays that go one way is missed") {
+TEST_CASE("Packet bounds: what is beside or behind rays that go one way is missed") {
     RaySet set{{}, 2};
     for (int i = 0; i < 64; ++i) {
         set.rays.push_back({Vec3(0), Vec3(0.01 * (i % 8), 0.01 * (i / 8), 1)});
     }
-    const RayGroup group = group_of(set);
+    const RayPacket packet = packet_of(set);
     for_each_target([&] {
-        const RayBeam beam(group);
+        const PacketBounds bounds(packet);
         const auto box_of = [](const Vec3& centre) {
             return Box3(centre - Vec3(0.25), centre + Vec3(0.25));
         };
@@ -109,22 +109,23 @@ TEST_CASE("Beams: what is beside or behind rays that go one way is missed") {
             boxes.add(box_of(centre));
         }
         std::array<std::uint32_t, 6> near{};
-        REQUIRE(beam.find_near(boxes, near.data()) == 2);
+        REQUIRE(bounds.find_near(boxes, near.data()) == 2);
         CHECK(near[0] == 1);
         CHECK(near[1] == 4);
     });
 }
 
-TEST_CASE("Beams: what is infinite is never missed") {
-    const RayBeam beam(group_of({{{Vec3(0), Vec3(0, 0, 1)}, {Vec3(1), Vec3(0, 1, 1)}}, 2}));
+TEST_CASE("Packet bounds: what is infinite is never missed") {
+    const PacketBounds bounds(packet_of({{{Vec3(0), Vec3(0, 0, 1)}, {Vec3(1), Vec3(0, 1, 1)}}, 2}));
     const Box3 whole(Vec3(-infinity), Vec3(infinity));
     const Box3 slab(Vec3(5, -infinity, -infinity), Vec3(5, infinity, infinity));
-    CHECK(count_near(beam, {whole, slab}) >= 1);
+    CHECK(count_near(bounds, {whole, slab}) >= 1);
 }
 
-TEST_CASE("Beams: nothing is said of rays that go both ways, or by numbers beyond reciprocals") {
+TEST_CASE(
+    "Packet bounds: nothing is said of rays that go both ways, or by numbers beyond reciprocals") {
     const auto says = [](const std::vector<Ray>& rays) {
-        return RayBeam(group_of({rays, 2})).goes_one_way();
+        return PacketBounds(packet_of({rays, 2})).goes_one_way();
     };
     CHECK(says({{Vec3(0), Vec3(0, 0, 1)}}));
     CHECK_FALSE(says({{Vec3(0), Vec3(0, 0, 1)}, {Vec3(0), Vec3(0, 0, -1)}}));

@@ -1,4 +1,4 @@
-#include "core/intersect/ray_beam.h"
+#include "core/intersect/packet_bounds.h"
 
 #include <algorithm>
 #include <bit>
@@ -8,7 +8,7 @@
 #include "core/numerics/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/intersect/ray_beam.cpp"
+#define HWY_TARGET_INCLUDE "core/intersect/packet_bounds.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -20,7 +20,7 @@ namespace etalon::HWY_NAMESPACE {
 struct IntervalLanes {
     HWY_INLINE IntervalLanes() : IntervalLanes(broadcast(infinity), broadcast(-infinity)) {}
     HWY_INLINE IntervalLanes(Doubles least_of, Doubles most_of) : least(least_of), most(most_of) {}
-    HWY_INLINE explicit IntervalLanes(const RayBeam::Interval& i)
+    HWY_INLINE explicit IntervalLanes(const PacketBounds::Interval& i)
         : IntervalLanes(broadcast(i.least), broadcast(i.most)) {}
 
     HWY_INLINE void extend(Doubles x) {
@@ -28,7 +28,7 @@ struct IntervalLanes {
         most = hn::Max(most, x);
     }
 
-    HWY_INLINE RayBeam::Interval over_lanes() const {
+    HWY_INLINE PacketBounds::Interval over_lanes() const {
         return {hn::GetLane(hn::MinOfLanes(DoubleTag(), least)),
                 hn::GetLane(hn::MaxOfLanes(DoubleTag(), most))};
     }
@@ -44,25 +44,25 @@ HWY_INLINE IntervalLanes product(const IntervalLanes& a, const IntervalLanes& b)
     return {hn::Min(hn::Min(w, x), hn::Min(y, z)), hn::Max(hn::Max(w, x), hn::Max(y, z))};
 }
 
-RayBeam::Intervals beam_intervals(const RayGroup& group) {
+PacketBounds::Intervals packet_intervals(const RayPacket& packet) {
     const DoubleTag tag;
-    const auto& origins = group.origins;
-    const auto& directions = group.directions;
+    const auto& origins = packet.origins;
+    const auto& directions = packet.directions;
     const std::array along{directions.x.data(), directions.y.data(), directions.z.data()};
     const std::array from{origins.x.data(), origins.y.data(), origins.z.data()};
     IntervalLanes origin[3], slope[3];
-    for (std::size_t i = 0; i < group.count; i += hn::Lanes(tag)) {
-        const DoubleMask is_ray = hn::FirstN(tag, group.count - i);
+    for (std::size_t i = 0; i < packet.count; i += hn::Lanes(tag)) {
+        const DoubleMask is_ray = hn::FirstN(tag, packet.count - i);
         const auto column = [&](const double* values) HWY_ATTR {
             return hn::IfThenElse(is_ray, hn::LoadU(tag, values + i), broadcast(values[i]));
         };
-        const Doubles forward = broadcast(1) / column(along[group.dominant]);
+        const Doubles forward = broadcast(1) / column(along[packet.dominant]);
         for (int k = 0; k < 3; ++k) {
             origin[k].extend(column(from[k]));
-            slope[k].extend(k == group.dominant ? forward : column(along[k]) * forward);
+            slope[k].extend(k == packet.dominant ? forward : column(along[k]) * forward);
         }
     }
-    RayBeam::Intervals all;
+    PacketBounds::Intervals all;
     for (int k = 0; k < 3; ++k) {
         all.origins[k] = origin[k].over_lanes();
         all.slopes[k] = slope[k].over_lanes();
@@ -70,13 +70,13 @@ RayBeam::Intervals beam_intervals(const RayGroup& group) {
     return all;
 }
 
-/// A beam that goes one way, as several boxes see it.
+/// The bounds of rays that go one way, as several boxes see them.
 ///
 /// Of the roundings, fewer than ten for a side, none is more than 2^-53 of `size`, a sum of the
 /// magnitudes that enter. What a kernel still hits is within the rest of the margin. What is
 /// infinite has infinite room.
-struct BeamLanes {
-    HWY_INLINE BeamLanes(const RayBeam::Intervals& all, int dominant_axis, bool up)
+struct BoundsLanes {
+    HWY_INLINE BoundsLanes(const PacketBounds::Intervals& all, int dominant_axis, bool up)
         : z(dominant_axis),
           x((z + 1) % 3),
           y((z + 2) % 3),
@@ -97,7 +97,7 @@ struct BeamLanes {
                                         Doubles way_size) {
         const IntervalLanes shift = product(slope, way);
         const Doubles size = side.magnitude() + origin.magnitude() + way_size;
-        const Doubles room = broadcast(RayBeam::margin) * size;
+        const Doubles room = broadcast(PacketBounds::margin) * size;
         return hn::Or(origin.most +
                       shift.most<side.least - room, origin.least + shift.least> side.most + room);
     }
@@ -105,7 +105,7 @@ struct BeamLanes {
     HWY_INLINE DoubleMask misses(const BoxColumns& boxes, std::size_t i) const {
         const IntervalLanes depth = side(boxes, z, i);
         const Doubles size = depth.magnitude() + origin_z.magnitude();
-        const Doubles room = broadcast(RayBeam::margin) * size;
+        const Doubles room = broadcast(PacketBounds::margin) * size;
         IntervalLanes way(depth.least - origin_z.most, depth.most - origin_z.least);
         const DoubleMask is_behind = goes_up ? way.most < hn::Neg(room) : way.least > room;
         if (goes_up) {
@@ -122,14 +122,14 @@ struct BeamLanes {
     IntervalLanes origin_x, origin_y, origin_z, slope_x, slope_y;
 };
 
-std::size_t find_near(const RayBeam::Intervals& all, int dominant, bool goes_up,
+std::size_t find_near(const PacketBounds::Intervals& all, int dominant, bool goes_up,
                       const BoxColumns& boxes, std::uint32_t* numbers) {
     const DoubleTag tag;
-    const BeamLanes beam(all, dominant, goes_up);
+    const BoundsLanes bounds(all, dominant, goes_up);
     std::size_t count = 0;
     for (std::size_t i = 0; i < boxes.size(); i += hn::Lanes(tag)) {
         const DoubleMask is_near =
-            hn::AndNot(beam.misses(boxes, i), hn::FirstN(tag, boxes.size() - i));
+            hn::AndNot(bounds.misses(boxes, i), hn::FirstN(tag, boxes.size() - i));
         std::uint8_t bits = 0;
         hn::StoreMaskBits(tag, is_near, &bits);
         for (std::uint32_t left = bits; left != 0; left &= left - 1) {
@@ -145,11 +145,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace etalon {
 
-HWY_EXPORT(beam_intervals);
+HWY_EXPORT(packet_intervals);
 HWY_EXPORT(find_near);
 
-RayBeam::RayBeam(const RayGroup& group)
-    : dominant_(group.dominant), all_(HWY_DYNAMIC_DISPATCH(beam_intervals)(group)) {
+PacketBounds::PacketBounds(const RayPacket& packet)
+    : dominant_(packet.dominant), all_(HWY_DYNAMIC_DISPATCH(packet_intervals)(packet)) {
     // Reciprocals in this range are as good as any number, and so are slopes made with them.
     constexpr double largest = 0x1p1001;
     const Interval& forward = all_.slopes[dominant_];
@@ -157,7 +157,7 @@ RayBeam::RayBeam(const RayGroup& group)
     goes_down_ = forward.most < -1 / largest && forward.least > -largest;
 }
 
-std::size_t RayBeam::find_near(const BoxColumns& boxes, std::uint32_t* numbers) const {
+std::size_t PacketBounds::find_near(const BoxColumns& boxes, std::uint32_t* numbers) const {
     return HWY_DYNAMIC_DISPATCH(find_near)(all_, dominant_, goes_up_, boxes, numbers);
 }
 

@@ -1,7 +1,7 @@
 // Rays that are taken together find what each finds alone, and are taken together.
 #include <atomic>
 
-#include "core/intersect/beam_intersector.h"
+#include "core/intersect/packet_intersector.h"
 #include "tests/backends/scenes.h"
 #include "tests/backends/test_rays.h"
 #include "tests/backends/tracers.h"
@@ -74,28 +74,28 @@ std::size_t count_wrong(const Scene& scene, const BatchIntersector& intersector,
 
 }  // namespace
 
-TEST_CASE("Beams: rays in bundles find what each of them finds alone, to the bit", "[backends]") {
+TEST_CASE("Packets: rays in bundles find what each of them finds alone, to the bit", "[backends]") {
     for_each_target([] {
         for (const SceneFamily& family : scene_families()) {
             const Scene scene = family.make(100);
             INFO(family.name);
             Random random(17);
             const auto backend = backend_named("bvh").build(scene.geometry);
-            const BeamIntersector beams(scene.geometry, *backend, true);
-            REQUIRE(beams.has_beams());
-            CHECK(count_wrong(scene, beams, bundles(scene, 60, random)) == 0);
+            const PacketIntersector packets(scene.geometry, *backend, true);
+            REQUIRE(packets.has_packets());
+            CHECK(count_wrong(scene, packets, bundles(scene, 60, random)) == 0);
         }
     });
 }
 
-TEST_CASE("Beams: of camera rays past some spheres few are left to the backend", "[backends]") {
+TEST_CASE("Packets: of camera rays past some spheres few are left to the backend", "[backends]") {
     Geometry geometry;
     for (int i = 0; i < 100; ++i) {
         geometry.add(Sphere{Vec3(i % 10, i / 10, 0), 0.3}, 0);
     }
     const auto backend = backend_named("bvh").build(geometry);
     const CountingBackend counting(*backend);
-    const BeamIntersector beams(geometry, counting, true);
+    const PacketIntersector packets(geometry, counting, true);
     std::vector<Ray> rays;
     for (int i = 0; i < 64 * 64; ++i) {
         Ray& ray = rays.emplace_back();
@@ -105,23 +105,23 @@ TEST_CASE("Beams: of camera rays past some spheres few are left to the backend",
     }
     std::vector<Hit> hits(rays.size());
     std::vector<std::uint8_t> blocked(rays.size());
-    beams.closest(rays, hits);
-    beams.occluded(rays, blocked);
+    packets.closest(rays, hits);
+    packets.occluded(rays, blocked);
     CHECK(counting.count == 0);
     CHECK(std::ranges::count(blocked, 1) > 200);
 
     rays[0].traits_and_time = 0;
-    beams.closest(rays, hits);
+    packets.closest(rays, hits);
     CHECK(counting.count == rays.size());
 }
 
-TEST_CASE("Beams: scenes of many primitives, and other backends, are left alone", "[backends]") {
-    const auto has_beams = [](std::size_t spheres, bool is_exact) {
+TEST_CASE("Packets: scenes of many primitives, and other backends, are left alone", "[backends]") {
+    const auto has_packets = [](std::size_t spheres, bool is_exact) {
         const Scene scene = make_scene("spheres", spheres);
         const auto backend = backend_named("bvh").build(scene.geometry);
-        return BeamIntersector(scene.geometry, *backend, is_exact).has_beams();
+        return PacketIntersector(scene.geometry, *backend, is_exact).has_packets();
     };
-    CHECK(has_beams(100, true));
-    CHECK_FALSE(has_beams(100, false));
-    CHECK_FALSE(has_beams(1000, true));
+    CHECK(has_packets(100, true));
+    CHECK_FALSE(has_packets(100, false));
+    CHECK_FALSE(has_packets(1000, true));
 }

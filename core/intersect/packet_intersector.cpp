@@ -1,0 +1,118 @@
+#include "core/intersect/packet_intersector.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/intersect/kernels.h"
+#include "core/intersect/packet_kernels.h"
+#include "core/intersect/ray_packets.h"
+#include "core/numerics/denormals.h"
+
+namespace etalon {
+namespace {
+
+/// What it costs to test a packet against a primitive: 1 where rays share the test.
+constexpr std::uint8_t cost_one_by_one = 4;
+
+/// Whether tests of that cost take less than the way of each ray through a tree: the fewer rays
+/// share them, the less they are worth.
+bool is_worthwhile(std::size_t cost, std::size_t rays) {
+    return cost <= 1 + rays / 4;
+}
+
+/// So many rays of a batch say of the others: if no packet of theirs is next to few primitives, no
+/// other will be.
+constexpr std::size_t probed = 2 * RayPacket::most;
+
+/// Asks a backend, ask(rays, answers), for those of `rays` that are in the packet.
+template <class Answer, class Ask>
+void ask_for_packet(const RayPacket& packet, std::span<const Ray> rays, std::span<Answer> answers,
+                    const Ask& ask) {
+    if (packet.count == rays.size()) return ask(rays, answers);
+    std::array<Ray, RayPacket::most> some;
+    std::array<Answer, RayPacket::most> found;
+    for (std::size_t i = 0; i < packet.count; ++i) some[i] = *packet.rays[i];
+    ask(std::span<const Ray>(some).first(packet.count), std::span(found).first(packet.count));
+    for (std::size_t i = 0; i < packet.count; ++i) answers[packet.rays[i] - rays.data()] = found[i];
+}
+
+}  // namespace
+
+PacketIntersector::PacketIntersector(const Geometry& geometry, const BatchIntersector& backend,
+                                     bool is_exact)
+    : geometry_(geometry),
+      backend_(backend),
+      has_packets_(is_exact && geometry.instances.empty() &&
+                   geometry.primitives.size() <= most_primitives) {
+    if (!has_packets_) return;
+    for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
+        const Box3 box = whole_bounds(geometry, id);
+        if (box.isEmpty()) continue;
+        boxes_.add(box);
+        primitives_.push_back(id);
+        costs_.push_back(has_packet_kernel(geometry.primitives[id]) ? 1 : cost_one_by_one);
+    }
+}
+
+/// Finds the primitives that rays of a packet may meet. Returns nothing where they are many.
+std::optional<std::span<const std::uint32_t>> PacketIntersector::find_few(const RayPacket& packet,
+                                                                          Near& near) const {
+    const PacketBounds bounds(packet);
+    if (!bounds.goes_one_way()) return std::nullopt;
+    const auto found = std::span(near).first(bounds.find_near(boxes_, near.data()));
+    std::size_t cost = 0;
+    for (const std::uint32_t i : found) cost += costs_[i];
+    if (!is_worthwhile(cost, packet.count)) return std::nullopt;
+    return found;
+}
+
+/// Sets the answers by offer(packet, near), with the few primitives that rays of a packet may meet,
+/// or by ask(rays, answers), which asks the backend.
+template <class Answer, class Offer, class Ask>
+void PacketIntersector::answer_all(std::span<const Ray> rays, std::span<Answer> answers,
+                                   const Offer& offer, const Ask& ask) const {
+    const DenormalsCount denormals_count;
+    bool any_few = false;
+    for (std::size_t first = 0; first < rays.size(); first += RayPacket::most) {
+        if (first == probed && !any_few) return ask(rays.subspan(first), answers.subspan(first));
+        const std::size_t count = std::min(RayPacket::most, rays.size() - first);
+        const auto chunk = rays.subspan(first, count);
+        for_each_packet(chunk, [&](RayPacket& packet) {
+            Near near;
+            if (const auto few = find_few(packet, near)) {
+                offer(packet, *few);
+                any_few = true;
+            } else {
+                ask_for_packet(packet, chunk, answers.subspan(first, count), ask);
+            }
+        });
+    }
+}
+
+/// Rays of a batch are alike in that hint. That shadow rays of neighbours go to the same lights is
+/// likely without it.
+void PacketIntersector::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
+    if (!has_packets_ || rays.empty() || !rays[0].coherent()) return backend_.closest(rays, hits);
+    std::ranges::fill(hits, Hit{infinity, no_index});
+    const auto offer = [&](RayPacket& packet, std::span<const std::uint32_t> near) {
+        for (const std::uint32_t i : near) offer_to_packet(geometry_, primitives_[i], packet);
+        for (std::size_t i = 0; i < packet.count; ++i) {
+            hits[packet.rays[i] - rays.data()] = packet.hit(i);
+        }
+    };
+    answer_all(rays, hits, offer, [&](auto some, auto to) { backend_.closest(some, to); });
+}
+
+void PacketIntersector::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
+    if (!has_packets_) return backend_.occluded(rays, blocked);
+    std::ranges::fill(blocked, std::uint8_t{0});
+    const auto offer = [&](RayPacket& packet, std::span<const std::uint32_t> near) {
+        for (const std::uint32_t i : near) {
+            if (!offer_to_packet(geometry_, primitives_[i], packet)) continue;
+            packet.remove_hit([&](const Ray* ray) { blocked[ray - rays.data()] = 1; });
+        }
+    };
+    answer_all(rays, blocked, offer, [&](auto some, auto to) { backend_.occluded(some, to); });
+}
+
+}  // namespace etalon
