@@ -42,10 +42,11 @@ Material default_diffuse() {
     return m;
 }
 
-void SceneLoader::set_material(const Material& m) {
-    if (!is_possible(in, m)) return;
+bool SceneLoader::set_material(const Material& m) {
+    if (!is_possible(in, m)) return false;
     material = static_cast<std::uint32_t>(scene.whitted().materials.size());
     scene.whitted().materials.push_back(m);
+    return true;
 }
 
 std::uint32_t SceneLoader::current_material() {

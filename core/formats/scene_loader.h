@@ -41,7 +41,8 @@ struct SceneLoader {
     std::size_t looks_ahead_at = 1 << 18;  ///< bytes of text before look_ahead()
 
     /// Sets the material of the objects to come, if such a surface can be; if not, says why.
-    void set_material(const Material& material);
+    /// Returns whether it can.
+    bool set_material(const Material& material);
 
     /// A white point light that the file says no more about. So that an image does not grow
     /// brighter with every one, n lights have an intensity of 1 / sqrt(n) (as PRT's program did).

@@ -6,19 +6,28 @@ using namespace etalon;
 
 namespace {
 
-/// The diffuse colours of the primitives, by letters.
+char color(const Scene& scene, const Primitive& p) {
+    const Color& c = scene.whitted().materials[p.material].diffuse;
+    return c.x == 1 ? 'r' : c.y == 1 ? 'g' : '?';
+}
+
+/// The diffuse colours of the primitives, by letters, then of those of each instance.
 std::string colors(const LoadResult& r) {
+    const Geometry& g = r.scene->geometry;
     std::string letters;
-    for (const Primitive p : r.scene->geometry.primitives) {
-        const Color& c = r.scene->whitted().materials[p.material].diffuse;
-        letters += c.x == 1 ? 'r' : c.y == 1 ? 'g' : '?';
+    for (const Primitive p : g.primitives) letters += color(*r.scene, p);
+    for (const Instance& instance : g.instances) {
+        letters += ' ';
+        for (const Primitive p : g.objects[instance.object].primitives) {
+            letters += color(*r.scene, p);
+        }
     }
     return letters;
 }
 
 }  // namespace
 
-TEST_CASE("an instance is nothing until it is referred to, then moved each time") {
+TEST_CASE("an instance is nothing until it is referred to, then one object seen each time") {
     const LoadResult r = load_prt_text(
         red +
         "instance all\nsphere 1 0 0 1\ncone 0 0 0 1 0 0 1 1\npolygon 3 0 0 0 1 0 0 0 1 0\n"
@@ -26,24 +35,21 @@ TEST_CASE("an instance is nothing until it is referred to, then moved each time"
         "hsphere 0 0 0 2 1\nend_instance\nsphere 9 9 9 9\ninstance_of all 10 20 30\n"
         "instance_of all 0 0 0\n");
     CHECK(messages(r).empty());
-    const Scene& s = *r.scene;
-    REQUIRE(s.geometry.primitives.size() == 15);
-    const Vec3 offset(10, 20, 30);
-    CHECK(s.geometry.all<Sphere>()[0].centre == Vec3(9));
-    CHECK(s.geometry.all<Sphere>()[1].centre == Vec3(11, 20, 30));
-    CHECK(s.geometry.all<Sphere>()[2].centre == offset);
-    CHECK(s.geometry.all<Sphere>()[3].centre == offset);
-    CHECK(s.geometry.all<Sphere>()[4].centre == Vec3(1, 0, 0));
-    CHECK(s.geometry.all<Cone>()[0].base == offset);
-    CHECK(s.geometry.all<Cone>()[0].top == Vec3(10, 20, 31));
-    CHECK(s.geometry.vertices[1] == Vec3(11, 20, 30));
-    CHECK(s.geometry.vertices[4] == Vec3(1, 0, 0));
-    CHECK(s.geometry.all<Ring>()[0].centre == offset);
-    CHECK(s.geometry.all<Ring>()[0].normal.x == 0);
-    CHECK(s.geometry.all<Quadric>()[0].centre == offset);
-    CHECK(s.geometry.all<Quadric>()[0].clip.min == Vec3(9, 19, 29));
-    CHECK(s.geometry.all<Quadric>()[0].clip.max == Vec3(11, 21, 31));
-    CHECK(colors(r) == "rrrrrrrrrrrrrrr");
+    const Geometry& g = r.scene->geometry;
+    REQUIRE(g.primitives.size() == 1);
+    CHECK(g.all<Sphere>()[0].centre == Vec3(9));
+    REQUIRE(g.objects.size() == 1);
+    CHECK(g.objects[0].primitives.size() == 7);
+    CHECK(g.objects[0].all<Sphere>()[0].centre == Vec3(1, 0, 0));
+    REQUIRE(g.instances.size() == 2);
+    for (const Instance& instance : g.instances) {
+        CHECK(instance.object == 0);
+        CHECK(instance.rows == Instance(Affine(), 0).rows);
+        CHECK_FALSE(instance.moves());
+    }
+    CHECK(g.instances[0].origin == Vec3(10, 20, 30));
+    CHECK(g.instances[1].origin == Vec3(0));
+    CHECK(colors(r) == "r rrrrrrr rrrrrrr");
 }
 
 TEST_CASE("a shape of any kind moves with its instance") {
@@ -79,7 +85,8 @@ TEST_CASE("objects of an instance take the surface that is current at the refere
     const LoadResult r = load_prt_text("instance a\nsphere 0 0 0 1\nend_instance\n" + red +
                                        "instance_of a 0 0 0\n" + green + "instance_of a 1 0 0\n");
     CHECK(messages(r).empty());
-    CHECK(colors(r) == "rg");
+    CHECK(colors(r) == " r g");
+    CHECK(r.scene->geometry.objects.size() == 2);
 }
 
 TEST_CASE("a surface in an instance holds from the reference on, outside too") {
@@ -88,20 +95,65 @@ TEST_CASE("a surface in an instance holds from the reference on, outside too") {
                                        "instance_of a 0 0 0\nsphere 3 0 0 1\n"
                                        "instance_of a 0 0 0\n");
     CHECK(messages(r).empty());
-    CHECK(colors(r) == "rrgggg");
+    CHECK(colors(r) == "rg rg gg");
 }
 
 TEST_CASE("a hollow in an instance is one in the surface of the reference") {
     const LoadResult r = load_prt_text("instance a\nhsphere 0 0 0 1 .5\nend_instance\n" + glass +
                                        "instance_of a 0 0 0\n" + red + "instance_of a 0 0 0\n");
     CHECK(messages(r).empty());
-    const auto ior = [&](int i) {
-        return r.scene->whitted().materials[r.scene->geometry.primitives[i].material].ior;
+    const auto ior = [&](std::size_t object, std::size_t i) {
+        const Primitive p = r.scene->geometry.objects[object].primitives[i];
+        return r.scene->whitted().materials[p.material].ior;
     };
-    CHECK(ior(0) == 1.5);
-    CHECK(ior(1) == 1 / 1.5);
-    CHECK(ior(2) == 1);
-    CHECK(ior(3) == 1);
+    CHECK(ior(0, 0) == 1.5);
+    CHECK(ior(0, 1) == 1 / 1.5);
+    CHECK(ior(1, 0) == 1);
+    CHECK(ior(1, 1) == 1);
+}
+
+TEST_CASE("references behind equal surfaces share an object") {
+    const LoadResult r =
+        load_prt_text("instance a\nsphere 0 0 0 1\nend_instance\n" + red + "instance_of a 0 0 0\n" +
+                      green + "instance_of a 1 0 0\n" + red + "instance_of a 2 0 0\n");
+    CHECK(messages(r).empty());
+    CHECK(r.scene->geometry.objects.size() == 2);
+    CHECK(r.scene->whitted().materials.size() == 2);
+    CHECK(colors(r) == " r g r");
+}
+
+TEST_CASE("objects that have surfaces are one, whatever is current at the reference") {
+    const LoadResult r =
+        load_prt_text("instance a\n" + green + "sphere 0 0 0 1\nend_instance\n" + green +
+                      "instance_of a 0 0 0\n" + red + "instance_of a 1 0 0\nsphere 3 0 0 1\n");
+    CHECK(messages(r).empty());
+    CHECK(r.scene->geometry.objects.size() == 1);
+    CHECK(colors(r) == "g g g");
+}
+
+TEST_CASE("an instance of a surface alone sets it") {
+    const LoadResult r = load_prt_text("instance a\n" + green + "end_instance\n" + red +
+                                       "sphere 0 0 0 1\ninstance_of a 0 0 0\nsphere 1 0 0 1\n");
+    CHECK(messages(r).empty());
+    CHECK(r.scene->geometry.instances.empty());
+    CHECK(r.scene->geometry.objects.empty());
+    CHECK(colors(r) == "rg");
+}
+
+TEST_CASE("legacy PRT moves the box of a quadric with its instance, but not the quadric") {
+    LoadOptions legacy;
+    legacy.legacy = true;
+    const LoadResult r = load_prt_text(
+        red + "instance a\nquadric 5 5 5 -1 -1 -1 1 1 1 1 0 0 0 1 0 0 1 0 -1\nend_instance\n" +
+            "instance_of a 1 2 3\ninstance_of a 4 5 6\n",
+        legacy);
+    const Geometry& g = r.scene->geometry;
+    REQUIRE(g.instances.size() == 2);
+    for (const Instance& instance : g.instances) {
+        const Quadric& q = g.objects[instance.object].all<Quadric>()[0];
+        CHECK(q.centre == -instance.origin);
+        CHECK(q.clip.min == Vec3(-1));
+    }
 }
 
 TEST_CASE("a reference before any surface gives its objects a default one, if they need it") {
@@ -136,7 +188,7 @@ TEST_CASE("errors in an instance are told once, where it is defined") {
                  "a.prt:9:1: warning: 'sphere' left out: its radius is 0",
                  "a.prt:10:16: warning: expected a keyword after 'sphere', found '5' (words "
                  "skipped: 2)"});
-    CHECK(r.scene->geometry.primitives.size() == 2);
+    CHECK(colors(r) == " r r");
 }
 
 TEST_CASE("what no instance may be is an error") {
@@ -171,7 +223,7 @@ TEST_CASE("a second instance of a name does not replace the first") {
                       "end_instance\ninstance_of a 0 0 0\n");
     CHECK(messages(r) ==
           Messages{"a.prt:10:1: warning: a second instance 'a'; the first one stays"});
-    CHECK(r.scene->geometry.all<Sphere>()[0].radius == 1);
+    CHECK(r.scene->geometry.objects[0].all<Sphere>()[0].radius == 1);
 }
 
 TEST_CASE("an instance without an end is left out") {
@@ -193,10 +245,24 @@ TEST_CASE("instances that amount to more than memory are an error, soon") {
     std::string text = red + "instance a\n";
     for (int i = 0; i < 20000; ++i) text += "light 0 0 1\n";  // 240,000 bytes
     text += "sphere 0 0 0 1\nend_instance\n";
-    for (int i = 0; i < 20000; ++i) text += "instance_of a 0 0 0\n";
-    const LoadResult r = load_prt_text(text);
-    CHECK_FALSE(r.scene);
-    REQUIRE_FALSE(r.diagnostics.empty());
-    CHECK(to_string(r.diagnostics[0]).find("the instances amount to more than 134217728 bytes") !=
-          std::string::npos);
+    const auto is_too_much = [&] {
+        const LoadResult r = load_prt_text(text);
+        return !r.scene && to_string(r.diagnostics.at(0))
+                                   .find("the instances amount to more than 134217728 bytes") !=
+                               std::string::npos;
+    };
+    const std::string alike = text;
+    for (int i = 0; i < 1000; ++i) text += "instance_of a 0 0 0\n";
+    CHECK_FALSE(is_too_much());
+    text = alike;
+    SECTION("by different surfaces") {
+        for (int i = 0; i < 1000; ++i) {
+            text += "surface 0 0 0 0  0 0 0 0  0 0 0  1 1 1  0 0 0  1 " + std::to_string(i + 1) +
+                    "\ninstance_of a 0 0 0\n";
+        }
+    }
+    SECTION("at the end of all numbers") {
+        for (int i = 0; i < 1000; ++i) text += "instance_of a 1e300 0 0\n";
+    }
+    CHECK(is_too_much());
 }

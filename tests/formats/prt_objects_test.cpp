@@ -167,11 +167,10 @@ TEST_CASE("legacy PRT forgets the centre of a quadric, but not where its box is"
     LoadOptions legacy;
     legacy.legacy = true;
     const std::string quadric = "quadric 1 2 3\n-4 -5 -6 4 5 6\n1 0 0 0 1\n0 0 1 0 -1\n";
-    const LoadResult r = load_prt_text(
-        red + "instance q\n" + quadric + "end_instance\ninstance_of q 1 1 1\n", legacy);
+    const LoadResult r = load_prt_text(red + quadric, legacy);
     only_primitive(r);
     CHECK(r.scene->geometry.all<Quadric>()[0].centre == Vec3(0));
-    CHECK(r.scene->geometry.all<Quadric>()[0].clip.min == Vec3(-3, -4, -5));
+    CHECK(r.scene->geometry.all<Quadric>()[0].clip.min == Vec3(-4, -5, -6));
 }
 
 TEST_CASE("one-sided hides the back of opaque PRT shapes, and the shell about an opaque hollow") {

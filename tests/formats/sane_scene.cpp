@@ -25,11 +25,10 @@ bool fine(const RenderSettings& s) {
            s.samples_per_pixel >= 0 && s.max_depth > 0;
 }
 
-bool fine(const Scene&, const Sphere& s) {
+bool fine(const Geometry&, const Sphere& s) {
     return is_finite(s.centre) && s.radius > 0;
 }
-bool fine(const Scene& scene, const Triangle& t) {
-    const Geometry& g = scene.geometry;
+bool fine(const Geometry& g, const Triangle& t) {
     for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t v = t.vertices[k];
         const bool is_decimal = (v & decimal_vertex) != 0;
@@ -40,44 +39,44 @@ bool fine(const Scene& scene, const Triangle& t) {
     }
     return true;
 }
-bool fine(const Scene&, const Polygon& p) {
+bool fine(const Geometry&, const Polygon& p) {
     const auto all_finite = [](std::span<const Vec3> list) {
         return std::ranges::all_of(list, [](const Vec3& v) { return is_finite(v); });
     };
     return p.corners.size() > 3 && all_finite(p.corners) && all_finite(p.normals) &&
            (p.normals.empty() || p.normals.size() == p.corners.size());
 }
-bool fine(const Scene&, const Box& b) {
+bool fine(const Geometry&, const Box& b) {
     return is_finite(b.min) && is_finite(b.max) && b.min.x <= b.max.x && b.min.y <= b.max.y &&
            b.min.z <= b.max.z;
 }
-bool fine(const Scene&, const Plane& p) {
+bool fine(const Geometry&, const Plane& p) {
     return is_finite(p.point) && is_finite(p.normal) && p.normal != Vec3(0);
 }
-bool fine(const Scene&, const Cone& c) {
+bool fine(const Geometry&, const Cone& c) {
     return is_finite(c.base) && is_finite(c.top) && c.base_radius >= 0 && c.top_radius >= 0 &&
            c.base_radius + c.top_radius > 0;
 }
-bool fine(const Scene&, const Ring& r) {
+bool fine(const Geometry&, const Ring& r) {
     return is_finite(r.centre) && is_finite(r.normal) && r.normal != Vec3(0) && r.inner >= 0 &&
            r.inner <= r.outer && r.outer > 0;
 }
-bool fine(const Scene&, const Quadric& s) {
+bool fine(const Geometry&, const Quadric& s) {
     const auto is_number = [](double x) { return std::isfinite(x); };
     return is_finite(s.centre) && is_finite(s.clip.min) && is_finite(s.clip.max) &&
            !s.clip.isEmpty() &&
            std::all_of(s.coefficients.begin(), s.coefficients.end(), is_number);
 }
-bool fine(const Scene&, const Ellipsoid& e) {
+bool fine(const Geometry&, const Ellipsoid& e) {
     return e.frame.exists();
 }
-bool fine(const Scene&, const ClosedCylinder& c) {
+bool fine(const Geometry&, const ClosedCylinder& c) {
     return c.frame.exists();
 }
-bool fine(const Scene&, const Revolved& s) {
+bool fine(const Geometry&, const Revolved& s) {
     return s.exists();
 }
-bool fine(const Scene&, const StoredCurve& c) {
+bool fine(const Geometry&, const StoredCurve& c) {
     return c.place.exists() && (c.curve.widths[0] != 0 || c.curve.widths[1] != 0);
 }
 
@@ -96,6 +95,28 @@ bool all_finite(std::span<const Vec3> list) {
     return true;
 }
 
+/// Says what is wrong with a geometry of so many materials, if anything is.
+std::string insanity(const Geometry& geometry, std::size_t materials) {
+    if (!all_finite(geometry.vertices)) return "vertex";
+    if (!all_finite(geometry.normals)) return "normal";
+    for (const Primitive p : geometry.primitives) {
+        if (p.material >= materials) return "a primitive's material";
+        const bool good = with_shape(p.kind, [&]<class Shape>() {
+            return p.index < geometry.all<Shape>().size() && fine(geometry, geometry.get<Shape>(p));
+        });
+        if (!good) return std::string(kind_name(p.kind));
+    }
+    for (const Instance& instance : geometry.instances) {
+        if (instance.object >= geometry.objects.size() || !instance.exists()) return "instance";
+    }
+    for (const Geometry& object : geometry.objects) {
+        const std::string why = insanity(object, materials);
+        if (!why.empty()) return why;
+        if (object.primitives.empty() || !object.instances.empty()) return "object";
+    }
+    return {};
+}
+
 }  // namespace
 
 std::string insanity(const LoadResult& result) {
@@ -104,17 +125,7 @@ std::string insanity(const LoadResult& result) {
     if (!fine(scene.camera)) return "camera";
     if (!all_fine(scene.whitted().lights)) return "light";
     if (!all_fine(scene.whitted().materials)) return "material";
-    if (!all_finite(scene.geometry.vertices)) return "vertex";
-    if (!all_finite(scene.geometry.normals)) return "normal";
-    for (const Primitive p : scene.geometry.primitives) {
-        if (p.material >= scene.whitted().materials.size()) return "a primitive's material";
-        const bool good = with_shape(p.kind, [&]<class Shape>() {
-            return p.index < scene.geometry.all<Shape>().size() &&
-                   fine(scene, scene.geometry.get<Shape>(p));
-        });
-        if (!good) return std::string(kind_name(p.kind));
-    }
-    return {};
+    return insanity(scene.geometry, scene.whitted().materials.size());
 }
 
 }  // namespace etalon

@@ -85,7 +85,7 @@ WholeScene prt() {
     return {"prt",
             text,
             0,
-            109,
+            105,
             camera,
             "sphere x\n",
             "from ",
@@ -93,8 +93,7 @@ WholeScene prt() {
              "light",  "surface", "polygon", "instance", "instance_of", "end_instance",
              "a",      "cone",    "sphere",  "hsphere",  "ring",        "quadric",
              "0 0 0",  "1",       "2",       "3",        "-1",          "1e308",
-             "1e-308", "\n",      "#\n",     "n",        "1 2 3"},
-            400};  // instances
+             "1e-308", "\n",      "#\n",     "n",        "1 2 3"}};
 }
 
 WholeScene sce() {

@@ -1,7 +1,9 @@
 // Images of files of NFF and PRT.
 #include <cmath>
+#include <functional>
 #include <numbers>
 
+#include "core/formats/write/write.h"
 #include "tests/catch.h"
 #include "tests/formats/messages.h"
 #include "tests/render/test_images.h"
@@ -135,4 +137,57 @@ TEST_CASE("PRT's ambient colour is added as it is", "[render]") {
         0, 0, "light 0 0 9\nsurface 0 0 0 0 0 0 0 0 .5 0 0 .25 .5 0 0 0 0 0 0\nsphere 0 0 0 1\n");
     CHECK(seen.x == Approx(0.75));
     CHECK(seen.y == Approx(0.5));
+}
+
+namespace {
+
+/// A hall of pairs of a ring and a glass ball over a floor; each pair is written by `pair`.
+TestScene hall_of_pairs(const std::string& definition,
+                        const std::function<std::string(double, double)>& pair) {
+    std::string text = "from 1 4 9 at 1 0 0 up 0 1 0 angle 40 resolution 40 30 light 3 9 9\n";
+    text += "background .25 .5 1 n\n" + definition +
+            "surface 0 0 0 0 0 0 0 0 .1 0 0 .5 .7 .2 0 0 0 1 1\n";
+    text += "polygon 4 -9 -1 -9 -9 -1 9 9 -1 9 9 -1 -9\n";
+    for (const double x : {-1.5, 0.25, 2.0}) text += pair(x, 0.5 * x);
+    return scene_of("prt", text);
+}
+
+/// The pair with its centre at x, y, 0. The ring takes the surface in front of it.
+std::string pair_at(double x, double y) {
+    const auto point = [&](double dx, double dy, double dz) {
+        return std::to_string(x + dx) + ' ' + std::to_string(y + dy) + ' ' + std::to_string(dz) +
+               ' ';
+    };
+    return "ring " + point(0, 0, 1) + point(1, 0, 1) + point(0, 1, 1) + "1 .5\n" + clear("1.5") +
+           "sphere " + point(0, 0, 0) + ".5\n";
+}
+
+}  // namespace
+
+TEST_CASE("PRT instances show what is seen of copies, converted as well", "[render]") {
+    const TestScene instances =
+        hall_of_pairs("instance pair\n" + pair_at(0, 0) + "end_instance\n", [](double x, double y) {
+            return "instance_of pair " + std::to_string(x) + ' ' + std::to_string(y) + " 0\n";
+        });
+    const TestScene copies = hall_of_pairs("", pair_at);
+    REQUIRE(instances.geometry.objects.size() == 2);  // one of the floor's surface, one of glass
+    REQUIRE(instances.geometry.instances.size() == 3);
+    REQUIRE(copies.geometry.primitives.size() == 7);
+    for (const std::string_view backend : {"none", "grid", "bvh", "embree"}) {
+        CHECK(image(instances, backend) == image(copies, backend));
+    }
+    for (const SceneWriter write : {write_p3f, write_pbrt}) {
+        const auto shown = [&](const TestScene& scene) {
+            const WrittenScene written = write(scene, scene.settings, "");
+            const LoadResult r = load_scene_text(
+                written.text, "a." + std::string(written.format == "P3F" ? "p3f" : "pbrt"), {});
+            REQUIRE(r.scene);
+            return image({*r.scene, r.settings});
+        };
+        const std::vector<Color> a = shown(instances), b = shown(copies);
+        REQUIRE(a.size() == b.size());
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            for (int k = 0; k < 3; ++k) CHECK(a[i][k] == Approx(b[i][k]).margin(1e-3));
+        }
+    }
 }

@@ -1,6 +1,7 @@
-// instance, end_instance and instance_of. An instance is a piece of text: it is read once where it
-// is defined, so that its errors are told, and again for every reference, where its objects are
-// moved and its surfaces take effect, for what comes after the reference as well.
+// instance, end_instance and instance_of. The statements of an instance are read once where it is
+// defined, so that their errors are told, and again for the first reference after each surface that
+// its objects can inherit: they make an object, which every such reference puts somewhere. The
+// surfaces take effect at each reference, for what comes after it as well.
 #include <utility>
 
 #include "core/formats/prt/prt_loader.h"
@@ -18,45 +19,100 @@ Geometry close(Loader& loader) {
     Geometry objects = std::exchange(loader.scene.geometry, std::move(open.outer_geometry));
     loader.scene.whitted().materials.resize(open.outer_materials);
     loader.material = open.outer_material;
+    loader.surfaces = std::move(open.outer_surfaces);
     loader.smooth_vertices = {};
     return objects;
 }
 
 void close_definition(Loader& loader) {
+    const std::uint32_t last_material = *loader.material;
     const Geometry objects = close(loader);
     const OpenDefinition open = *std::exchange(loader.open, std::nullopt);
     bool inherits = false;  // whether it has objects of what stands in for a reference's surface
     for (const Primitive p : objects.primitives) inherits |= p.material == open.outer_materials;
     const std::size_t length = loader.in.start() - open.first;
-    const Definition definition{loader.text.substr(open.first, length), inherits};
+    const Definition definition{loader.text.substr(open.first, length), inherits,
+                                last_material != open.outer_materials};
     if (!loader.definitions.emplace(open.name, definition).second) {
         loader.in.warn_at(open.keyword, "instance", "a second instance {}; the first one stays",
                           in_quotes(open.name));
     }
 }
 
-/// Reads the statements once more, silently.
-void replay(Loader& loader, const Definition& definition, const Vec3& offset) {
-    const std::size_t materials = loader.scene.whitted().materials.size();
-    const std::optional<std::uint32_t> before = loader.material;
+/// Reads the statements once more, silently. Returns what is in them.
+Geometry replay(Loader& loader, const Definition& definition) {
     Geometry scene_geometry = std::exchange(loader.scene.geometry, {});
     DiagnosticLog silent({}, definition.statements, false);
     Loader again{{Reader(definition.statements, silent, object_names()), loader.options,
                   loader.directory, loader.default_material, std::move(loader.scene)},
                  definition.statements};
     again.material = loader.material;
+    again.surfaces = std::move(loader.surfaces);
     read_objects(again);
     loader.scene = std::move(again.scene);
+    loader.surfaces = std::move(again.surfaces);
     loader.material = again.material;
-    const std::optional<Geometry> objects =
-        moved(std::exchange(loader.scene.geometry, std::move(scene_geometry)), offset);
-    if (objects) {
-        append(loader.scene.geometry, *objects);
-    } else {
-        loader.scene.whitted().materials.resize(materials);
-        loader.material = before;
-        loader.skip_degenerate("it lies beyond all numbers");
+    return std::exchange(loader.scene.geometry, std::move(scene_geometry));
+}
+
+/// Makes an object of a definition, with the current material where it has none of its own.
+DefinedObject make_object(Loader& loader, const Definition& definition) {
+    const std::optional<std::uint32_t> before = loader.material;
+    DefinedObject made;
+    Geometry object = replay(loader, definition);
+    made.material = std::exchange(loader.material, before);
+    if (!object.primitives.empty()) {
+        std::vector<Geometry>& objects = loader.scene.geometry.objects;
+        made.object = static_cast<std::uint32_t>(objects.size());
+        objects.push_back(std::move(object));
     }
+    return made;
+}
+
+/// Counts the work of going through a definition once more. Returns whether it was too much.
+bool is_too_much(Loader& loader, const Definition& definition) {
+    loader.replayed += definition.statements.size();
+    if (loader.replayed <= most_replayed) return false;
+    loader.in.error("instance", "the instances amount to more than {} bytes", most_replayed);
+    return true;
+}
+
+/// Returns what a definition comes to behind the current material; nothing where that is too much.
+const DefinedObject* defined_object(Loader& loader, Definition& definition) {
+    const std::uint32_t inherited =
+        definition.inherits_surface ? loader.current_material() : no_index;
+    const auto [known, is_new] = definition.objects.try_emplace(inherited);
+    if (is_new) {
+        if (is_too_much(loader, definition)) return nullptr;
+        known->second = make_object(loader, definition);
+    }
+    return &known->second;
+}
+
+/// Adds an instance of what a definition comes to. Returns false where that cannot be.
+bool add_instance(Loader& loader, const Definition& definition, std::uint32_t object,
+                  const Vec3& offset) {
+    constexpr double harmless = 0x1p969;  // half a unit in the last place of the largest double
+    Geometry& geometry = loader.scene.geometry;
+    if (!(max_abs(offset) < harmless)) {
+        if (is_too_much(loader, definition)) return false;
+        if (!moved(geometry.objects[object], offset)) {
+            loader.skip_degenerate("it lies beyond all numbers");
+            return false;
+        }
+    }
+    Affine place;
+    place.origin = offset;
+    geometry.instances.emplace_back(place, object);
+    return true;
+}
+
+/// Puts what a definition comes to at `offset`, and its last surface in front of what follows.
+void refer_to(Loader& loader, Definition& definition, const Vec3& offset) {
+    const DefinedObject* const made = defined_object(loader, definition);
+    if (made == nullptr) return;
+    if (made->object && !add_instance(loader, definition, *made->object, offset)) return;
+    if (definition.sets_surface) loader.material = made->material;
 }
 
 }  // namespace
@@ -75,7 +131,8 @@ void read_instance(Loader& loader) {
                    0,
                    std::exchange(loader.scene.geometry, {}),
                    loader.scene.whitted().materials.size(),
-                   loader.material};
+                   loader.material,
+                   std::exchange(loader.surfaces, {})};
     loader.smooth_vertices = {};
     loader.set_material(loader.default_material);  // stands in for that of a reference
 }
@@ -111,13 +168,7 @@ void read_instance_of(Loader& loader) {
     if (found == loader.definitions.end()) {
         return in.error("instance", "no instance {} is defined above", in_quotes(name));
     }
-    const Definition& definition = found->second;
-    loader.replayed += definition.statements.size();
-    if (loader.replayed > most_replayed) {
-        return in.error("instance", "the instances amount to more than {} bytes", most_replayed);
-    }
-    if (definition.inherits_surface) loader.current_material();
-    replay(loader, definition, offset);
+    refer_to(loader, found->second, offset);
 }
 
 }  // namespace etalon::prt

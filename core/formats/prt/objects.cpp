@@ -23,7 +23,8 @@ std::uint32_t hollow(Loader& loader) {
 
 }  // namespace
 
-/// Reads a material. With an exponent of 0 it has no highlight.
+/// Reads a material, unless the same words have made one. With an exponent of 0 it has no
+/// highlight.
 void read_surface(Loader& loader) {
     Reader& in = loader.in;
     Material m;
@@ -37,7 +38,15 @@ void read_surface(Loader& loader) {
     const double ior = in.number("index of refraction");
     if (m.shininess == 0) m.specular = Color(0.0F);
     if (m.transmission != Color(0.0F)) m.ior = ior;
-    if (in.ok()) loader.set_material(m);
+    if (!in.ok()) return;
+    const std::string_view words =
+        loader.text.substr(in.start(), in.tokens().offset() - in.start());
+    const auto known = loader.surfaces.find(words);
+    if (known != loader.surfaces.end()) {
+        loader.material = known->second;
+    } else if (loader.set_material(m)) {
+        loader.surfaces.emplace(words, *loader.material);
+    }
 }
 
 /// A shell of matter about a hollow: two spheres, the inner one with the outside of matter.

@@ -8,11 +8,23 @@
 
 namespace etalon::prt {
 
-/// The statements of an instance, and whether they have an object before any surface.
+/// What the statements of an instance come to for one surface in front of them.
+struct DefinedObject {
+    std::optional<std::uint32_t> object;    ///< among Geometry::objects, unless nothing is in it
+    std::optional<std::uint32_t> material;  ///< that they leave behind, if they have one
+};
+
+/// The statements of an instance.
 struct Definition {
     std::string_view statements;
-    bool inherits_surface = false;
+    bool inherits_surface;  ///< whether they have an object before any surface
+    bool sets_surface;      ///< whether they have a surface
+    /// By the material that is inherited; no_index if none is.
+    std::map<std::uint32_t, DefinedObject> objects{};
 };
+
+/// The numbers of the materials that surfaces have made, by the text of the statement.
+using KnownSurfaces = std::map<std::string_view, std::uint32_t>;
 
 /// An instance whose end has not come yet.
 struct OpenDefinition {
@@ -23,6 +35,7 @@ struct OpenDefinition {
     Geometry outer_geometry;      ///< the scene's, whose place that of the definition takes
     std::size_t outer_materials;  ///< how many the scene had
     std::optional<std::uint32_t> outer_material;
+    KnownSurfaces outer_surfaces;
 };
 
 /// A PRT file being read.
@@ -33,6 +46,7 @@ struct Loader : SceneLoader {
     std::array<bool, 5> camera_lines{};  ///< those of from, at, up, angle, resolution so far
     std::map<std::string_view, Definition> definitions{};
     std::optional<OpenDefinition> open{};
+    KnownSurfaces surfaces{};  ///< so that the same surface makes the same material
     std::size_t replayed = 0;  ///< bytes of statements
 };
 

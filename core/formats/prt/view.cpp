@@ -65,13 +65,34 @@ double legacy_fov(double degrees) {
     return 2 * std::atan(half) * (180 / std::numbers::pi);
 }
 
-/// Applies the rules of PRT's program, which read the centre of a quadric and then ignored it.
+void set_quadric_centres(Geometry& geometry, const Vec3& centre) {
+    for (Quadric& q : geometry.all<Quadric>()) q.centre = centre;
+}
+
+/// Puts quadrics where PRT's program had them, which read their centre and then ignored it: about
+/// the world's origin. An instance moved the box of one alone, so that each needs its own object.
+void ignore_quadric_centres(Geometry& geometry) {
+    set_quadric_centres(geometry, Vec3(0));
+    std::vector<bool> taken(geometry.objects.size());
+    for (Instance& instance : geometry.instances) {
+        if (geometry.objects[instance.object].all<Quadric>().empty()) continue;
+        if (taken[instance.object]) {
+            geometry.objects.push_back(Geometry(geometry.objects[instance.object]));
+            instance.object = static_cast<std::uint32_t>(geometry.objects.size() - 1);
+        } else {
+            taken[instance.object] = true;
+        }
+        set_quadric_centres(geometry.objects[instance.object], -instance.origin);
+    }
+}
+
+/// Applies the rules of PRT's program.
 void apply_legacy(Scene& scene, RenderSettings& settings) {
     Camera& camera = scene.camera;
     camera.fov_degrees = legacy_fov(camera.fov_degrees);
     settings.pixel_rays = PixelRays::upper_left;
     settings.whitted.normalize_camera_rays = true;
-    for (Quadric& q : scene.geometry.all<Quadric>()) q.centre = Vec3(0);
+    ignore_quadric_centres(scene.geometry);
 }
 
 }  // namespace

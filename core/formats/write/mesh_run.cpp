@@ -9,24 +9,23 @@ bool is_smooth(const Triangle& t) {
     return t.normal_offset != no_index;
 }
 
-std::vector<Triangle> run_from(const Scene& scene, std::size_t first) {
-    const Primitive start = scene.geometry.primitives[first];
-    const bool smooth = is_smooth(scene.geometry.get<Triangle>(start));
+std::vector<Triangle> run_from(const Geometry& geometry, std::size_t first) {
+    const Primitive start = geometry.primitives[first];
+    const bool smooth = is_smooth(geometry.get<Triangle>(start));
     std::vector<Triangle> run;
-    for (std::size_t i = first; i < scene.geometry.primitives.size(); ++i) {
-        const Primitive p = scene.geometry.primitives[i];
+    for (std::size_t i = first; i < geometry.primitives.size(); ++i) {
+        const Primitive p = geometry.primitives[i];
         const bool alike = p.kind == start.kind && p.material == start.material &&
-                           p.sides == start.sides &&
-                           is_smooth(scene.geometry.get<Triangle>(p)) == smooth;
+                           p.sides == start.sides && is_smooth(geometry.get<Triangle>(p)) == smooth;
         if (!alike) break;
-        run.push_back(scene.geometry.get<Triangle>(p));
+        run.push_back(geometry.get<Triangle>(p));
     }
     return run;
 }
 
 /// Returns a mesh of only the vertices that are used, in the order in which the triangles name
 /// them: so that what is written is the same once it has been read.
-MeshRun flat_mesh(const Scene& scene, const std::vector<Triangle>& run) {
+MeshRun flat_mesh(const Geometry& geometry, const std::vector<Triangle>& run) {
     std::unordered_map<std::uint32_t, std::uint32_t> numbers;  // in the mesh
     MeshRun mesh;
     for (const Triangle& t : run) {
@@ -34,7 +33,7 @@ MeshRun flat_mesh(const Scene& scene, const std::vector<Triangle>& run) {
         for (std::uint32_t& v : face) {
             const auto next = static_cast<std::uint32_t>(mesh.vertices.size());
             const auto [known, is_new] = numbers.try_emplace(v, next);
-            if (is_new) mesh.vertices.push_back(scene.geometry.vertex(v));
+            if (is_new) mesh.vertices.push_back(geometry.vertex(v));
             v = known->second;
         }
     }
@@ -42,14 +41,14 @@ MeshRun flat_mesh(const Scene& scene, const std::vector<Triangle>& run) {
 }
 
 /// Makes a mesh whose corners have normals of their own, and so vertices of their own.
-MeshRun smooth_mesh(const Scene& scene, const std::vector<Triangle>& run) {
+MeshRun smooth_mesh(const Geometry& geometry, const std::vector<Triangle>& run) {
     MeshRun mesh;
     for (const Triangle& t : run) {
         const auto v = static_cast<std::uint32_t>(mesh.vertices.size());
         mesh.faces.push_back({v, v + 1, v + 2});
         for (std::uint32_t k = 0; k < 3; ++k) {
-            mesh.vertices.push_back(scene.geometry.vertex(t.vertices[k]));
-            mesh.normals.push_back(scene.geometry.normals[Geometry::normal_number(t, k)]);
+            mesh.vertices.push_back(geometry.vertex(t.vertices[k]));
+            mesh.normals.push_back(geometry.normals[Geometry::normal_number(t, k)]);
         }
     }
     return mesh;
@@ -57,9 +56,9 @@ MeshRun smooth_mesh(const Scene& scene, const std::vector<Triangle>& run) {
 
 }  // namespace
 
-MeshRun mesh_from(const Scene& scene, std::size_t first) {
-    const std::vector<Triangle> run = run_from(scene, first);
-    return is_smooth(run.front()) ? smooth_mesh(scene, run) : flat_mesh(scene, run);
+MeshRun mesh_from(const Geometry& geometry, std::size_t first) {
+    const std::vector<Triangle> run = run_from(geometry, first);
+    return is_smooth(run.front()) ? smooth_mesh(geometry, run) : flat_mesh(geometry, run);
 }
 
 }  // namespace etalon

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "core/scene/geometry.h"
 
 namespace etalon {
 
-/// Triangles that stand together in a scene, as one mesh of its own vertices.
+/// Triangles that stand together in a geometry, as one mesh of its own vertices.
 struct MeshRun {
     std::vector<Vec3> vertices;
     std::vector<Vec3> normals;  ///< one for each vertex, or none
@@ -17,6 +17,6 @@ struct MeshRun {
 
 /// The triangle number `first` and all that follow it with the same material and sides, smooth as
 /// it is or flat as it is.
-MeshRun mesh_from(const Scene& scene, std::size_t first);
+MeshRun mesh_from(const Geometry& geometry, std::size_t first);
 
 }  // namespace etalon

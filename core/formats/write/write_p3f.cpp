@@ -7,6 +7,7 @@
 #include "core/formats/write/p3f_material.h"
 #include "core/formats/write/p3f_writer.h"
 #include "core/formats/write/write.h"
+#include "core/scene/transformed.h"
 
 namespace etalon {
 namespace {
@@ -22,7 +23,8 @@ class P3fScene {
         for (const Light& light : scene_.whitted().lights) {
             std::visit([&](const auto& l) { write_light(l); }, light);
         }
-        for (std::size_t i = 0; i < scene_.geometry.primitives.size();) i = write_primitives(i);
+        write_shapes(scene_.geometry);
+        write_instances();
         out_.flush();
         return {std::move(text_), "P3F", lost_.take()};
     }
@@ -83,19 +85,38 @@ class P3fScene {
         out_.quad_light(l.corner, l.color, end1.point, end2.point, l.samples);
     }
 
+    void write_shapes(const Geometry& geometry) {
+        for (std::size_t i = 0; i < geometry.primitives.size();) i = write_primitives(geometry, i);
+    }
+
+    /// Writes a copy of its object for each instance: those of the formats that are written here
+    /// are moved and nothing else.
+    void write_instances() {
+        const Geometry& geometry = scene_.geometry;
+        for (const Instance& instance : geometry.instances) {
+            const auto copy = moved(geometry.objects[instance.object], instance.origin);
+            lost_.add(copy ? "instance, now a copy" : "instance beyond all numbers, left out");
+            if (copy) write_shapes(*copy);
+        }
+    }
+
     /// Writes number `first`, and those after it that go into one statement with it. Returns the
     /// number of the next.
-    std::size_t write_primitives(std::size_t first) {
-        const Primitive p = scene_.geometry.primitives[first];
+    std::size_t write_primitives(const Geometry& geometry, std::size_t first) {
+        const Primitive p = geometry.primitives[first];
         use_material(p.material);
         if (p.sides == Sides::front) lost_.add("shape seen from its front only");
         if (is_flat_triangle(p)) {
-            const MeshRun mesh = mesh_from(scene_, first);
+            const MeshRun mesh = mesh_from(geometry, first);
             out_.mesh(mesh.vertices, mesh.faces);
             return first + mesh.faces.size();
         }
-        with_shape(p.kind,
-                   [&]<class Shape>() { write_shape(scene_.geometry.get<Shape>(p), p.sides); });
+        if (p.kind == kind_of<Triangle>()) {
+            write_smooth_triangle(geometry, geometry.get<Triangle>(p));
+        } else {
+            with_shape(p.kind,
+                       [&]<class Shape>() { write_shape(geometry.get<Shape>(p), p.sides); });
+        }
         return first + 1;
     }
 
@@ -128,13 +149,13 @@ class P3fScene {
         out_.plane(points[0], points[1], points[2]);
     }
 
-    void write_shape(const Triangle& t, Sides) {
-        std::array<Vec3, 3> corners;
-        std::vector<Vec3> normals;
+    void write_shape(const Triangle&, Sides) {}  // with the vertices of its geometry
+
+    void write_smooth_triangle(const Geometry& geometry, const Triangle& t) {
+        std::array<Vec3, 3> corners, normals;
         for (std::size_t k = 0; k < 3; ++k) {
-            corners[k] = scene_.geometry.vertex(t.vertices[k]);
-            if (t.normal_offset == no_index) continue;
-            normals.push_back(scene_.geometry.normals[Geometry::normal_number(t, k)]);
+            corners[k] = geometry.vertex(t.vertices[k]);
+            normals[k] = geometry.normals[Geometry::normal_number(t, k)];
         }
         write_polygon(corners, normals);
     }

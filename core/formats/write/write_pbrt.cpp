@@ -30,7 +30,9 @@ class PbrtScene {
         out_.line("WorldBegin");
         write_materials();
         for (const PhysicalLight& light : look_.lights) write_light(light);
-        for (std::size_t i = 0; i < scene_.geometry.primitives.size();) i = write_primitives(i);
+        write_objects();
+        write_shapes(scene_.geometry);
+        write_instances();
         out_.line("WorldEnd");
         out_.flush();
         return std::move(text_);
@@ -98,20 +100,40 @@ class PbrtScene {
         out_.line("NamedMaterial \"m{}\"", i);
     }
 
-    std::size_t write_primitives(std::size_t first) {
-        const Primitive p = scene_.geometry.primitives[first];
+    void write_shapes(const Geometry& geometry) {
+        for (std::size_t i = 0; i < geometry.primitives.size();) i = write_primitives(geometry, i);
+    }
+
+    /// Writes what instances refer to. A material that was set in an object is forgotten behind it.
+    void write_objects() {
+        for (std::size_t i = 0; i < scene_.geometry.objects.size(); ++i) {
+            out_.line("ObjectBegin \"o{}\"", i);
+            write_shapes(scene_.geometry.objects[i]);
+            out_.line("ObjectEnd");
+            material_ = no_index;
+        }
+    }
+
+    void write_instances() {
+        for (const Instance& instance : scene_.geometry.instances) {
+            write_image(instance.to_world(), "ObjectInstance \"o{}\"", instance.object);
+        }
+    }
+
+    std::size_t write_primitives(const Geometry& geometry, std::size_t first) {
+        const Primitive p = geometry.primitives[first];
         const SurfaceBinding& binding = look_.bindings[p.material];
         use_material(binding.material);
         if (p.sides != Sides::both) lost_.add("shape of which one side is seen");
         if (p.kind == kind_of<Triangle>()) {
-            const MeshRun mesh = mesh_from(scene_, first);
+            const MeshRun mesh = mesh_from(geometry, first);
             const bool shines = binding.light != no_index;
             if (shines) write_area_light(std::get<AreaSource>(look_.lights[binding.light]));
             write_mesh(mesh.vertices, mesh.normals, mesh.faces);
             if (shines) out_.line("AttributeEnd");
             return first + mesh.faces.size();
         }
-        with_shape(p.kind, [&]<class Shape>() { write_shape(scene_.geometry.get<Shape>(p)); });
+        with_shape(p.kind, [&]<class Shape>() { write_shape(geometry.get<Shape>(p)); });
         return first + 1;
     }
 
