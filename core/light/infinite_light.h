@@ -1,9 +1,11 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/light/light_sample.h"
+#include "core/light/search_guide.h"
 #include "core/light/skybox_light.h"
 #include "core/light/spherical_image.h"
 #include "core/scene/physical_light.h"
@@ -38,15 +40,17 @@ class InfiniteLight {
     Color lookup(const Vec2& place) const;
     Vec2 place_of(const Vec3& direction) const;
     void prepare_sampling();
+    std::span<const double> sums_of_row(std::size_t row) const;
 
     InfiniteSource source_;
     Affine to_world_;
     std::unique_ptr<const SkyboxLight> skybox_;
     SphericalImage image_;  ///< of a skybox an overview, by which directions are sampled
     Color mean_{0.0F};
-    std::vector<double> cells_;     ///< densities over the unit square, by rows
-    std::vector<double> sums_;      ///< of each row, up to and with each cell
-    std::vector<double> row_sums_;  ///< of rows, up to and with each
+    std::vector<double> cells_;      ///< densities over the unit square, by rows
+    std::vector<double> sums_;       ///< of each row, up to and with each cell
+    std::vector<double> row_sums_;   ///< of rows, up to and with each
+    SearchGuide guide_, row_guide_;  ///< of these
 };
 
 }  // namespace etalon

@@ -245,7 +245,7 @@ template <class Vertex>
 void PathBatch<in_media>::ask_light(const Path& path, const Vertex& at, const Question& question) {
     const LightSample light =
         shared_.lights.sample(question.light, path.last.position, question.uv);
-    if (!(light.pdf > 0)) return;
+    if (!(light.pdf > 0) || light.radiance == Color(0.0F)) return;
     const Evaluation scattered = at.evaluate(light.wi);
     if (scattered.f == Color(0.0F)) return;
 
