@@ -25,6 +25,13 @@ struct FreeFlight {
     bool scatters() const { return distance < infinity; }
 };
 
+/// What a medium does to all of a ray's light: a part passes, the rest is scattered somewhere.
+struct DividedFlight {
+    Color passing;         ///< factor of the throughput of what passes
+    Color expected;        ///< throughput of what is scattered, on average
+    FreeFlight scattered;  ///< in which no light passes
+};
+
 /// Part of the light that is left after `length` in a medium of that extinction (Beer and Lambert).
 inline Color transmittance(const Color& extinction, double length) {
     const double finite = std::min(length, std::numeric_limits<double>::max());

@@ -41,7 +41,8 @@ class PathBatch {
         int depth = 0;          ///< number of vertices that scattered
         bool specular = true;   ///< no light could have been asked for that direction
         bool last_ray = false;  ///< only what shines at its end counts
-        bool is_split = false;  ///< one of the ways on from the first vertex with a smooth lobe
+        bool is_split = false;  ///< one of the ways on from the first vertex with a smooth lobe, or
+                                ///< one of what passes a medium and what is scattered in it
     };
 
     /// Number of ways in which a path goes on from its first vertex with a smooth lobe. The
@@ -152,6 +153,8 @@ class PathBatch {
     // Of paths in media.
     void fly_all();
     void fly(std::size_t ray, std::size_t number);
+    void divide(std::size_t ray, std::size_t number);
+    void add_passing(std::size_t ray, const Color& throughput);
     void ask_along(std::size_t ray, const RaySegment& segment, const Vec2& choices);
     float flight_share(const MediumVertex& at, const Question& question) const;
     void attenuate_answers();
@@ -191,6 +194,7 @@ class PathBatch {
     std::vector<double> flights_;          ///< where rays are scattered by media; infinity: nowhere
     std::vector<float> flight_densities_;  ///< of those beside which a light was asked, else 0
     VertexPoints flight_points_{Decision::flight};
+    DensityProfile profile_;
     std::vector<ShadowMedium> shadow_media_;
     std::vector<std::uint32_t> passing_;  ///< numbers of shadow rays that are on their way
     std::vector<Ray> passing_rays_;

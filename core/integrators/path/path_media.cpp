@@ -19,7 +19,8 @@ void PathBatch<in_media>::fly_all() {
     }
     flight_points_.make(shared_.sampler);
     std::size_t number = 0;
-    for (std::size_t i = 0; i < rays_.size(); ++i) {
+    const std::size_t count = rays_.size();  // without those that divide() adds
+    for (std::size_t i = 0; i < count; ++i) {
         if (media_[i] == no_index) continue;
         if (flies(i)) {
             fly(i, number++);
@@ -37,6 +38,7 @@ void PathBatch<in_media>::fly(std::size_t ray, std::size_t number) {
     Path& path = paths_[ray];
     Hit& hit = hits_[ray];
     const std::uint32_t medium = media_[ray];
+    if (ways_of(path) > 1 && shared_.media.can_divide(medium)) return divide(ray, number);
     const RaySegment segment = segment_of(rays_[ray], end_of(hit));
     const bool asks = shared_.lights.has_point_lights() && shared_.media.knows_densities(medium);
     if (asks) ask_along(ray, segment, flight_points_.choices(number));
@@ -51,6 +53,54 @@ void PathBatch<in_media>::fly(std::size_t ray, std::size_t number) {
             std::max(rays_[ray].tmin, 0.0) + flight.distance / rays_[ray].direction.length();
         if (asks) flight_densities_[ray] = flight.density;
     }
+}
+
+/// Splits a path into what passes the medium and what is scattered in it, instead of choosing one
+/// of them; a part that carries little is left out by Russian roulette, and the other not split.
+template <bool in_media>
+void PathBatch<in_media>::divide(std::size_t ray, std::size_t number) {
+    constexpr float surely_kept = 8;  // times the share of the light
+    Path& path = paths_[ray];
+    const DividedFlight flight =
+        shared_.media.divide(media_[ray], segment_of(rays_[ray], end_of(hits_[ray])),
+                             path.throughput, flight_points_.place(number), profile_);
+    const Color passing = path.throughput * flight.passing;
+    const float passes = passing.x + passing.y + passing.z;
+    const float scatters = flight.expected.x + flight.expected.y + flight.expected.z;
+    const double choice = path.source.sequence(collision_dimension(path.name)).next();
+    const auto kept = [&](float share) {
+        const float survival = std::min(surely_kept * share / (passes + scatters), 1.0F);
+        return choice < survival ? 1 / survival : 0;
+    };
+    const float passing_weight = kept(passes), weight = kept(scatters);
+    if (passing_weight > 0 && weight > 0) add_passing(ray, passing * passing_weight);
+    Path& rest = paths_[ray];
+    if (weight > 0) {
+        rest.throughput *= flight.scattered.weight * weight;
+        flights_[ray] = std::max(rays_[ray].tmin, 0.0) +
+                        flight.scattered.distance / rays_[ray].direction.length();
+    } else {
+        rest.throughput = passing * passing_weight;
+    }
+    if (rest.throughput == Color(0.0F)) {
+        hits_[ray].primitive = no_index;  // nothing is seen by what is left of the path
+        flights_[ray] = infinity;
+    }
+}
+
+/// Adds the part of a ray's path that passes the medium, and marks both parts as split.
+template <bool in_media>
+void PathBatch<in_media>::add_passing(std::size_t ray, const Color& throughput) {
+    paths_[ray].is_split = true;
+    Path part = paths_[ray];
+    part.throughput = throughput;
+    part.name = passing_name(part.name);
+    paths_.push_back(part);
+    rays_.push_back(Ray(rays_[ray]));
+    hits_.push_back(Hit(hits_[ray]));
+    media_.push_back(std::uint32_t(media_[ray]));
+    flights_.push_back(infinity);
+    flight_densities_.push_back(0);
 }
 
 /// Weakens what lights send by what is in the way: all of it by a surface, a part by media.
