@@ -57,7 +57,8 @@ std::vector<double> blurred_luminances(const SphericalImage& image) {
 
 }  // namespace
 
-InfiniteLight::InfiniteLight(const InfiniteSource& source, std::vector<std::string>& problems)
+InfiniteLight::InfiniteLight(const InfiniteSource& source, std::vector<std::string>& problems,
+                             SkySampling sampling)
     : source_(source),
       to_world_(inverse_directions(source.to_light)),
       image_(source.image, problems),
@@ -67,7 +68,7 @@ InfiniteLight::InfiniteLight(const InfiniteSource& source, std::vector<std::stri
         image_ = skybox_->overview(overview_width, overview_width / 2);
         source_.radiance = Color(1.0F);
     }
-    if (!image_.empty()) prepare_sampling();
+    if (!image_.empty()) prepare_sampling(sampling);
 }
 
 Vec2 InfiniteLight::place_of(const Vec3& direction) const {
@@ -86,8 +87,8 @@ Color InfiniteLight::radiance(const Vec3& direction) const {
 }
 
 /// Densities: of each texel's cell the mean luminance of the texels about it, which a lookup in it
-/// may show, less the mean of all, times the sine that makes a square of the sphere.
-void InfiniteLight::prepare_sampling() {
+/// may show, perhaps less the mean of all, times the sine that makes a square of the sphere.
+void InfiniteLight::prepare_sampling(SkySampling sampling) {
     const int width = image_.width(), height = image_.height();
     const std::vector<double> bright = blurred_luminances(image_);
     double sum = 0, weights = 0;
@@ -101,7 +102,7 @@ void InfiniteLight::prepare_sampling() {
         }
     }
     mean_ = Color(colors / weights) * source_.radiance;
-    const double mean = sum / weights;
+    const double left_out = sampling == SkySampling::above_mean ? sum / weights : 0;
     cells_.resize(bright.size());
     sums_.resize(bright.size());
     double total = 0;
@@ -111,7 +112,7 @@ void InfiniteLight::prepare_sampling() {
         double row = 0;
         for (int x = 0; x < width; ++x) {
             const std::size_t i = static_cast<std::size_t>(y) * width + x;
-            cells_[i] = sine * std::max(0.0, bright[i] - mean);
+            cells_[i] = sine * std::max(0.0, bright[i] - left_out);
             sums_[i] = row += cells_[i];
         }
         row_sums[y] = total += row;

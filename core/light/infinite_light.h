@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,15 +13,24 @@
 
 namespace etalon {
 
+/// By what directions to an image of all directions are chosen.
+enum class SkySampling : std::uint8_t {
+    /// By how much it is brighter than its mean (MIS compensation: Karlik et al. 2019); what is
+    /// darker is left to the directions that surfaces choose.
+    above_mean,
+    /// By its brightness. Where media may end the rays of chosen directions, light that is asked
+    /// for, and weakened, is less noisy.
+    whole,
+};
+
 /// Light from all around, from an image by latitude and longitude, a skybox or of one colour.
-/// Directions are sampled where the image is brighter than its mean (MIS compensation: Karlik et
-/// al. 2019); what is darker is left to the directions that surfaces choose. A light of one colour
-/// is left to them altogether.
+/// A light of one colour is left to the directions that surfaces and media choose.
 class InfiniteLight {
   public:
     /// `problems` gets the reason where the image cannot be read; the light has no image then. A
     /// source with a skybox must outlive the light.
-    InfiniteLight(const InfiniteSource& source, std::vector<std::string>& problems);
+    InfiniteLight(const InfiniteSource& source, std::vector<std::string>& problems,
+                  SkySampling sampling = SkySampling::above_mean);
 
     Color radiance(const Vec3& direction) const;
 
@@ -39,7 +49,7 @@ class InfiniteLight {
   private:
     Color lookup(const Vec2& place) const;
     Vec2 place_of(const Vec3& direction) const;
-    void prepare_sampling();
+    void prepare_sampling(SkySampling sampling);
     std::span<const double> sums_of_row(std::size_t row) const;
 
     InfiniteSource source_;

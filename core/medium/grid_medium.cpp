@@ -79,28 +79,36 @@ FreeFlight GridMedium::sample(const RaySegment& segment, const Color& throughput
     return {infinity, weight};
 }
 
-DividedFlight GridMedium::divide(const RaySegment& segment, const Color& throughput,
-                                 const Vec2& choices, DensityProfile& profile) const {
+DividedLight GridMedium::divide(const RaySegment& segment, DensityProfile& profile) const {
     const float least = std::min({extinction_.x, extinction_.y, extinction_.z});
     profile.make(grid_, bounds_, in_box(segment), all_but_a_rounding / least);
-    const double total = profile.total();
-    Color left = etalon::transmittance(extinction_, total), scattered;
-    for (int c = 0; c < 3; ++c)
-        scattered[c] = static_cast<float>(-std::expm1(-extinction_[c] * total));
-    if (least * total >= all_but_a_rounding) left = Color(0.0F);
-    const Color weights = throughput * scattered;
-    DividedFlight result{left, weights * albedo_, {infinity, Color(0.0F)}};
+    if (least * profile.total() >= all_but_a_rounding) return {Color(0.0F), albedo_};
+    return {etalon::transmittance(extinction_, profile.total()), removed(profile) * albedo_};
+}
+
+/// The part of the light that does not pass.
+Color GridMedium::removed(const DensityProfile& profile) const {
+    Color result;
+    for (int c = 0; c < 3; ++c) {
+        result[c] = static_cast<float>(-std::expm1(-extinction_[c] * profile.total()));
+    }
+    return result;
+}
+
+FreeFlight GridMedium::sample(const DensityProfile& profile, const Color& throughput,
+                              const Vec2& choices) const {
+    const Color parts = removed(profile), weights = throughput * parts;
     const float sum = weights.x + weights.y + weights.z;
-    if (!(sum > 0 && std::isfinite(sum))) return result;
+    const FreeFlight nowhere{infinity, Color(0.0F)};
+    if (!(sum > 0 && std::isfinite(sum))) return nowhere;
     const int c = chosen_channel(weights / sum, choices.y);
-    const double wanted = -std::log1p(-choices.x * scattered[c]) / extinction_[c];
-    if (!(wanted < total)) return result;
+    const double wanted = -std::log1p(-choices.x * parts[c]) / extinction_[c];
+    if (!(wanted < profile.total())) return nowhere;
     const DensityProfile::Point at = profile.find(wanted);
     const float density =
         throughput.dot(extinction_ * etalon::transmittance(extinction_, wanted)) / sum;
     const Color value = medium_.scattering * etalon::transmittance(extinction_, at.integral);
-    result.scattered = {at.distance, value * static_cast<float>(at.density_factor / density)};
-    return result;
+    return {at.distance, value * static_cast<float>(at.density_factor / density)};
 }
 
 Color GridMedium::transmittance(const RaySegment& segment, RandomSequence& numbers) const {

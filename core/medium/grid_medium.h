@@ -22,11 +22,13 @@ class GridMedium {
     FreeFlight sample(const RaySegment& segment, const Color& throughput, double first,
                       RandomSequence& numbers) const;
 
-    /// Finds what of a ray's light passes, exactly but for roundings, and chooses where the rest is
-    /// scattered, in proportion to the channels of the throughput; in [0, 1)^2 by the distance and
-    /// the channel. `profile` is filled.
-    DividedFlight divide(const RaySegment& segment, const Color& throughput, const Vec2& choices,
-                         DensityProfile& profile) const;
+    /// Finds what of a ray's light passes, exactly but for roundings, and fills the profile.
+    DividedLight divide(const RaySegment& segment, DensityProfile& profile) const;
+
+    /// Chooses where light that does not pass is scattered: in proportion to the channels of the
+    /// throughput, by `choices` in [0, 1)^2 of the distance and the channel.
+    FreeFlight sample(const DensityProfile& profile, const Color& throughput,
+                      const Vec2& choices) const;
 
     /// Estimates the part of the light that is left at the segment's end: that of the least density
     /// near the ray exactly, and that of the rest by ratio tracking (Novak et al. 2014).
@@ -34,6 +36,7 @@ class GridMedium {
 
   private:
     RaySegment in_box(const RaySegment& segment) const;
+    Color removed(const DensityProfile& profile) const;
 
     const PhysicalMedium& medium_;
     const DensityGrid& grid_;

@@ -22,13 +22,9 @@ class Media {
     FreeFlight sample(std::uint32_t medium, const RaySegment& segment, const Color& throughput,
                       FlightChoices choices) const;
 
-    /// Whether divide() can be asked of the medium.
-    bool can_divide(std::uint32_t medium) const { return grids_[medium].has_value(); }
-
-    /// What a medium does to all of a ray's light: see GridMedium::divide().
-    DividedFlight divide(std::uint32_t medium, const RaySegment& segment, const Color& throughput,
-                         const Vec2& choices, DensityProfile& profile) const {
-        return grids_[medium]->divide(segment, throughput, choices, profile);
+    /// The medium if it has a grid, else null.
+    const GridMedium* grid(std::uint32_t medium) const {
+        return grids_[medium] ? &*grids_[medium] : nullptr;
     }
 
     /// The part of the light that a segment of a medium lets pass, or an estimate of it.

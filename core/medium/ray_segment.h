@@ -25,11 +25,9 @@ struct FreeFlight {
     bool scatters() const { return distance < infinity; }
 };
 
-/// What a medium does to all of a ray's light: a part passes, the rest is scattered somewhere.
-struct DividedFlight {
-    Color passing;         ///< factor of the throughput of what passes
-    Color expected;        ///< throughput of what is scattered, on average
-    FreeFlight scattered;  ///< in which no light passes
+/// What a medium does to all of a ray's light: parts of it.
+struct DividedLight {
+    Color passing, scattered;
 };
 
 /// Part of the light that is left after `length` in a medium of that extinction (Beer and Lambert).

@@ -152,9 +152,13 @@ class PathBatch {
 
     // Of paths in media.
     void fly_all();
+    void add_flight_points(std::size_t ray);
     void fly(std::size_t ray, std::size_t number);
+    bool divides(std::size_t ray) const {
+        return ways_of(paths_[ray]) > 1 && shared_.media.grid(media_[ray]);
+    }
     void divide(std::size_t ray, std::size_t number);
-    void add_passing(std::size_t ray, const Color& throughput);
+    void add_scattered(std::size_t ray, const Path& path, const Vec2& choices);
     void ask_along(std::size_t ray, const RaySegment& segment, const Vec2& choices);
     float flight_share(const MediumVertex& at, const Question& question) const;
     void attenuate_answers();

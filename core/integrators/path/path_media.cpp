@@ -15,14 +15,17 @@ void PathBatch<in_media>::fly_all() {
     flight_points_.clear();
     const auto flies = [&](std::size_t i) { return media_[i] != no_index && may_go_on(paths_[i]); };
     for (std::size_t i = 0; i < rays_.size(); ++i) {
-        if (flies(i)) paths_[i].source.add_vertex(paths_[i].name, flight_points_);
+        if (flies(i)) add_flight_points(i);
     }
     flight_points_.make(shared_.sampler);
     std::size_t number = 0;
     const std::size_t count = rays_.size();  // without those that divide() adds
     for (std::size_t i = 0; i < count; ++i) {
         if (media_[i] == no_index) continue;
-        if (flies(i)) {
+        if (flies(i) && divides(i)) {
+            divide(i, number);
+            number += split_ways;
+        } else if (flies(i)) {
             fly(i, number++);
         } else {
             RandomSequence numbers = paths_[i].source.sequence(collision_dimension(paths_[i].name));
@@ -32,13 +35,19 @@ void PathBatch<in_media>::fly_all() {
     }
 }
 
+template <bool in_media>
+void PathBatch<in_media>::add_flight_points(std::size_t ray) {
+    const std::uint32_t parts = divides(ray) ? split_ways : 1;
+    for (std::uint32_t i = 0; i < parts; ++i)
+        paths_[ray].source.part(i, parts).add_vertex(paths_[ray].name, flight_points_);
+}
+
 /// Chooses how far a ray goes in its medium, by the points of that number.
 template <bool in_media>
 void PathBatch<in_media>::fly(std::size_t ray, std::size_t number) {
     Path& path = paths_[ray];
     Hit& hit = hits_[ray];
     const std::uint32_t medium = media_[ray];
-    if (ways_of(path) > 1 && shared_.media.can_divide(medium)) return divide(ray, number);
     const RaySegment segment = segment_of(rays_[ray], end_of(hit));
     const bool asks = shared_.lights.has_point_lights() && shared_.media.knows_densities(medium);
     if (asks) ask_along(ray, segment, flight_points_.choices(number));
@@ -55,51 +64,49 @@ void PathBatch<in_media>::fly(std::size_t ray, std::size_t number) {
     }
 }
 
-/// Splits a path into what passes the medium and what is scattered in it, instead of choosing one
-/// of them; a part that carries little is left out by Russian roulette, and the other not split.
+/// Splits a path into what passes a grid and what is scattered at some places of it, instead of
+/// choosing one of these. Of the two what carries little is left out by Russian roulette; a path
+/// that passes alone is not split. The parts come after all other rays.
 template <bool in_media>
 void PathBatch<in_media>::divide(std::size_t ray, std::size_t number) {
     constexpr float surely_kept = 8;  // times the share of the light
-    Path& path = paths_[ray];
-    const DividedFlight flight =
-        shared_.media.divide(media_[ray], segment_of(rays_[ray], end_of(hits_[ray])),
-                             path.throughput, flight_points_.place(number), profile_);
-    const Color passing = path.throughput * flight.passing;
-    const float passes = passing.x + passing.y + passing.z;
-    const float scatters = flight.expected.x + flight.expected.y + flight.expected.z;
+    Path path = paths_[ray];
+    const auto [passing, scattered] =
+        shared_.media.grid(media_[ray])
+            ->divide(segment_of(rays_[ray], end_of(hits_[ray])), profile_);
+    const float passes = path.throughput.dot(passing), scatters = path.throughput.dot(scattered);
     const double choice = path.source.sequence(collision_dimension(path.name)).next();
-    const auto kept = [&](float share) {
-        const float survival = std::min(surely_kept * share / (passes + scatters), 1.0F);
+    const auto weight = [&](float part) {
+        const float survival = std::min(surely_kept * part / (passes + scatters), 1.0F);
         return choice < survival ? 1 / survival : 0;
     };
-    const float passing_weight = kept(passes), weight = kept(scatters);
-    if (passing_weight > 0 && weight > 0) add_passing(ray, passing * passing_weight);
-    Path& rest = paths_[ray];
-    if (weight > 0) {
-        rest.throughput *= flight.scattered.weight * weight;
-        flights_[ray] = std::max(rays_[ray].tmin, 0.0) +
-                        flight.scattered.distance / rays_[ray].direction.length();
-    } else {
-        rest.throughput = passing * passing_weight;
+    paths_[ray].throughput *= passing * weight(passes);
+    if (weight(scatters) == 0) return;
+    path.is_split = true;
+    path.throughput *= weight(scatters) / static_cast<float>(split_ways);
+    for (std::uint32_t way = 0; way < split_ways; ++way) {
+        Path part = path;
+        part.source = path.source.part(way, split_ways);
+        add_scattered(ray, part, flight_points_.place(number + way));
     }
-    if (rest.throughput == Color(0.0F)) {
-        hits_[ray].primitive = no_index;  // nothing is seen by what is left of the path
-        flights_[ray] = infinity;
-    }
+    paths_[ray].is_split = true;
+    paths_[ray].name = passing_name(path.name);
+    if (weight(passes) == 0) hits_[ray].primitive = no_index;  // nothing is seen by what is left
 }
 
-/// Adds the part of a ray's path that passes the medium, and marks both parts as split.
+/// Adds a part of a ray's path that is scattered in the profile's medium.
 template <bool in_media>
-void PathBatch<in_media>::add_passing(std::size_t ray, const Color& throughput) {
-    paths_[ray].is_split = true;
-    Path part = paths_[ray];
-    part.throughput = throughput;
-    part.name = passing_name(part.name);
-    paths_.push_back(part);
+void PathBatch<in_media>::add_scattered(std::size_t ray, const Path& path, const Vec2& choices) {
+    const FreeFlight flight =
+        shared_.media.grid(media_[ray])->sample(profile_, path.throughput, choices);
+    if (flight.weight == Color(0.0F)) return;
+    paths_.push_back(path);
+    paths_.back().throughput *= flight.weight;
     rays_.push_back(Ray(rays_[ray]));
     hits_.push_back(Hit(hits_[ray]));
     media_.push_back(std::uint32_t(media_[ray]));
-    flights_.push_back(infinity);
+    flights_.push_back(std::max(rays_[ray].tmin, 0.0) +
+                       flight.distance / rays_[ray].direction.length());
     flight_densities_.push_back(0);
 }
 

@@ -15,10 +15,10 @@ namespace etalon {
 struct PathScene {
     /// `problems` gets the reasons why images are replaced by constants.
     PathScene(const Scene& of, const BatchIntersector& by, const RenderSettings& settings,
-              std::vector<std::string>& problems)
+              std::vector<std::string>& problems, SkySampling sky_sampling)
         : scene(of),
           intersector(by),
-          lights(of, problems),
+          lights(of, problems, sky_sampling),
           media(of.physical().media),
           shading(of, problems),
           most_vertices(settings.max_depth - 1),
