@@ -97,6 +97,15 @@ Lights::Lights(const Scene& scene, std::vector<std::string>& problems, SkySampli
     if (sources_.size() > most_by_importance) make_tree();
 }
 
+double Lights::power_share_of_spots() const {
+    double all = 0, spots = 0;
+    for (const Source& source : sources_) {
+        all += source.power;
+        if (std::holds_alternative<SpotSource>(*source.light)) spots += source.power;
+    }
+    return all > 0 ? spots / all : 0;
+}
+
 void Lights::make_tree() {
     std::vector<LightBounds> bounds(sources_.size());
     for (std::uint32_t i = 0; i < sources_.size(); ++i) {

@@ -48,6 +48,9 @@ class Lights {
     /// Whether any light has a place but no extent.
     bool has_point_lights() const { return !point_lights_.empty(); }
 
+    /// The part of all lights' power that spots have.
+    double power_share_of_spots() const;
+
     /// Chooses one of them by its power.
     LightPick pick_point_light(double choice) const;
 

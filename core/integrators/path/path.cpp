@@ -36,8 +36,7 @@ VolumePathTracer::VolumePathTracer(const Scene& scene, const BatchIntersector& i
                                    const RenderSettings& settings,
                                    std::vector<std::string>& problems)
     : in_media_(has_media(scene.physical())),
-      scene_(scene, intersector, settings, problems,
-             in_media_ ? SkySampling::whole : SkySampling::above_mean) {}
+      scene_(scene, intersector, settings, problems, in_media_) {}
 
 void VolumePathTracer::radiance(const CameraSamples& samples, std::span<Color> colors,
                                 RayCounts& counts) const {

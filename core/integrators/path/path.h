@@ -15,7 +15,7 @@ class PathTracer final : public Integrator {
     /// are replaced by constants.
     PathTracer(const Scene& scene, const BatchIntersector& intersector,
                const RenderSettings& settings, std::vector<std::string>& problems)
-        : scene_(scene, intersector, settings, problems, SkySampling::above_mean) {}
+        : scene_(scene, intersector, settings, problems, false) {}
 
     void radiance(const CameraSamples& samples, std::span<Color> colors,
                   RayCounts& counts) const override;

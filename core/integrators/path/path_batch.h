@@ -35,10 +35,11 @@ class PathBatch {
         std::uint32_t name;    ///< of its ray, for sample dimensions
         SampleSource source;   ///< of its choices
         Color throughput{1.0F};
-        float density = 0;      ///< of the last vertex's rays in this direction, per steradian
-        Receiver last{};        ///< that vertex
-        float eta_scale = 1;    ///< square of the index that throughput has been divided by
-        int depth = 0;          ///< number of vertices that scattered
+        float density = 0;    ///< of the last vertex's rays in this direction, per steradian
+        Receiver last{};      ///< that vertex
+        float eta_scale = 1;  ///< square of the index that throughput has been divided by, times by
+                              ///< how much its directions were favoured
+        int depth = 0;        ///< number of vertices that scattered
         bool specular = true;   ///< no light could have been asked for that direction
         bool last_ray = false;  ///< only what shines at its end counts
         bool is_split = false;  ///< one of the ways on from the first vertex with a smooth lobe, or
@@ -140,6 +141,7 @@ class PathBatch {
     template <class Vertex>
     void scatter(const Path& path, const Vertex& at, std::size_t way);
     bool survives(Path& path, double choice) const;
+    void see_lit_regions(const Receiver& at, PathVertex& vertex);
 
     // Of paths below surfaces.
     void enter(const Path& path, const SurfaceVertex& at, const BsdfSample& sample);
@@ -198,6 +200,7 @@ class PathBatch {
     std::vector<double> flights_;          ///< where rays are scattered by media; infinity: nowhere
     std::vector<float> flight_densities_;  ///< of those beside which a light was asked, else 0
     VertexPoints flight_points_{Decision::flight};
+    std::optional<LitRegionsFrom> lit_regions_;  ///< as the present vertex sees them
     DensityProfile profile_;
     std::vector<ShadowMedium> shadow_media_;
     std::vector<std::uint32_t> passing_;  ///< numbers of shadow rays that are on their way
