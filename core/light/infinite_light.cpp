@@ -1,6 +1,7 @@
 #include "core/light/infinite_light.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "core/numerics/luminance.h"
@@ -20,18 +21,44 @@ Affine inverse_directions(const Affine& m) {
     return {{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}, Vec3(0)};
 }
 
-/// Number of the first sum above `value`, and how far `value` is on the way there from the last.
-std::pair<std::size_t, double> find_in(const double* first, std::size_t count, double value) {
-    const double* found = std::upper_bound(first, first + count, value);
-    auto i = std::min(static_cast<std::size_t>(found - first), count - 1);
-    while (i > 0 && first[i] == first[i - 1]) --i;  // a cell of density 0 at the end
-    const double before = i == 0 ? 0 : first[i - 1], size = first[i] - before;
+/// The cell of a row that has a share in [0, 1) of the row's sum, and how far the share is on the
+/// way there from the cell before.
+std::pair<std::size_t, double> find_in(const SearchGuide& guide, std::size_t row,
+                                       std::span<const double> sums, double share) {
+    auto i = std::min(guide.first_above(row, sums, share), sums.size() - 1);
+    while (i > 0 && sums[i] == sums[i - 1]) --i;  // a cell of density 0 at the end
+    const double before = i == 0 ? 0 : sums[i - 1], size = sums[i] - before;
+    const double value = share * sums.back();
     return {i, size > 0 ? std::clamp((value - before) / size, 0.0, 1 - 0x1p-53) : 0.5};
+}
+
+/// Ninths of a row's luminances, from the column before the first to the one after the last.
+std::vector<float> ninths_of_row(const SphericalImage& image, int y) {
+    std::vector<float> ninths;
+    for (int x = -1; x <= image.width(); ++x) ninths.push_back(luminance(image.texel(x, y)) / 9);
+    return ninths;
+}
+
+/// The mean luminance of each texel and those about it.
+std::vector<double> blurred_luminances(const SphericalImage& image) {
+    const auto width = static_cast<std::size_t>(image.width());
+    std::vector<double> means(width * image.height());
+    std::array<std::vector<float>, 3> rows{ninths_of_row(image, -1), ninths_of_row(image, 0), {}};
+    for (int y = 0; y < image.height(); ++y) {
+        rows[2] = ninths_of_row(image, y + 1);
+        double* mean = &means[y * width];
+        for (std::size_t x = 0; x < width; ++x) {
+            for (const auto& row : rows) mean[x] = mean[x] + row[x] + row[x + 1] + row[x + 2];
+        }
+        std::ranges::rotate(rows, rows.begin() + 1);
+    }
+    return means;
 }
 
 }  // namespace
 
-InfiniteLight::InfiniteLight(const InfiniteSource& source, std::vector<std::string>& problems)
+InfiniteLight::InfiniteLight(const InfiniteSource& source, std::vector<std::string>& problems,
+                             SkySampling sampling)
     : source_(source),
       to_world_(inverse_directions(source.to_light)),
       image_(source.image, problems),
@@ -41,7 +68,7 @@ InfiniteLight::InfiniteLight(const InfiniteSource& source, std::vector<std::stri
         image_ = skybox_->overview(overview_width, overview_width / 2);
         source_.radiance = Color(1.0F);
     }
-    if (!image_.empty()) prepare_sampling();
+    if (!image_.empty()) prepare_sampling(sampling);
 }
 
 Vec2 InfiniteLight::place_of(const Vec3& direction) const {
@@ -60,28 +87,22 @@ Color InfiniteLight::radiance(const Vec3& direction) const {
 }
 
 /// Densities: of each texel's cell the mean luminance of the texels about it, which a lookup in it
-/// may show, less the mean of all, times the sine that makes a square of the sphere.
-void InfiniteLight::prepare_sampling() {
+/// may show, perhaps less the mean of all, times the sine that makes a square of the sphere.
+void InfiniteLight::prepare_sampling(SkySampling sampling) {
     const int width = image_.width(), height = image_.height();
-    std::vector<double> bright(static_cast<std::size_t>(width) * height);
+    const std::vector<double> bright = blurred_luminances(image_);
     double sum = 0, weights = 0;
     Vec3 colors(0);
     for (int y = 0; y < height; ++y) {
         const double sine = std::sin(pi * (y + 0.5) / height);
         for (int x = 0; x < width; ++x) {
-            double around = 0;
-            for (int dy = -1; dy <= 1; ++dy) {
-                for (int dx = -1; dx <= 1; ++dx)
-                    around += luminance(image_.texel(x + dx, y + dy)) / 9;
-            }
-            bright[static_cast<std::size_t>(y) * width + x] = around;
-            sum += sine * around;
+            sum += sine * bright[static_cast<std::size_t>(y) * width + x];
             colors += sine * Vec3(image_.texel(x, y));
             weights += sine;
         }
     }
     mean_ = Color(colors / weights) * source_.radiance;
-    const double mean = sum / weights;
+    const double left_out = sampling == SkySampling::above_mean ? sum / weights : 0;
     cells_.resize(bright.size());
     sums_.resize(bright.size());
     double total = 0;
@@ -91,7 +112,7 @@ void InfiniteLight::prepare_sampling() {
         double row = 0;
         for (int x = 0; x < width; ++x) {
             const std::size_t i = static_cast<std::size_t>(y) * width + x;
-            cells_[i] = sine * std::max(0.0, bright[i] - mean);
+            cells_[i] = sine * std::max(0.0, bright[i] - left_out);
             sums_[i] = row += cells_[i];
         }
         row_sums[y] = total += row;
@@ -99,8 +120,15 @@ void InfiniteLight::prepare_sampling() {
     // An image of one colour, up to roundings, is sampled by surfaces alone.
     if (!(total > 1e-6 * sum) || !std::isfinite(total)) return;
     row_sums_ = std::move(row_sums);
+    row_guide_.add(row_sums_);
+    for (int y = 0; y < height; ++y) guide_.add(sums_of_row(y));
     const double cell_area = 1.0 / (static_cast<double>(width) * height);
     for (double& cell : cells_) cell /= total * cell_area;
+}
+
+std::span<const double> InfiniteLight::sums_of_row(std::size_t row) const {
+    const auto width = static_cast<std::size_t>(image_.width());
+    return {&sums_[row * width], width};
 }
 
 LightSample InfiniteLight::sample(const Vec2& uv) const {
@@ -108,9 +136,8 @@ LightSample InfiniteLight::sample(const Vec2& uv) const {
     s.at_infinity = true;
     if (row_sums_.empty()) return s;
     const auto width = static_cast<std::size_t>(image_.width());
-    const auto [row, v] = find_in(row_sums_.data(), row_sums_.size(), uv.y * row_sums_.back());
-    const double* cells = &sums_[row * width];
-    const auto [column, u] = find_in(cells, width, uv.x * cells[width - 1]);
+    const auto [row, v] = find_in(row_guide_, 0, row_sums_, uv.y);
+    const auto [column, u] = find_in(guide_, row, sums_of_row(row), uv.x);
     const Vec2 place((static_cast<double>(column) + u) / image_.width(),
                      (static_cast<double>(row) + v) / image_.height());
     const double sine = std::sin(pi * place.y);

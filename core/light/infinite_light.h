@@ -1,24 +1,36 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/light/light_sample.h"
+#include "core/light/search_guide.h"
 #include "core/light/skybox_light.h"
 #include "core/light/spherical_image.h"
 #include "core/scene/physical_light.h"
 
 namespace etalon {
 
+/// By what directions to an image of all directions are chosen.
+enum class SkySampling : std::uint8_t {
+    /// By how much it is brighter than its mean (MIS compensation: Karlik et al. 2019); what is
+    /// darker is left to the directions that surfaces choose.
+    above_mean,
+    /// By its brightness. Where media may end the rays of chosen directions, light that is asked
+    /// for, and weakened, is less noisy.
+    whole,
+};
+
 /// Light from all around, from an image by latitude and longitude, a skybox or of one colour.
-/// Directions are sampled where the image is brighter than its mean (MIS compensation: Karlik et
-/// al. 2019); what is darker is left to the directions that surfaces choose. A light of one colour
-/// is left to them altogether.
+/// A light of one colour is left to the directions that surfaces and media choose.
 class InfiniteLight {
   public:
     /// `problems` gets the reason where the image cannot be read; the light has no image then. A
     /// source with a skybox must outlive the light.
-    InfiniteLight(const InfiniteSource& source, std::vector<std::string>& problems);
+    InfiniteLight(const InfiniteSource& source, std::vector<std::string>& problems,
+                  SkySampling sampling = SkySampling::above_mean);
 
     Color radiance(const Vec3& direction) const;
 
@@ -37,16 +49,18 @@ class InfiniteLight {
   private:
     Color lookup(const Vec2& place) const;
     Vec2 place_of(const Vec3& direction) const;
-    void prepare_sampling();
+    void prepare_sampling(SkySampling sampling);
+    std::span<const double> sums_of_row(std::size_t row) const;
 
     InfiniteSource source_;
     Affine to_world_;
     std::unique_ptr<const SkyboxLight> skybox_;
     SphericalImage image_;  ///< of a skybox an overview, by which directions are sampled
     Color mean_{0.0F};
-    std::vector<double> cells_;     ///< densities over the unit square, by rows
-    std::vector<double> sums_;      ///< of each row, up to and with each cell
-    std::vector<double> row_sums_;  ///< of rows, up to and with each
+    std::vector<double> cells_;      ///< densities over the unit square, by rows
+    std::vector<double> sums_;       ///< of each row, up to and with each cell
+    std::vector<double> row_sums_;   ///< of rows, up to and with each
+    SearchGuide guide_, row_guide_;  ///< of these
 };
 
 }  // namespace etalon

@@ -84,9 +84,9 @@ bool Lights::AreaLight::turns_from(const Vec3& point) const {
     return flat_front && !two_sided && flat_front->dot(point - bounds.centre) <= 0;
 }
 
-Lights::Lights(const Scene& scene, std::vector<std::string>& problems)
+Lights::Lights(const Scene& scene, std::vector<std::string>& problems, SkySampling sky_sampling)
     : scene_(scene), scene_radius_(radius_of(scene.geometry)) {
-    for (const PhysicalLight& light : scene.physical().lights) add(light, problems);
+    for (const PhysicalLight& light : scene.physical().lights) add(light, problems, sky_sampling);
     double point_power = 0;
     for (const Source& source : sources_) {
         samples_ += static_cast<std::size_t>(source.samples);
@@ -95,6 +95,15 @@ Lights::Lights(const Scene& scene, std::vector<std::string>& problems)
         point_power_sums_.push_back(point_power += source.power);
     }
     if (sources_.size() > most_by_importance) make_tree();
+}
+
+double Lights::power_share_of_spots() const {
+    double all = 0, spots = 0;
+    for (const Source& source : sources_) {
+        all += source.power;
+        if (std::holds_alternative<SpotSource>(*source.light)) spots += source.power;
+    }
+    return all > 0 ? spots / all : 0;
 }
 
 void Lights::make_tree() {
@@ -144,7 +153,8 @@ bool Lights::add_half(const PhysicalLight& light) {
     return true;
 }
 
-void Lights::add(const PhysicalLight& light, std::vector<std::string>& problems) {
+void Lights::add(const PhysicalLight& light, std::vector<std::string>& problems,
+                 SkySampling sky_sampling) {
     if (add_half(light)) {
         numbers_.push_back(static_cast<std::uint32_t>(sources_.size() - 1));
         return;
@@ -170,7 +180,7 @@ void Lights::add(const PhysicalLight& light, std::vector<std::string>& problems)
         source.power = disk * luminance(distant->radiance);
     } else if (const auto* infinite = std::get_if<InfiniteSource>(&light)) {
         source.index = static_cast<std::uint32_t>(infinite_lights_.size());
-        infinite_lights_.emplace_back(*infinite, problems);
+        infinite_lights_.emplace_back(*infinite, problems, sky_sampling);
         infinite_.push_back(static_cast<std::uint32_t>(sources_.size()));
         const InfiniteLight& made = infinite_lights_.back();
         source.samples = infinite->samples;

@@ -20,7 +20,8 @@ class Lights {
   public:
     /// `scene` must outlive the lights. `problems`: see InfiniteLight; primitives of kinds that
     /// cannot be sampled are lit up by no more than the rays that meet them.
-    Lights(const Scene& scene, std::vector<std::string>& problems);
+    Lights(const Scene& scene, std::vector<std::string>& problems,
+           SkySampling sky_sampling = SkySampling::above_mean);
 
     bool empty() const { return sources_.empty(); }
 
@@ -46,6 +47,9 @@ class Lights {
 
     /// Whether any light has a place but no extent.
     bool has_point_lights() const { return !point_lights_.empty(); }
+
+    /// The part of all lights' power that spots have.
+    double power_share_of_spots() const;
 
     /// Chooses one of them by its power.
     LightPick pick_point_light(double choice) const;
@@ -103,7 +107,8 @@ class Lights {
 
     static constexpr std::size_t most_by_importance = 16;
 
-    void add(const PhysicalLight& light, std::vector<std::string>& problems);
+    void add(const PhysicalLight& light, std::vector<std::string>& problems,
+             SkySampling sky_sampling);
     bool add_half(const PhysicalLight& light);
     void add_area(const AreaSource& source, double& power);
     LightSample sample_delta(const Source& source, const Vec3& from) const;

@@ -45,8 +45,8 @@ SphericalImage::SphericalImage(const std::string& file, std::vector<std::string>
 }
 
 const Color& SphericalImage::texel(int x, int y) const {
-    x = (x % width_ + width_) % width_;
-    y = (y % height_ + height_) % height_;
+    if (x < 0 || x >= width_) x = (x % width_ + width_) % width_;
+    if (y < 0 || y >= height_) y = (y % height_ + height_) % height_;
     return texels_[static_cast<std::size_t>(y) * width_ + x];
 }
 

@@ -45,51 +45,32 @@ DensityBounds::Range DensityBounds::range_of(const DensityGrid& grid,
     return range;
 }
 
-DensityBounds::Walk::Walk(const DensityBounds& bounds, const RaySegment& segment)
-    : bounds_(bounds), end_(segment.length) {
+/// The part of a segment that lies in the grid's box, perhaps none.
+DensityBounds::DistanceRange DensityBounds::part_in_box(const RaySegment& segment) {
+    DistanceRange part{0, segment.length};
     for (int k = 0; k < 3; ++k) {
         const double o = segment.origin[k], d = segment.direction[k];
         if (d == 0) {
-            if (!(o >= 0 && o <= 1)) end_ = 0;
+            if (!(o >= 0 && o <= 1)) part.end = 0;
             continue;
         }
         const double a = -o / d, b = (1 - o) / d;
-        begin_ = std::max(begin_, std::min(a, b));
-        end_ = std::min(end_, std::max(a, b));
+        part.begin = std::max(part.begin, std::min(a, b));
+        part.end = std::min(part.end, std::max(a, b));
     }
-    here_ = begin_;
-    if (begin_ < end_) enter(segment);
-}
-
-/// Finds the first box and its borders.
-void DensityBounds::Walk::enter(const RaySegment& segment) {
-    const Vec3 entry = segment.point(begin_);
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto k = static_cast<std::size_t>(axis);
-        const int boxes = bounds_.size_[k];
-        const double d = segment.direction[axis];
-        box_[k] = std::clamp(static_cast<int>(std::floor(entry[axis] * boxes)), 0, boxes - 1);
-        step_[k] = d > 0 ? 1 : -1;
-        width_[k] = d == 0 ? infinity : 1 / (boxes * std::abs(d));
-        const double border = static_cast<double>(box_[k] + (d > 0 ? 1 : 0)) / boxes;
-        border_[k] = d == 0 ? infinity : (border - segment.origin[axis]) / d;
-    }
+    return part;
 }
 
 std::optional<DensityBounds::Step> DensityBounds::Walk::next() {
-    if (!(here_ < end_)) return std::nullopt;
-    const std::size_t axis = border_[0] < border_[1] ? (border_[0] < border_[2] ? 0 : 2)
-                                                     : (border_[1] < border_[2] ? 1 : 2);
-    const std::size_t number =
-        (static_cast<std::size_t>(box_[2]) * bounds_.size_[1] + box_[1]) * bounds_.size_[0] +
-        box_[0];
+    const auto box = boxes_.next();
+    if (!box) return std::nullopt;
+    std::size_t number = 0;
+    for (const std::size_t k : {2, 1, 0}) {
+        const int size = bounds_.size_[k];  // roundings may take a ray out of the box at its end
+        number = number * size + std::clamp(box->index[k], 0, size - 1);
+    }
     const Range& range = bounds_.ranges_[number];
-    here_ = std::max(here_, std::min(border_[axis], end_));
-    const Step step{range.least, range.most, here_};
-    box_[axis] += step_[axis];
-    border_[axis] += width_[axis];
-    if (box_[axis] < 0 || box_[axis] >= bounds_.size_[axis]) here_ = end_;
-    return step;
+    return Step{range.least, range.most, box->end};
 }
 
 }  // namespace etalon

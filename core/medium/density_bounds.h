@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
-#include <optional>
 #include <vector>
 
-#include "core/medium/ray_segment.h"
+#include "core/medium/lattice_walk.h"
 #include "core/scene/physical_medium.h"
 
 namespace etalon {
@@ -12,6 +10,11 @@ namespace etalon {
 /// Bounds of a grid's densities in boxes of several cells each, so that a ray takes steps as long
 /// as the density near it allows.
 class DensityBounds {
+    struct DistanceRange {
+        double begin, end;
+    };
+    static DistanceRange part_in_box(const RaySegment& segment);
+
   public:
     explicit DensityBounds(const DensityGrid& grid);
 
@@ -21,11 +24,12 @@ class DensityBounds {
         double end;  ///< distance at which the step ends
     };
 
-    /// The boxes along a ray, in order (Amanatides & Woo 1987).
+    /// The boxes along a ray, in order.
     class Walk {
       public:
         /// `segment` is in the space of the grid's box, its distances in the world.
-        Walk(const DensityBounds& bounds, const RaySegment& segment);
+        Walk(const DensityBounds& bounds, const RaySegment& segment)
+            : Walk(bounds, segment, part_in_box(segment)) {}
 
         double begin() const { return begin_; }  ///< where the ray enters the grid's box
 
@@ -33,12 +37,14 @@ class DensityBounds {
         std::optional<Step> next();
 
       private:
-        void enter(const RaySegment& segment);
+        Walk(const DensityBounds& bounds, const RaySegment& segment, const DistanceRange& part)
+            : bounds_(bounds),
+              begin_(part.begin),
+              boxes_(bounds.size_, 0, segment, part.begin, part.end) {}
 
         const DensityBounds& bounds_;
-        double begin_ = 0, end_, here_ = 0;
-        std::array<int, 3> box_{}, step_{};
-        std::array<double, 3> border_{}, width_{};  ///< distance of the next borders, and between
+        double begin_;
+        LatticeWalk boxes_;
     };
 
   private:

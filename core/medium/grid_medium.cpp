@@ -1,11 +1,13 @@
 #include "core/medium/grid_medium.h"
 
+#include "core/medium/channels.h"
+#include "core/medium/grid_cell.h"
+
 namespace etalon {
 namespace {
 
-constexpr float lerp(float t, float a, float b) {
-    return a + t * (b - a);
-}
+/// Thickness of which light that passes is no more than a rounding of what is scattered.
+constexpr float all_but_a_rounding = 17;
 
 float largest_of(const Color& c) {
     return std::max({c.x, c.y, c.z});
@@ -36,36 +38,15 @@ GridMedium::GridMedium(const PhysicalMedium& medium)
       bounds_(grid_),
       extinction_(medium.extinction()),
       largest_(largest_of(extinction_)),
-      relative_(largest_ > 0 ? extinction_ / largest_ : Color(0.0F)) {}
+      relative_(largest_ > 0 ? extinction_ / largest_ : Color(0.0F)) {
+    for (int c = 0; c < 3; ++c) {
+        albedo_[c] = extinction_[c] > 0 ? medium.scattering[c] / extinction_[c] : 0;
+    }
+}
 
 RaySegment GridMedium::in_box(const RaySegment& segment) const {
     return {grid_.to_box.point(segment.origin), grid_.to_box.vector(segment.direction),
             segment.length};
-}
-
-float GridMedium::density(const Vec3& point) const {
-    const std::ptrdiff_t nx = grid_.size[0], ny = grid_.size[1], nz = grid_.size[2];
-    const double x = point.x * grid_.size[0] - 0.5, y = point.y * grid_.size[1] - 0.5,
-                 z = point.z * grid_.size[2] - 0.5;
-    const double fx = std::floor(x), fy = std::floor(y), fz = std::floor(z);
-    const auto ix = static_cast<std::ptrdiff_t>(fx), iy = static_cast<std::ptrdiff_t>(fy),
-               iz = static_cast<std::ptrdiff_t>(fz);
-    const auto dx = static_cast<float>(x - fx), dy = static_cast<float>(y - fy),
-               dz = static_cast<float>(z - fz);
-    const std::ptrdiff_t layer = nx * ny;
-    const bool is_inner =
-        ix >= 0 && iy >= 0 && iz >= 0 && ix + 1 < nx && iy + 1 < ny && iz + 1 < nz;
-    const auto cell = [&](int i, int j, int k) {
-        if (!is_inner) {
-            const bool is_outside = ix + i < 0 || iy + j < 0 || iz + k < 0 || ix + i >= nx ||
-                                    iy + j >= ny || iz + k >= nz;
-            if (is_outside) return 0.0F;
-        }
-        return grid_.densities[static_cast<std::size_t>((iz + k) * layer + (iy + j) * nx + ix + i)];
-    };
-    const auto line = [&](int j, int k) { return lerp(dx, cell(0, j, k), cell(1, j, k)); };
-    const auto plane = [&](int k) { return lerp(dy, line(0, k), line(1, k)); };
-    return lerp(dz, plane(0), plane(1));
 }
 
 FreeFlight GridMedium::sample(const RaySegment& segment, const Color& throughput, double first,
@@ -85,7 +66,7 @@ FreeFlight GridMedium::sample(const RaySegment& segment, const Color& throughput
             }
             at += left / majorant;
             left = optical_distance(numbers.next());
-            const float part = density(in_grid.point(at)) / step->most;
+            const float part = density_at(grid_, in_grid.point(at)) / step->most;
             const Color real = std::min(part, 1.0F) * relative_;
             const double probability = average(throughput * weight, real);
             if (numbers.next() < probability) {
@@ -96,6 +77,38 @@ FreeFlight GridMedium::sample(const RaySegment& segment, const Color& throughput
         }
     }
     return {infinity, weight};
+}
+
+DividedLight GridMedium::divide(const RaySegment& segment, DensityProfile& profile) const {
+    const float least = std::min({extinction_.x, extinction_.y, extinction_.z});
+    profile.make(grid_, bounds_, in_box(segment), all_but_a_rounding / least);
+    if (least * profile.total() >= all_but_a_rounding) return {Color(0.0F), albedo_};
+    return {etalon::transmittance(extinction_, profile.total()), removed(profile) * albedo_};
+}
+
+/// The part of the light that does not pass.
+Color GridMedium::removed(const DensityProfile& profile) const {
+    Color result;
+    for (int c = 0; c < 3; ++c) {
+        result[c] = static_cast<float>(-std::expm1(-extinction_[c] * profile.total()));
+    }
+    return result;
+}
+
+FreeFlight GridMedium::sample(const DensityProfile& profile, const Color& throughput,
+                              const Vec2& choices) const {
+    const Color parts = removed(profile), weights = throughput * parts;
+    const float sum = weights.x + weights.y + weights.z;
+    const FreeFlight nowhere{infinity, Color(0.0F)};
+    if (!(sum > 0 && std::isfinite(sum))) return nowhere;
+    const int c = chosen_channel(weights / sum, choices.y);
+    const double wanted = -std::log1p(-choices.x * parts[c]) / extinction_[c];
+    if (!(wanted < profile.total())) return nowhere;
+    const DensityProfile::Point at = profile.find(wanted);
+    const float density =
+        throughput.dot(extinction_ * etalon::transmittance(extinction_, wanted)) / sum;
+    const Color value = medium_.scattering * etalon::transmittance(extinction_, at.integral);
+    return {at.distance, value * static_cast<float>(at.density_factor / density)};
 }
 
 Color GridMedium::transmittance(const RaySegment& segment, RandomSequence& numbers) const {
@@ -111,7 +124,7 @@ Color GridMedium::transmittance(const RaySegment& segment, RandomSequence& numbe
         while (left < majorant * (step->end - at)) {
             at += left / majorant;
             left = optical_distance(numbers.next());
-            const float part = (density(in_grid.point(at)) - step->least) / range;
+            const float part = (density_at(grid_, in_grid.point(at)) - step->least) / range;
             estimate *= Color(1.0F) - std::clamp(part, 0.0F, 1.0F) * relative_;
             if (!survives(estimate, numbers)) return Color(0.0F);
         }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/medium/density_bounds.h"
+#include "core/medium/density_profile.h"
+#include "core/medium/grid_cell.h"
 #include "core/sampling/random_sequence.h"
 
 namespace etalon {
@@ -12,7 +13,7 @@ class GridMedium {
     explicit GridMedium(const PhysicalMedium& medium);
 
     /// Density at a point of the grid's box.
-    float density(const Vec3& point) const;
+    float density(const Vec3& point) const { return density_at(grid_, point); }
 
     /// Chooses how far a ray goes: by null collisions with the largest density near the ray
     /// (Woodcock et al. 1965), each real or null by what the channels of the throughput have there
@@ -21,12 +22,21 @@ class GridMedium {
     FreeFlight sample(const RaySegment& segment, const Color& throughput, double first,
                       RandomSequence& numbers) const;
 
+    /// Finds what of a ray's light passes, exactly but for roundings, and fills the profile.
+    DividedLight divide(const RaySegment& segment, DensityProfile& profile) const;
+
+    /// Chooses where light that does not pass is scattered: in proportion to the channels of the
+    /// throughput, by `choices` in [0, 1)^2 of the distance and the channel.
+    FreeFlight sample(const DensityProfile& profile, const Color& throughput,
+                      const Vec2& choices) const;
+
     /// Estimates the part of the light that is left at the segment's end: that of the least density
     /// near the ray exactly, and that of the rest by ratio tracking (Novak et al. 2014).
     Color transmittance(const RaySegment& segment, RandomSequence& numbers) const;
 
   private:
     RaySegment in_box(const RaySegment& segment) const;
+    Color removed(const DensityProfile& profile) const;
 
     const PhysicalMedium& medium_;
     const DensityGrid& grid_;
@@ -34,6 +44,7 @@ class GridMedium {
     Color extinction_;
     float largest_;   ///< of the extinction's channels
     Color relative_;  ///< extinction over its largest channel
+    Color albedo_;
 };
 
 }  // namespace etalon

@@ -1,5 +1,7 @@
 #include "core/medium/homogeneous.h"
 
+#include "core/medium/channels.h"
+
 namespace etalon {
 namespace {
 
@@ -7,11 +9,6 @@ namespace {
 Color channel_probabilities(const Color& throughput) {
     const float sum = throughput.x + throughput.y + throughput.z;
     return sum > 0 && std::isfinite(sum) ? throughput / sum : Color(1.0F / 3);
-}
-
-int chosen_channel(const Color& probabilities, double choice) {
-    if (choice < probabilities.x) return 0;
-    return choice < probabilities.x + probabilities.y || probabilities.z == 0 ? 1 : 2;
 }
 
 }  // namespace

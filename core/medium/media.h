@@ -22,6 +22,11 @@ class Media {
     FreeFlight sample(std::uint32_t medium, const RaySegment& segment, const Color& throughput,
                       FlightChoices choices) const;
 
+    /// The medium if it has a grid, else null.
+    const GridMedium* grid(std::uint32_t medium) const {
+        return grids_[medium] ? &*grids_[medium] : nullptr;
+    }
+
     /// The part of the light that a segment of a medium lets pass, or an estimate of it.
     Color transmittance(std::uint32_t medium, const RaySegment& segment,
                         RandomSequence& numbers) const;

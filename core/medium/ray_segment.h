@@ -25,6 +25,11 @@ struct FreeFlight {
     bool scatters() const { return distance < infinity; }
 };
 
+/// What a medium does to all of a ray's light: parts of it.
+struct DividedLight {
+    Color passing, scattered;
+};
+
 /// Part of the light that is left after `length` in a medium of that extinction (Beer and Lambert).
 inline Color transmittance(const Color& extinction, double length) {
     const double finite = std::min(length, std::numeric_limits<double>::max());

@@ -27,6 +27,7 @@ enum PathDimension : std::uint32_t {
     shadow_collisions,               ///< of the shadow rays of a vertex
     along_ray_collisions,            ///< of a shadow ray from anywhere along a ray
     exit_vertex,                     ///< name of the vertex of light from below a surface
+    passing_ray,                     ///< name of the part of a ray that passes a medium
 };
 
 /// The name of a camera's ray.
@@ -60,6 +61,11 @@ inline std::uint32_t along_ray_collision_dimension(std::uint32_t ray) {
 /// Name of the vertex at which light comes in that is scattered below the surface of vertex `ray`.
 inline std::uint32_t exit_name(std::uint32_t ray) {
     return hash(ray, exit_vertex);
+}
+
+/// Name of the part of ray `ray` that passes the medium by which the rest is scattered.
+inline std::uint32_t passing_name(std::uint32_t ray) {
+    return hash(ray, passing_ray);
 }
 
 /// The choices of a ray set, which are dimensions of samples of its own.

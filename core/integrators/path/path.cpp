@@ -35,7 +35,8 @@ void PathTracer::emission(const CameraSamples& samples, std::span<Color> colors)
 VolumePathTracer::VolumePathTracer(const Scene& scene, const BatchIntersector& intersector,
                                    const RenderSettings& settings,
                                    std::vector<std::string>& problems)
-    : scene_(scene, intersector, settings, problems), in_media_(has_media(scene.physical())) {}
+    : in_media_(has_media(scene.physical())),
+      scene_(scene, intersector, settings, problems, in_media_) {}
 
 void VolumePathTracer::radiance(const CameraSamples& samples, std::span<Color> colors,
                                 RayCounts& counts) const {

@@ -15,7 +15,7 @@ class PathTracer final : public Integrator {
     /// are replaced by constants.
     PathTracer(const Scene& scene, const BatchIntersector& intersector,
                const RenderSettings& settings, std::vector<std::string>& problems)
-        : scene_(scene, intersector, settings, problems) {}
+        : scene_(scene, intersector, settings, problems, false) {}
 
     void radiance(const CameraSamples& samples, std::span<Color> colors,
                   RayCounts& counts) const override;
@@ -42,8 +42,8 @@ class VolumePathTracer final : public Integrator {
     void emission(const CameraSamples& samples, std::span<Color> colors) const override;
 
   private:
-    PathScene scene_;
     bool in_media_;  ///< whether the scene has anything that PathTracer does not render
+    PathScene scene_;
 };
 
 }  // namespace etalon

@@ -20,6 +20,44 @@ float balance_weight(float a, float b) {
     return a / (a + b);
 }
 
+/// Density with which a vertex chooses a direction that its scattering chooses with `own`.
+template <class Vertex>
+float density_of(const Vertex& at, const Vec3& wi, float own) {
+    if (!at.lit_regions) return own;
+    const float part = at.lit_regions->part();
+    return (1 - part) * own + (at.reflects(wi) ? part * at.lit_regions->density(wi) : 0);
+}
+
+/// A direction in which a path goes on.
+struct DirectionSample : BsdfSample {
+    float favour = 1;  ///< density over the one with which scattering alone chooses it
+};
+
+/// Chooses a direction in which a path goes on: by the scattering, and partly by where lit regions
+/// are.
+template <class Vertex>
+std::optional<DirectionSample> sample_direction(const Vertex& at, double choice, const Vec2& uv) {
+    if (!at.lit_regions) {
+        const auto s = at.sample(static_cast<float>(choice), uv);
+        return s ? std::optional(DirectionSample{*s}) : std::nullopt;
+    }
+    const float part = at.lit_regions->part();
+    std::optional<BsdfSample> s;
+    if (choice < part) {
+        const Vec3 wi = at.lit_regions->sample(choice / part, uv);
+        const Evaluation e = at.evaluate(wi);
+        if (!at.reflects(wi)) return std::nullopt;
+        s = {wi, e.f, e.pdf, false, false, false, 1};
+    } else {
+        s = at.sample(static_cast<float>((choice - part) / (1 - part)), uv);
+    }
+    if (!s || !(s->pdf > 0)) return std::nullopt;
+    const float pdf = s->specular ? (1 - part) * s->pdf : density_of(at, s->wi, s->pdf);
+    const float favour = pdf / s->pdf;
+    s->pdf = pdf;
+    return DirectionSample{*s, favour};
+}
+
 }  // namespace
 
 template <bool in_media>
@@ -150,7 +188,7 @@ void PathBatch<in_media>::shade(std::size_t ray, const VertexNumbers& numbers) {
     std::optional<LobeList> room;
     std::optional<Subsurface> room_below;
     const auto [frame, lobes] = shared_.shading.scattering(surface, room);
-    const SurfaceVertex at{
+    SurfaceVertex at{
         {numbers, lobes.has_smooth() ? ways_of(path) : 1},
         surface,
         frame,
@@ -162,8 +200,19 @@ void PathBatch<in_media>::shade(std::size_t ray, const VertexNumbers& numbers) {
     path.last.normal = lobes.has_smooth_transmission() ? Vec3(0)
                        : is_above                      ? surface.ng
                                                        : -surface.ng;
+    if (lobes.has_smooth() && !lobes.has_smooth_transmission()) see_lit_regions(path.last, at);
     if (lobes.has_smooth() && !shared_.lights.empty()) ask_lights(path, at);
     scatter(path, at);
+}
+
+/// Lets a vertex choose directions by the lit regions, if it sees any.
+template <bool in_media>
+void PathBatch<in_media>::see_lit_regions(const Receiver& at, PathVertex& vertex) {
+    if constexpr (in_media) {
+        if (!shared_.lit_regions) return;
+        lit_regions_.emplace(*shared_.lit_regions, at);
+        if (!lit_regions_->empty()) vertex.lit_regions = &*lit_regions_;
+    }
 }
 
 /// Scatters a path in the medium that its ray goes through.
@@ -173,14 +222,15 @@ void PathBatch<in_media>::scatter_in_medium(std::size_t ray, const VertexNumbers
     const Vec3 direction = normalized(rays_[ray].direction);
     path.last.position = rays_[ray].origin + flights_[ray] * rays_[ray].direction;
     path.last.normal = Vec3(0);
-    const MediumVertex at{{numbers, ways_of(path)},
-                          path.last.position,
-                          direction,
-                          shared_.media.phase(media_[ray]),
-                          media_[ray],
-                          rays_[ray].time(),
-                          segment_of(rays_[ray], end_of(hits_[ray])),
-                          flight_densities_[ray]};
+    MediumVertex at{{numbers, ways_of(path)},
+                    path.last.position,
+                    direction,
+                    shared_.media.phase(media_[ray]),
+                    media_[ray],
+                    rays_[ray].time(),
+                    segment_of(rays_[ray], end_of(hits_[ray])),
+                    flight_densities_[ray]};
+    see_lit_regions(path.last, at);
     if (!shared_.lights.empty()) ask_lights(path, at);
     scatter(path, at);
 }
@@ -245,14 +295,15 @@ template <class Vertex>
 void PathBatch<in_media>::ask_light(const Path& path, const Vertex& at, const Question& question) {
     const LightSample light =
         shared_.lights.sample(question.light, path.last.position, question.uv);
-    if (!(light.pdf > 0)) return;
+    if (!(light.pdf > 0) || light.radiance == Color(0.0F)) return;
     const Evaluation scattered = at.evaluate(light.wi);
     if (scattered.f == Color(0.0F)) return;
 
     const float asked = question.expected_samples * light.pdf;
     float weight = 1;
     if (!light.is_delta) {
-        const float scattered_density = static_cast<float>(at.ways) * scattered.pdf;
+        const float scattered_density =
+            static_cast<float>(at.ways) * density_of(at, light.wi, scattered.pdf);
         weight = light.at_infinity ? balance_weight(asked, scattered_density)
                                    : power_weight(asked, scattered_density);
     }
@@ -306,7 +357,7 @@ template <bool in_media>
 template <class Vertex>
 void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_t way) {
     const Vec2 choices = ways_.choices(way);
-    const std::optional<BsdfSample> s = at.sample(static_cast<float>(choices.x), ways_.place(way));
+    const std::optional<DirectionSample> s = sample_direction(at, choices.x, ways_.place(way));
     if (!s || s->f == Color(0.0F) || !(s->pdf > 0)) return;
     if constexpr (std::is_same_v<Vertex, SurfaceVertex>) {
         if (at.subsurface && s->transmission) return enter(path, at, *s);
@@ -318,7 +369,7 @@ void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_
     next.specular = s->specular;
     // From between the horizons pbrt-v3 takes the light of lights only.
     next.last_ray = s->turned || (shared_.direct_only && !s->specular);
-    next.eta_scale *= s->eta * s->eta;
+    next.eta_scale *= s->eta * s->eta * s->favour;
     ++next.depth;
     next.name = ray_name(path.name, false);
     if (!survives(next, choices.y)) {

@@ -35,13 +35,15 @@ class PathBatch {
         std::uint32_t name;    ///< of its ray, for sample dimensions
         SampleSource source;   ///< of its choices
         Color throughput{1.0F};
-        float density = 0;      ///< of the last vertex's rays in this direction, per steradian
-        Receiver last{};        ///< that vertex
-        float eta_scale = 1;    ///< square of the index that throughput has been divided by
-        int depth = 0;          ///< number of vertices that scattered
+        float density = 0;    ///< of the last vertex's rays in this direction, per steradian
+        Receiver last{};      ///< that vertex
+        float eta_scale = 1;  ///< square of the index that throughput has been divided by, times by
+                              ///< how much its directions were favoured
+        int depth = 0;        ///< number of vertices that scattered
         bool specular = true;   ///< no light could have been asked for that direction
         bool last_ray = false;  ///< only what shines at its end counts
-        bool is_split = false;  ///< one of the ways on from the first vertex with a smooth lobe
+        bool is_split = false;  ///< one of the ways on from the first vertex with a smooth lobe, or
+                                ///< one of what passes a medium and what is scattered in it
     };
 
     /// Number of ways in which a path goes on from its first vertex with a smooth lobe. The
@@ -139,6 +141,7 @@ class PathBatch {
     template <class Vertex>
     void scatter(const Path& path, const Vertex& at, std::size_t way);
     bool survives(Path& path, double choice) const;
+    void see_lit_regions(const Receiver& at, PathVertex& vertex);
 
     // Of paths below surfaces.
     void enter(const Path& path, const SurfaceVertex& at, const BsdfSample& sample);
@@ -151,7 +154,13 @@ class PathBatch {
 
     // Of paths in media.
     void fly_all();
+    void add_flight_points(std::size_t ray);
     void fly(std::size_t ray, std::size_t number);
+    bool divides(std::size_t ray) const {
+        return ways_of(paths_[ray]) > 1 && shared_.media.grid(media_[ray]);
+    }
+    void divide(std::size_t ray, std::size_t number);
+    void add_scattered(std::size_t ray, const Path& path, const Vec2& choices);
     void ask_along(std::size_t ray, const RaySegment& segment, const Vec2& choices);
     float flight_share(const MediumVertex& at, const Question& question) const;
     void attenuate_answers();
@@ -191,6 +200,8 @@ class PathBatch {
     std::vector<double> flights_;          ///< where rays are scattered by media; infinity: nowhere
     std::vector<float> flight_densities_;  ///< of those beside which a light was asked, else 0
     VertexPoints flight_points_{Decision::flight};
+    std::optional<LitRegionsFrom> lit_regions_;  ///< as the present vertex sees them
+    DensityProfile profile_;
     std::vector<ShadowMedium> shadow_media_;
     std::vector<std::uint32_t> passing_;  ///< numbers of shadow rays that are on their way
     std::vector<Ray> passing_rays_;

@@ -15,13 +15,17 @@ void PathBatch<in_media>::fly_all() {
     flight_points_.clear();
     const auto flies = [&](std::size_t i) { return media_[i] != no_index && may_go_on(paths_[i]); };
     for (std::size_t i = 0; i < rays_.size(); ++i) {
-        if (flies(i)) paths_[i].source.add_vertex(paths_[i].name, flight_points_);
+        if (flies(i)) add_flight_points(i);
     }
     flight_points_.make(shared_.sampler);
     std::size_t number = 0;
-    for (std::size_t i = 0; i < rays_.size(); ++i) {
+    const std::size_t count = rays_.size();  // without those that divide() adds
+    for (std::size_t i = 0; i < count; ++i) {
         if (media_[i] == no_index) continue;
-        if (flies(i)) {
+        if (flies(i) && divides(i)) {
+            divide(i, number);
+            number += split_ways;
+        } else if (flies(i)) {
             fly(i, number++);
         } else {
             RandomSequence numbers = paths_[i].source.sequence(collision_dimension(paths_[i].name));
@@ -29,6 +33,13 @@ void PathBatch<in_media>::fly_all() {
                 media_[i], segment_of(rays_[i], end_of(hits_[i])), numbers);
         }
     }
+}
+
+template <bool in_media>
+void PathBatch<in_media>::add_flight_points(std::size_t ray) {
+    const std::uint32_t parts = divides(ray) ? split_ways : 1;
+    for (std::uint32_t i = 0; i < parts; ++i)
+        paths_[ray].source.part(i, parts).add_vertex(paths_[ray].name, flight_points_);
 }
 
 /// Chooses how far a ray goes in its medium, by the points of that number.
@@ -51,6 +62,52 @@ void PathBatch<in_media>::fly(std::size_t ray, std::size_t number) {
             std::max(rays_[ray].tmin, 0.0) + flight.distance / rays_[ray].direction.length();
         if (asks) flight_densities_[ray] = flight.density;
     }
+}
+
+/// Splits a path into what passes a grid and what is scattered at some places of it, instead of
+/// choosing one of these. Of the two what carries little is left out by Russian roulette; a path
+/// that passes alone is not split. The parts come after all other rays.
+template <bool in_media>
+void PathBatch<in_media>::divide(std::size_t ray, std::size_t number) {
+    constexpr float surely_kept = 8;  // times the share of the light
+    Path path = paths_[ray];
+    const auto [passing, scattered] =
+        shared_.media.grid(media_[ray])
+            ->divide(segment_of(rays_[ray], end_of(hits_[ray])), profile_);
+    const float passes = path.throughput.dot(passing), scatters = path.throughput.dot(scattered);
+    const double choice = path.source.sequence(collision_dimension(path.name)).next();
+    const auto weight = [&](float part) {
+        const float survival = std::min(surely_kept * part / (passes + scatters), 1.0F);
+        return choice < survival ? 1 / survival : 0;
+    };
+    paths_[ray].throughput *= passing * weight(passes);
+    if (weight(scatters) == 0) return;
+    path.is_split = true;
+    path.throughput *= weight(scatters) / static_cast<float>(split_ways);
+    for (std::uint32_t way = 0; way < split_ways; ++way) {
+        Path part = path;
+        part.source = path.source.part(way, split_ways);
+        add_scattered(ray, part, flight_points_.place(number + way));
+    }
+    paths_[ray].is_split = true;
+    paths_[ray].name = passing_name(path.name);
+    if (weight(passes) == 0) hits_[ray].primitive = no_index;  // nothing is seen by what is left
+}
+
+/// Adds a part of a ray's path that is scattered in the profile's medium.
+template <bool in_media>
+void PathBatch<in_media>::add_scattered(std::size_t ray, const Path& path, const Vec2& choices) {
+    const FreeFlight flight =
+        shared_.media.grid(media_[ray])->sample(profile_, path.throughput, choices);
+    if (flight.weight == Color(0.0F)) return;
+    paths_.push_back(path);
+    paths_.back().throughput *= flight.weight;
+    rays_.push_back(Ray(rays_[ray]));
+    hits_.push_back(Hit(hits_[ray]));
+    media_.push_back(std::uint32_t(media_[ray]));
+    flights_.push_back(std::max(rays_[ray].tmin, 0.0) +
+                       flight.distance / rays_[ray].direction.length());
+    flight_densities_.push_back(0);
 }
 
 /// Weakens what lights send by what is in the way: all of it by a surface, a part by media.

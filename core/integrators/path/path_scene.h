@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/intersect/batch_intersector.h"
-#include "core/light/lights.h"
+#include "core/integrators/path/lit_regions.h"
 #include "core/medium/media.h"
 #include "core/scene/render_settings.h"
 #include "core/shading/physical_shading.h"
@@ -13,19 +12,23 @@ namespace etalon {
 
 /// What all paths of an image share. Scene and intersector must outlive it.
 struct PathScene {
-    /// `problems` gets the reasons why images are replaced by constants.
+    /// `problems` gets the reasons why images are replaced by constants. `in_media`: whether rays
+    /// are weakened and scattered by media.
     PathScene(const Scene& of, const BatchIntersector& by, const RenderSettings& settings,
-              std::vector<std::string>& problems)
+              std::vector<std::string>& problems, bool in_media)
         : scene(of),
           intersector(by),
-          lights(of, problems),
+          lights(of, problems, in_media ? SkySampling::whole : SkySampling::above_mean),
           media(of.physical().media),
           shading(of, problems),
           most_vertices(settings.max_depth - 1),
           roulette_threshold(settings.roulette_threshold),
           asks_all(settings.ask_all_lights),
           direct_only(settings.direct_lighting),
-          sampler(settings.sampler) {}
+          sampler(settings.sampler) {
+        if (in_media) lit_regions.emplace(of, lights, by);
+        if (lit_regions && lit_regions->empty()) lit_regions.reset();
+    }
 
     /// How many samples of the light a vertex takes, on average.
     double expected_samples(const Receiver& at, std::uint32_t light) const {
@@ -37,7 +40,8 @@ struct PathScene {
     Lights lights;
     Media media;
     PhysicalShading shading;
-    int most_vertices;  ///< that scatter
+    std::optional<LitRegions> lit_regions;  ///< if there are any
+    int most_vertices;                      ///< that scatter
     float roulette_threshold;
     bool asks_all;     ///< all lights at each vertex
     bool direct_only;  ///< no light from surfaces that are not mirrors or glass

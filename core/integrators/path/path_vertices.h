@@ -3,6 +3,7 @@
 
 #include "core/bsdf/bsdf_from.h"
 #include "core/diffusion/subsurface.h"
+#include "core/integrators/path/lit_regions.h"
 #include "core/medium/henyey_greenstein.h"
 #include "core/medium/ray_segment.h"
 #include "core/shading/physical_surface.h"
@@ -17,7 +18,8 @@ struct VertexNumbers {
 
 struct PathVertex {
     VertexNumbers numbers;
-    std::uint32_t ways;  ///< in which the path goes on
+    std::uint32_t ways;                           ///< in which the path goes on
+    const LitRegionsFrom* lit_regions = nullptr;  ///< to which some of its directions go, if to any
 };
 
 /// The medium on the side of a surface to which `direction` leaves it; `medium` is the one that the
@@ -47,6 +49,11 @@ struct SurfaceVertex : PathVertex {
     std::optional<BsdfSample> sample(float choice, const Vec2& uv) const {
         return scattering.sample(choice, uv);
     }
+    /// Whether the direction is on the side that the path came from, above both horizons.
+    bool reflects(const Vec3& wi) const {
+        const double above = surface.ng.dot(wi);
+        return !scattering.passes(wi) && above * frame.ns.dot(wi) * surface.ng.dot(frame.ns) > 0;
+    }
     float cosine(const Vec3& wi) const { return static_cast<float>(std::abs(frame.ns.dot(wi))); }
     Ray ray(const Vec3& wi) const { return spawn_ray(surface.point, wi); }
     Ray ray_to(const Vec3& target) const { return spawn_ray_to(surface.point, target); }
@@ -74,6 +81,7 @@ struct MediumVertex : PathVertex {
         const float value = phase.value(direction.dot(wi));
         return BsdfSample{wi, Color(value), value, false, false, false, 1};
     }
+    static bool reflects(const Vec3&) { return true; }
     static float cosine(const Vec3&) { return 1; }
     Ray ray(const Vec3& wi) const {
         Ray ray{position, wi};
