@@ -112,6 +112,7 @@ Result<Image> read_png(std::FILE* file, Extent extent) {
     }
     Image image{reader.width(), reader.height(), reader.channels(), {},
                 Encoding::srgb, reader.origin()};
+    if (reader.is_wide()) image.pixels = std::vector<float>();
     if (extent == Extent::header) return {std::move(image), {}};
     PixelBytes bytes;
     if (!read_bytes(reader, bytes)) return {{}, reader.reason()};

@@ -4,27 +4,9 @@
 
 #include "core/image/io.h"
 #include "core/parallel/large_pages.h"
-#include "core/texture/power_of_two.h"
+#include "core/texture/shown_rows.h"
 
 namespace etalon {
-namespace {
-
-/// The colours of an image with sides of powers of two, as pbrt-v3 makes it of any other.
-TexelGrid texels_of(const Image& image) {
-    TexelGrid grid{image.width, image.height, 3, {}};
-    grid.values.reserve(std::size_t{3} * image.width * image.height);
-    prefer_large_pages(grid.values.data(), grid.values.capacity() * sizeof(float));
-    for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) {
-            const Color c = image.color(x, y);
-            grid.values.insert(grid.values.end(), {c.x, c.y, c.z});
-        }
-    }
-    if (has_power_of_two_sides(image.width, image.height)) return grid;
-    return stretched_to_powers_of_two(grid, Wrap::repeat);
-}
-
-}  // namespace
 
 SphericalImage::SphericalImage(const std::string& file, std::vector<std::string>& problems) {
     if (file.empty()) return;
@@ -33,15 +15,20 @@ SphericalImage::SphericalImage(const std::string& file, std::vector<std::string>
         problems.push_back(image.error);
         return;
     }
-    const TexelGrid grid = texels_of(image.value);
     aspect_ = static_cast<double>(image.value.width) / image.value.height;
-    width_ = grid.width;
-    height_ = grid.height;
-    texels_.reserve(grid.values.size() / 3);
+    width_ = next_power_of_two(image.value.width);
+    height_ = next_power_of_two(image.value.height);
+    const auto width = static_cast<std::size_t>(width_);
+    texels_.reserve(width * height_);
     prefer_large_pages(texels_.data(), texels_.capacity() * sizeof(Color));
-    for (std::size_t i = 0; i < grid.values.size(); i += 3) {
-        texels_.emplace_back(grid.values[i], grid.values[i + 1], grid.values[i + 2]);
-    }
+    texels_.resize(width * height_);
+    const TexelRows rows = shown_rows(image.value, Shown::colors, false);
+    for_each_stretched_row(rows, Wrap::repeat, [&](int y, std::span<const float> row) {
+        for (std::size_t x = 0; x < width; ++x) {
+            const float* const p = &row[x * rows.channels];
+            texels_[y * width + x] = rows.channels == 1 ? Color(p[0]) : Color(p[0], p[1], p[2]);
+        }
+    });
 }
 
 const Color& SphericalImage::texel(int x, int y) const {

@@ -2,18 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <numbers>
-#include <span>
+#include <vector>
 
-#include "core/parallel/large_pages.h"
 #include "core/parallel/parallel.h"
 
 namespace etalon {
 namespace {
 
 constexpr double radius = 2;  ///< of the filter, in texels of the image that is stretched
+
+constexpr std::size_t rows_a_task = 32;
 
 /// The texels of a row or column that make one of the stretched image: -1 is black.
 struct Sources {
@@ -50,7 +50,7 @@ Sources sources(int number, int stretched, int count, Wrap wrap) {
 }
 
 std::vector<Sources> all_sources(int count, Wrap wrap) {
-    const int stretched = static_cast<int>(std::bit_ceil(static_cast<unsigned>(count)));
+    const int stretched = next_power_of_two(count);
     std::vector<Sources> list;
     list.reserve(static_cast<std::size_t>(stretched));
     for (int i = 0; i < stretched; ++i) list.push_back(sources(i, stretched, count, wrap));
@@ -74,9 +74,11 @@ void stretch_row(const float* row, const std::vector<Sources>& columns, float* s
 /// The rows of an image, made longer, of which the last few asked for are kept.
 class LongerRows {
   public:
-    LongerRows(const TexelGrid& image, const std::vector<Sources>& columns)
-        : image_(image), columns_(columns), length_(columns.size() * image.channels) {
-        for (std::vector<float>& row : rows_) row.resize(length_);
+    LongerRows(const TexelRows& image, const std::vector<Sources>& columns)
+        : image_(image),
+          columns_(columns),
+          row_(static_cast<std::size_t>(image.width) * image.channels) {
+        for (std::vector<float>& row : rows_) row.resize(columns.size() * image.channels);
     }
 
     const float* operator[](int number) {
@@ -84,16 +86,17 @@ class LongerRows {
         float* const row = rows_[place].data();
         if (numbers_[place] == number) return row;
         numbers_[place] = number;
-        const auto channels = static_cast<std::size_t>(image_.channels);
-        const float* const from = &image_.values[number * channels * image_.width];
-        channels == 1 ? stretch_row<1>(from, columns_, row) : stretch_row<3>(from, columns_, row);
+        image_.read(number, row_.data());
+        const float* const from = row_.data();
+        image_.channels == 1 ? stretch_row<1>(from, columns_, row)
+                             : stretch_row<3>(from, columns_, row);
         return row;
     }
 
   private:
-    const TexelGrid& image_;
+    const TexelRows& image_;
     const std::vector<Sources>& columns_;
-    std::size_t length_;
+    std::vector<float> row_;  ///< as it is in the image
     std::array<std::vector<float>, 4> rows_;
     std::array<int, 4> numbers_ = {-1, -1, -1, -1};
 };
@@ -116,23 +119,33 @@ bool has_power_of_two_sides(int width, int height) {
            std::has_single_bit(static_cast<unsigned>(height));
 }
 
-TexelGrid stretched_to_powers_of_two(const TexelGrid& image, Wrap wrap) {
+void stretch_to_powers_of_two(const TexelRows& image, Wrap wrap, const RowUser& use) {
     const std::vector<Sources> columns = all_sources(image.width, wrap);
     const std::vector<Sources> rows = all_sources(image.height, wrap);
-    const std::size_t length = columns.size() * image.channels;
-    TexelGrid result{
-        static_cast<int>(columns.size()), static_cast<int>(rows.size()), image.channels, {}};
-    result.values.reserve(length * rows.size());
-    prefer_large_pages(result.values.data(), length * rows.size() * sizeof(float));
-    result.values.resize(length * rows.size());
-    constexpr std::size_t rows_a_task = 32;
     parallel_for(rows.size(), rows_a_task, [&](std::size_t begin, std::size_t end) {
         LongerRows longer(image, columns);
+        std::vector<float> mixed(columns.size() * image.channels);
         for (std::size_t y = begin; y < end; ++y) {
-            mix_rows(rows[y], longer, std::span(result.values).subspan(y * length, length));
+            mix_rows(rows[y], longer, mixed);
+            use(static_cast<int>(y), mixed);
         }
     });
-    return result;
+}
+
+void for_each_stretched_row(const TexelRows& image, Wrap wrap, const RowUser& use) {
+    if (!has_power_of_two_sides(image.width, image.height)) {
+        stretch_to_powers_of_two(image, wrap, use);
+        return;
+    }
+    const auto length = static_cast<std::size_t>(image.width) * image.channels;
+    parallel_for(static_cast<std::size_t>(image.height), rows_a_task,
+                 [&](std::size_t begin, std::size_t end) {
+                     std::vector<float> row(length);
+                     for (std::size_t y = begin; y < end; ++y) {
+                         image.read(static_cast<int>(y), row.data());
+                         use(static_cast<int>(y), row);
+                     }
+                 });
 }
 
 }  // namespace etalon

@@ -1,24 +1,38 @@
 // Images whose sides are no powers of two, as pbrt-v3 shows them: stretched to the next ones.
 #pragma once
 
-#include <vector>
+#include <bit>
+#include <functional>
+#include <span>
 
 #include "core/scene/texture.h"
 
 namespace etalon {
 
-/// Values of the texels of an image by rows, channels interleaved.
-struct TexelGrid {
-    int width = 0, height = 0, channels = 0;  ///< 1 or 3 channels
-    std::vector<float> values;
+/// Texels of an image by rows from the top, channels interleaved, as they are needed.
+struct TexelRows {
+    int width = 0, height = 0, channels = 0;         ///< 1 or 3 channels
+    std::function<void(int y, float* texels)> read;  ///< writes row `y`, on any thread
 };
 
 /// Whether both sides are powers of two.
 bool has_power_of_two_sides(int width, int height);
 
-/// Stretches an image to the next powers of two on each side. Each texel is the mean of the four
-/// nearest ones along an axis, by Lanczos' window of a radius of two texels (Pharr, Jakob and
-/// Humphreys 2016, 10.4.3); sums below 0 are 0. `wrap` says what lies beyond a border.
-TexelGrid stretched_to_powers_of_two(const TexelGrid& image, Wrap wrap);
+/// The length to which a side is stretched.
+inline int next_power_of_two(int length) {
+    return static_cast<int>(std::bit_ceil(static_cast<unsigned>(length)));
+}
+
+/// Takes row `y` of an image.
+using RowUser = std::function<void(int y, std::span<const float> texels)>;
+
+/// Stretches an image to the next powers of two on each side, and hands out each row once, on any
+/// thread. Each texel is the mean of the four nearest ones along an axis, by Lanczos' window of a
+/// radius of two texels (Pharr, Jakob and Humphreys 2016, 10.4.3); sums below 0 are 0. `wrap` says
+/// what lies beyond a border.
+void stretch_to_powers_of_two(const TexelRows& image, Wrap wrap, const RowUser& use);
+
+/// The same, but an image whose sides are powers of two is handed out as it is.
+void for_each_stretched_row(const TexelRows& image, Wrap wrap, const RowUser& use);
 
 }  // namespace etalon

@@ -4,11 +4,15 @@
 
 namespace etalon {
 
-Texels::Texels(std::shared_ptr<const Image> image, const TextureImage& how)
-    : image_(std::move(image)),
-      byte_values_(how.decode_srgb ? &decoded_byte_values() : &detail::byte_values),
+Texels::Texels(const SharedTexels& texels, const TextureImage& how)
+    : byte_values_(how.decode_srgb ? &decoded_byte_values() : &detail::byte_values),
       wrap_(how.wrap),
-      scale_(how.scale) {}
+      scale_(how.scale) {
+    if (const auto* image = std::get_if<std::shared_ptr<const Image>>(&texels)) image_ = *image;
+    if (const auto* image = std::get_if<std::shared_ptr<const PackedImage>>(&texels)) {
+        packed_ = *image;
+    }
+}
 
 template <class Stored>
 float Texels::shown(Stored value) const {
@@ -41,8 +45,17 @@ Value Texels::interpolated(const Vec2& st) const {
         image_->pixels);
 }
 
+Color Texels::interpolated_packed(const Vec2& st) const {
+    const NearTexels near = near_texels(packed_->width, packed_->height, wrap_, st);
+    Color sum(0.0F);
+    for (std::size_t k = 0; k < 4; ++k) {
+        sum += unpacked(packed_->texels[near.texels[k]]) * near.weights[k];
+    }
+    return sum * scale_;
+}
+
 Color Texels::color(const Vec2& st) const {
-    return interpolated<Color>(st);
+    return packed_ ? interpolated_packed(st) : interpolated<Color>(st);
 }
 
 float Texels::number(const Vec2& st) const {

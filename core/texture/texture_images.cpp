@@ -1,156 +1,85 @@
 #include "core/texture/texture_images.h"
 
+#include <algorithm>
 #include <map>
 
-#include "core/color/srgb.h"
 #include "core/image/io.h"
-#include "core/numerics/luminance.h"
 #include "core/parallel/parallel.h"
-#include "core/texture/power_of_two.h"
+#include "core/texture/image_uses.h"
+#include "core/texture/shown_rows.h"
 
 namespace etalon {
 namespace {
 
 using SharedImage = std::shared_ptr<const Image>;
 
-/// The images that textures of type T show.
-template <class T>
-std::vector<bool> shown_images(const std::vector<Texture<T>>& textures, std::size_t images) {
-    std::vector<bool> shown(images, false);
-    for (const Texture<T>& texture : textures) {
-        if (const auto* image = std::get_if<ImageTexture<T>>(&texture)) shown[image->image] = true;
-    }
-    return shown;
-}
-
-Image grey_pixel() {
-    return {1, 1, 1, std::vector<float>{0.5F}, Encoding::linear, {}};
-}
-
-/// Files by name, in the order in which they were first asked for.
-class FileImages {
-  public:
-    /// Adds a file and returns its number.
-    std::size_t add(const std::string& file) {
-        const auto [place, is_new] = numbers_.emplace(file, files_.size());
-        if (is_new) files_.push_back(file);
-        return place->second;
-    }
-
-    void read(std::vector<std::string>& problems) {
-        images_.resize(files_.size());
-        std::vector<std::string> errors(files_.size());
-        parallel_for(files_.size(), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                Result<Image> file = read_image(files_[i]);
-                errors[i] = std::move(file.error);
-                images_[i] = std::make_shared<const Image>(errors[i].empty() ? std::move(file.value)
-                                                                             : grey_pixel());
-            }
-        });
-        for (std::string& error : errors) {
-            if (!error.empty()) problems.push_back(std::move(error));
+std::vector<SharedImage> read_files(const std::vector<std::string>& files,
+                                    std::vector<std::string>& problems) {
+    std::vector<SharedImage> images(files.size());
+    std::vector<std::string> errors(files.size());
+    parallel_for(files.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            Result<Image> file = read_image(files[i]);
+            errors[i] = std::move(file.error);
+            images[i] = std::make_shared<const Image>(errors[i].empty() ? std::move(file.value)
+                                                                        : grey_pixel());
         }
+    });
+    for (std::string& error : errors) {
+        if (!error.empty()) problems.push_back(std::move(error));
     }
-
-    const SharedImage& image(std::size_t number) const { return images_[number]; }
-
-  private:
-    std::map<std::string, std::size_t> numbers_;
-    std::vector<std::string> files_;
-    std::vector<SharedImage> images_;
-};
-
-/// Returns value(i) of all i below `count`, worked out on all threads.
-template <class Value>
-std::vector<float> values_of(std::size_t count, const Value& value) {
-    std::vector<float> values(count);
-    parallel_for(count, 4096, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) values[i] = value(i);
-    });
-    return values;
+    return images;
 }
 
-/// An image whose floats say what they show: those of a file may be encoded, if rarely.
-SharedImage decoded_floats(const SharedImage& image, bool decode_srgb) {
-    const auto* stored = std::get_if<std::vector<float>>(&image->pixels);
-    if (!stored || !decode_srgb) return image;
-    auto result =
-        std::make_shared<Image>(Image{image->width, image->height, image->channels, {}, {}, {}});
-    result->pixels = values_of(stored->size(), [&](std::size_t i) {
-        return static_cast<float>(srgb_decoded((*stored)[i]));
-    });
-    return result;
-}
-
-/// An image of one number a pixel. As in pbrt-v3 the luminance is that of what is stored, and
-/// decoded afterwards.
-SharedImage luminance_image(const SharedImage& image, bool decode_srgb) {
-    if (image->channels < 3) return decoded_floats(image, decode_srgb);
-    const auto width = static_cast<std::size_t>(image->width);
-    auto result = std::make_shared<Image>(Image{image->width, image->height, 1, {}, {}, {}});
-    result->pixels = values_of(width * image->height, [&](std::size_t i) {
-        const Color c = image->color(static_cast<int>(i % width), static_cast<int>(i / width));
-        const float y = luminance(c);
-        return decode_srgb ? static_cast<float>(srgb_decoded(y)) : y;
-    });
-    return result;
-}
-
-/// The numbers that an image shows, of one channel or three, by rows.
-TexelGrid texels_of(const Image& image, bool decode_srgb) {
-    const int channels = image.channels < 3 ? 1 : 3;
-    const auto& bytes = decode_srgb ? decoded_byte_values() : detail::byte_values;
-    const auto width = static_cast<std::size_t>(image.width) * channels;
-    const auto number = [&](auto stored) {
-        if constexpr (sizeof(stored) == 1) {
-            return bytes[stored];
-        } else {
-            return stored;
+SharedTexels packed_texels(const KeptTexels& kept, const TexelRows& rows, Wrap wrap) {
+    auto image = std::make_shared<PackedImage>(PackedImage{kept.width, kept.height, {}});
+    const auto width = static_cast<std::size_t>(kept.width);
+    image->texels.resize(width * kept.height);
+    for_each_stretched_row(rows, wrap, [&](int y, std::span<const float> row) {
+        PackedColor* const texels = &image->texels[y * width];
+        for (std::size_t x = 0; x < width; ++x) {
+            texels[x] = packed({row[3 * x], row[3 * x + 1], row[3 * x + 2]});
         }
-    };
-    return {image.width, image.height, channels,
-            std::visit(
-                [&](const auto& stored) {
-                    return values_of(width * image.height, [&](std::size_t i) {
-                        return number(stored[i / channels * image.channels + i % channels]);
-                    });
-                },
-                image.pixels)};
+    });
+    return image;
 }
 
-/// An image with sides of powers of two, as pbrt-v3 makes it of any other. Its floats are what they
-/// say.
-SharedImage stretched(const SharedImage& image, const TextureImage& how) {
-    if (has_power_of_two_sides(image->width, image->height)) return image;
-    TexelGrid grid = stretched_to_powers_of_two(texels_of(*image, how.decode_srgb), how.wrap);
+SharedTexels float_texels(const KeptTexels& kept, const TexelRows& rows, Wrap wrap) {
+    std::vector<float> values;
+    const std::size_t count = kept.bytes() / sizeof(float);
+    values.reserve(count);
+    prefer_large_pages(values.data(), kept.bytes());
+    values.resize(count);
+    for_each_stretched_row(rows, wrap, [&](int y, std::span<const float> row) {
+        std::ranges::copy(row, values.begin() + static_cast<std::ptrdiff_t>(y * row.size()));
+    });
     return std::make_shared<const Image>(
-        Image{grid.width, grid.height, grid.channels, std::move(grid.values), {}, {}});
+        Image{kept.width, kept.height, kept.channels, std::move(values), {}, {}});
+}
+
+SharedTexels texels_of(const SharedImage& image, const KeptTexels& kept, Shown what,
+                       const TextureImage& how) {
+    if (kept.same_as_file) return image;
+    const TexelRows rows = shown_rows(*image, what, how.decode_srgb);
+    return kept.form == KeptTexels::Form::packed ? packed_texels(kept, rows, how.wrap)
+                                                 : float_texels(kept, rows, how.wrap);
 }
 
 }  // namespace
 
 TextureImages read_texture_images(const Textures& textures, std::vector<std::string>& problems) {
     const std::size_t count = textures.images.size();
-    const std::vector<bool> as_colors = shown_images(textures.colors, count);
-    const std::vector<bool> as_numbers = shown_images(textures.numbers, count);
-    FileImages files;
-    std::vector<std::size_t> file_of(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (as_colors[i] || as_numbers[i]) file_of[i] = files.add(textures.images[i].file);
-    }
-    files.read(problems);
+    const ImageUses uses = image_uses(textures);
+    const std::vector<SharedImage> files = read_files(uses.files, problems);
+    std::map<TexelKey, SharedTexels> made;
     TextureImages result{std::vector<Texels>(count), std::vector<Texels>(count)};
-    for (std::size_t i = 0; i < count; ++i) {
-        const TextureImage& how = textures.images[i];
-        if (as_colors[i]) {
-            result.colors[i] = {
-                stretched(decoded_floats(files.image(file_of[i]), how.decode_srgb), how), how};
-        }
-        if (as_numbers[i]) {
-            result.numbers[i] = {
-                stretched(luminance_image(files.image(file_of[i]), how.decode_srgb), how), how};
-        }
+    for (const ImageUse& use : uses.list) {
+        const TextureImage& how = textures.images[use.image];
+        const KeptTexels kept = kept_texels(*files[use.file], use.what, how.decode_srgb);
+        const auto [texels, is_new] = made.try_emplace(texel_key(use, kept, how));
+        if (is_new) texels->second = texels_of(files[use.file], kept, use.what, how);
+        auto& all = use.what == Shown::colors ? result.colors : result.numbers;
+        all[use.image] = {texels->second, how};
     }
     return result;
 }

@@ -1,18 +1,42 @@
 #include "core/texture/power_of_two.h"
 
+#include <algorithm>
+#include <atomic>
+#include <vector>
+
 #include "tests/catch.h"
 
 using namespace etalon;
 
 namespace {
 
+/// Values of the texels of an image by rows, channels interleaved.
+struct TexelGrid {
+    int width = 0, height = 0, channels = 0;
+    std::vector<float> values;
+};
+
+TexelGrid stretched(const TexelGrid& image, Wrap wrap) {
+    const auto row = static_cast<std::size_t>(image.width) * image.channels;
+    const TexelRows rows{image.width, image.height, image.channels, [&](int y, float* texels) {
+                             std::copy_n(&image.values[y * row], row, texels);
+                         }};
+    TexelGrid result{
+        next_power_of_two(image.width), next_power_of_two(image.height), image.channels, {}};
+    const std::size_t length = static_cast<std::size_t>(result.width) * image.channels;
+    result.values.resize(length * result.height);
+    std::atomic<int> count = 0;
+    stretch_to_powers_of_two(rows, wrap, [&](int y, std::span<const float> texels) {
+        if (texels.size() == length) std::ranges::copy(texels, &result.values[y * length]);
+        ++count;
+    });
+    CHECK(count == result.height);
+    return result;
+}
+
 /// A row of texels made longer.
 std::vector<float> stretched(const std::vector<float>& row, Wrap wrap) {
-    const TexelGrid grid =
-        stretched_to_powers_of_two({static_cast<int>(row.size()), 1, 1, row}, wrap);
-    CHECK(grid.height == 1);
-    CHECK(grid.values.size() == static_cast<std::size_t>(grid.width));
-    return grid.values;
+    return stretched(TexelGrid{static_cast<int>(row.size()), 1, 1, row}, wrap).values;
 }
 
 void check_near(const std::vector<float>& found, const std::vector<double>& expected) {
@@ -45,15 +69,15 @@ TEST_CASE("what a filter with negative weights would make less than black is bla
 TEST_CASE("an image of one colour keeps it, and rows and columns are stretched alike",
           "[texture]") {
     const TexelGrid one{3, 5, 3, std::vector<float>(45, 0.25F)};
-    const TexelGrid grid = stretched_to_powers_of_two(one, Wrap::repeat);
+    const TexelGrid grid = stretched(one, Wrap::repeat);
     CHECK(grid.width == 4);
     CHECK(grid.height == 8);
     CHECK(grid.channels == 3);
     check_near(grid.values, std::vector<double>(96, 0.25));
 
     const std::vector<float> values = {0.1F, 0.7F, 0.3F, 0.9F, 0.2F, 0.6F};
-    const TexelGrid wide = stretched_to_powers_of_two({6, 1, 1, values}, Wrap::clamp);
-    const TexelGrid high = stretched_to_powers_of_two({1, 6, 1, values}, Wrap::clamp);
+    const TexelGrid wide = stretched(TexelGrid{6, 1, 1, values}, Wrap::clamp);
+    const TexelGrid high = stretched(TexelGrid{1, 6, 1, values}, Wrap::clamp);
     CHECK(wide.width == 8);
     CHECK(high.height == 8);
     CHECK(wide.values == high.values);
@@ -61,7 +85,7 @@ TEST_CASE("an image of one colour keeps it, and rows and columns are stretched a
 
 TEST_CASE("channels are stretched apart from each other", "[texture]") {
     const TexelGrid grid =
-        stretched_to_powers_of_two({3, 1, 3, {0.2F, 1, 0, 0.8F, 1, 0, 0.5F, 1, 0}}, Wrap::repeat);
+        stretched(TexelGrid{3, 1, 3, {0.2F, 1, 0, 0.8F, 1, 0, 0.5F, 1, 0}}, Wrap::repeat);
     check_near({grid.values[0], grid.values[3], grid.values[6], grid.values[9]},
                {0.1911913028778647, 0.6006883920347823, 0.7542353213509225, 0.4510343531280255});
     check_near({grid.values[1], grid.values[4], grid.values[2]}, {1, 1, 0});
