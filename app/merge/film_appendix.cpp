@@ -84,7 +84,7 @@ bool is_possible(const FilmAppendix& appendix, std::uint64_t bytes) {
 Result<FilmAppendix> read_checked(std::ifstream& file, const Ending& ending) {
     Hash64 hash;
     std::string lines;
-    std::vector<char> bytes(1 << 20);
+    std::vector<char> bytes(std::min<std::uint64_t>(ending.bytes, 1 << 20));
     for (std::uint64_t left = ending.bytes; left > 0 && file;) {
         const auto count = std::min<std::uint64_t>(left, bytes.size());
         file.read(bytes.data(), static_cast<std::streamsize>(count));

@@ -40,7 +40,7 @@ bool is_whole(std::istream& file, std::uint64_t size) {
     std::uint64_t stored = 0;
     if (size < sizeof stored) return false;
     Hash64 hash;
-    std::vector<char> bytes(1 << 20);
+    std::vector<char> bytes(std::min<std::uint64_t>(size, 1 << 20));
     file.seekg(0);
     for (std::uint64_t left = size - sizeof stored; left > 0 && file;) {
         const auto count = std::min<std::uint64_t>(left, bytes.size());

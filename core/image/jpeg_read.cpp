@@ -60,7 +60,7 @@ void note(j_common_ptr info, int level) {
 
 /// What of a file has not been read yet.
 std::vector<std::uint8_t> rest_of(std::FILE* file) {
-    constexpr std::size_t most = 1 << 18;  // bytes at a time
+    constexpr std::size_t most = 1 << 16;  // bytes at a time
     std::vector<std::uint8_t> bytes;
     for (std::size_t read = most; read == most;) {
         const std::size_t done = bytes.size();
