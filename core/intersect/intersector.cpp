@@ -8,15 +8,6 @@
 #include "core/numerics/denormals.h"
 
 namespace etalon {
-namespace {
-
-/// Returns the ray in a space if it may meet anything of what is bounded.
-std::optional<NormalizedRay> entering(const NormalizedSpace& space, const Ray& ray) {
-    return surely_passes(space, ray) ? std::nullopt : normalized_ray(space, ray);
-}
-
-}  // namespace
-
 Intersector::Intersector(const Geometry& geometry, SceneBounds bounds)
     : geometry_(geometry), bounds_(std::move(bounds)) {}
 
@@ -31,9 +22,10 @@ void Intersector::offer_instance(std::uint32_t item, const RayQuery& query, Near
     const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time());
     Ray ray = to_object(*instance, query.ray);
     const Intersector& object = *objects_[instance->object];
-    if (object.passes_all(ray)) return;
+    const bool passes = surely_passes(object.bounds_.space, ray);
+    if (passes && object.bounds_.unbounded.empty()) return;
     ray.tmax = nearest.t;
-    const NearestHit hit = object.nearest_hit(ray, cost);
+    const NearestHit hit = object.nearest_hit(ray, passes, cost);
     if (hit.found()) nearest.offer(hit.t, item, hit.item);
 }
 
@@ -41,7 +33,8 @@ bool Intersector::instance_occludes(std::uint32_t item, const RayQuery& query) c
     const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time());
     const Ray ray = to_object(*instance, query.ray);
     const Intersector& object = *objects_[instance->object];
-    return !object.passes_all(ray) && object.is_occluded(ray);
+    const bool passes = surely_passes(object.bounds_.space, ray);
+    return !(passes && object.bounds_.unbounded.empty()) && object.is_occluded(ray, passes);
 }
 
 inline void Intersector::offer(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
@@ -70,11 +63,11 @@ NearestHit Intersector::nearest_unresolved(const Ray& ray, TraversalCost* cost) 
     return nearest;
 }
 
-NearestHit Intersector::nearest_hit(const Ray& ray, TraversalCost* cost) const {
+NearestHit Intersector::nearest_hit(const Ray& ray, bool passes, TraversalCost* cost) const {
     NearestHit nearest(ray.tmax);
     if (!is_valid(ray)) return nearest;
     if (!is_resolved(bounds_.space, ray)) return nearest_unresolved(ray, cost);
-    const auto local = entering(bounds_.space, ray);
+    const auto local = passes ? std::nullopt : normalized_ray(bounds_.space, ray);
     if (!local && bounds_.unbounded.empty()) return nearest;
     const RayQuery query(ray);
     for (const std::uint32_t item : bounds_.unbounded) offer(item, query, nearest, cost);
@@ -98,10 +91,10 @@ bool Intersector::is_occluded_unresolved(const Ray& ray) const {
     return false;
 }
 
-bool Intersector::is_occluded(const Ray& ray) const {
+bool Intersector::is_occluded(const Ray& ray, bool passes) const {
     if (!is_valid(ray)) return false;
     if (!is_resolved(bounds_.space, ray)) return is_occluded_unresolved(ray);
-    const auto local = entering(bounds_.space, ray);
+    const auto local = passes ? std::nullopt : normalized_ray(bounds_.space, ray);
     if (!local && bounds_.unbounded.empty()) return false;
     const RayQuery query(ray);
     for (const std::uint32_t item : bounds_.unbounded) {

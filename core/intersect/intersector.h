@@ -99,18 +99,20 @@ class Intersector : public BatchIntersector {
     std::vector<BoundedPrimitive> take_bounded() { return std::move(bounds_.bounded); }
 
   private:
-    /// Whether the ray surely hits nothing, which is true of most where there are instances.
-    bool passes_all(const Ray& ray) const {
-        return surely_passes(bounds_.space, ray) && bounds_.unbounded.empty();
-    }
-
     /// What is hit of all that a ray must be tested against which the space does not resolve:
     /// everything, or what is not bounded if it surely misses the rest.
     NearestHit nearest_unresolved(const Ray& ray, TraversalCost* cost) const;
     bool is_occluded_unresolved(const Ray& ray) const;
 
-    NearestHit nearest_hit(const Ray& ray, TraversalCost* cost = nullptr) const;
-    bool is_occluded(const Ray& ray) const;
+    /// `passes`: whether the ray surely_passes() what is bounded.
+    NearestHit nearest_hit(const Ray& ray, bool passes, TraversalCost* cost) const;
+    NearestHit nearest_hit(const Ray& ray, TraversalCost* cost = nullptr) const {
+        return nearest_hit(ray, surely_passes(bounds_.space, ray), cost);
+    }
+    bool is_occluded(const Ray& ray, bool passes) const;
+    bool is_occluded(const Ray& ray) const {
+        return is_occluded(ray, surely_passes(bounds_.space, ray));
+    }
     void offer(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
                TraversalCost* cost) const;
     bool occludes(std::uint32_t item, const RayQuery& query) const;
