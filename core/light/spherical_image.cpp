@@ -9,18 +9,23 @@
 namespace etalon {
 namespace {
 
-/// The colours of an image with sides of powers of two, as pbrt-v3 makes it of any other.
-TexelGrid texels_of(const Image& image) {
-    TexelGrid grid{image.width, image.height, 3, {}};
-    grid.values.reserve(std::size_t{3} * image.width * image.height);
-    prefer_large_pages(grid.values.data(), grid.values.capacity() * sizeof(float));
+/// The colours of an image, by rows.
+std::vector<Color> colors_of(const Image& image) {
+    std::vector<Color> colors;
+    colors.reserve(static_cast<std::size_t>(image.width) * image.height);
+    prefer_large_pages(colors.data(), colors.capacity() * sizeof(Color));
     for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) {
-            const Color c = image.color(x, y);
-            grid.values.insert(grid.values.end(), {c.x, c.y, c.z});
-        }
+        for (int x = 0; x < image.width; ++x) colors.push_back(image.color(x, y));
     }
-    if (has_power_of_two_sides(image.width, image.height)) return grid;
+    return colors;
+}
+
+/// The same with sides of powers of two, as pbrt-v3 makes it.
+TexelGrid stretched(const Image& image) {
+    TexelGrid grid{image.width, image.height, 3, {}};
+    for (const Color& c : colors_of(image)) {
+        grid.values.insert(grid.values.end(), {c.x, c.y, c.z});
+    }
     return stretched_to_powers_of_two(grid, Wrap::repeat);
 }
 
@@ -33,12 +38,16 @@ SphericalImage::SphericalImage(const std::string& file, std::vector<std::string>
         problems.push_back(image.error);
         return;
     }
-    const TexelGrid grid = texels_of(image.value);
-    aspect_ = static_cast<double>(image.value.width) / image.value.height;
+    width_ = image.value.width;
+    height_ = image.value.height;
+    aspect_ = static_cast<double>(width_) / height_;
+    if (has_power_of_two_sides(width_, height_)) {
+        texels_ = colors_of(image.value);
+        return;
+    }
+    const TexelGrid grid = stretched(image.value);
     width_ = grid.width;
     height_ = grid.height;
-    texels_.reserve(grid.values.size() / 3);
-    prefer_large_pages(texels_.data(), texels_.capacity() * sizeof(Color));
     for (std::size_t i = 0; i < grid.values.size(); i += 3) {
         texels_.emplace_back(grid.values[i], grid.values[i + 1], grid.values[i + 2]);
     }

@@ -45,8 +45,8 @@ const SpotSource* brightest_spot(const PhysicalLook& look) {
 }
 
 /// Whether some of a ball is not below the horizon of a receiver, if it has one.
-bool is_above(const Receiver& at, const Vec3& way, double radius2) {
-    return at.normal == Vec3(0) || at.normal.dot(way) > -std::sqrt(radius2);
+bool is_above(const Receiver& at, const Vec3& way, double radius) {
+    return at.normal == Vec3(0) || at.normal.dot(way) > -radius;
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ LitRegions::Sphere LitRegions::sphere_around(const Beam& beam, double end) {
     }
     const double tangent2 = 1 / (cosine * cosine) - 1;
     return {beam.spot.position + (begin + end) / 2 * beam.spot.axis,
-            static_cast<float>(end * end * (1.0 / 16 + tangent2)), static_cast<float>(power)};
+            static_cast<float>(end * std::sqrt(1.0 / 16 + tangent2)), static_cast<float>(power)};
 }
 
 /// A disk as large as the spread of the rays that end in the plane where `first` does; its power is
@@ -146,25 +146,26 @@ LitRegionsFrom::LitRegionsFrom(const LitRegions& regions, const Receiver& at)
 void LitRegionsFrom::see(const LitRegions::Sphere& sphere, std::size_t k, const Receiver& at) {
     const Vec3 way = sphere.centre - at.position;
     const auto distance2 = static_cast<float>(way.length2());
-    const bool is_outside = distance2 > sphere.radius2;
-    const Vec3 axis = is_outside ? normalized(way) : Vec3(0, 0, 1);
-    x_[k] = static_cast<float>(axis.x);
-    y_[k] = static_cast<float>(axis.y);
-    z_[k] = static_cast<float>(axis.z);
-    const float sine2 = is_outside ? sphere.radius2 / distance2 : 1;
-    sagitta_[k] = is_outside ? sine2 / (1 + std::sqrt(1 - sine2)) : 2;
-    const bool is_seen = is_above(at, way, sphere.radius2);
-    weights_[k] = is_seen ? sphere.power / std::max(distance2, sphere.radius2) : 0;
+    const float radius2 = sphere.radius * sphere.radius;
+    const bool is_outside = distance2 > radius2;
+    const float scale = is_outside ? 1 / std::sqrt(distance2) : 0;
+    x_[k] = static_cast<float>(way.x) * scale;
+    y_[k] = static_cast<float>(way.y) * scale;
+    z_[k] = is_outside ? static_cast<float>(way.z) * scale : 1;
+    const float sine2 = radius2 * scale * scale;
+    sagitta_[k] = is_outside ? sine2 / (1 + std::sqrt(std::max(1 - sine2, 0.0F))) : 2;
+    const bool is_seen = is_above(at, way, sphere.radius);
+    weights_[k] = is_seen ? sphere.power / std::max(distance2, radius2) : 0;
     sum_ += weights_[k];
 }
 
 void LitRegionsFrom::see(const LitRegions::Disk& disk, const Receiver& at) {
     const double height = -to_disk_.dot(disk.normal), distance2 = to_disk_.length2();
+    const double radius = std::sqrt(disk.radius2);
     constexpr double flat = 1e-3;  // of the radius: seen from its own plane
-    if (!(height > flat * std::sqrt(disk.radius2)) || !is_above(at, to_disk_, disk.radius2)) return;
+    if (!(height > flat * radius) || !is_above(at, to_disk_, radius)) return;
     // From near by some of the disk is seen under larger cosines than its centre.
-    const double cosine =
-        (height + std::sqrt(disk.radius2) / 4) / std::sqrt(distance2 + disk.radius2);
+    const double cosine = (height + radius / 4) / std::sqrt(distance2 + disk.radius2);
     disk_weight_ = static_cast<float>(disk.power * cosine / std::max(distance2, disk.radius2));
     sum_ += disk_weight_;
 }

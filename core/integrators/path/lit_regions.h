@@ -28,7 +28,7 @@ class LitRegions {
 
     struct Sphere {
         Vec3 centre;
-        float radius2, power;
+        float radius, power;
     };
     struct Disk {
         Vec3 centre, normal;  ///< unit, on the side of the spot
