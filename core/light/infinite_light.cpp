@@ -90,21 +90,20 @@ Color InfiniteLight::radiance(const Vec3& direction) const {
 /// may show, perhaps less the mean of all, times the sine that makes a square of the sphere.
 void InfiniteLight::prepare_sampling(SkySampling sampling) {
     const int width = image_.width(), height = image_.height();
-    const std::vector<double> bright = blurred_luminances(image_);
+    cells_ = blurred_luminances(image_);
     double sum = 0, weights = 0;
     Vec3 colors(0);
     for (int y = 0; y < height; ++y) {
         const double sine = std::sin(pi * (y + 0.5) / height);
         for (int x = 0; x < width; ++x) {
-            sum += sine * bright[static_cast<std::size_t>(y) * width + x];
+            sum += sine * cells_[static_cast<std::size_t>(y) * width + x];
             colors += sine * Vec3(image_.texel(x, y));
             weights += sine;
         }
     }
     mean_ = Color(colors / weights) * source_.radiance;
     const double left_out = sampling == SkySampling::above_mean ? sum / weights : 0;
-    cells_.resize(bright.size());
-    sums_.resize(bright.size());
+    sums_.reserve(cells_.size());
     double total = 0;
     std::vector<double> row_sums(height);
     for (int y = 0; y < height; ++y) {
@@ -112,8 +111,8 @@ void InfiniteLight::prepare_sampling(SkySampling sampling) {
         double row = 0;
         for (int x = 0; x < width; ++x) {
             const std::size_t i = static_cast<std::size_t>(y) * width + x;
-            cells_[i] = sine * std::max(0.0, bright[i] - left_out);
-            sums_[i] = row += cells_[i];
+            cells_[i] = sine * std::max(0.0, cells_[i] - left_out);
+            sums_.push_back(row += cells_[i]);
         }
         row_sums[y] = total += row;
     }

@@ -127,6 +127,35 @@ TEST_CASE("Flights through a grid carry what it lets pass and scatters", "[mediu
     }
 }
 
+TEST_CASE("A ray through a grid is divided as flights say, and passes exactly", "[medium]") {
+    const PhysicalMedium medium = cloud(Color(0.5F, 0, 0.1F), Color(0.5F, 0.3F, 0.4F));
+    const GridMedium grid(medium);
+    const Color throughput(1, 0.5F, 2);
+    for (const RaySegment& s : segments()) {
+        DensityProfile profile;
+        const DividedLight light = grid.divide(s, profile);
+        const double length = optical_length(grid, *medium.grid, s);
+        RandomSequence numbers(7, 8);
+        Vec3 scattered(0), moment(0), expected_moment(0);
+        for (int i = 0; i < estimates; ++i) {
+            const Vec2 choices(numbers.next(), numbers.next());
+            const FreeFlight f = grid.sample(profile, throughput, choices);
+            const FreeFlight g = grid.sample(s, throughput, numbers.next(), numbers);
+            scattered += Vec3(f.weight) / estimates;
+            if (f.scatters()) moment += f.distance * Vec3(f.weight) / estimates;
+            if (g.scatters()) expected_moment += g.distance * Vec3(g.weight) / estimates;
+        }
+        for (int c = 0; c < 3; ++c) {
+            const double extinction = medium.extinction()[c], left = std::exp(-length * extinction);
+            CHECK_THAT(light.passing[c], WithinAbs(left, 1e-4));
+            const double albedo = medium.scattering[c] / extinction;
+            CHECK_THAT(light.scattered[c], WithinAbs((1 - left) * albedo, 1e-4));
+            CHECK_THAT(scattered[c], WithinAbs((1 - left) * albedo, 5e-3));
+            CHECK_THAT(moment[c], WithinAbs(expected_moment[c], 0.02));
+        }
+    }
+}
+
 TEST_CASE("A grid of one density is a homogeneous medium, without noise", "[medium]") {
     const PhysicalMedium medium = block(2);
     const GridMedium grid(medium);

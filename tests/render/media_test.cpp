@@ -1,5 +1,8 @@
 // Paths through media against what is known of small scenes.
+#include <numbers>
+
 #include "core/formats/load.h"
+#include "core/integrators/path/lit_regions.h"
 #include "core/medium/henyey_greenstein.h"
 #include "core/scene/transformed.h"
 #include "tests/catch.h"
@@ -65,6 +68,25 @@ std::string grid(const std::string& coefficients, bool is_even) {
         coefficients + " \"float density\" [";
     for (int i = 0; i < 64; ++i) text += is_even ? " 1" : std::to_string(i * i % 5) + " ";
     return text + "]\n";
+}
+
+/// Fog with a spot that lights up a floor and a wall.
+TestScene foggy_spot(const std::string& world) {
+    return scene_of(
+        "LightSource \"spot\" \"point from\" [-2 3 -2] \"point to\" [0 0 0] "
+        "\"color I\" [50 40 60] \"float coneangle\" 16\n" +
+            world +
+            "Material \"matte\"\nShape \"trianglemesh\" \"integer indices\" [0 1 2 2 3 0] "
+            "\"point P\" [-4 0 -4  4 0 -4  4 0 4  -4 0 4]\n"
+            "Shape \"trianglemesh\" \"integer indices\" [0 1 2 2 3 0] "
+            "\"point P\" [-4 0 4  4 0 4  4 6 4  -4 6 4]\n",
+        "Identity LookAt 0 1 -7  0 1 0  0 1 0\nCamera \"perspective\" \"float fov\" 50\n"
+        "Film \"image\" \"integer xresolution\" 16 \"integer yresolution\" 16\n"
+        "Sampler \"sobol\" \"integer pixelsamples\" 2048\n"
+        "Integrator \"volpath\" \"integer maxdepth\" 6\n"
+        "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" \"rgb sigma_a\" "
+        "[.05 .04 .03] \"rgb sigma_s\" [.1 .12 .08] \"float g\" .3\n"
+        "MediumInterface \"\" \"fog\"\n");
 }
 
 const std::string white_grid = "\"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [1 2 3]";
@@ -134,6 +156,50 @@ TEST_CASE("A medium shows light once scattered as its phase function says", "[me
         INFO(from);
         CHECK_THAT(seen.y, WithinRel(expected, 0.03));
     }
+}
+
+TEST_CASE("Directions to the beam of a spot have their density", "[media]") {
+    const TestScene scene = foggy_spot("");
+    const auto intersector = find_backend(default_backend)->build(scene.geometry);
+    std::vector<std::string> problems;
+    const Lights lights(scene, problems);
+    const LitRegions regions(scene, lights, *intersector);
+    REQUIRE(!regions.empty());
+    for (const Receiver& at : {Receiver{{0.5, 1, -1}}, Receiver{{-1.9, 2.8, -1.9}},
+                               Receiver{{2, 0, 1}, {0, 1, 0}}, Receiver{{0, 3, 3}, {0, 0, -1}}}) {
+        const LitRegionsFrom seen(regions, at);
+        REQUIRE(!seen.empty());
+        constexpr int count = 2000000;
+        Random random(1);
+        double integral = 0;
+        int unknown = 0;
+        Vec3 mean(0), expected(0);
+        for (int i = 0; i < count; ++i) {
+            const double z = 2 * random.uniform() - 1,
+                         phi = 2 * std::numbers::pi * random.uniform();
+            const double r = std::sqrt(1 - z * z);
+            const Vec3 any(r * std::cos(phi), r * std::sin(phi), z);
+            const double weight = 4 * std::numbers::pi * seen.density(any) / count;
+            integral += weight;
+            expected += weight * any;
+            const double choice = random.uniform(), u = random.uniform(), v = random.uniform();
+            const Vec3 wi = seen.sample(choice, {u, v});
+            unknown += seen.density(wi) > 0 ? 0 : 1;
+            mean += wi / count;
+        }
+        INFO(at.position);
+        CHECK(unknown <= count / 10000);  // of the edges, by roundings
+        CHECK_THAT(integral, WithinAbs(1, 0.03));
+        for (int c = 0; c < 3; ++c) CHECK_THAT(mean[c], WithinAbs(expected[c], 0.03));
+    }
+}
+
+TEST_CASE("A spot in fog is as bright without directions to its beam", "[media]") {
+    // A sky that is all but black makes the difference.
+    const Vec3 with = mean(image(foggy_spot("")));
+    const Vec3 without =
+        mean(image(foggy_spot("LightSource \"infinite\" \"color L\" [1e-9 1e-9 1e-9]\n")));
+    check_equal(with, without, 0.01);
 }
 
 TEST_CASE("Surfaces without a material hide lights from path alone", "[media]") {

@@ -29,68 +29,24 @@ const PhysicalMedium* fog_of(const PhysicalLook& look) {
     return medium.grid || medium.scattering == Color(0.0F) ? nullptr : &medium;
 }
 
-/// The spot of most power whose cone is narrower than a half space, or null.
+/// The spot of most power with a narrow cone, or null.
 const SpotSource* brightest_spot(const PhysicalLook& look) {
+    constexpr double narrow = 0.7;
+    const auto power = [](const SpotSource& spot) {
+        return luminance(spot.intensity) * (1 - spot.cos_total);
+    };
     const SpotSource* brightest = nullptr;
     for (const PhysicalLight& light : look.lights) {
         const auto* spot = std::get_if<SpotSource>(&light);
-        if (!spot || !(spot->cos_total > 0)) continue;
-        const auto power = [](const SpotSource& s) {
-            return luminance(s.intensity) * (1 - s.cos_total);
-        };
+        if (!spot || spot->cos_total < narrow) continue;
         if (!brightest || power(*spot) > power(*brightest)) brightest = spot;
     }
     return brightest;
 }
 
-/// A ray of a beam, and how long it is.
-struct BeamRay {
-    double intensity, length;
-    Vec3 end, normal;  ///< of the surface that it meets, on its side; 0 if there is none
-};
-
-std::vector<BeamRay> beam_rays(const SpotSource& spot, double longest, const Scene& scene,
-                               const BatchIntersector& intersector) {
-    std::vector<Ray> rays;
-    for (int i = 0; i < rays_of_beam; ++i) {
-        rays.push_back({spot.position, spread_direction(spot, i, rays_of_beam)});
-    }
-    std::vector<Hit> hits(rays.size());
-    intersector.closest(rays, hits);
-    std::vector<BeamRay> beam;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const Vec3 lit = spot.position + rays[i].direction;
-        const double intensity = luminance(sample_delta_light(spot, nullptr, lit).radiance);
-        const bool ends = hits[i].primitive != no_index;
-        beam.push_back({intensity, ends ? hits[i].t : longest, lit, Vec3(0)});
-        if (!ends) continue;
-        const PhysicalSurface surface = physical_surface(scene, rays[i], hits[i]);
-        beam.back().end = surface.point.position;
-        beam.back().normal = surface.ng.dot(rays[i].direction) < 0 ? surface.ng : -surface.ng;
-    }
-    return beam;
-}
-
-/// The disk that has the points of rays that end in the plane where `first` does; its power is that
-/// of light from a surface of an albedo of a quarter.
-LitDisk disk_about(const BeamRay& first, const std::vector<BeamRay>& beam, double extinction) {
-    constexpr double flat = 1e-3;
-    double sum = 0, spread = 0;
-    Vec3 centre(0);
-    const auto power = [&](const BeamRay& ray) {
-        const bool is_beside =
-            ray.normal.dot(first.normal) > 1 - flat &&
-            std::abs((ray.end - first.end).dot(first.normal)) < flat * first.length;
-        return is_beside ? ray.intensity * std::exp(-extinction * ray.length) : 0;
-    };
-    for (const BeamRay& ray : beam) {
-        sum += power(ray);
-        centre += power(ray) * ray.end;
-    }
-    if (!(sum > 0)) return {};
-    centre /= sum;
-    for (const BeamRay& ray : beam) spread += power(ray) * (ray.end - centre).length2();
-    return {centre, first.normal, 2 * spread / sum, static_cast<float>(sum)};
+/// Whether some of a ball is not below the horizon of a receiver, if it has one.
+bool is_above(const Receiver& at, const Vec3& way, double radius) {
+    return at.normal == Vec3(0) || at.normal.dot(way) > -radius;
 }
 
 }  // namespace
@@ -100,67 +56,126 @@ LitRegions::LitRegions(const Scene& scene, const Lights& lights,
     const PhysicalMedium* fog = fog_of(scene.physical());
     const SpotSource* spot = brightest_spot(scene.physical());
     if (!fog || !spot || !lights.infinite().empty()) return;
-    const double extinction = luminance(fog->extinction()), scattering = luminance(fog->scattering);
-    const std::vector<BeamRay> beam = beam_rays(*spot, 1 / extinction, scene, intersector);
-    const double longest = std::ranges::max(beam, {}, &BeamRay::length).length;
-    const double tangent = std::sqrt(1 / (spot->cos_total * spot->cos_total) - 1);
-    for (std::size_t k = 0; k < count; ++k) {
-        const double end = longest * std::exp2(-static_cast<double>(k)), begin = end / 2;
-        centres_[k] = spot->position + (begin + end) / 2 * spot->axis;
-        radii2_[k] = static_cast<float>(end * end * (1.0 / 16 + tangent * tangent));
-        for (const auto& [intensity, length, lit, normal] : beam) {
-            const double part = std::clamp(length, begin, end) - begin;
-            powers_[k] += static_cast<float>(scattering * intensity * part *
-                                             std::exp(-extinction * (begin + part / 2)));
-        }
+    const double extinction = luminance(fog->extinction());
+    const Beam beam{*spot, extinction, luminance(fog->scattering),
+                    trace(*spot, 1 / extinction, scene, intersector)};
+    double end = std::ranges::max(beam.rays, {}, &BeamRay::length).length;
+    for (Sphere& sphere : spheres_) {
+        sphere = sphere_around(beam, end);
+        end /= 2;
     }
-    for (const BeamRay& ray : beam) {
-        const LitDisk disk = disk_about(ray, beam, extinction);
+    for (const BeamRay& ray : beam.rays) {
+        const Disk disk = disk_about(beam, ray);
         if (disk.power > disk_.power) disk_ = disk;
     }
     constexpr double most_guided = 0.25;  // by measurement
     part_ = static_cast<float>(most_guided * lights.power_share_of_spots());
 }
 
+/// Follows rays of a spot up to a surface, or over a distance of `range` if they meet none.
+std::vector<LitRegions::BeamRay> LitRegions::trace(const SpotSource& spot, double range,
+                                                   const Scene& scene,
+                                                   const BatchIntersector& intersector) {
+    std::vector<Ray> rays;
+    for (int i = 0; i < rays_of_beam; ++i) {
+        rays.push_back({spot.position, spread_direction(spot, i, rays_of_beam)});
+    }
+    std::vector<Hit> hits(rays.size());
+    intersector.closest(rays, hits);
+    std::vector<BeamRay> beam;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Vec3 lit = spot.position + range * rays[i].direction;
+        const double intensity = luminance(sample_delta_light(spot, nullptr, lit).radiance);
+        beam.push_back({intensity * range * range, range, lit, Vec3(0)});
+        if (hits[i].primitive == no_index) continue;
+        const PhysicalSurface at = physical_surface(scene, rays[i], hits[i]);
+        beam.back().length = hits[i].t;
+        beam.back().end = at.point.position;
+        beam.back().normal = at.ng.dot(rays[i].direction) < 0 ? at.ng : -at.ng;
+    }
+    return beam;
+}
+
+/// The sphere around the beam from half the distance `end` to `end`; its power is what the medium
+/// scatters there.
+LitRegions::Sphere LitRegions::sphere_around(const Beam& beam, double end) {
+    const double begin = end / 2, cosine = beam.spot.cos_total;
+    double power = 0;
+    for (const BeamRay& ray : beam.rays) {
+        const double part = std::clamp(ray.length, begin, end) - begin;
+        power += beam.scattering * part * ray.intensity *
+                 std::exp(-beam.extinction * (begin + part / 2));
+    }
+    const double tangent2 = 1 / (cosine * cosine) - 1;
+    return {beam.spot.position + (begin + end) / 2 * beam.spot.axis,
+            static_cast<float>(end * std::sqrt(1.0 / 16 + tangent2)), static_cast<float>(power)};
+}
+
+/// A disk as large as the spread of the rays that end in the plane where `first` does; its power is
+/// that of light from a surface of an albedo of a quarter.
+LitRegions::Disk LitRegions::disk_about(const Beam& beam, const BeamRay& first) {
+    constexpr double flat = 1e-3;
+    const auto power = [&](const BeamRay& ray) {
+        const bool is_beside =
+            ray.normal.dot(first.normal) > 1 - flat &&
+            std::abs((ray.end - first.end).dot(first.normal)) < flat * first.length;
+        return is_beside ? ray.intensity * std::exp(-beam.extinction * ray.length) : 0;
+    };
+    double sum = 0, spread = 0;
+    Vec3 centre(0);
+    for (const BeamRay& ray : beam.rays) {
+        sum += power(ray);
+        centre += power(ray) * ray.end;
+    }
+    if (!(sum > 0)) return {};
+    centre /= sum;
+    for (const BeamRay& ray : beam.rays) spread += power(ray) * (ray.end - centre).length2();
+    return {centre, first.normal, 2 * spread / sum, static_cast<float>(sum)};
+}
+
 LitRegionsFrom::LitRegionsFrom(const LitRegions& regions, const Receiver& at)
     : disk_(regions.disk_), to_disk_(disk_.centre - at.position), part_(regions.part_) {
+    for (std::size_t k = 0; k < LitRegions::count; ++k) see(regions.spheres_[k], k, at);
+    see(disk_, at);
     for (std::size_t k = 0; k < LitRegions::count; ++k) {
-        const Vec3 way = regions.centres_[k] - at.position;
-        const auto distance2 = static_cast<float>(way.length2());
-        const float radius2 = regions.radii2_[k];
-        const bool is_inside = !(distance2 > radius2);
-        const float sine2 = is_inside ? 1 : radius2 / distance2;
-        const float scale = distance2 > 0 ? 1 / std::sqrt(distance2) : 0;
-        x_[k] = static_cast<float>(way.x) * scale;
-        y_[k] = static_cast<float>(way.y) * scale;
-        z_[k] = static_cast<float>(way.z) * scale;
-        sagitta_[k] = is_inside ? 2 : sine2 / (1 + std::sqrt(1 - sine2));
-        const bool is_below =
-            at.normal.dot(way) < -std::sqrt(static_cast<double>(radius2)) * at.normal.length();
-        const float power = is_below ? 0 : regions.powers_[k];
-        weights_[k] = power > 0 && radius2 > 0 ? power / std::max(distance2, radius2) : 0;
-        sum_ += weights_[k];
-    }
-    const double distance2 = to_disk_.length2(), height = -to_disk_.dot(disk_.normal);
-    const bool faces =
-        height > 0 && disk_.radius2 > 0 &&
-        (at.normal == Vec3(0) || at.normal.dot(to_disk_) > -std::sqrt(disk_.radius2));
-    if (faces) {
-        const double cosine =
-            (height + std::sqrt(disk_.radius2) / 4) / std::sqrt(distance2 + disk_.radius2);
-        disk_weight_ =
-            disk_.power * static_cast<float>(cosine / std::max(distance2, disk_.radius2));
-        sum_ += disk_weight_;
-    }
-    for (std::size_t k = 0; k < LitRegions::count; ++k) {
-        const auto angle = static_cast<float>(2 * pi) * sagitta_[k] * sum_;
-        densities_[k] = weights_[k] > 0 ? weights_[k] / angle : 0;
+        const float solid_angle = static_cast<float>(2 * pi) * sagitta_[k];
+        densities_[k] = weights_[k] > 0 ? weights_[k] / (solid_angle * sum_) : 0;
     }
 }
 
+void LitRegionsFrom::see(const LitRegions::Sphere& sphere, std::size_t k, const Receiver& at) {
+    const Vec3 way = sphere.centre - at.position;
+    const auto distance2 = static_cast<float>(way.length2());
+    const float radius2 = sphere.radius * sphere.radius;
+    const bool is_outside = distance2 > radius2;
+    const float scale = is_outside ? 1 / std::sqrt(distance2) : 0;
+    x_[k] = static_cast<float>(way.x) * scale;
+    y_[k] = static_cast<float>(way.y) * scale;
+    z_[k] = is_outside ? static_cast<float>(way.z) * scale : 1;
+    const float sine2 = radius2 * scale * scale;
+    sagitta_[k] = is_outside ? sine2 / (1 + std::sqrt(std::max(1 - sine2, 0.0F))) : 2;
+    const bool is_seen = is_above(at, way, sphere.radius);
+    weights_[k] = is_seen ? sphere.power / std::max(distance2, radius2) : 0;
+    sum_ += weights_[k];
+}
+
+void LitRegionsFrom::see(const LitRegions::Disk& disk, const Receiver& at) {
+    const double height = -to_disk_.dot(disk.normal), distance2 = to_disk_.length2();
+    const double radius = std::sqrt(disk.radius2);
+    constexpr double flat = 1e-3;  // of the radius: seen from its own plane
+    if (!(height > flat * radius) || !is_above(at, to_disk_, radius)) return;
+    // From near by some of the disk is seen under larger cosines than its centre.
+    const double cosine = (height + radius / 4) / std::sqrt(distance2 + disk.radius2);
+    disk_weight_ = static_cast<float>(disk.power * cosine / std::max(distance2, disk.radius2));
+    sum_ += disk_weight_;
+}
+
 Vec3 LitRegionsFrom::sample(double choice, const Vec2& uv) const {
-    const auto wanted = static_cast<float>(choice) * sum_;
-    if (!(wanted < disk_weight_)) return sample_sphere(wanted - disk_weight_, uv);
+    const float wanted = static_cast<float>(choice) * sum_;
+    return wanted < disk_weight_ ? sample_disk(uv) : sample_sphere(wanted - disk_weight_, uv);
+}
+
+Vec3 LitRegionsFrom::sample_disk(const Vec2& uv) const {
     Vec3 x, y;
     orthonormal_basis(disk_.normal, x, y);
     const double radius = std::sqrt(uv.x * disk_.radius2), angle = 2 * pi * uv.y;
@@ -188,16 +203,16 @@ float LitRegionsFrom::density(const Vec3& direction) const {
                z = static_cast<float>(direction.z);
     float sum = 0;
     for (std::size_t k = 0; k < LitRegions::count; ++k) {
-        const float cosine = x * x_[k] + y * y_[k] + z * z_[k];
-        sum += cosine >= 1 - sagitta_[k] ? densities_[k] : 0;
+        const float dx = x - x_[k], dy = y - y_[k], dz = z - z_[k];
+        sum += dx * dx + dy * dy + dz * dz <= 2 * sagitta_[k] ? densities_[k] : 0;
     }
     return disk_weight_ > 0 ? sum + disk_density(direction) : sum;
 }
 
 float LitRegionsFrom::disk_density(const Vec3& direction) const {
-    const double cosine = direction.dot(disk_.normal), height = to_disk_.dot(disk_.normal);
+    const double cosine = direction.dot(disk_.normal);
     if (!(cosine < 0)) return 0;
-    const double distance = height / cosine;
+    const double distance = to_disk_.dot(disk_.normal) / cosine;
     if ((distance * direction - to_disk_).length2() > disk_.radius2) return 0;
     const double by_angle = distance * distance / (pi * disk_.radius2 * -cosine);
     return static_cast<float>(by_angle) * disk_weight_ / sum_;

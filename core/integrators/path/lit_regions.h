@@ -1,27 +1,21 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "core/intersect/batch_intersector.h"
 #include "core/light/lights.h"
 
 namespace etalon {
 
-/// A flat patch that a spot lights up.
-struct LitDisk {
-    Vec3 centre, normal;  ///< unit, on the side of the spot
-    double radius2 = 0;
-    float power = 0;
-};
-
-/// A disk about the largest flat patch at the end of the beam of a spot, and spheres around the
-/// beam in a medium about the camera, each half as large as the one before on the way to the spot,
-/// where the beam is narrow and bright. Much of the light that is scattered twice comes from there,
-/// and few of the directions that a phase function or a BSDF chooses meet it.
+/// What a spot lights up in a medium about the camera: a disk about the largest flat patch at the
+/// end of its beam, and spheres around the beam, each half as large as the one before on the way to
+/// the spot, where the beam is narrow and bright. Much of the light that is scattered twice comes
+/// from there, and few of the directions that a phase function or a BSDF chooses meet it.
 class LitRegions {
   public:
-    /// Those of the spot of most power; none where no spot shines in such a medium, or the sky does
-    /// beside it.
+    /// Those of the spot of most power; none where no narrow spot shines in such a medium, or the
+    /// sky does beside it.
     LitRegions(const Scene& scene, const Lights& lights, const BatchIntersector& intersector);
 
     bool empty() const { return part_ == 0; }
@@ -32,12 +26,35 @@ class LitRegions {
   private:
     friend class LitRegionsFrom;
 
+    struct Sphere {
+        Vec3 centre;
+        float radius, power;
+    };
+    struct Disk {
+        Vec3 centre, normal;  ///< unit, on the side of the spot
+        double radius2 = 0;
+        float power = 0;
+    };
+    /// A ray of the beam, and how long it is.
+    struct BeamRay {
+        double intensity, length;
+        Vec3 end, normal;  ///< of the surface that it meets, on its side; 0 if there is none
+    };
+    struct Beam {
+        const SpotSource& spot;
+        double extinction, scattering;  ///< of the medium
+        std::vector<BeamRay> rays;
+    };
+    static std::vector<BeamRay> trace(const SpotSource& spot, double range, const Scene& scene,
+                                      const BatchIntersector& intersector);
+    static Sphere sphere_around(const Beam& beam, double end);
+    static Disk disk_about(const Beam& beam, const BeamRay& first);
+
     static constexpr std::size_t count = 8;
 
     float part_ = 0;
-    std::array<Vec3, count> centres_{};
-    std::array<float, count> radii2_{}, powers_{};
-    LitDisk disk_;
+    std::array<Sphere, count> spheres_{};
+    Disk disk_;
 };
 
 /// The regions as a point sees them.
@@ -55,16 +72,23 @@ class LitRegionsFrom {
     float density(const Vec3& direction) const;
 
   private:
-    float disk_density(const Vec3& direction) const;
+    void see(const LitRegions::Sphere& sphere, std::size_t k, const Receiver& at);
+    void see(const LitRegions::Disk& disk, const Receiver& at);
+    Vec3 sample_disk(const Vec2& uv) const;
     Vec3 sample_sphere(float wanted, const Vec2& uv) const;
+    float disk_density(const Vec3& direction) const;
 
-    std::array<float, LitRegions::count> x_, y_, z_;  ///< unit vectors to the centres
-    std::array<float, LitRegions::count> sagitta_;    ///< one less the cosine of the sphere's angle
+    // Of the spheres, side by side. A cone is told by 1 - cos of half its angle, which is half the
+    // largest squared distance between the ends of its unit vectors and of its axis.
+    std::array<float, LitRegions::count> x_, y_, z_;  ///< axes
+    std::array<float, LitRegions::count> sagitta_;    ///< 1 - cos, 2 of all directions
     std::array<float, LitRegions::count> weights_, densities_;
-    LitDisk disk_;
+
+    const LitRegions::Disk& disk_;
     Vec3 to_disk_;
     float disk_weight_ = 0;
-    float sum_ = 0, part_;
+    float sum_ = 0;  ///< of all weights
+    float part_;
 };
 
 }  // namespace etalon

@@ -21,41 +21,35 @@ float balance_weight(float a, float b) {
 }
 
 /// Density with which a vertex chooses a direction that its scattering chooses with `own`.
-template <class Vertex>
+template <bool in_media, class Vertex>
 float density_of(const Vertex& at, const Vec3& wi, float own) {
-    if (!at.lit_regions) return own;
+    if (!in_media || !at.lit_regions) return own;
     const float part = at.lit_regions->part();
     return (1 - part) * own + (at.reflects(wi) ? part * at.lit_regions->density(wi) : 0);
 }
 
-/// A direction in which a path goes on.
-struct DirectionSample : BsdfSample {
-    float favour = 1;  ///< density over the one with which scattering alone chooses it
-};
-
 /// Chooses a direction in which a path goes on: by the scattering, and partly by where lit regions
-/// are.
-template <class Vertex>
-std::optional<DirectionSample> sample_direction(const Vertex& at, double choice, const Vec2& uv) {
-    if (!at.lit_regions) {
-        const auto s = at.sample(static_cast<float>(choice), uv);
-        return s ? std::optional(DirectionSample{*s}) : std::nullopt;
-    }
+/// are. `favour` is set to its density over the one with which scattering alone chooses it, if that
+/// is another.
+template <bool in_media, class Vertex>
+std::optional<BsdfSample> sample_direction(const Vertex& at, double choice, const Vec2& uv,
+                                           float& favour) {
+    if (!in_media || !at.lit_regions) return at.sample(static_cast<float>(choice), uv);
     const float part = at.lit_regions->part();
     std::optional<BsdfSample> s;
     if (choice < part) {
         const Vec3 wi = at.lit_regions->sample(choice / part, uv);
-        const Evaluation e = at.evaluate(wi);
         if (!at.reflects(wi)) return std::nullopt;
+        const Evaluation e = at.evaluate(wi);
         s = {wi, e.f, e.pdf, false, false, false, 1};
     } else {
         s = at.sample(static_cast<float>((choice - part) / (1 - part)), uv);
     }
     if (!s || !(s->pdf > 0)) return std::nullopt;
-    const float pdf = s->specular ? (1 - part) * s->pdf : density_of(at, s->wi, s->pdf);
-    const float favour = pdf / s->pdf;
-    s->pdf = pdf;
-    return DirectionSample{*s, favour};
+    const float own = s->pdf;
+    s->pdf = s->specular ? (1 - part) * own : density_of<in_media>(at, s->wi, own);
+    favour = s->pdf / own;
+    return s;
 }
 
 }  // namespace
@@ -303,7 +297,7 @@ void PathBatch<in_media>::ask_light(const Path& path, const Vertex& at, const Qu
     float weight = 1;
     if (!light.is_delta) {
         const float scattered_density =
-            static_cast<float>(at.ways) * density_of(at, light.wi, scattered.pdf);
+            static_cast<float>(at.ways) * density_of<in_media>(at, light.wi, scattered.pdf);
         weight = light.at_infinity ? balance_weight(asked, scattered_density)
                                    : power_weight(asked, scattered_density);
     }
@@ -357,7 +351,9 @@ template <bool in_media>
 template <class Vertex>
 void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_t way) {
     const Vec2 choices = ways_.choices(way);
-    const std::optional<DirectionSample> s = sample_direction(at, choices.x, ways_.place(way));
+    float favour = 1;
+    const std::optional<BsdfSample> s =
+        sample_direction<in_media>(at, choices.x, ways_.place(way), favour);
     if (!s || s->f == Color(0.0F) || !(s->pdf > 0)) return;
     if constexpr (std::is_same_v<Vertex, SurfaceVertex>) {
         if (at.subsurface && s->transmission) return enter(path, at, *s);
@@ -369,7 +365,7 @@ void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_
     next.specular = s->specular;
     // From between the horizons pbrt-v3 takes the light of lights only.
     next.last_ray = s->turned || (shared_.direct_only && !s->specular);
-    next.eta_scale *= s->eta * s->eta * s->favour;
+    next.eta_scale *= s->eta * s->eta * favour;
     ++next.depth;
     next.name = ray_name(path.name, false);
     if (!survives(next, choices.y)) {
