@@ -11,6 +11,7 @@
 #include "app/scene_arguments.h"
 #include "app/stats.h"
 #include "app/subcommands.h"
+#include "core/texture/texture_memory.h"
 
 namespace etalon {
 namespace {
@@ -136,6 +137,10 @@ std::size_t vertices(const Geometry& geometry) {
     return count;
 }
 
+std::size_t texture_bytes(const Scene& scene) {
+    return scene.is_physical() ? texture_memory_bytes(scene.physical().textures) : 0;
+}
+
 std::string instances_line(const Json& j) {
     return fmt::format("{} of {} objects", j["instances"].get<std::size_t>(),
                        j["objects"].get<std::size_t>());
@@ -177,6 +182,7 @@ Json describe(const InfoArguments& a, const LoadedScene& loaded) {
             {"skybox", look.skybox},
             {"needs", look.needs},
             {"memory_bytes", memory_bytes(s)},
+            {"texture_memory_bytes", texture_bytes(s)},
             {"diagnostics", diagnostics(loaded.diagnostics)}};
 }
 
@@ -196,7 +202,7 @@ std::string as_text(const Json& j) {
         "lights      {}\n  picture "
         "    {} x {}, {} "
         "samples per pixel\n  integrator  {}\n  backend     {}\n  needs       {}\n  memory      {} "
-        "bytes\n  "
+        "bytes, and {} bytes of images of textures\n  "
         "diagnostics {}\n",
         j["scene"].get<std::string>(), j["format"].get<std::string>(), j["frame"].get<int>(),
         j["frames"].get<int>(), counts_line(j["primitives"]), instances_line(j),
@@ -204,7 +210,8 @@ std::string as_text(const Json& j) {
         camera["height"].get<int>(), j["samples_per_pixel"].get<int>(),
         j["integrator"].get<std::string>(), j["backend"].get<std::string>(),
         needed.empty() ? "nothing special" : fmt::format("{}", fmt::join(needed, ", ")),
-        j["memory_bytes"].get<std::size_t>(), j["diagnostics"].size());
+        j["memory_bytes"].get<std::size_t>(), j["texture_memory_bytes"].get<std::size_t>(),
+        j["diagnostics"].size());
 }
 
 int inform(const InfoArguments& a) {

@@ -18,6 +18,21 @@ constexpr int max_image_side = 65536;
 /// Samples per pixel, at most, of an image that ends by an error or a time limit.
 constexpr int ample_samples = 1 << 16;
 
+/// Returns the same part of an image of another size: a pixel at least, and none twice of windows
+/// side by side.
+Imath::Box2i resized(const Imath::Box2i& window, const Imath::V2i& from, const Imath::V2i& to) {
+    Imath::Box2i result;
+    for (int k = 0; k < 2; ++k) {
+        const auto place = [&](int border) {
+            const auto product = static_cast<std::int64_t>(border) * to[k];
+            return static_cast<int>((product + from[k] - 1) / from[k]);
+        };
+        result.min[k] = std::min(place(window.min[k]), to[k] - 1);
+        result.max[k] = std::max(place(window.max[k] + 1) - 1, result.min[k]);
+    }
+    return result;
+}
+
 std::string apply_resolution(const std::string& text, RenderSettings& settings) {
     if (text.empty()) return {};
     int width = 0, height = 0;
@@ -30,7 +45,9 @@ std::string apply_resolution(const std::string& text, RenderSettings& settings) 
         return fmt::format("--resolution {}: expected at most {} pixels a side", text,
                            max_image_side);
     }
-    settings.resolution = {width, height};
+    const Imath::V2i size(width, height);
+    if (!settings.crop.isEmpty()) settings.crop = resized(settings.crop, settings.resolution, size);
+    settings.resolution = size;
     return {};
 }
 

@@ -238,6 +238,43 @@ TEST_CASE("info tells what a scene holds, as text and as JSON", "[app]") {
     CHECK(j["needs"] == json{"mirrored rays"});
 }
 
+TEST_CASE("info tells what the images of textures take, by their headers", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    REQUIRE(f.etalon("render ball.p3f --resolution 32x32 -q -o square.png -o float.exr").status ==
+            0);
+    REQUIRE(f.etalon("render ball.p3f --resolution 30x20 -q -o odd.png").status == 0);
+    const auto bytes = [&](const std::string& file) {
+        f.write("textured.pbrt",
+                "WorldBegin Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"" + file +
+                    "\" Material \"matte\" \"texture Kd\" \"t\" Shape \"sphere\" WorldEnd");
+        return json::parse(f.etalon("info textured.pbrt --json").out)["texture_memory_bytes"];
+    };
+    CHECK(bytes("square.png") == 32 * 32 * 3);
+    CHECK(bytes("odd.png") == 32 * 32 * 4);
+    CHECK(bytes("float.exr") == 32 * 32 * 12);
+    CHECK(json::parse(f.etalon("info ball.p3f --json").out)["texture_memory_bytes"] == 0);
+}
+
+TEST_CASE("--resolution keeps the part of the image that a scene crops", "[app]") {
+    const Folder f;
+    f.write("crop.pbrt",
+            "Film \"image\" \"integer xresolution\" 1000 \"integer yresolution\" 800 \"float "
+            "cropwindow\" [.3 .7 .5 .75]\nWorldBegin WorldEnd");
+    REQUIRE(f.etalon("render crop.pbrt --spp 1 -q -o whole.exr").status == 0);
+    REQUIRE(f.etalon("render crop.pbrt --spp 1 -q -o small.exr --resolution 50x40").status == 0);
+    REQUIRE(f.etalon("render crop.pbrt --spp 1 -q -o tiny.exr --resolution 1x1").status == 0);
+    const auto whole = etalon::read_image(f.path("whole.exr")).value;
+    CHECK(whole.width == 400);
+    CHECK(whole.height == 200);
+    const auto small = etalon::read_image(f.path("small.exr")).value;
+    CHECK(small.width == 20);
+    CHECK(small.height == 10);
+    CHECK(small.origin == Imath::V2i(15, 20));
+    CHECK(small.frame == Imath::V2i(50, 40));
+    CHECK(etalon::read_image(f.path("tiny.exr")).value.width == 1);
+}
+
 TEST_CASE("trace answers ray by ray", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);

@@ -31,8 +31,10 @@ constexpr std::array sppm = {also(integer("iterations", 64), "numiterations"), m
 constexpr std::array ambient_occlusion = {flag("cossample", true), integer("nsamples", 64),
                                           pixel_bounds};
 
-constexpr std::string_view as_path = "path, which converges to the same image";
-constexpr std::string_view as_volpath = "volpath, which converges to the same image";
+constexpr std::string_view as_path =
+    "path, which converges to the same image but for caustics of lights without extent";
+constexpr std::string_view as_volpath =
+    "volpath, which converges to the same image but for caustics of lights without extent";
 
 constexpr std::array types = {
     PluginType{Category::integrator, "path", path},
