@@ -5,14 +5,16 @@
 
 #include "core/intersect/group_kernels.h"
 #include "core/intersect/ray_columns.h"
+#include "core/intersect/rescaled_ray.h"
 #include "core/numerics/denormals.h"
 
 namespace etalon {
 namespace {
 
-/// Calls trace(group) for all rays, a group of one dominant axis at a time.
-template <class Trace>
-void for_each_group(std::span<const Ray> rays, const Trace& trace) {
+/// Calls trace(group) for all rays, a group of one dominant axis at a time, and alone(i) for those
+/// of an extreme direction.
+template <class Trace, class Alone>
+void for_each_group(std::span<const Ray> rays, const Trace& trace, const Alone& alone) {
     const DenormalsCount denormals_count;
     std::array<RayGroup, 3> groups;
     for (int axis = 0; axis < 3; ++axis) groups[axis].dominant = axis;
@@ -33,6 +35,8 @@ void for_each_group(std::span<const Ray> rays, const Trace& trace) {
             const Ray& ray = chunk[i];
             if (columns.common[i] != 0) {
                 add(ray, ray.direction, columns.dominants[i]);
+            } else if (has_extreme_direction(ray)) {
+                alone(first + i);
             } else if (is_valid(ray)) {
                 const RayQuery query(ray);
                 add(ray, query.ray.direction, query.kz);
@@ -63,8 +67,9 @@ std::size_t None::own_bytes() const {
 }
 
 void None::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
-    std::ranges::fill(hits, Hit{infinity, no_index});
-    for_each_group(rays, [&](RayGroup& group) {
+    constexpr Hit nothing{infinity, no_index};
+    std::ranges::fill(hits, nothing);
+    const auto trace = [&](RayGroup& group) {
         for (const std::uint32_t id : scene_bounds().unbounded) {
             offer_to_group(geometry(), id, group);
         }
@@ -74,7 +79,9 @@ void None::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
             hits[group.rays[i] - rays.data()] =
                 has_instances ? with_instances(*group.rays[i], hit) : hit;
         }
-    });
+    };
+    for_each_group(rays, trace,
+                   [&](std::size_t i) { hits[i] = closest(rays[i]).value_or(nothing); });
 }
 
 /// Returns the nearer of the hit on a primitive that is the nearest one, and those on instances.
@@ -96,7 +103,7 @@ bool None::instances_occlude(const Ray& ray) const {
 
 void None::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
     std::ranges::fill(blocked, std::uint8_t{0});
-    for_each_group(rays, [&](RayGroup& group) {
+    const auto trace = [&](RayGroup& group) {
         for (const std::uint32_t id : scene_bounds().unbounded) {
             if (!offer_to_group(geometry(), id, group)) continue;
             for (std::size_t i = group.count; i-- > 0;) {
@@ -109,7 +116,8 @@ void None::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) 
         for (std::size_t i = 0; i < group.count; ++i) {
             blocked[group.rays[i] - rays.data()] = instances_occlude(*group.rays[i]) ? 1 : 0;
         }
-    });
+    };
+    for_each_group(rays, trace, [&](std::size_t i) { blocked[i] = occluded(rays[i]) ? 1 : 0; });
 }
 
 }  // namespace etalon
