@@ -52,7 +52,7 @@ const Backend& backend_named(std::string_view name) {
 }
 
 std::optional<Hit> brute_force(const Scene& scene, const Ray& ray) {
-    if (has_extreme_direction(ray)) {
+    if (is_valid(ray) && has_extreme_direction(ray)) {
         const RescaledRay usual(ray);
         std::optional<Hit> hit = brute_force(scene, usual.ray);
         if (hit) hit->t *= usual.unit;
