@@ -27,8 +27,9 @@ std::size_t None::own_bytes() const {
 
 void None::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
     const DenormalsCount denormals_count;
-    std::ranges::fill(hits, Hit{infinity, no_index});
-    for_each_packet(rays, [&](RayPacket& packet) {
+    constexpr Hit nothing{infinity, no_index};
+    std::ranges::fill(hits, nothing);
+    const auto trace = [&](RayPacket& packet) {
         for (const std::uint32_t id : scene_bounds().unbounded) {
             offer_to_packet(geometry(), id, packet);
         }
@@ -38,6 +39,9 @@ void None::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
             hits[packet.rays[i] - rays.data()] =
                 has_instances ? with_instances(*packet.rays[i], hit) : hit;
         }
+    };
+    for_each_packet(rays, trace, [&](const Ray& ray) {
+        hits[&ray - rays.data()] = closest(ray).value_or(nothing);
     });
 }
 
@@ -61,7 +65,7 @@ bool None::instances_occlude(const Ray& ray) const {
 void None::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
     const DenormalsCount denormals_count;
     std::ranges::fill(blocked, std::uint8_t{0});
-    for_each_packet(rays, [&](RayPacket& packet) {
+    const auto trace = [&](RayPacket& packet) {
         for (const std::uint32_t id : scene_bounds().unbounded) {
             if (!offer_to_packet(geometry(), id, packet)) continue;
             packet.remove_hit([&](const Ray* ray) { blocked[ray - rays.data()] = 1; });
@@ -70,7 +74,9 @@ void None::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) 
         for (std::size_t i = 0; i < packet.count; ++i) {
             blocked[packet.rays[i] - rays.data()] = instances_occlude(*packet.rays[i]) ? 1 : 0;
         }
-    });
+    };
+    for_each_packet(rays, trace,
+                    [&](const Ray& ray) { blocked[&ray - rays.data()] = occluded(ray) ? 1 : 0; });
 }
 
 }  // namespace etalon

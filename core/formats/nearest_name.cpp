@@ -40,10 +40,11 @@ std::string_view nearest_name(std::string_view word, std::span<const std::string
     std::size_t fewest = longest;
     for (const std::string_view name : names) {
         if (name.size() > longest) continue;
+        const auto [shorter, longer] = std::minmax({word.size(), name.size()});
+        const std::size_t unbearable = std::min({shorter / 3 + 2, shorter, fewest});
+        if (longer - shorter >= unbearable) continue;  // each missing letter is an error
         const std::size_t errors = typing_errors(word, name);
-        const std::size_t bearable = std::min(word.size(), name.size()) / 3 + 1;
-        const bool keeps_something = errors < std::min(word.size(), name.size());
-        if (keeps_something && errors <= bearable && errors < fewest) {
+        if (errors < unbearable) {
             nearest = name;
             fewest = errors;
         }

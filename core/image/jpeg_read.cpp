@@ -71,23 +71,36 @@ std::vector<std::uint8_t> rest_of(std::FILE* file) {
     return bytes;
 }
 
+/// Colours of inks that are stored as Adobe's programs do, 255 for none: what of the light the
+/// ink and the black leave, as OpenImageIO has it.
+void to_rgb(const std::uint8_t* inks, std::uint8_t* rgb, int count) {
+    const auto part = [](std::uint8_t byte) { return static_cast<float>(byte) * (1.0F / 255); };
+    for (; count > 0; --count, inks += 4, rgb += 3) {
+        for (int k = 0; k < 3; ++k) {
+            rgb[k] = static_cast<std::uint8_t>(part(inks[k]) * part(inks[3]) * 255.0F + 0.5F);
+        }
+    }
+}
+
 /// Decoder of one file. Its functions return false on failure, for which reason() gives the cause.
 class JpegReader {
   public:
     /// Header only: from the file itself. The whole image: from its bytes, as libjpeg decodes
     /// slowly what is near the end of its source's buffer, which has but 4 KB of a file.
     JpegReader(std::FILE* file, Extent extent) {
+        // First, as a constructor that throws does not give back what libjpeg has by then.
+        if (extent == Extent::whole) bytes_ = rest_of(file);
         info_.err = jpeg_std_error(&errors_);
         info_.client_data = &jump_;
         errors_.error_exit = fail;
         errors_.emit_message = note;
         opened_ = jump_.completes([&] {
             jpeg_create_decompress(&info_);
-            if (extent == Extent::header) jpeg_stdio_src(&info_, file);
+            if (extent == Extent::header)
+                jpeg_stdio_src(&info_, file);
+            else
+                jpeg_mem_src(&info_, bytes_.data(), bytes_.size());
         });
-        if (!opened_ || extent == Extent::header) return;
-        bytes_ = rest_of(file);
-        opened_ = jump_.completes([&] { jpeg_mem_src(&info_, bytes_.data(), bytes_.size()); });
     }
     ~JpegReader() { jpeg_destroy_decompress(&info_); }
     JpegReader(const JpegReader&) = delete;
@@ -97,32 +110,41 @@ class JpegReader {
         return opened_ && jump_.completes([&] { jpeg_read_header(&info_, TRUE); });
     }
     bool start() {
+        if (has_inks()) {
+            info_.out_color_space = JCS_CMYK;
+            inks_.resize(static_cast<std::size_t>(width()) * 4);
+        }
         return jump_.completes([&] { jpeg_start_decompress(&info_); });
     }
     bool read_rows(std::uint8_t* first, int count) {
         return jump_.completes([&] {
             const std::size_t row = static_cast<std::size_t>(width()) * channels();
-            for (int i = 0; i < count; ++i) {
-                JSAMPROW target = first + static_cast<std::size_t>(i) * row;
-                jpeg_read_scanlines(&info_, &target, 1);
-            }
+            for (int i = 0; i < count; ++i) read_row(first + static_cast<std::size_t>(i) * row);
         });
     }
 
     int width() const { return static_cast<int>(info_.image_width); }
     int height() const { return static_cast<int>(info_.image_height); }
-    int channels() const { return info_.num_components; }
-    bool is_grey_or_rgb() const {
-        const J_COLOR_SPACE stored = info_.jpeg_color_space;
-        return stored == JCS_GRAYSCALE || stored == JCS_YCbCr || stored == JCS_RGB;
-    }
+    int channels() const { return has_inks() ? 3 : info_.num_components; }
     std::string reason() const { return jump_.reason; }
 
   private:
+    /// Whether the four channels are amounts of ink.
+    bool has_inks() const {
+        return info_.jpeg_color_space == JCS_CMYK || info_.jpeg_color_space == JCS_YCCK;
+    }
+
+    void read_row(std::uint8_t* to) {
+        JSAMPROW target = has_inks() ? inks_.data() : to;
+        jpeg_read_scanlines(&info_, &target, 1);
+        if (has_inks()) to_rgb(inks_.data(), to, width());
+    }
+
     LibraryJump jump_;
     jpeg_error_mgr errors_ = {};
     jpeg_decompress_struct info_ = {};
     std::vector<std::uint8_t> bytes_;
+    std::vector<std::uint8_t> inks_;  ///< of a row
     bool opened_ = false;
 };
 
@@ -141,10 +163,11 @@ std::string read_pixels(JpegReader& reader, Image& image) {
 
 }  // namespace
 
-std::optional<Result<Image>> read_jpeg(std::FILE* file, Extent extent) {
+Result<Image> read_jpeg(std::FILE* file, Extent extent) {
+    constexpr int most_channels = 4;
     JpegReader reader(file, extent);
-    if (!reader.read_header()) return Result<Image>{{}, reader.reason()};
-    if (!reader.is_grey_or_rgb()) return std::nullopt;
+    if (!reader.read_header()) return {{}, reader.reason()};
+    if (reader.channels() > most_channels) return {{}, reason_of(JERR_NOTIMPL)};
     Result<Image> image;
     image.value = {reader.width(), reader.height(), reader.channels(), {}, Encoding::srgb, {}};
     if (extent == Extent::whole) image.error = read_pixels(reader, image.value);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdio>
-#include <optional>
 
 #include "core/base/result.h"
 #include "core/image/extent.h"
@@ -9,10 +8,9 @@
 
 namespace etalon {
 
-/// A JPEG file, by libjpeg: bytes of one channel or of three, as sRGB; neither its orientation nor
-/// a colour profile is applied. Nothing for a file of other channels (CMYK), which OpenImageIO
-/// converts. A failure's reason does not name the file; a file that ends early is one. May throw
-/// std::bad_alloc.
-std::optional<Result<Image>> read_jpeg(std::FILE* file, Extent extent);
+/// A JPEG file, by libjpeg: bytes of its channels, as sRGB, those of inks (CMYK) as three; neither
+/// its orientation nor a colour profile is applied. A failure's reason does not name the file; a
+/// file that ends early is one. May throw std::bad_alloc.
+Result<Image> read_jpeg(std::FILE* file, Extent extent);
 
 }  // namespace etalon

@@ -5,6 +5,7 @@
 #include "core/intersect/kernels.h"
 #include "core/intersect/local_rays.h"
 #include "core/intersect/placement.h"
+#include "core/intersect/rescaled_ray.h"
 #include "core/numerics/denormals.h"
 
 namespace etalon {
@@ -66,6 +67,12 @@ NearestHit Intersector::nearest_unresolved(const Ray& ray, TraversalCost* cost) 
 NearestHit Intersector::nearest_hit(const Ray& ray, bool passes, TraversalCost* cost) const {
     NearestHit nearest(ray.tmax);
     if (!is_valid(ray)) return nearest;
+    if (has_extreme_direction(ray)) {
+        const RescaledRay usual(ray);
+        nearest = nearest_hit(usual.ray, cost);
+        nearest.t *= usual.unit;
+        return nearest;
+    }
     if (!is_resolved(bounds_.space, ray)) return nearest_unresolved(ray, cost);
     const auto local = passes ? std::nullopt : normalized_ray(bounds_.space, ray);
     if (!local && bounds_.unbounded.empty()) return nearest;
@@ -93,6 +100,7 @@ bool Intersector::is_occluded_unresolved(const Ray& ray) const {
 
 bool Intersector::is_occluded(const Ray& ray, bool passes) const {
     if (!is_valid(ray)) return false;
+    if (has_extreme_direction(ray)) return is_occluded(RescaledRay(ray).ray);
     if (!is_resolved(bounds_.space, ray)) return is_occluded_unresolved(ray);
     const auto local = passes ? std::nullopt : normalized_ray(bounds_.space, ray);
     if (!local && bounds_.unbounded.empty()) return false;

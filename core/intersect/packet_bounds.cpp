@@ -150,11 +150,9 @@ HWY_EXPORT(find_near);
 
 PacketBounds::PacketBounds(const RayPacket& packet)
     : dominant_(packet.dominant), all_(HWY_DYNAMIC_DISPATCH(packet_intervals)(packet)) {
-    // Reciprocals in this range are as good as any number, and so are slopes made with them.
-    constexpr double largest = 0x1p1001;
     const Interval& forward = all_.slopes[dominant_];
-    goes_up_ = forward.least > 1 / largest && forward.most < largest;
-    goes_down_ = forward.most < -1 / largest && forward.least > -largest;
+    goes_up_ = forward.least > 0;
+    goes_down_ = forward.most < 0;
 }
 
 std::size_t PacketBounds::find_near(const BoxColumns& boxes, std::uint32_t* numbers) const {

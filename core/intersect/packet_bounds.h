@@ -17,11 +17,10 @@ class PacketBounds {
     /// How much wider the bounds are, in parts of the coordinates' size.
     static constexpr double margin = 0x1p-20;
 
-    /// The bounds of a packet that is not empty.
+    /// The bounds of a packet that is not empty. Directions are of usual length: see RescaledRay.
     explicit PacketBounds(const RayPacket& packet);
 
-    /// Whether anything can be said: not of rays that go both ways along the dominant axis, nor
-    /// where reciprocals leave the range of doubles.
+    /// Whether anything can be said: not of rays that go both ways along the dominant axis.
     bool goes_one_way() const { return goes_up_ || goes_down_; }
 
     /// Writes to `numbers`, which has room for all, those of the boxes that a ray may meet: none of

@@ -77,14 +77,18 @@ void PacketIntersector::answer_all(std::span<const Ray> rays, std::span<Answer> 
         if (first == probed && !any_few) return ask(rays.subspan(first), answers.subspan(first));
         const std::size_t count = std::min(RayPacket::most, rays.size() - first);
         const auto chunk = rays.subspan(first, count);
-        for_each_packet(chunk, [&](RayPacket& packet) {
+        const auto answers_of_chunk = answers.subspan(first, count);
+        const auto visit = [&](RayPacket& packet) {
             Near near;
             if (const auto few = find_few(packet, near)) {
                 offer(packet, *few);
                 any_few = true;
             } else {
-                ask_for_packet(packet, chunk, answers.subspan(first, count), ask);
+                ask_for_packet(packet, chunk, answers_of_chunk, ask);
             }
+        };
+        for_each_packet(chunk, visit, [&](const Ray& ray) {
+            ask(std::span(&ray, 1), answers_of_chunk.subspan(&ray - chunk.data(), 1));
         });
     }
 }

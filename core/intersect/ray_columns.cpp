@@ -1,5 +1,7 @@
 #include "core/intersect/ray_columns.h"
 
+#include "core/intersect/rescaled_ray.h"
+
 #define ETALON_WITH_AVX3
 #include "core/numerics/instruction_sets.h"
 
@@ -29,8 +31,8 @@ HWY_INLINE DoubleMask common(const RayColumns& c, std::size_t i, const Vec3Lanes
     const DoubleTag tag;
     const Doubles largest = hn::Max(size.x, hn::Max(size.y, size.z));
     const Doubles least = broadcast(0x1p-500) * largest;
-    const DoubleMask in_range =
-        hn::And(largest > broadcast(0x1p-1000), largest < broadcast(0x1p1000));
+    const DoubleMask in_range = hn::And(largest >= broadcast(1 / largest_usual_direction),
+                                        largest <= broadcast(largest_usual_direction));
     const DoubleMask not_negligible =
         hn::And(is_zero_or_above(least, size.x),
                 hn::And(is_zero_or_above(least, size.y), is_zero_or_above(least, size.z)));

@@ -22,7 +22,7 @@ struct RayColumns {
     std::array<double, most> tmins, tmaxs;
 
     /// Other than 0 for what nearly all rays are: valid, and of directions whose components are
-    /// zeros or within 2^-500 of the largest, which is within 2^+-1000 of 1.
+    /// zeros or within 2^-500 of the largest, which is of usual size (see RescaledRay).
     std::array<std::uint64_t, most> common;
     std::array<std::uint64_t, most> dominants;  ///< dominant axes of the directions
 };

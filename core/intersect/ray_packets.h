@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/intersect/ray_packet.h"
+#include "core/intersect/rescaled_ray.h"
 
 namespace etalon {
 
@@ -20,12 +21,16 @@ inline bool are_alike(const RayColumns& rays) {
     return common != 0 && differences == 0;
 }
 
-/// Adds the rays to the packets of their dominant axes; those that can hit nothing to none.
-inline void sort_into(std::array<RayPacket, 3>& packets, std::span<const Ray> rays,
-                      const RayColumns& columns) {
+/// Adds the rays to the packets of their dominant axes, but for those of extreme directions, for
+/// which it calls alone(ray), and those that can hit nothing.
+template <class Alone>
+void sort_into(std::array<RayPacket, 3>& packets, std::span<const Ray> rays,
+               const RayColumns& columns, const Alone& alone) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (columns.common[i] != 0) {
             packets[columns.dominants[i]].add(rays[i], rays[i].direction);
+        } else if (is_valid(rays[i]) && has_extreme_direction(rays[i])) {
+            alone(rays[i]);
         } else if (is_valid(rays[i])) {
             const RayQuery query(rays[i]);
             packets[query.kz].add(rays[i], query.ray.direction);
@@ -36,9 +41,10 @@ inline void sort_into(std::array<RayPacket, 3>& packets, std::span<const Ray> ra
 }  // namespace detail
 
 /// Calls visit(packet) for all rays that can hit anything, neighbours of one dominant axis
-/// together; a packet is for visit() to change. Their numbers are those in `rays`.
-template <class Visit>
-void for_each_packet(std::span<const Ray> rays, const Visit& visit) {
+/// together; a packet is for visit() to change. Calls alone(ray) for rays of extreme directions:
+/// see RescaledRay. Both get references to rays of the span.
+template <class Visit, class Alone>
+void for_each_packet(std::span<const Ray> rays, const Visit& visit, const Alone& alone) {
     std::array<RayPacket, 3> packets;
     for (int axis = 0; axis < 3; ++axis) packets[axis].dominant = axis;
     while (!rays.empty()) {
@@ -52,7 +58,7 @@ void for_each_packet(std::span<const Ray> rays, const Visit& visit) {
             packet.count = 0;
             continue;
         }
-        detail::sort_into(packets, chunk, columns);
+        detail::sort_into(packets, chunk, columns, alone);
         for (RayPacket& packet : packets) {
             if (packet.count != 0) visit(packet);
             packet.count = 0;

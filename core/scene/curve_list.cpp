@@ -15,12 +15,15 @@ bool same(const Affine& a, const Affine& b) {
 
 }  // namespace
 
-CurvePlace::CurvePlace(const Affine& map) : to_world(map), rows(Instance(map, 0).rows) {}
+CurvePlace::CurvePlace(const Affine& map) : to_world(map), rows(Instance(map, 0).rows) {
+    if (!exists()) rows.fill(Vec3(nan_value));  // so that no ray in the curve's space meets it
+}
 
 /// An inverse that is little but roundings would take points anywhere.
 bool CurvePlace::exists() const {
-    constexpr double largest_condition = 0x1p30;
-    return is_finite(to_world) && condition_of(to_world, rows) < largest_condition;
+    constexpr double largest_condition = 0x1p30, largest_stretch = 0x1p44;
+    return is_finite(to_world) && condition_of(to_world, rows) < largest_condition &&
+           stretch_of(to_world, rows) < largest_stretch;
 }
 
 void CurveList::push_back(const Curve& c) {

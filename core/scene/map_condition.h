@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "core/numerics/affine.h"
@@ -18,6 +19,15 @@ inline double condition_of(const Affine& map, const std::array<Vec3, 3>& inverse
         sums += of_x * abs(map.x) + of_y * abs(map.y) + of_z * abs(map.z);
     }
     return max_abs(sums);
+}
+
+/// How many times longer an axis of a map is than another, at most: roundings in the space of its
+/// inverse grow so much where they are turned there, from a short axis into a long one.
+inline double stretch_of(const Affine& map, const std::array<Vec3, 3>& inverse) {
+    const auto largest = [](const Vec3& a, const Vec3& b, const Vec3& c) {
+        return std::max(std::max(max_abs(a), max_abs(b)), max_abs(c));
+    };
+    return largest(map.x, map.y, map.z) * largest(inverse[0], inverse[1], inverse[2]);
 }
 
 }  // namespace etalon

@@ -36,7 +36,43 @@ std::size_t count_different(const Backend& backend, const Scene& scene,
     return different;
 }
 
+/// The number of rays that find something else where only their direction is scaled.
+std::size_t count_changed(const Intersector& intersector, const std::vector<Ray>& rays,
+                          double factor) {
+    std::size_t changed = 0;
+    for (Ray ray : rays) {
+        const auto expected = intersector.closest(ray);
+        const Vec3 direction = factor * ray.direction;
+        if (direction / factor != ray.direction) continue;
+        ray.direction = direction;
+        ray.tmin /= factor;
+        ray.tmax /= factor;
+        const auto hit = intersector.closest(ray);
+        const bool same = hit && expected ? hit->t == expected->t / factor &&
+                                                hit->primitive == expected->primitive
+                                          : !hit && !expected;
+        if (!same || intersector.occluded(ray) != hit.has_value()) ++changed;
+    }
+    return changed;
+}
+
 }  // namespace
+
+TEST_CASE("Given directions of extreme length, every backend gives the same hits", "[backends]") {
+    for (const char* family : {"mix", "duplicates", "slivers"}) {
+        const Scene scene = make_scene(family, 100);
+        Random random(8);
+        std::vector<Ray> rays = make_rays(scene, 500, random);
+        for (Ray& ray : rays) ray.direction = to_unit_magnitude(ray.direction);
+        for (const Backend& backend : exact_backends()) {
+            const auto intersector = backend.build(scene.geometry);
+            for (const int k : {-960, -600, -500, 400, 600, 900}) {
+                INFO(family << " by " << backend.name << ", k = " << k);
+                CHECK(count_changed(*intersector, rays, std::ldexp(1.0, k)) == 0);
+            }
+        }
+    }
+}
 
 TEST_CASE("Given a scene scaled by 2^k, every backend gives the same hits", "[backends]") {
     for (const char* family : {"mix", "duplicates", "slivers", "far"}) {

@@ -51,6 +51,8 @@ std::vector<Ray> bundles(const Scene& scene, std::size_t number, Random& random)
             for (const Ray& r : around_hit(ray, hit->t)) rays.push_back(r);
         }
     }
+    rays[rays.size() / 2].direction *= 0x1p-200;
+    rays[rays.size() / 3].direction *= 0x1p200;
     for (Ray& ray : rays) ray.set_coherent();
     return rays;
 }

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/intersect/kernels.h"
+#include "core/intersect/rescaled_ray.h"
 #include "embree_backend/embree_backends.h"
 #include "native_accel/native_backends.h"
 #include "tests/catch.h"
@@ -51,6 +52,12 @@ const Backend& backend_named(std::string_view name) {
 }
 
 std::optional<Hit> brute_force(const Scene& scene, const Ray& ray) {
+    if (is_valid(ray) && has_extreme_direction(ray)) {
+        const RescaledRay usual(ray);
+        std::optional<Hit> hit = brute_force(scene, usual.ray);
+        if (hit) hit->t *= usual.unit;
+        return hit;
+    }
     const RayQuery query(ray);
     std::optional<Hit> best;
     for (std::uint32_t id = 0; id < scene.geometry.primitives.size(); ++id) {

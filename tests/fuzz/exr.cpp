@@ -3,6 +3,8 @@
 
 namespace etalon::fuzz {
 
-const Target target = {[](std::string_view bytes) { read_image_file("image.exr", bytes); }};
+const Target target = {
+    [](std::string_view bytes) { read_image_file("image.exr", "\x76\x2f\x31\x01", bytes); }, false,
+    false};
 
 }  // namespace etalon::fuzz

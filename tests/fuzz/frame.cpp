@@ -6,6 +6,8 @@
 #include <memory>
 #include <span>
 
+#include "core/base/hash64.h"
+#include "tests/fuzz/limited_memory.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/text_mutator.h"
 #include "tests/temporary_folder.h"
@@ -54,10 +56,34 @@ std::size_t mutate_text_in(std::uint8_t* data, std::size_t size, std::size_t mos
     return changed.size();
 }
 
+/// Where memory ends a program says so in words.
+void run_limited(std::string_view input, std::uint32_t failing_call) {
+    try {
+        const LimitedMemory memory(failing_call);
+        target.run(input);
+    } catch (const std::bad_alloc&) {
+        return;
+    }
+}
+
+/// Whether an allocation is to fail, so that nothing need come of the input.
+bool is_short_of_memory = false;
+
+/// Reads every eighth input once more, while one allocation fails. What was made before must be
+/// given back: libFuzzer looks for leaks.
+void run_short_of_memory(std::string_view input) {
+    const std::uint64_t hash = hash64(input);
+    if (!target.survives_lack_of_memory || hash % 8 != 0) return;
+    const std::uint32_t magnitude = hash >> 3 & 15, number = hash >> 32 & ((1U << magnitude) - 1);
+    is_short_of_memory = true;
+    run_limited(input, number + 1);
+    is_short_of_memory = false;
+}
+
 }  // namespace
 
 void require(bool holds, std::string_view text) {
-    if (holds) return;
+    if (holds || is_short_of_memory) return;
     std::fprintf(stderr, "fuzz: %.*s\n", static_cast<int>(text.size()), text.data());
     std::abort();
 }
@@ -78,7 +104,9 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    target.run({reinterpret_cast<const char*>(data), size});
+    const std::string_view input(reinterpret_cast<const char*>(data), size);
+    run_limited(input, 0);
+    run_short_of_memory(input);
     return 0;
 }
 

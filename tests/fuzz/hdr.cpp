@@ -3,6 +3,7 @@
 
 namespace etalon::fuzz {
 
-const Target target = {[](std::string_view bytes) { read_image_file("image.hdr", bytes); }};
+const Target target = {[](std::string_view bytes) { read_image_file("image.hdr", "#?", bytes); },
+                       false, false};
 
 }  // namespace etalon::fuzz

@@ -6,8 +6,10 @@
 
 namespace etalon::fuzz {
 
-void read_image_file(const std::string& name, std::string_view bytes) {
-    test::put(name, bytes);
+void read_image_file(const std::string& name, std::string_view start, std::string_view bytes) {
+    std::string file(start);
+    if (bytes.size() > start.size()) file += bytes.substr(start.size());
+    test::put(name, file);
     const Result<Image> header = read_image(name, Extent::header);
     const Result<Image> whole = read_image(name, Extent::whole);
     require(header || !header.error.empty(), "neither a header nor an error");

@@ -3,6 +3,7 @@
 
 namespace etalon::fuzz {
 
-const Target target = {[](std::string_view bytes) { read_image_file("image.jpeg", bytes); }};
+const Target target = {
+    [](std::string_view bytes) { read_image_file("image.jpeg", "\xff\xd8", bytes); }};
 
 }  // namespace etalon::fuzz

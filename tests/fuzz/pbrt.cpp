@@ -3,6 +3,6 @@
 
 namespace etalon::fuzz {
 
-const Target target = {[](std::string_view text) { read_scene("pbrt", text); }, true};
+const Target target = {[](std::string_view text) { read_scene("pbrt", text); }, true, false};
 
 }  // namespace etalon::fuzz

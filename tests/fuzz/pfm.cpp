@@ -3,6 +3,7 @@
 
 namespace etalon::fuzz {
 
-const Target target = {[](std::string_view bytes) { read_image_file("image.pfm", bytes); }};
+const Target target = {[](std::string_view bytes) { read_image_file("image.pfm", "P", bytes); },
+                       false, false};
 
 }  // namespace etalon::fuzz

@@ -28,7 +28,8 @@ std::string with_checksums(std::string_view bytes) {
 
 }  // namespace
 
-const Target target = {
-    [](std::string_view bytes) { read_image_file("image.png", with_checksums(bytes)); }};
+const Target target = {[](std::string_view bytes) {
+    read_image_file("image.png", "\x89PNG\r\n\x1a\n", with_checksums(bytes));
+}};
 
 }  // namespace etalon::fuzz

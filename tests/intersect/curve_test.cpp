@@ -156,6 +156,50 @@ TEST_CASE("A curve under a map whose inverse is but roundings does not exist") {
     const Affine next_to_flat{
         {2.0000000000000004, 0.99999999999999989, 0}, {0, 0, -3}, {2, 1, 0}, {0, 0, 0}};
     CHECK_FALSE(CurvePlace(next_to_flat).exists());
-    const Affine sheared{{1, 0, 0}, {1e6, 1, 0}, {0, 0, 1e-9}, {0, 0, 0}};
+    const Affine sheared{{1, 0, 0}, {1e6, 1, 0}, {0, 0, 1e-7}, {0, 0, 0}};
     CHECK(CurvePlace(sheared).exists());
+}
+
+namespace {
+
+/// The longest axis in units of the other two: by so much is a curve flattened.
+Affine flattened(double stretch) {
+    return {{1, 0.25, 0}, {0, 1 / stretch, 0}, {0, 0, 1 / stretch}, {3, 0, 0.5}};
+}
+
+bool is_inside(const Box3& box, const Vec3& p, double slack) {
+    const Vec3 s(slack);
+    return Box3(box.min - s, box.max + s).intersects(p);
+}
+
+}  // namespace
+
+TEST_CASE("Curve: given a map that flattens it, then rays from far away meet it in its bounds") {
+    Random random(3);
+    for (const double stretch : {4.0, 0x1p10, 0x1p20, 0x1p40}) {
+        const Affine map = flattened(stretch);
+        const Geometry g = one(bent(CurveType::flat), map);
+        const Box3 box = primitive_bounds(g, 0);
+        int hits = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const double distance = std::ldexp(1, static_cast<int>(random.index(24)));
+            const Vec3 d = random.direction(), aim = map.point({random.uniform(-1, 1), 0, 0});
+            const Ray ray{aim - distance * d, d};
+            const double t = t_of(g, ray);
+            if (std::isnan(t)) continue;
+            ++hits;
+            CAPTURE(stretch, distance, t, box.min, box.max);
+            REQUIRE(is_inside(box, ray.origin + t * d, 0x1p-50 * distance));
+        }
+        CHECK(hits > 0);
+    }
+}
+
+TEST_CASE("Curve: given a map that flattens it to less than roundings, then it is nowhere") {
+    for (const double stretch : {0x1p45, 1e20, 1e300}) {
+        const Geometry g = one(bent(CurveType::flat), flattened(stretch));
+        CHECK(primitive_bounds(g, 0).isEmpty());
+        CHECK(std::isnan(t_of(g, {{3, 0, 5}, {0, 0, -1}})));
+        CHECK(std::isnan(t_of(g, {{3, 0, 0.5}, {1, 0, 0}})));
+    }
 }

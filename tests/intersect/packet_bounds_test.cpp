@@ -122,14 +122,11 @@ TEST_CASE("Packet bounds: what is infinite is never missed") {
     CHECK(count_near(bounds, {whole, slab}) >= 1);
 }
 
-TEST_CASE(
-    "Packet bounds: nothing is said of rays that go both ways, or by numbers beyond reciprocals") {
+TEST_CASE("Packet bounds: nothing is said of rays that go both ways") {
     const auto says = [](const std::vector<Ray>& rays) {
         return PacketBounds(packet_of({rays, 2})).goes_one_way();
     };
     CHECK(says({{Vec3(0), Vec3(0, 0, 1)}}));
+    CHECK(says({{Vec3(0), Vec3(0, 0, -1)}, {Vec3(0), Vec3(0, 0, -2)}}));
     CHECK_FALSE(says({{Vec3(0), Vec3(0, 0, 1)}, {Vec3(0), Vec3(0, 0, -1)}}));
-    CHECK_FALSE(says({{Vec3(0), Vec3(0, 0, 0x1p-1074)}}));
-    CHECK_FALSE(says({{Vec3(0), Vec3(0, 0, 0x1p1023)}}));
-    CHECK_FALSE(says({{Vec3(0), Vec3(0, 0, 1)}, {Vec3(0), Vec3(0, 0, 0x1p-1074)}}));
 }

@@ -30,7 +30,9 @@ Vec3 reach_of_sphere(const Affine& m, double radius) {
 double error_of_inverse(const StoredCurve& c, const Box3& box) {
     const Affine& map = c.place.to_world;
     const double furthest = std::max(max_abs(box.min - map.origin), max_abs(box.max - map.origin));
-    return 16 * unit_roundoff * condition_of(map, c.place.rows) * furthest;
+    const double stretch = stretch_of(map, c.place.rows);
+    const double turned = stretch > ample_stretch ? 4 * stretch : 0;
+    return 16 * unit_roundoff * std::max(condition_of(map, c.place.rows), turned) * furthest;
 }
 
 /// Axes of a curve where it was passed, in its space: dpdu x dpdv is the normal.

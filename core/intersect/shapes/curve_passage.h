@@ -8,6 +8,7 @@
 #include "core/numerics/rounding.h"
 #include "core/scene/bezier.h"
 #include "core/scene/curve_list.h"
+#include "core/scene/map_condition.h"
 
 namespace etalon {
 
@@ -41,12 +42,16 @@ struct CurvePassage {
     double x, y;   ///< the curve's point, seen from the ray: along and across the line of sight
 };
 
+/// Below this roundings of a ray from far away are as good as those of its own coordinates.
+inline constexpr double ample_stretch = 16;
+
 /// A ray in a curve's space, and axes along which the curve is seen: z is the ray's direction, and
 /// x is as nearly the curve's as it can be, so that y is small.
 class CurveView {
   public:
     CurveView(const StoredCurve& c, const CubicPoints& part, const Ray& ray) {
-        origin_ = c.place.vector(ray.origin - c.place.to_world.origin);
+        start_ = start_of(c.place, ray);
+        origin_ = c.place.vector(ray.origin - c.place.to_world.origin + start_ * ray.direction);
         const Vec3 d = c.place.vector(ray.direction);
         const double scale = power_of_two_reciprocal(max_abs(d));
         const Vec3 scaled = d * scale;
@@ -60,19 +65,30 @@ class CurveView {
         x = y.cross(z);
     }
 
-    /// A point seen from the ray's origin.
+    /// A point seen from where the ray starts here.
     Vec3 point(const Vec3& p) const {
         const Vec3 w = p - origin_;
         return {x.dot(w), y.dot(w), z.dot(w)};
     }
 
-    double t_at(double depth) const { return depth * per_length_; }
+    double t_at(double depth) const { return start_ + depth * per_length_; }
+    double depth_of_origin() const { return -start_ / per_length_; }
 
     Vec3 x, y, z;
 
   private:
+    /// The t at which a ray starts in the curve's space: where it is nearest to the map's origin if
+    /// axes of the map are so unlike that the roundings of a far origin would be longer than the
+    /// curve.
+    static double start_of(const CurvePlace& place, const Ray& ray) {
+        if (stretch_of(place.to_world, place.rows) <= ample_stretch) return 0;
+        const double scale = power_of_two_reciprocal(max_abs(ray.direction));
+        const Vec3 d = ray.direction * scale;
+        return (place.to_world.origin - ray.origin).dot(d) / d.dot(d) * scale;
+    }
+
     Vec3 origin_;
-    double per_length_;
+    double start_, per_length_;
 };
 
 /// Calls take(passage) for each piece of the part that the ray's line passes, beyond its origin.
@@ -105,7 +121,7 @@ class CurvePassages {
             return std::max(std::max(p[0][k], p[1][k]), std::max(p[2][k], p[3][k]));
         };
         return low(1) <= half && high(1) >= -half && low(0) <= half && high(0) >= -half &&
-               high(2) >= -half;
+               high(2) >= view_.depth_of_origin() - half;
     }
 
     /// How often the curve is halved: each time it bends a quarter as much, and a piece may be off

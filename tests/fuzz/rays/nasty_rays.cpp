@@ -7,9 +7,6 @@ namespace {
 
 constexpr double finest = -15.5;  // of how far a silhouette is missed
 
-/// Of a direction's largest component; others may be denormal.
-constexpr double least_direction = 1e-150;
-
 /// Makes rays of one time, as targets on what moves are.
 class RayMaker {
   public:
@@ -33,11 +30,13 @@ class RayMaker {
         ray.direction = random_.one_in(8) ? numbers_.direction() : to - ray.origin;
         if (random_.one_in(8)) ray.direction[random_.axis()] = 0;
         if (random_.one_in(16)) ray.direction[random_.axis()] = random_.sign() * 5e-324;
-        if (!is_finite(ray.direction) || max_abs(ray.direction) < least_direction) {
-            ray.direction = numbers_.direction();
-        }
         if (random_.one_in(4))
             ray.direction *= std::ldexp(1, static_cast<int>(random_.index(81)) - 40);
+        if (random_.one_in(32))
+            ray.direction *= std::ldexp(1, static_cast<int>(random_.index(2001)) - 1000);
+        if (!is_finite(ray.direction) || ray.direction == Vec3(0)) {
+            ray.direction = numbers_.direction();
+        }
         if (random_.one_in(8)) ray.origin = to - ray.direction;
         if (random_.one_in(6)) end(ray, to);
         ray.set_time(time_);

@@ -5,8 +5,8 @@
 namespace etalon::fuzz {
 namespace {
 
-/// Of the largest component; others may be denormal.
-constexpr double least_direction = 1e-150;
+/// Of a normal's largest component; others may be denormal.
+constexpr double least_normal = 1e-150;
 
 constexpr std::array far_steps = {1.0, 0x1p-20, 1e-6, 0.1, 1e3};
 
@@ -71,7 +71,7 @@ Vec3 NastyNumbers::direction() const {
     if (random_.one_in(3)) d[random_.axis()] = neighbour(d[random_.axis()], random_);
     if (random_.one_in(4)) d = random_.direction();
     if (random_.one_in(12)) d[random_.axis()] = random_.sign() * 1e-20;
-    return max_abs(d) < least_direction ? Vec3(0, 0, 1) : d;
+    return max_abs(d) < least_normal ? Vec3(0, 0, 1) : d;
 }
 
 }  // namespace etalon::fuzz
