@@ -50,7 +50,7 @@ std::vector<double> blurred_luminances(const SphericalImage& image) {
         for (std::size_t x = 0; x < width; ++x) {
             for (const auto& row : rows) mean[x] = mean[x] + row[x] + row[x + 1] + row[x + 2];
         }
-        std::ranges::rotate(rows, rows.begin() + 1);
+        std::rotate(rows.begin(), rows.begin() + 1, rows.end());
     }
     return means;
 }

@@ -229,6 +229,7 @@ class PbrtScene {
 
     void write_shape(const Box& b) {
         std::vector<Vec3> corners;
+        corners.reserve(8);
         for (int i = 0; i < 8; ++i) {
             corners.emplace_back((i & 1) != 0 ? b.max.x : b.min.x, (i & 2) != 0 ? b.max.y : b.min.y,
                                  (i & 4) != 0 ? b.max.z : b.min.z);

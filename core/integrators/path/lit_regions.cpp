@@ -77,6 +77,7 @@ std::vector<LitRegions::BeamRay> LitRegions::trace(const SpotSource& spot, doubl
                                                    const Scene& scene,
                                                    const BatchIntersector& intersector) {
     std::vector<Ray> rays;
+    rays.reserve(rays_of_beam);
     for (int i = 0; i < rays_of_beam; ++i) {
         rays.push_back({spot.position, spread_direction(spot, i, rays_of_beam)});
     }
