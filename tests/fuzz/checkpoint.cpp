@@ -44,6 +44,6 @@ void run(std::string_view bytes) {
 
 }  // namespace
 
-const Target target = {run};
+const Target target = {run, false, false};
 
 }  // namespace etalon::fuzz

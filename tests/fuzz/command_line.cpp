@@ -42,6 +42,6 @@ void run(std::string_view text) {
 
 }  // namespace
 
-const Target target = {run, true};
+const Target target = {run, true, false};
 
 }  // namespace etalon::fuzz

@@ -26,6 +26,6 @@ void run(std::string_view bytes) {
 
 }  // namespace
 
-const Target target = {run, true};
+const Target target = {run, true, false};
 
 }  // namespace etalon::fuzz
