@@ -7,6 +7,7 @@
 #include "core/numerics/denormals.h"
 
 namespace etalon {
+
 None::None(const Geometry& geometry) : Intersector(geometry, SceneBounds::none_bounded(geometry)) {
     build_objects<None>();
 }

@@ -25,8 +25,6 @@ struct RayPacket {
     Column<double> tmins, excludes;
     Column<double> ts, primitives;  ///< of the nearest hits; at first the ray's tmax, and none
 
-    bool is_full() const { return count == most; }
-
     /// `direction`: the ray's as a RayQuery has it.
     void add(const Ray& ray, const Vec3& direction) {
         const std::size_t i = count++;
