@@ -1,6 +1,9 @@
 #include "app/render/render_run.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <new>
 
 #include "app/common/backends.h"
 #include "app/common/console.h"
@@ -23,9 +26,11 @@ namespace etalon {
 namespace {
 
 /// Limits the threads for as long as the process lives. As it lifts a limit oneTBB asks for more
-/// threads: where memory has run out it then ends the program, or waits for ever.
+/// threads: where memory has run out it then ends the program, or waits for ever. So the limit has
+/// room that is never given back.
 void limit_threads(int threads) {
-    [[maybe_unused]] static const auto* const limit = new ThreadLimit(threads);
+    alignas(ThreadLimit) static std::array<std::byte, sizeof(ThreadLimit)> room;
+    [[maybe_unused]] static const auto* const limit = new (room.data()) ThreadLimit(threads);
 }
 
 }  // namespace
