@@ -21,7 +21,7 @@ CurvePlace::CurvePlace(const Affine& map) : to_world(map), rows(Instance(map, 0)
 
 /// An inverse that is little but roundings would take points anywhere.
 bool CurvePlace::exists() const {
-    constexpr double largest_condition = 0x1p30, largest_stretch = 0x1p44;
+    constexpr double largest_condition = 0x1p30, largest_stretch = 0x1p50;
     return is_finite(to_world) && condition_of(to_world, rows) < largest_condition &&
            stretch_of(to_world, rows) < largest_stretch;
 }
