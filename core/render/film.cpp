@@ -24,7 +24,19 @@ void Film::add(int x, int y, const Color& sample) {
 }
 
 void Film::add(std::span<const Imath::V2i> pixels, std::span<const Color> samples) {
-    for (std::size_t i = 0; i < pixels.size(); ++i) add(pixels[i].x, pixels[i].y, samples[i]);
+    if (!squares_.empty()) {
+        for (std::size_t i = 0; i < pixels.size(); ++i) add(pixels[i].x, pixels[i].y, samples[i]);
+        return;
+    }
+    for (std::size_t first = 0, last = 0; first < pixels.size(); first = last) {
+        const std::size_t pixel = index(pixels[first].x, pixels[first].y);
+        Vec3 sum = sums_[pixel];
+        for (last = first; last < pixels.size() && pixels[last] == pixels[first]; ++last) {
+            sum += Vec3(samples[last]);
+        }
+        sums_[pixel] = sum;
+        counts_[pixel] += static_cast<std::uint32_t>(last - first);
+    }
 }
 
 void Film::add(const Film& other) {

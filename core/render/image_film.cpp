@@ -41,7 +41,7 @@ bool ImageFilm::prepare(Color& sample) const {
 std::size_t ImageFilm::add(std::span<const Imath::V2i> pixels, std::span<const Vec2> places,
                            std::span<Color> colors, std::span<const float> weights) {
     std::size_t good = 0;
-    for (Color& color : colors) good += prepare(color);
+    for (Color& color : colors) good += prepare(color) ? 1 : 0;
     for (std::size_t i = 0; i < weights.size(); ++i) colors[i] *= weights[i];
     samples_.add(pixels, colors);
     if (splats_) {
