@@ -1,5 +1,6 @@
 #include "core/sampling/sobol.h"
 
+#define ETALON_WITH_AVX3
 #include "core/numerics/instruction_sets.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -37,10 +37,10 @@ class ScrambledSobol {
     std::uint32_t order_, x_, y_;  ///< seeds of the three scrambles
 };
 
-/// Points of many sequences, made together: eight at a time take little longer than one.
+/// Points of many sequences, made together: eight or sixteen at a time take little longer than one.
 class SobolBatch {
   public:
-    static constexpr std::size_t lanes = 8;
+    static constexpr std::size_t lanes = 16;
 
     /// Adds the points [first, last) of a sequence.
     void add(const ScrambledSobol& sequence, std::uint32_t first, std::uint32_t last);
