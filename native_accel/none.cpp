@@ -37,12 +37,12 @@ void None::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
         const bool has_instances = !geometry().instances.empty();
         for (std::size_t i = 0; i < packet.count; ++i) {
             const Hit hit = packet.hit(i);
-            hits[packet.rays[i] - rays.data()] =
-                has_instances ? with_instances(*packet.rays[i], hit) : hit;
+            hits[packet.numbers[i]] =
+                has_instances ? with_instances(rays[packet.numbers[i]], hit) : hit;
         }
     };
-    for_each_packet(rays, trace, [&](const Ray& ray) {
-        hits[&ray - rays.data()] = closest(ray).value_or(nothing);
+    for_each_packet(rays, trace, [&](std::size_t number) {
+        hits[number] = closest(rays[number]).value_or(nothing);
     });
 }
 
@@ -69,15 +69,16 @@ void None::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) 
     const auto trace = [&](RayPacket& packet) {
         for (const std::uint32_t id : scene_bounds().unbounded) {
             if (!offer_to_packet(geometry(), id, packet)) continue;
-            packet.remove_hit([&](const Ray* ray) { blocked[ray - rays.data()] = 1; });
+            packet.remove_hit([&](std::uint32_t number) { blocked[number] = 1; });
         }
         if (geometry().instances.empty()) return;
         for (std::size_t i = 0; i < packet.count; ++i) {
-            blocked[packet.rays[i] - rays.data()] = instances_occlude(*packet.rays[i]) ? 1 : 0;
+            const std::uint32_t number = packet.numbers[i];
+            blocked[number] = instances_occlude(rays[number]) ? 1 : 0;
         }
     };
     for_each_packet(rays, trace,
-                    [&](const Ray& ray) { blocked[&ray - rays.data()] = occluded(ray) ? 1 : 0; });
+                    [&](std::size_t number) { blocked[number] = occluded(rays[number]) ? 1 : 0; });
 }
 
 }  // namespace etalon

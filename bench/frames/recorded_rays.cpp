@@ -3,12 +3,52 @@
 #include "app/common/stopwatch.h"
 
 namespace etalon::frames {
+namespace {
+
+/// Asks for the answers to all batches, one after another.
+template <class Batches, class Answer, class Ask>
+void ask_again(const Batches& batches, std::vector<Answer>& answers, const Ask& ask) {
+    for (const std::vector<Ray>& rays : batches.kept) {
+        answers.resize(rays.size());
+        ask(std::span<const Ray>(rays), std::span(answers));
+    }
+    for (const auto& kept : batches.kept_streams) {
+        const RayStream rays = kept.view();
+        answers.resize(rays.size());
+        ask(rays, std::span(answers));
+    }
+}
+
+}  // namespace
+
+RecordedRays::KeptStream::KeptStream(const RayStream& rays) : like_(rays) {
+    rays_.make_room(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) rays_.set(i, rays[i]);
+    if (rays.times != nullptr) times_.assign(rays.times, rays.times + rays.size());
+}
+
+RayStream RecordedRays::KeptStream::view() const {
+    RayStream rays = rays_.view(like_.size());
+    rays.tmax = like_.tmax;
+    rays.traits = like_.traits;
+    if (!times_.empty()) rays.times = times_.data();
+    return rays;
+}
+
+/// Counts a batch of so many rays. Returns whether to keep it.
+bool RecordedRays::Batches::is_kept(std::size_t more, std::size_t every) {
+    rays += more;
+    if (batches++ % every != 0) return false;
+    kept_rays += more;
+    return true;
+}
 
 void RecordedRays::Batches::add(std::span<const Ray> more, std::size_t every) {
-    rays += more.size();
-    if (batches++ % every != 0) return;
-    kept_rays += more.size();
-    kept.emplace_back(more.begin(), more.end());
+    if (is_kept(more.size(), every)) kept.emplace_back(more.begin(), more.end());
+}
+
+void RecordedRays::Batches::add(const RayStream& more, std::size_t every) {
+    if (is_kept(more.size(), every)) kept_streams.emplace_back(more);
 }
 
 double RecordedRays::Batches::of_all(double seconds) const {
@@ -21,7 +61,17 @@ void RecordedRays::closest(std::span<const Ray> rays, std::span<Hit> hits) const
     backend_.closest(rays, hits);
 }
 
+void RecordedRays::closest(const RayStream& rays, std::span<Hit> hits) const {
+    closest_.add(rays, every_);
+    backend_.closest(rays, hits);
+}
+
 void RecordedRays::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
+    occluded_.add(rays, every_);
+    backend_.occluded(rays, blocked);
+}
+
+void RecordedRays::occluded(const RayStream& rays, std::span<std::uint8_t> blocked) const {
     occluded_.add(rays, every_);
     backend_.occluded(rays, blocked);
 }
@@ -30,15 +80,9 @@ double RecordedRays::replay() const {
     std::vector<Hit> hits;
     std::vector<std::uint8_t> blocked;
     Stopwatch watch;
-    for (const std::vector<Ray>& rays : closest_.kept) {
-        hits.resize(rays.size());
-        backend_.closest(rays, hits);
-    }
+    ask_again(closest_, hits, [&](auto rays, auto to) { backend_.closest(rays, to); });
     const double closest = watch.lap().cpu;
-    for (const std::vector<Ray>& rays : occluded_.kept) {
-        blocked.resize(rays.size());
-        backend_.occluded(rays, blocked);
-    }
+    ask_again(occluded_, blocked, [&](auto rays, auto to) { backend_.occluded(rays, to); });
     return closest_.of_all(closest) + occluded_.of_all(watch.lap().cpu);
 }
 

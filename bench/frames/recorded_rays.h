@@ -15,19 +15,36 @@ class RecordedRays : public BatchIntersector {
         : backend_(backend), every_(every) {}
 
     void closest(std::span<const Ray> rays, std::span<Hit> hits) const override;
+    void closest(const RayStream& rays, std::span<Hit> hits) const override;
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const override;
+    void occluded(const RayStream& rays, std::span<std::uint8_t> blocked) const override;
 
     /// Asks the backend the kept rays again. Returns the seconds of processor time that all rays
     /// would have taken.
     double replay() const;
 
   private:
+    /// A copy of the rays of a stream.
+    class KeptStream {
+      public:
+        explicit KeptStream(const RayStream& rays);
+        RayStream view() const;
+
+      private:
+        RayStream like_;  ///< whose columns may be gone
+        RayBuffer rays_;
+        std::vector<ShutterTime> times_;
+    };
+
     /// The batches of one kind of question.
     struct Batches {
         std::vector<std::vector<Ray>> kept;
+        std::vector<KeptStream> kept_streams;
         std::size_t batches = 0, rays = 0, kept_rays = 0;
 
         void add(std::span<const Ray> more, std::size_t every);
+        void add(const RayStream& more, std::size_t every);
+        bool is_kept(std::size_t more, std::size_t every);
         /// Seconds of all rays, if the kept ones took so many.
         double of_all(double seconds) const;
     };

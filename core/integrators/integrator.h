@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/integrators/ray_counts.h"
-#include "core/intersect/ray.h"
+#include "core/intersect/ray_stream.h"
 #include "core/sampling/sample_source.h"
 
 namespace etalon {
@@ -14,7 +14,7 @@ namespace etalon {
 /// Samples of pixels, side by side: of each its ray, and where the choices on the ray's way come
 /// from.
 struct CameraSamples {
-    std::span<const Ray> rays;
+    RayStream rays;
     std::span<const SampleSource> sources;
     /// What colours count for in the image, which is not the integrators' business; empty where all
     /// count alike.

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/intersect/ray.h"
+#include "core/intersect/ray_stream.h"
 
 namespace etalon {
 
@@ -21,6 +21,11 @@ class BatchIntersector {
 
     /// Sets `blocked`, one for each ray, to 1 where closest() finds a hit, else 0.
     virtual void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const = 0;
+
+    /// The same for rays with their components apart. Unless overridden, they are put together
+    /// first.
+    virtual void closest(const RayStream& rays, std::span<Hit> hits) const;
+    virtual void occluded(const RayStream& rays, std::span<std::uint8_t> blocked) const;
 };
 
 }  // namespace etalon

@@ -35,6 +35,7 @@ class Intersector : public BatchIntersector {
     /// Whether closest(ray) finds something.
     bool occluded(const Ray& ray) const;
 
+    using BatchIntersector::closest, BatchIntersector::occluded;
     void closest(std::span<const Ray> rays, std::span<Hit> hits) const override;
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const override;
 

@@ -48,8 +48,8 @@ PacketBounds::Intervals packet_intervals(const RayPacket& packet) {
     const DoubleTag tag;
     const auto& origins = packet.origins;
     const auto& directions = packet.directions;
-    const std::array along{directions.x.data(), directions.y.data(), directions.z.data()};
-    const std::array from{origins.x.data(), origins.y.data(), origins.z.data()};
+    const std::array along{directions.x, directions.y, directions.z};
+    const std::array from{origins.x, origins.y, origins.z};
     IntervalLanes origin[3], slope[3];
     for (std::size_t i = 0; i < packet.count; i += hn::Lanes(tag)) {
         const DoubleMask is_ray = hn::FirstN(tag, packet.count - i);

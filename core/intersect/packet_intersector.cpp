@@ -25,15 +25,15 @@ bool is_worthwhile(std::size_t cost, std::size_t rays) {
 constexpr std::size_t probed = 2 * RayPacket::most;
 
 /// Asks a backend, ask(rays, answers), for those of `rays` that are in the packet.
-template <class Answer, class Ask>
-void ask_for_packet(const RayPacket& packet, std::span<const Ray> rays, std::span<Answer> answers,
+template <class Rays, class Answer, class Ask>
+void ask_for_packet(const RayPacket& packet, const Rays& rays, std::span<Answer> answers,
                     const Ask& ask) {
     if (packet.count == rays.size()) return ask(rays, answers);
     std::array<Ray, RayPacket::most> some;
     std::array<Answer, RayPacket::most> found;
-    for (std::size_t i = 0; i < packet.count; ++i) some[i] = *packet.rays[i];
+    for (std::size_t i = 0; i < packet.count; ++i) some[i] = rays[packet.numbers[i]];
     ask(std::span<const Ray>(some).first(packet.count), std::span(found).first(packet.count));
-    for (std::size_t i = 0; i < packet.count; ++i) answers[packet.rays[i] - rays.data()] = found[i];
+    for (std::size_t i = 0; i < packet.count; ++i) answers[packet.numbers[i]] = found[i];
 }
 
 }  // namespace
@@ -68,55 +68,73 @@ std::optional<std::span<const std::uint32_t>> PacketIntersector::find_few(const 
 
 /// Sets the answers by offer(packet, near), with the few primitives that rays of a packet may meet,
 /// or by ask(rays, answers), which asks the backend.
-template <class Answer, class Offer, class Ask>
-void PacketIntersector::answer_all(std::span<const Ray> rays, std::span<Answer> answers,
-                                   const Offer& offer, const Ask& ask) const {
+template <class Rays, class Answer, class Offer, class Ask>
+void PacketIntersector::answer_all(const Rays& rays, std::span<Answer> answers, const Offer& offer,
+                                   const Ask& ask) const {
     const DenormalsCount denormals_count;
     bool any_few = false;
     for (std::size_t first = 0; first < rays.size(); first += RayPacket::most) {
         if (first == probed && !any_few) return ask(rays.subspan(first), answers.subspan(first));
         const std::size_t count = std::min(RayPacket::most, rays.size() - first);
-        const auto chunk = rays.subspan(first, count);
+        const Rays chunk = rays.subspan(first, count);
         const auto answers_of_chunk = answers.subspan(first, count);
         const auto visit = [&](RayPacket& packet) {
             Near near;
             if (const auto few = find_few(packet, near)) {
-                offer(packet, *few);
+                offer(packet, *few, answers_of_chunk);
                 any_few = true;
             } else {
                 ask_for_packet(packet, chunk, answers_of_chunk, ask);
             }
         };
-        for_each_packet(chunk, visit, [&](const Ray& ray) {
-            ask(std::span(&ray, 1), answers_of_chunk.subspan(&ray - chunk.data(), 1));
+        for_each_packet(chunk, visit, [&](std::size_t i) {
+            ask(chunk.subspan(i, 1), answers_of_chunk.subspan(i, 1));
         });
     }
 }
 
 /// Rays of a batch are alike in that hint. That shadow rays of neighbours go to the same lights is
 /// likely without it.
-void PacketIntersector::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
+template <class Rays>
+void PacketIntersector::find_closest(const Rays& rays, std::span<Hit> hits) const {
     if (!has_packets_ || rays.empty() || !rays[0].coherent()) return backend_.closest(rays, hits);
     std::ranges::fill(hits, Hit{infinity, no_index});
-    const auto offer = [&](RayPacket& packet, std::span<const std::uint32_t> near) {
+    const auto offer = [&](RayPacket& packet, std::span<const std::uint32_t> near,
+                           std::span<Hit> to) {
         for (const std::uint32_t i : near) offer_to_packet(geometry_, primitives_[i], packet);
-        for (std::size_t i = 0; i < packet.count; ++i) {
-            hits[packet.rays[i] - rays.data()] = packet.hit(i);
-        }
+        for (std::size_t i = 0; i < packet.count; ++i) to[packet.numbers[i]] = packet.hit(i);
     };
     answer_all(rays, hits, offer, [&](auto some, auto to) { backend_.closest(some, to); });
 }
 
-void PacketIntersector::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
+template <class Rays>
+void PacketIntersector::find_occluded(const Rays& rays, std::span<std::uint8_t> blocked) const {
     if (!has_packets_) return backend_.occluded(rays, blocked);
     std::ranges::fill(blocked, std::uint8_t{0});
-    const auto offer = [&](RayPacket& packet, std::span<const std::uint32_t> near) {
+    const auto offer = [&](RayPacket& packet, std::span<const std::uint32_t> near,
+                           std::span<std::uint8_t> to) {
         for (const std::uint32_t i : near) {
             if (!offer_to_packet(geometry_, primitives_[i], packet)) continue;
-            packet.remove_hit([&](const Ray* ray) { blocked[ray - rays.data()] = 1; });
+            packet.remove_hit([&](std::uint32_t number) { to[number] = 1; });
         }
     };
     answer_all(rays, blocked, offer, [&](auto some, auto to) { backend_.occluded(some, to); });
+}
+
+void PacketIntersector::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
+    find_closest(rays, hits);
+}
+
+void PacketIntersector::closest(const RayStream& rays, std::span<Hit> hits) const {
+    find_closest(rays, hits);
+}
+
+void PacketIntersector::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
+    find_occluded(rays, blocked);
+}
+
+void PacketIntersector::occluded(const RayStream& rays, std::span<std::uint8_t> blocked) const {
+    find_occluded(rays, blocked);
 }
 
 }  // namespace etalon

@@ -25,7 +25,9 @@ class PacketIntersector final : public BatchIntersector {
     bool has_packets() const { return has_packets_; }
 
     void closest(std::span<const Ray> rays, std::span<Hit> hits) const override;
+    void closest(const RayStream& rays, std::span<Hit> hits) const override;
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const override;
+    void occluded(const RayStream& rays, std::span<std::uint8_t> blocked) const override;
 
   private:
     /// Numbers of boxes.
@@ -33,9 +35,13 @@ class PacketIntersector final : public BatchIntersector {
 
     std::optional<std::span<const std::uint32_t>> find_few(const RayPacket& packet,
                                                            Near& near) const;
-    template <class Answer, class Offer, class Ask>
-    void answer_all(std::span<const Ray> rays, std::span<Answer> answers, const Offer& offer,
+    template <class Rays, class Answer, class Offer, class Ask>
+    void answer_all(const Rays& rays, std::span<Answer> answers, const Offer& offer,
                     const Ask& ask) const;
+    template <class Rays>
+    void find_closest(const Rays& rays, std::span<Hit> hits) const;
+    template <class Rays>
+    void find_occluded(const Rays& rays, std::span<std::uint8_t> blocked) const;
 
     const Geometry& geometry_;
     const BatchIntersector& backend_;

@@ -29,7 +29,7 @@ HWY_NOINLINE Doubles decide(const Geometry& geometry, std::uint32_t primitive, c
     hn::StoreMaskBits(DoubleTag(), hits.doubtful, &bits);
     for (std::uint32_t left = bits; left != 0; left &= left - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-        ts[lane] = primitive_first_hit(geometry, primitive, RayQuery(*packet.rays[first + lane]));
+        ts[lane] = primitive_first_hit(geometry, primitive, RayQuery(packet.ray(first + lane)));
     }
     return hn::Load(DoubleTag(), ts);
 }
@@ -119,8 +119,7 @@ bool offer_one_by_one(const Geometry& geometry, std::uint32_t primitive, RayPack
         const Hit before = packet.hit(i);
         NearestHit nearest(before.t);
         nearest.item = before.primitive;
-        nearest.offer(primitive_first_hit(geometry, primitive, RayQuery(*packet.rays[i])),
-                      primitive);
+        nearest.offer(primitive_first_hit(geometry, primitive, RayQuery(packet.ray(i))), primitive);
         if (nearest.item != primitive) continue;
         packet.ts[i] = nearest.t;
         packet.primitives[i] = primitive;

@@ -22,12 +22,12 @@ struct Ray {
 
     /// A hint, which changes no hit: rays traced just before it by the same thread went nearly the
     /// same way.
-    bool coherent() const { return (traits_and_time & 1) != 0; }
-    void set_coherent() { traits_and_time |= 1; }
+    bool coherent() const { return (traits_and_time & coherent_trait) != 0; }
+    void set_coherent() { traits_and_time |= coherent_trait; }
 
     /// Whether the ray asks what is in a light's way: it passes some holes that others do not.
-    bool is_shadow() const { return (traits_and_time & 2) != 0; }
-    void set_shadow() { traits_and_time |= 2; }
+    bool is_shadow() const { return (traits_and_time & shadow_trait) != 0; }
+    void set_shadow() { traits_and_time |= shadow_trait; }
 
     /// When the ray sees the scene.
     ShutterTime time() const { return traits_and_time >> time_shift; }
@@ -35,6 +35,7 @@ struct Ray {
         traits_and_time = time << time_shift | (traits_and_time & ((1U << time_shift) - 1));
     }
 
+    static constexpr std::uint32_t coherent_trait = 1, shadow_trait = 2;
     static constexpr int time_shift = 32 - shutter_time_bits;
 };
 

@@ -69,14 +69,22 @@ namespace etalon {
 
 HWY_EXPORT(describe);
 
-RayColumns::RayColumns(std::span<const Ray> rays) : count(rays.size()) {
+RayColumns::RayColumns(std::span<const Ray> rays)
+    : count(rays.size()), origins(own_origins_.span()), directions(own_directions_.span()) {
     for (std::size_t i = 0; i < count; ++i) {
         const Ray& ray = rays[i];
-        origins.set(i, ray.origin);
-        directions.set(i, ray.direction);
+        own_origins_.set(i, ray.origin);
+        own_directions_.set(i, ray.direction);
         tmins[i] = ray.tmin;
         tmaxs[i] = ray.tmax;
     }
+    HWY_DYNAMIC_DISPATCH(describe)(*this);
+}
+
+RayColumns::RayColumns(const RayStream& rays)
+    : count(rays.size()), origins(rays.origins), directions(rays.directions) {
+    tmins.fill(0);
+    tmaxs.fill(rays.tmax);
     HWY_DYNAMIC_DISPATCH(describe)(*this);
 }
 

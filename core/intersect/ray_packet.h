@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "core/intersect/ray_columns.h"
@@ -8,68 +9,72 @@ namespace etalon {
 
 /// Rays of one dominant axis, side by side, that look for their nearest hits together. So many that
 /// what kernels need of them stays in the fastest cache.
-struct RayPacket {
+class RayPacket {
+  public:
     static constexpr std::size_t most = RayColumns::most;
 
-    /// Number of no primitive. Numbers are doubles here, so that vector instructions can compare
-    /// them together with the rest.
+    /// Number of no primitive. Numbers of primitives are doubles here, so that vector instructions
+    /// can compare them together with the rest.
     static constexpr double none = infinity;
 
     template <class T>
-    using Column = std::array<T, most>;
+    using Column = RayColumns::Column<T>;
+
+    RayPacket() = default;
+    RayPacket(const RayPacket&) = delete;
+    RayPacket& operator=(const RayPacket&) = delete;
 
     int dominant = 0;  ///< the axis that is the dominant one of all
     std::size_t count = 0;
-    Column<const Ray*> rays;
-    Vec3Columns<most> origins, directions;  ///< as in a RayQuery
-    Column<double> tmins, excludes;
+    Vec3Span origins{};
+    Vec3Span directions{};  ///< as in a RayQuery
+    const double *tmins = nullptr, *excludes = nullptr;
     Column<double> ts, primitives;  ///< of the nearest hits; at first the ray's tmax, and none
+    Column<std::uint32_t> numbers;  ///< of the rays, among those that were asked for
+    Column<std::uint32_t> traits_and_times;
 
-    /// `direction`: the ray's as a RayQuery has it.
-    void add(const Ray& ray, const Vec3& direction) {
+    /// Adds a ray to a packet that was empty before the first was added. `direction`: the ray's as
+    /// a RayQuery has it.
+    void add(std::size_t number, const Ray& ray, const Vec3& direction) {
+        if (count == 0) use_own();
         const std::size_t i = count++;
-        rays[i] = &ray;
-        origins.set(i, ray.origin);
-        directions.set(i, direction);
-        tmins[i] = std::max(ray.tmin, 0.0);
-        excludes[i] = ray.exclude == no_index ? none : ray.exclude;
+        own_origins_.set(i, ray.origin);
+        own_directions_.set(i, direction);
+        own_tmins_[i] = std::max(ray.tmin, 0.0);
+        own_excludes_[i] = ray.exclude;
         ts[i] = ray.tmax;
         primitives[i] = none;
+        numbers[i] = static_cast<std::uint32_t>(number);
+        traits_and_times[i] = ray.traits_and_time;
     }
 
-    /// Sets the packet to rays whose columns are known: common ones of the same dominant axis.
-    void set(std::span<const Ray> all, const RayColumns& columns) {
-        dominant = static_cast<int>(columns.dominants[0]);
-        count = all.size();
-        origins = columns.origins;
-        directions = columns.directions;
-        ts = columns.tmaxs;
-        primitives.fill(none);
+    /// Sets the packet to common rays of the same dominant axis, of which the first has that
+    /// number. `columns`, which are those of `all`, must outlive the packet's use.
+    void set(std::size_t first, std::span<const Ray> all, const RayColumns& columns) {
+        set(first, columns);
         for (std::size_t i = 0; i < count; ++i) {
-            rays[i] = &all[i];
-            tmins[i] = std::max(columns.tmins[i], 0.0);
-            excludes[i] = all[i].exclude == no_index ? none : all[i].exclude;
+            own_tmins_[i] = std::max(columns.tmins[i], 0.0);
+            own_excludes_[i] = all[i].exclude;
+            traits_and_times[i] = all[i].traits_and_time;
         }
+        tmins = own_tmins_.data();
+        excludes = own_excludes_.data();
+    }
+    void set(std::size_t first, const RayStream& all, const RayColumns& columns) {
+        set(first, columns);
+        tmins = columns.tmins.data();
+        excludes = all.excludes;
+        traits_and_times.fill(all.traits);
+        if (all.times == nullptr) return;
+        for (std::size_t i = 0; i < count; ++i) traits_and_times[i] = all.traits_and_time(i);
     }
 
-    /// Removes a ray; the last takes its place.
-    void remove(std::size_t i) {
-        const std::size_t last = --count;
-        rays[i] = rays[last];
-        origins.set(i, origins[last]);
-        directions.set(i, directions[last]);
-        tmins[i] = tmins[last];
-        excludes[i] = excludes[last];
-        ts[i] = ts[last];
-        primitives[i] = primitives[last];
-    }
-
-    /// Removes the rays that have hit something, and tells of each.
+    /// Removes the rays that have hit something, and tells the number of each.
     template <class Tell>
     void remove_hit(const Tell& tell) {
         for (std::size_t i = count; i-- > 0;) {
             if (primitives[i] == none) continue;
-            tell(rays[i]);
+            tell(numbers[i]);
             remove(i);
         }
     }
@@ -78,6 +83,59 @@ struct RayPacket {
         const double p = primitives[i];
         return {ts[i], p == none ? no_index : static_cast<std::uint32_t>(p)};
     }
+
+    /// A ray as it was asked for, but that it ends at its nearest hit.
+    Ray ray(std::size_t i) const {
+        Ray ray{origins[i], directions[i], tmins[i], ts[i]};
+        ray.exclude = static_cast<std::uint32_t>(excludes[i]);
+        ray.traits_and_time = traits_and_times[i];
+        return ray;
+    }
+
+  private:
+    void set(std::size_t first, const RayColumns& columns) {
+        dominant = static_cast<int>(columns.dominants[0]);
+        count = columns.count;
+        origins = columns.origins;
+        directions = columns.directions;
+        ts = columns.tmaxs;
+        primitives.fill(none);
+        for (std::size_t i = 0; i < most; ++i) numbers[i] = static_cast<std::uint32_t>(first + i);
+    }
+
+    void use_own() {
+        origins = own_origins_.span();
+        directions = own_directions_.span();
+        tmins = own_tmins_.data();
+        excludes = own_excludes_.data();
+    }
+
+    /// Makes the columns the packet's own, which can be changed.
+    void take_columns() {
+        if (origins.x == own_origins_.x.data()) return;
+        own_origins_.copy(origins, count);
+        own_directions_.copy(directions, count);
+        if (tmins != own_tmins_.data()) std::copy_n(tmins, count, own_tmins_.begin());
+        if (excludes != own_excludes_.data()) std::copy_n(excludes, count, own_excludes_.begin());
+        use_own();
+    }
+
+    /// Removes a ray; the last takes its place.
+    void remove(std::size_t i) {
+        take_columns();
+        const std::size_t last = --count;
+        own_origins_.set(i, own_origins_[last]);
+        own_directions_.set(i, own_directions_[last]);
+        own_tmins_[i] = own_tmins_[last];
+        own_excludes_[i] = own_excludes_[last];
+        ts[i] = ts[last];
+        primitives[i] = primitives[last];
+        numbers[i] = numbers[last];
+        traits_and_times[i] = traits_and_times[last];
+    }
+
+    Vec3Columns<most> own_origins_, own_directions_;
+    Column<double> own_tmins_, own_excludes_;
 };
 
 }  // namespace etalon

@@ -21,44 +21,45 @@ inline bool are_alike(const RayColumns& rays) {
     return common != 0 && differences == 0;
 }
 
-/// Adds the rays to the packets of their dominant axes, but for those of extreme directions, for
-/// which it calls alone(ray), and those that can hit nothing.
-template <class Alone>
-void sort_into(std::array<RayPacket, 3>& packets, std::span<const Ray> rays,
+/// Adds the rays, of which the first has that number, to the packets of their dominant axes, but
+/// for those of extreme directions, for which it calls alone(number), and those that can hit
+/// nothing.
+template <class Rays, class Alone>
+void sort_into(std::array<RayPacket, 3>& packets, std::size_t first, const Rays& rays,
                const RayColumns& columns, const Alone& alone) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Ray ray = rays[i];
         if (columns.common[i] != 0) {
-            packets[columns.dominants[i]].add(rays[i], rays[i].direction);
-        } else if (is_valid(rays[i]) && has_extreme_direction(rays[i])) {
-            alone(rays[i]);
-        } else if (is_valid(rays[i])) {
-            const RayQuery query(rays[i]);
-            packets[query.kz].add(rays[i], query.ray.direction);
+            packets[columns.dominants[i]].add(first + i, ray, ray.direction);
+        } else if (is_valid(ray) && has_extreme_direction(ray)) {
+            alone(first + i);
+        } else if (is_valid(ray)) {
+            const RayQuery query(ray);
+            packets[query.kz].add(first + i, ray, query.ray.direction);
         }
     }
 }
 
 }  // namespace detail
 
-/// Calls visit(packet) for all rays that can hit anything, neighbours of one dominant axis
-/// together; a packet is for visit() to change. Calls alone(ray) for rays of extreme directions:
-/// see RescaledRay. Both get references to rays of the span.
-template <class Visit, class Alone>
-void for_each_packet(std::span<const Ray> rays, const Visit& visit, const Alone& alone) {
+/// Calls visit(packet) for all rays, a span or a stream, that can hit anything, neighbours of one
+/// dominant axis together; a packet is for visit() to change. Calls alone(number) for rays of
+/// extreme directions: see RescaledRay.
+template <class Rays, class Visit, class Alone>
+void for_each_packet(const Rays& rays, const Visit& visit, const Alone& alone) {
     std::array<RayPacket, 3> packets;
     for (int axis = 0; axis < 3; ++axis) packets[axis].dominant = axis;
-    while (!rays.empty()) {
-        const auto chunk = rays.first(std::min(RayColumns::most, rays.size()));
-        rays = rays.subspan(chunk.size());
+    for (std::size_t first = 0; first < rays.size(); first += RayColumns::most) {
+        const Rays chunk = rays.subspan(first, std::min(RayColumns::most, rays.size() - first));
         const RayColumns columns(chunk);
         if (detail::are_alike(columns)) {
             RayPacket& packet = packets[columns.dominants[0]];
-            packet.set(chunk, columns);
+            packet.set(first, chunk, columns);
             visit(packet);
             packet.count = 0;
             continue;
         }
-        detail::sort_into(packets, chunk, columns, alone);
+        detail::sort_into(packets, first, chunk, columns, alone);
         for (RayPacket& packet : packets) {
             if (packet.count != 0) visit(packet);
             packet.count = 0;

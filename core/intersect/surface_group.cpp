@@ -1,5 +1,7 @@
 #include "core/intersect/surface_group.h"
 
+#include <algorithm>
+
 #define ETALON_WITH_AVX3
 #include "core/numerics/instruction_sets.h"
 
@@ -30,18 +32,46 @@ HWY_INLINE std::uint64_t bits(DoubleMask mask) {
     return bytes[0];
 }
 
+using NumberTag = hn::RebindToSigned<DoubleTag>;
+
+HWY_INLINE Vec3Lanes gather(const Vec3Span& from, hn::Vec<NumberTag> numbers) {
+    const DoubleTag tag;
+    return {hn::GatherIndex(tag, from.x, numbers), hn::GatherIndex(tag, from.y, numbers),
+            hn::GatherIndex(tag, from.z, numbers)};
+}
+
+/// The hits from number i of the group on: mostly of neighbours.
+HWY_INLINE HitRays hits_of(const SurfaceGroup& g, std::size_t i) {
+    const DoubleTag tag;
+    const std::uint32_t* numbers = g.numbers + i;
+    const std::size_t first = numbers[0], others = std::min(hn::Lanes(tag), g.count - i) - 1;
+    if (numbers[others] == first + others && first + hn::Lanes(tag) <= g.rays.count) {
+        HitRays hits{load(g.rays.origins, first), load(g.rays.directions, first)};
+        Doubles ignored;
+        hn::LoadInterleaved2(tag, &g.hits[first].t, hits.t, ignored);
+        return hits;
+    }
+    const hn::Rebind<std::uint32_t, DoubleTag> half;
+    const auto n = hn::BitCast(
+        NumberTag(), hn::PromoteTo(hn::RebindToUnsigned<NumberTag>(), hn::LoadU(half, numbers)));
+    static_assert(sizeof(Hit) == 2 * sizeof(double));
+    return {gather(g.rays.origins, n), gather(g.rays.directions, n),
+            hn::GatherIndex(tag, &g.hits[0].t, hn::Add(n, n))};
+}
+
 /// Sets the points to what surfaces() of the shape gives.
 template <class Shape>
 std::uint64_t find(const Shape& shape, const SurfacePoint& any, const SurfaceGroup& g) {
     const DoubleTag tag;
     std::uint64_t decided = 0;
     for (std::size_t i = 0; i < g.count; i += hn::Lanes(tag)) {
-        const HitRays hits{load(&g.origins[i]), load(g.directions + i), hn::LoadU(tag, &g.ts[i])};
+        const HitRays hits = hits_of(g, i);
         const SurfaceLanes s = surfaces(shape, any, hits);
-        store(s.position, g.positions + i);
-        store(s.error, g.errors + i);
-        store(s.normal, g.normals + i);
-        store(s.normal, g.shading_normals + i);
+        store(hits.direction, g.directions, i);
+        store(s.position, g.positions, i);
+        store(s.error, g.errors, i);
+        store(s.normal, g.normals, i);
+        store(s.normal, g.shading_normals, i);
         decided |= bits(hn::And(s.decided, is_kept(hits.direction))) << i;
     }
     return decided;

@@ -1,22 +1,22 @@
 #pragma once
 
-#include <array>
-
+#include "core/intersect/ray_stream.h"
 #include "core/intersect/surface.h"
 #include "core/scene/geometry.h"
 
 namespace etalon {
 
-/// Hits on one primitive, side by side, and where their points go: so many that they stay in the
-/// fastest cache.
+/// Hits on one primitive, and where their points go: at most as many as a word has bits.
 struct SurfaceGroup {
     static constexpr std::size_t most = 64;
 
+    RayStream rays;
+    const Hit* hits;  ///< one for each ray
+    /// Of the rays that hit the primitive, the least first; padded with those of any others.
+    const std::uint32_t* numbers;
     std::size_t count = 0;
-    std::array<Vec3, most> origins;  ///< of the rays
-    std::array<double, most> ts;
-    const Vec3* directions;                                ///< of the rays; padded
-    Vec3 *positions, *errors, *normals, *shading_normals;  ///< of the points; padded
+    MutableVec3Span directions;                                   ///< of these rays; padded
+    MutableVec3Span positions, errors, normals, shading_normals;  ///< of the points; padded
 };
 
 /// Whether there is a kernel for groups of hits on the primitive.

@@ -10,15 +10,34 @@
 
 #include <hwy/highway.h>
 
+#include <array>
+#include <cstdint>
+
 #include "core/numerics/vec_columns.h"
+
+#ifndef ETALON_VEC_LANES_ONCE
+#define ETALON_VEC_LANES_ONCE
+namespace etalon {
+
+/// The numbers of the bits that are set in each byte, the lowest first; zeros follow.
+inline constexpr auto set_bits = [] {
+    std::array<std::array<std::int64_t, 8>, 256> numbers{};
+    for (unsigned byte = 0; byte < 256; ++byte) {
+        std::size_t count = 0;
+        for (std::int64_t bit = 0; bit < 8; ++bit) {
+            if ((byte >> bit & 1) != 0) numbers[byte][count++] = bit;
+        }
+    }
+    return numbers;
+}();
+
+}  // namespace etalon
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// Arrays are padded to a multiple of it: the most lanes that any instruction set has.
-inline constexpr std::size_t padded_doubles = 8;
 
 /// The most lanes of this one.
 #if HWY_TARGET == HWY_AVX3
@@ -30,6 +49,7 @@ inline constexpr std::size_t most_doubles = 4;
 using DoubleTag = hn::CappedTag<double, most_doubles>;
 using Doubles = hn::Vec<DoubleTag>;
 using DoubleMask = hn::Mask<DoubleTag>;
+static_assert(most_doubles <= padded_doubles);
 
 HWY_INLINE Doubles broadcast(double x) {
     return hn::Set(DoubleTag(), x);
@@ -76,12 +96,60 @@ HWY_INLINE Vec3Lanes load(const Vec3* from) {
     hn::LoadInterleaved3(DoubleTag(), &from->x, v.x, v.y, v.z);
     return v;
 }
-template <std::size_t most>
-HWY_INLINE Vec3Lanes load(const Vec3Columns<most>& from, std::size_t first) {
+HWY_INLINE Vec3Lanes load(const Vec3Span& from, std::size_t first) {
     const DoubleTag tag;
-    return {hn::LoadU(tag, &from.x[first]), hn::LoadU(tag, &from.y[first]),
-            hn::LoadU(tag, &from.z[first])};
+    return {hn::LoadU(tag, from.x + first), hn::LoadU(tag, from.y + first),
+            hn::LoadU(tag, from.z + first)};
 }
+HWY_INLINE void store(const Vec3Lanes& v, const MutableVec3Span& to, std::size_t first) {
+    const DoubleTag tag;
+    hn::StoreU(v.x, tag, to.x + first);
+    hn::StoreU(v.y, tag, to.y + first);
+    hn::StoreU(v.z, tag, to.z + first);
+}
+
+/// Stores chosen values of several columns, one next to the other: the order of the lanes is found
+/// once for all. As much as a whole vector is written.
+class ChosenLanes {
+  public:
+    HWY_INLINE explicit ChosenLanes(DoubleMask mask)
+        : ChosenLanes(bits_of(mask), hn::CountTrue(DoubleTag(), mask)) {}
+
+    HWY_INLINE std::size_t count() const { return count_; }
+
+    HWY_INLINE void store(Doubles v, double* to) const {
+        hn::StoreU(hn::TableLookupLanes(v, order_), DoubleTag(), to);
+    }
+    HWY_INLINE void store(const Vec3Lanes& v, const MutableVec3Span& to, std::size_t first) const {
+        store(v.x, to.x + first);
+        store(v.y, to.y + first);
+        store(v.z, to.z + first);
+    }
+
+    /// Stores the numbers of the lanes, of which the first has that one.
+    HWY_INLINE void store_numbers(std::size_t first_number, std::int64_t* to) const {
+        const hn::RebindToSigned<DoubleTag> tag;
+        const auto lanes = hn::LoadU(tag, set_bits[bits_].data());
+        hn::StoreU(hn::Add(lanes, hn::Set(tag, static_cast<std::int64_t>(first_number))), tag, to);
+    }
+
+  private:
+    HWY_INLINE ChosenLanes(std::uint8_t bits, std::size_t count)
+        : bits_(bits),
+          count_(count),
+          order_(hn::SetTableIndices(DoubleTag(), set_bits[bits].data())) {}
+
+    HWY_INLINE static std::uint8_t bits_of(DoubleMask mask) {
+        std::uint8_t bytes[8] = {};
+        hn::StoreMaskBits(DoubleTag(), mask, bytes);
+        return bytes[0];
+    }
+
+    std::uint8_t bits_;
+    std::size_t count_;
+    decltype(hn::SetTableIndices(DoubleTag(), set_bits[0].data())) order_;
+};
+
 HWY_INLINE void store(const Vec3Lanes& v, Vec3* to) {
     hn::StoreInterleaved3(v.x, v.y, v.z, DoubleTag(), &to->x);
 }

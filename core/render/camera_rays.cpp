@@ -20,13 +20,13 @@
 #define ETALON_CAMERA_RAYS_ONCE
 namespace etalon {
 
-/// Rays in the making, so many that they stay in the fastest cache.
+/// Rays in the making: so many that they stay in the fastest cache.
 struct RayChunk {
     static constexpr std::size_t most = 64;
 
     std::size_t count;
     std::array<Vec2, most> pixels, on_lens;  ///< the latter on a disk of the lens' radius
-    std::array<Vec3, most> origins, directions;
+    MutableVec3Span origins, directions;     ///< where they go; padded
 };
 
 }  // namespace etalon
@@ -35,7 +35,7 @@ struct RayChunk {
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-void make_rays(const CameraFrame& c, RayChunk& rays) {
+void make_rays(const CameraFrame& c, const RayChunk& rays) {
     const DoubleTag tag;
     const Vec3Lanes eye = broadcast(c.eye), u = broadcast(c.u), v = broadcast(c.v),
                     to_eye = broadcast(c.to_eye);
@@ -57,8 +57,8 @@ void make_rays(const CameraFrame& c, RayChunk& rays) {
             origin = eye + place;
             direction = broadcast(-c.to_eye);
         }
-        store(origin, &rays.origins[i]);
-        store(normalized(direction), &rays.directions[i]);
+        store(origin, rays.origins, i);
+        store(normalized(direction), rays.directions, i);
     }
 }
 
@@ -86,35 +86,35 @@ Vec2 concentric_disk(const Vec2& p) {
 
 /// Sets rays to all directions: rows are angles from the camera's y axis, columns those about it,
 /// from x by z.
-void make_environment_rays(const CameraFrame& c, RayChunk& rays) {
+void make_environment_rays(const CameraFrame& c, const RayChunk& rays) {
     for (std::size_t i = 0; i < rays.count; ++i) {
         const Vec2 part = rays.pixels[i] * c.pixel_size;
         const double theta = std::numbers::pi * part.y, phi = 2 * std::numbers::pi * part.x;
         const double sine = std::sin(theta);
-        rays.origins[i] = c.eye;
-        rays.directions[i] = normalized(sine * std::cos(phi) * c.u + std::cos(theta) * c.v -
-                                        sine * std::sin(phi) * c.to_eye);
+        rays.origins.set(i, c.eye);
+        rays.directions.set(i, normalized(sine * std::cos(phi) * c.u + std::cos(theta) * c.v -
+                                          sine * std::sin(phi) * c.to_eye));
     }
 }
 
-/// Makes rays of a camera that stands where `frame` says.
+/// Makes rays of a camera that stands where `frame` says; `to_origins` and `to_directions` are
+/// padded.
 void make_all(const CameraFrame& frame, std::span<const Vec2> pixels, std::span<const Vec2> lens,
-              std::span<Ray> rays) {
+              const MutableVec3Span& to_origins, const MutableVec3Span& to_directions) {
     RayChunk chunk;
-    for (std::size_t first = 0; first < rays.size(); first += RayChunk::most) {
-        chunk.count = std::min(RayChunk::most, rays.size() - first);
-        for (std::size_t i = 0; i < chunk.count; ++i) {
-            chunk.pixels[i] = pixels[first + i];
-            if (frame.lens_radius > 0)
-                chunk.on_lens[i] = concentric_disk(lens[first + i]) * frame.lens_radius;
+    for (std::size_t first = 0; first < pixels.size(); first += RayChunk::most) {
+        chunk.count = std::min(RayChunk::most, pixels.size() - first);
+        chunk.origins = to_origins.from(first);
+        chunk.directions = to_directions.from(first);
+        std::copy_n(&pixels[first], chunk.count, chunk.pixels.begin());
+        if (frame.lens_radius > 0) {
+            std::transform(&lens[first], &lens[first] + chunk.count, chunk.on_lens.begin(),
+                           [&](const Vec2& p) { return concentric_disk(p) * frame.lens_radius; });
         }
         if (frame.projection == Projection::environment) {
             make_environment_rays(frame, chunk);
         } else {
             HWY_DYNAMIC_DISPATCH(make_rays)(frame, chunk);
-        }
-        for (std::size_t i = 0; i < chunk.count; ++i) {
-            rays[first + i] = {chunk.origins[i], chunk.directions[i]};
         }
     }
 }
@@ -137,38 +137,48 @@ CameraFrame CameraRays::frame_at(ShutterTime time) const {
     return frame;
 }
 
+CameraRays::WeightedRay CameraRays::weighted_ray(const Vec2& pixel, const Vec2& lens,
+                                                 ShutterTime time) const {
+    const CameraFrame c = frame_at(time);
+    const auto vector = [&](const Vec3& d) { return d.x * c.u + d.y * c.v - d.z * c.to_eye; };
+    const auto [ray, weight] = lens_->ray(pixel, lens);
+    return {c.eye + vector(ray.origin), normalized(vector(ray.direction)), weight};
+}
+
 void CameraRays::rays(std::span<const Vec2> pixels, std::span<const Vec2> lens,
-                      std::span<Ray> rays) const {
+                      RayBuffer& rays) const {
     if (lens_) {
-        std::vector<float> weights(rays.size());
+        std::vector<float> weights(pixels.size());
         return weighted_rays(pixels, lens, {}, rays, weights);
     }
-    make_all(frame_, pixels, lens, rays);
+    make_all(frame_, pixels, lens, rays.origins.span(), rays.directions.span());
+    std::fill_n(rays.excludes.data(), pixels.size(), no_index);
 }
 
 void CameraRays::weighted_rays(std::span<const Vec2> pixels, std::span<const Vec2> lens,
-                               std::span<const ShutterTime> times, std::span<Ray> rays,
+                               std::span<const ShutterTime> times, RayBuffer& rays,
                                std::span<float> weights) const {
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const ShutterTime time = times.empty() ? ShutterTime(0) : times[i];
-        const CameraFrame c = frame_at(time);
-        const auto vector = [&](const Vec3& d) { return d.x * c.u + d.y * c.v - d.z * c.to_eye; };
-        const auto [ray, weight] = lens_->ray(pixels[i], lens[i]);
-        rays[i] = {c.eye + vector(ray.origin), normalized(vector(ray.direction))};
-        rays[i].set_time(time);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const auto [origin, direction, weight] =
+            weighted_ray(pixels[i], lens[i], times.empty() ? ShutterTime(0) : times[i]);
+        rays.origins.set(i, origin);
+        rays.directions.set(i, direction);
         weights[i] = weight;
     }
+    std::fill_n(rays.excludes.data(), pixels.size(), no_index);
 }
 
 Ray CameraRays::ray(const Vec2& pixel, const Vec2& lens, ShutterTime time) const {
     Ray ray;
-    float weight = 1;
     if (lens_) {
-        weighted_rays({&pixel, 1}, {&lens, 1}, {&time, 1}, {&ray, 1}, {&weight, 1});
+        const auto [origin, direction, weight] = weighted_ray(pixel, lens, time);
+        ray = {origin, direction};
     } else {
-        make_all(frame_at(time), {&pixel, 1}, {&lens, 1}, {&ray, 1});
-        ray.set_time(time);
+        Vec3Columns<padded_doubles> origin, direction;
+        make_all(frame_at(time), {&pixel, 1}, {&lens, 1}, origin.span(), direction.span());
+        ray = {origin[0], direction[0]};
     }
+    ray.set_time(time);
     return ray;
 }
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/camera/lens_rays.h"
-#include "core/intersect/ray.h"
+#include "core/intersect/ray_stream.h"
 #include "core/render/camera_frame.h"
 
 namespace etalon {
@@ -20,9 +20,9 @@ class CameraRays {
     /// unit length.
     Ray ray(const Vec2& pixel, const Vec2& lens, ShutterTime time = 0) const;
 
-    /// Sets `rays` to such rays, one for each of `pixels` and, where there is a lens, of `lens`, of
-    /// the time at which the shutter opens.
-    void rays(std::span<const Vec2> pixels, std::span<const Vec2> lens, std::span<Ray> rays) const;
+    /// Sets the first rays of a buffer, which has room for them, to such rays, one for each of
+    /// `pixels` and, where there is a lens, of `lens`, of the time at which the shutter opens.
+    void rays(std::span<const Vec2> pixels, std::span<const Vec2> lens, RayBuffer& rays) const;
 
     /// Whether rays count differently: where a lens of several surfaces stops some.
     bool has_weights() const { return lens_ != nullptr; }
@@ -30,7 +30,7 @@ class CameraRays {
     /// Sets `weights`, too, to what the rays' light counts. For a camera that has weights. `times`
     /// are those of the rays, or none: that at which the shutter opens.
     void weighted_rays(std::span<const Vec2> pixels, std::span<const Vec2> lens,
-                       std::span<const ShutterTime> times, std::span<Ray> rays,
+                       std::span<const ShutterTime> times, RayBuffer& rays,
                        std::span<float> weights) const;
 
     /// How far in front of the eye a point is, along the axis of view; negative behind it. For an
@@ -52,7 +52,13 @@ class CameraRays {
     const std::optional<Imath::M44d>& world_to_ndc() const { return frame_.world_to_ndc; }
 
   private:
+    struct WeightedRay {
+        Vec3 origin, direction;
+        float weight;
+    };
+
     CameraFrame frame_at(ShutterTime time) const;
+    WeightedRay weighted_ray(const Vec2& pixel, const Vec2& lens, ShutterTime time) const;
 
     CameraFrame frame_;
     std::optional<AnimatedTransform> motion_;

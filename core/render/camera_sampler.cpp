@@ -48,14 +48,14 @@ void CameraBatch::make_rays(std::span<const Vec2> on_lens) {
     if (times_.empty()) return camera.rays(places_, on_lens, rays_);
     for (std::size_t i = 0; i < size(); ++i) {
         const Vec2 lens = on_lens.empty() ? Vec2(0.5) : on_lens[i];
-        rays_[i] = camera.ray(places_[i], lens, times_[i]);
+        rays_.set(i, camera.ray(places_[i], lens, times_[i]));
     }
 }
 
 CameraSamples CameraBatch::make() {
     const std::size_t count = size();
     places_.resize(count);
-    rays_.resize(count);
+    rays_.make_room(count);
     if (sampler_.has_samples_) {
         make_samples();
     } else {
@@ -63,8 +63,10 @@ CameraSamples CameraBatch::make() {
         const std::vector<Vec2> middle(sampler_.camera_.has_lens() ? count : 0, Vec2(0.5));
         make_rays(middle);
     }
-    for (Ray& ray : rays_) ray.set_coherent();
-    return {rays_, sources_, weights_};
+    RayStream rays = rays_.view(count);
+    rays.traits = Ray::coherent_trait;
+    if (!times_.empty()) rays.times = times_.data();
+    return {rays, sources_, weights_};
 }
 
 void CameraBatch::clear() {

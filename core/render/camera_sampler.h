@@ -60,7 +60,7 @@ class CameraBatch {
     std::vector<SampleSource> sources_;
     PointBatch in_pixel_, on_lens_, in_time_;
     std::vector<Vec2> places_;
-    std::vector<Ray> rays_;
+    RayBuffer rays_;
     std::vector<ShutterTime> times_;  ///< of the rays; none: all see the scene at one
     std::vector<float> weights_;      ///< see CameraSamples
 };

@@ -85,7 +85,8 @@ std::optional<SurfaceMeans> surface_means(const Scene& scene, const Intersector&
     const bool complete = visit_pixels(window, stop, [&](int x, int y, std::size_t) {
         CameraBatch of_pixel(rays);
         of_pixel.add(x, y, 0, samples);
-        for (const Ray& ray : of_pixel.make().rays) add(x, y, ray);
+        const RayStream rays_of_pixel = of_pixel.make().rays;
+        for (std::size_t i = 0; i < rays_of_pixel.size(); ++i) add(x, y, rays_of_pixel[i]);
     });
     if (!complete) return std::nullopt;
     if (rays.shares_corners()) means = {means.albedo.cells(), means.normal.cells()};

@@ -36,16 +36,21 @@ void SampleBatch::finish() {
 
 /// Renders the samples that count; the others are black.
 void SampleBatch::render_weighted(const CameraSamples& samples, std::span<Color> colors) {
-    weighted_rays_.clear();
     weighted_sources_.clear();
+    weighted_times_.clear();
+    weighted_rays_.make_room(colors.size());
     for (std::size_t i = 0; i < colors.size(); ++i) {
         if (samples.weights[i] == 0) continue;
-        weighted_rays_.push_back(samples.rays[i]);
+        weighted_rays_.set(weighted_sources_.size(), samples.rays[i]);
         weighted_sources_.push_back(samples.sources[i]);
+        if (samples.rays.times != nullptr) weighted_times_.push_back(samples.rays.times[i]);
     }
-    weighted_colors_.resize(weighted_rays_.size());
-    if (!weighted_rays_.empty()) {
-        integrator_.radiance({weighted_rays_, weighted_sources_}, weighted_colors_, counts_);
+    RayStream rays = weighted_rays_.view(weighted_sources_.size());
+    rays.traits = samples.rays.traits;
+    if (samples.rays.times != nullptr) rays.times = weighted_times_.data();
+    weighted_colors_.resize(rays.size());
+    if (!rays.empty()) {
+        integrator_.radiance({rays, weighted_sources_}, weighted_colors_, counts_);
     }
     auto next = weighted_colors_.begin();
     for (std::size_t i = 0; i < colors.size(); ++i) {

@@ -39,7 +39,8 @@ class SampleBatch {
     ImageFilm& film_;
     RayCounts& counts_;
     std::vector<Color> colors_;
-    std::vector<Ray> weighted_rays_;  ///< of a camera with weights, those above 0
+    RayBuffer weighted_rays_;  ///< of a camera with weights, those above 0
+    std::vector<ShutterTime> weighted_times_;
     std::vector<SampleSource> weighted_sources_;
     std::vector<Color> weighted_colors_;
     std::uint64_t done_ = 0, dropped_ = 0;

@@ -1,56 +1,69 @@
 #include "core/shading/hit_order.h"
 
-#include <array>
+#include "core/numerics/vec_columns.h"
 
 namespace etalon {
 namespace {
-
-/// Rays that have hit a primitive, as a list of which each ray names the next.
-struct PrimitiveHits {
-    std::uint32_t primitive = no_index;
-    std::uint32_t count = 0;
-    std::uint32_t first = no_index;
-};
-
-/// A list for each of as many primitives. Of those with the same place in it, one has it.
-using PrimitiveTable = std::array<PrimitiveHits, 128>;
 
 /// Fewer hits on a primitive than this are not worth a run.
 constexpr std::uint32_t least_run = 4;
 
 }  // namespace
 
-HitOrder::HitOrder(std::span<const Hit> hits) {
-    PrimitiveTable table;
-    std::vector<std::uint32_t> next(hits.size()), others;
-    for (auto i = static_cast<std::uint32_t>(hits.size()); i-- > 0;) {
-        const Hit& hit = hits[i];
-        if (hit.primitive == no_index) continue;
-        PrimitiveHits& list = table[hit.primitive % table.size()];
-        if (list.count == 0) list.primitive = hit.primitive;
-        if (list.primitive != hit.primitive || hit.instance != no_index) {
-            others.push_back(i);
-            continue;
-        }
-        next[i] = list.first;
-        list.first = i;
-        ++list.count;
+void HitOrder::add(const Neighbours& some, const Hit& hit) {
+    PrimitiveHits& list = table_[hit.primitive % table_.size()];
+    if (list.count == 0) list.primitive = hit.primitive;
+    if (list.primitive != hit.primitive || hit.instance != no_index) {
+        others_.push_back(some);
+        return;
     }
-    rays.reserve(hits.size());
-    const auto append = [&](const PrimitiveHits& list) {
-        for (std::uint32_t i = list.first; i != no_index; i = next[i]) rays.push_back(i);
-    };
-    for (const PrimitiveHits& list : table) {
+    const auto number = static_cast<std::uint32_t>(neighbours_.size());
+    (list.count == 0 ? list.first : neighbours_[list.last].next) = number;
+    list.last = number;
+    list.count += some.last - some.first;
+    neighbours_.push_back(some);
+}
+
+std::size_t HitOrder::append(const Neighbours& some, std::size_t at) {
+    for (std::uint32_t i = some.first; i < some.last; ++i) rays[at++] = i;
+    return at;
+}
+
+std::size_t HitOrder::append(const PrimitiveHits& list, std::size_t at) {
+    for (std::uint32_t i = list.first; i != no_index; i = neighbours_[i].next) {
+        at = append(neighbours_[i], at);
+    }
+    return at;
+}
+
+void HitOrder::find(std::span<const Hit> hits) {
+    table_.fill({});
+    runs.clear();
+    neighbours_.clear();
+    others_.clear();
+    rays.resize(std::max(rays.size(), hits.size() + padded_doubles));
+    const auto count = static_cast<std::uint32_t>(hits.size());
+    for (std::uint32_t first = 0, last = 0; first < count; first = last) {
+        const Hit& hit = hits[first];
+        for (last = first + 1; last < count && hits[last].primitive == hit.primitive &&
+                               hits[last].instance == hit.instance;) {
+            ++last;
+        }
+        if (hit.primitive != no_index) add({first, last, no_index}, hit);
+    }
+    size = 0;
+    for (const PrimitiveHits& list : table_) {
         if (list.count < least_run) continue;
-        const auto first = static_cast<std::uint32_t>(rays.size());
-        append(list);
+        const auto first = static_cast<std::uint32_t>(size);
+        size = append(list, size);
         runs.push_back({first, first + list.count, list.primitive});
     }
-    in_runs = rays.size();
-    for (const PrimitiveHits& list : table) {
-        if (list.count < least_run) append(list);
+    in_runs = size;
+    for (const PrimitiveHits& list : table_) {
+        if (list.count < least_run) size = append(list, size);
     }
-    rays.insert(rays.end(), others.rbegin(), others.rend());
+    for (const Neighbours& some : others_) size = append(some, size);
+    std::fill_n(rays.begin() + static_cast<std::ptrdiff_t>(size), padded_doubles, 0);
 }
 
 }  // namespace etalon

@@ -18,6 +18,7 @@ namespace etalon::HWY_NAMESPACE {
 /// Some surfaces of a chunk.
 struct LeftSurfaces {
     Vec3Lanes direction, position, error, normal, near_normal;
+    Doubles outward_exclude, inward_exclude;
 };
 
 HWY_INLINE Vec3Lanes chosen(DoubleMask mask, const Vec3Lanes& yes, const Vec3Lanes& no) {
@@ -33,16 +34,20 @@ HWY_INLINE Doubles clamped_to_one(Doubles x) {
 /// The steps of spawn_ray(), or those of a fixed bias.
 HWY_INLINE void store_way(const LeftSurfaces& s, const Vec3Lanes& direction, double bias,
                           std::size_t i, LeavingRays::Way& way) {
-    const Doubles outward = s.normal.dot(direction), one = broadcast(1);
-    store(direction, &way.directions[i]);
-    hn::StoreU(outward, DoubleTag(), &way.outwards[i]);
+    const DoubleTag tag;
+    const Doubles zero = broadcast(0), one = broadcast(1);
+    store(direction, way.directions.span(), i);
     if (bias != 0) {
-        store(s.position + broadcast(bias) * s.near_normal, &way.origins[i]);
+        store(s.position + broadcast(bias) * s.near_normal, way.origins.span(), i);
+        hn::StoreU(broadcast(no_index), tag, &way.excludes[i]);
         return;
     }
-    const Doubles side = hn::IfThenElse(outward < broadcast(0), hn::Neg(one), one);
+    const Doubles outward = s.normal.dot(direction);
+    const Doubles side = hn::IfThenElse(outward < zero, hn::Neg(one), one);
     const Vec3Lanes offset = (side * abs(s.normal).dot(s.error)) * s.normal;
-    store(next_towards(s.position + offset, offset), &way.origins[i]);
+    store(next_towards(s.position + offset, offset), way.origins.span(), i);
+    hn::StoreU(hn::IfThenElse(outward > zero, s.outward_exclude, s.inward_exclude), tag,
+               &way.excludes[i]);
 }
 
 /// See fresnel_dielectric().
@@ -53,21 +58,26 @@ HWY_INLINE Doubles dielectric(Doubles eta, Doubles cosine, Doubles refracted) {
     return (perpendicular * perpendicular + parallel * parallel) / broadcast(2);
 }
 
-void make_leaving(LeavingRays::Chunk& c) {
+void make_leaving(const SeenSurfaces& from, double bias, LeavingRays::Chunk& c) {
     const DoubleTag tag;
     const Doubles zero = broadcast(0), one = broadcast(1);
     for (std::size_t i = 0; i < c.count; i += hn::Lanes(tag)) {
-        const DoubleMask is_real = hn::FirstN(tag, c.count - i);
-        const Doubles leave = hn::IfThenElseZero(is_real, hn::LoadU(tag, &c.leave[i]));
+        const std::size_t number = c.first + i;
+        const auto column = [&](const PaddedColumn<double>& values)
+                                HWY_ATTR { return hn::LoadU(tag, &values[number]); };
+        const Doubles leave =
+            hn::IfThenElseZero(hn::FirstN(tag, c.count - i), column(from.sends_on));
         if (hn::AllFalse(tag, leave > zero)) continue;
-        const Vec3Lanes d = load(c.directions + i), n = load(c.normals + i);
-        const DoubleMask in_front = hn::LoadU(tag, c.fronts + i) > zero;
-        const Vec3Lanes near_normal = chosen(in_front, n, broadcast(-1) * n);
-        const LeftSurfaces s{d, load(c.positions + i), load(c.errors + i), n, near_normal};
-        const Vec3Lanes shading = load(c.shading_normals + i);
+        const Vec3Lanes d = load(from.directions.span(), number);
+        const Vec3Lanes n = load(from.normals.span(), number);
+        const Vec3Lanes near_normal = chosen(column(from.fronts) > zero, n, broadcast(-1) * n);
+        const LeftSurfaces s{
+            d,           load(from.positions.span(), number), load(from.errors.span(), number), n,
+            near_normal, column(from.outward_excludes),       column(from.inward_excludes)};
+        const Vec3Lanes shading = load(from.shading_normals.span(), number);
         const Vec3Lanes normal = chosen(d.dot(shading) < zero, shading, near_normal);
         const Doubles along = d.dot(normal), cosine = clamped_to_one(hn::Neg(along));
-        store_way(s, normalized(d - (broadcast(2) * along) * normal), c.bias, i, c.mirrored);
+        store_way(s, normalized(d - (broadcast(2) * along) * normal), bias, i, c.mirrored);
         hn::StoreU(cosine, tag, &c.cosines[i]);
         if (hn::AllFalse(tag, leave > one)) continue;
 
@@ -78,8 +88,20 @@ void make_leaving(LeavingRays::Chunk& c) {
         hn::StoreU(hn::IfThenElse(total, one, dielectric(eta, cosine, refracted)), tag,
                    &c.reflectances[i]);
         hn::StoreU(hn::IfThenElse(total, one, zero), tag, &c.total[i]);
-        store_way(s, normalized(eta * d + (eta * cosine - refracted) * normal), -c.bias, i,
+        store_way(s, normalized(eta * d + (eta * cosine - refracted) * normal), -bias, i,
                   c.refracted);
+    }
+}
+
+void put(const LeavingRays::Way& way, LeavingRays::Choice choice, RayBuffer& to, std::size_t at) {
+    const DoubleTag tag;
+    for (std::size_t i = 0; choice != 0; i += hn::Lanes(tag), choice >>= hn::Lanes(tag)) {
+        const ChosenLanes those(
+            hn::LoadMaskBits(tag, reinterpret_cast<const std::uint8_t*>(&choice)));
+        those.store(load(way.origins.span(), i), to.origins.span(), at);
+        those.store(load(way.directions.span(), i), to.directions.span(), at);
+        those.store(hn::LoadU(tag, &way.excludes[i]), &to.excludes[at]);
+        at += those.count();
     }
 }
 
@@ -90,45 +112,38 @@ HWY_AFTER_NAMESPACE();
 namespace etalon {
 
 HWY_EXPORT(make_leaving);
+HWY_EXPORT(put);
 
 std::size_t LeavingRays::make(std::size_t first) {
-    constexpr Color black(0.0F);
-    first_ = first;
     Chunk& c = chunk_;
+    c.first = first;
     c.count = std::min(most, surfaces_.size() - first);
+    c.leave = 0;
     for (std::size_t i = 0; i < c.count; ++i) {
-        const Material& m = *surfaces_.traits[first + i].material;
-        c.leave[i] = m.transmission != black ? 2 : m.reflection != black ? 1 : 0;
-        c.etas[i] = surfaces_.entering(first + i) ? 1 / m.ior : m.ior;
+        if (!(surfaces_.sends_on[first + i] > 0)) continue;
+        c.leave |= Choice{1} << i;
+        const double ior = surfaces_.traits[first + i].material->ior;
+        c.etas[i] = surfaces_.entering(first + i) ? 1 / ior : ior;
     }
-    c.directions = &surfaces_.directions[first];
-    c.positions = &surfaces_.positions[first];
-    c.errors = &surfaces_.errors[first];
-    c.normals = &surfaces_.normals[first];
-    c.shading_normals = &surfaces_.shading_normals[first];
-    c.fronts = &surfaces_.fronts[first];
-    c.bias = rules_.fixed_bias;
-    HWY_DYNAMIC_DISPATCH(make_leaving)(c);
+    if (c.leave == 0) return c.count;
+    HWY_DYNAMIC_DISPATCH(make_leaving)(surfaces_, rules_.fixed_bias, c);
     if (rules_.schlick) use_schlick();
     return c.count;
 }
 
 void LeavingRays::use_schlick() {
     for (std::size_t i = 0; i < chunk_.count; ++i) {
-        if (chunk_.leave[i] < 2) continue;
+        if (surfaces_.sends_on[chunk_.first + i] < 2) continue;
         chunk_.reflectances[i] = fresnel_schlick(chunk_.etas[i], chunk_.cosines[i]).reflectance;
     }
 }
 
-Ray LeavingRays::ray(std::size_t i, const Way& way) const {
-    Ray ray{way.origins[i], way.directions[i]};
-    if (rules_.fixed_bias != 0) return ray;
-    const SeenSurfaces::Traits& traits = surfaces_.traits[first_ + i];
-    const bool outward = way.outwards[i] > 0;
-    const bool for_good =
-        traits.convexity == Convexity::flat || (traits.convexity == Convexity::convex && outward);
-    if (for_good) ray.exclude = traits.primitive;
-    return ray;
+void LeavingRays::put_mirrored(Choice choice, RayBuffer& to, std::size_t at) const {
+    HWY_DYNAMIC_DISPATCH(put)(chunk_.mirrored, choice, to, at);
+}
+
+void LeavingRays::put_refracted(Choice choice, RayBuffer& to, std::size_t at) const {
+    HWY_DYNAMIC_DISPATCH(put)(chunk_.refracted, choice, to, at);
 }
 
 }  // namespace etalon

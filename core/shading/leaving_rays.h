@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "core/shading/fresnel.h"
 #include "core/shading/seen_surfaces.h"
@@ -18,20 +19,20 @@ class LeavingRays {
   public:
     static constexpr std::size_t most = 64;
 
+    /// Some surfaces of a chunk, a bit for each, from the lowest on.
+    using Choice = std::uint64_t;
+
     /// A way on, by mirror or through glass.
     struct Way {
-        std::array<Vec3, most> origins, directions;
-        std::array<double, most> outwards;  ///< normal . direction
+        Vec3Columns<most> origins, directions;
+        std::array<double, most> excludes;
     };
 
-    /// What rays meet and what they do there, side by side.
+    /// What rays do at surfaces from number `first` on.
     struct Chunk {
-        std::size_t count;
-        const Vec3 *directions, *positions, *errors, *normals, *shading_normals;
-        const double* fronts;
-        double bias;
-        std::array<double, most> leave;  ///< 0 where no ray leaves, 1 from mirrors, 2 from glass
-        std::array<double, most> etas;   ///< n_here / n_beyond
+        std::size_t first, count;
+        Choice leave;                   ///< where a ray leaves
+        std::array<double, most> etas;  ///< n_here / n_beyond, there
 
         std::array<double, most> cosines, reflectances, total;  ///< total: 1 or 0
         Way mirrored, refracted;
@@ -44,25 +45,27 @@ class LeavingRays {
     /// Makes the rays of the surfaces from number `first` on, at most `most`. Returns their number.
     std::size_t make(std::size_t first);
 
+    /// The surfaces of the chunk that send rays on.
+    Choice senders() const { return chunk_.leave; }
+
     /// The border at surface number first + i, where it is one of glass.
     double reflectance(std::size_t i) const { return chunk_.reflectances[i]; }
     bool is_total(std::size_t i) const { return chunk_.total[i] != 0; }
 
     /// Whether a ray through the surface runs behind it.
-    bool enters(std::size_t i) const { return surfaces_.entering(first_ + i); }
+    bool enters(std::size_t i) const { return surfaces_.entering(chunk_.first + i); }
 
-    Ray mirrored(std::size_t i) const { return ray(i, chunk_.mirrored); }
+    /// Writes the chosen rays to a buffer, from number `at` on, which has room for them.
+    void put_mirrored(Choice choice, RayBuffer& to, std::size_t at) const;
 
-    /// Nothing where the reflection is total.
-    Ray refracted(std::size_t i) const { return ray(i, chunk_.refracted); }
+    /// The same of the others. Nothing is to be chosen where the reflection is total.
+    void put_refracted(Choice choice, RayBuffer& to, std::size_t at) const;
 
   private:
-    Ray ray(std::size_t i, const Way& way) const;
     void use_schlick();
 
     const SeenSurfaces& surfaces_;
     LeavingRules rules_;
-    std::size_t first_ = 0;
     Chunk chunk_;
 };
 

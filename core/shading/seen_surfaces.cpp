@@ -1,5 +1,7 @@
 #include "core/shading/seen_surfaces.h"
 
+#include <algorithm>
+
 #include "core/intersect/kernels.h"
 #include "core/intersect/surface_group.h"
 
@@ -19,8 +21,8 @@ namespace etalon {
 
 /// What is known of surfaces, and where what it means for the rays goes.
 struct OrientedColumns {
-    const Vec3 *directions, *normals;
-    Vec3* shading_normals;
+    Vec3Span directions, normals;
+    MutableVec3Span shading_normals;
     double* fronts;
 };
 
@@ -40,10 +42,10 @@ void orient(const OrientedColumns& c, std::size_t count) {
     const DoubleTag tag;
     const Doubles zero = broadcast(0);
     for (std::size_t i = 0; i < count; i += hn::Lanes(tag)) {
-        const Vec3Lanes normal = load(c.normals + i), shading = load(c.shading_normals + i);
-        const DoubleMask entering = load(c.directions + i).dot(normal) < zero;
+        const Vec3Lanes normal = load(c.normals, i), shading = load(c.shading_normals, i);
+        const DoubleMask entering = load(c.directions, i).dot(normal) < zero;
         const Vec3Lanes ng = negated_unless(entering, normal);
-        store(negated_unless(ng.dot(shading) > zero, shading), c.shading_normals + i);
+        store(negated_unless(ng.dot(shading) > zero, shading), c.shading_normals, i);
         hn::StoreU(hn::IfThenElse(entering, broadcast(1), broadcast(-1)), tag, c.fronts + i);
     }
 }
@@ -58,83 +60,103 @@ HWY_EXPORT(orient);
 
 namespace {
 
-bool scatters(const Material* material) {
+double scatters(const Material* material) {
     constexpr Color black(0.0F);
-    return material == nullptr || material->diffuse != black || material->specular != black;
+    const bool does =
+        material == nullptr || material->diffuse != black || material->specular != black;
+    return does ? 1.0 : 0.0;
 }
 
-SeenSurfaces::Traits traits_of(const SurfacePoint& p, const Material* material, std::uint32_t ray) {
-    return {ray, p.primitive, material, p.convexity, scatters(material)};
+double sends_on(const Material* material) {
+    constexpr Color black(0.0F);
+    if (material == nullptr) return 0;
+    return material->transmission != black ? 2 : material->reflection != black ? 1 : 0;
 }
 
 }  // namespace
 
-SeenSurfaces::SeenSurfaces(std::size_t most) {
-    const std::size_t room = most + HWY_NAMESPACE::padded_doubles;
+void SeenSurfaces::reset(std::size_t most) {
     for (auto* column : {&directions, &positions, &errors, &normals, &shading_normals}) {
-        column->resize(room);
+        column->make_room(most);
     }
-    fronts.resize(room);
+    for (auto* column : {&fronts, &scatters, &sends_on, &outward_excludes, &inward_excludes}) {
+        column->make_room(most);
+    }
+    traits.clear();
     traits.reserve(most);
 }
 
-SeenSurfaces::SeenSurfaces(const Scene& scene, std::span<const Ray> rays, std::span<const Hit> hits)
-    : SeenSurfaces(hits.size()) {
-    const HitOrder order(hits);
-    const std::span numbers(order.rays);
-    for (const HitRun& run : order.runs) {
+void SeenSurfaces::find(const Scene& scene, const RayStream& rays, std::span<const Hit> hits) {
+    reset(hits.size());
+    order_.find(hits);
+    const std::span numbers = std::span<const std::uint32_t>(order_.rays).first(order_.size);
+    for (const HitRun& run : order_.runs) {
         for (std::uint32_t first = run.first; first < run.last; first += SurfaceGroup::most) {
             const std::size_t count = std::min<std::size_t>(SurfaceGroup::most, run.last - first);
             add_run(scene, rays, hits, numbers.subspan(first, count));
         }
     }
-    for (const std::uint32_t i : numbers.subspan(order.in_runs)) {
-        add(surface_interaction(scene, rays[i], hits[i]), rays[i].direction, i);
+    for (const std::uint32_t i : numbers.subspan(order_.in_runs)) {
+        const Ray ray = rays[i];
+        add(surface_interaction(scene, ray, hits[i]), ray.direction, i);
     }
 }
 
 void SeenSurfaces::add(const SurfaceInteraction& at, const Vec3& direction, std::uint32_t ray) {
     const std::size_t i = size();
-    directions[i] = direction;
+    add_traits(at, {&ray, 1});
+    directions.set(i, direction);
     set(i, at);
-    traits.push_back(traits_of(at.surface, at.material, ray));
+}
+
+/// Adds what surfaces on one primitive have in common.
+void SeenSurfaces::add_traits(const SurfaceInteraction& any,
+                              std::span<const std::uint32_t> numbers) {
+    const double primitive = any.surface.primitive, none = no_index;
+    const Convexity convexity = any.surface.convexity;
+    const bool is_flat = convexity == Convexity::flat;
+    const std::size_t begin = size();
+    const auto fill = [&](PaddedColumn<double>& column, double value) {
+        std::fill_n(&column[begin], numbers.size(), value);
+    };
+    fill(scatters, etalon::scatters(any.material));
+    fill(sends_on, etalon::sends_on(any.material));
+    fill(outward_excludes, is_flat || convexity == Convexity::convex ? primitive : none);
+    fill(inward_excludes, is_flat ? primitive : none);
+    for (const std::uint32_t ray : numbers) traits.push_back({ray, any.material});
 }
 
 void SeenSurfaces::set(std::size_t i, const SurfaceInteraction& at) {
-    positions[i] = at.surface.position;
-    errors[i] = at.surface.error;
-    normals[i] = at.surface.normal;
-    shading_normals[i] = at.ns;
+    positions.set(i, at.surface.position);
+    errors.set(i, at.surface.error);
+    normals.set(i, at.surface.normal);
+    shading_normals.set(i, at.ns);
     fronts[i] = at.entering ? 1.0 : -1.0;
 }
 
 /// Adds where rays have hit one primitive: at most SurfaceGroup::most of them.
-void SeenSurfaces::add_run(const Scene& scene, std::span<const Ray> rays, std::span<const Hit> hits,
+void SeenSurfaces::add_run(const Scene& scene, const RayStream& rays, std::span<const Hit> hits,
                            std::span<const std::uint32_t> run) {
     const auto interaction = [&](std::uint32_t i) {
         return surface_interaction(scene, rays[i], hits[i]);
     };
     const Primitive primitive = scene.geometry.primitives[hits[run.front()].primitive];
     if (!has_surface_group(primitive)) {
-        for (const std::uint32_t i : run) add(interaction(i), rays[i].direction, i);
+        for (const std::uint32_t i : run) add(interaction(i), rays.directions[i], i);
         return;
     }
     const SurfaceInteraction any = interaction(run.front());
     const std::size_t begin = size();
-    SurfaceGroup group;
-    group.count = run.size();
-    for (std::size_t k = 0; k < run.size(); ++k) {
-        const Ray& ray = rays[run[k]];
-        group.origins[k] = ray.origin;
-        group.ts[k] = hits[run[k]].t;
-        directions[begin + k] = ray.direction;
-        traits.push_back(traits_of(any.surface, any.material, run[k]));
-    }
-    group.directions = &directions[begin];
-    group.positions = &positions[begin];
-    group.errors = &errors[begin];
-    group.normals = &normals[begin];
-    group.shading_normals = &shading_normals[begin];
+    add_traits(any, run);
+    const SurfaceGroup group{rays,
+                             hits.data(),
+                             run.data(),
+                             run.size(),
+                             directions.span().from(begin),
+                             positions.span().from(begin),
+                             errors.span().from(begin),
+                             normals.span().from(begin),
+                             shading_normals.span().from(begin)};
     const std::uint64_t decided = find_surfaces(scene.geometry, primitive, any.surface, group);
     HWY_DYNAMIC_DISPATCH(orient)
     ({group.directions, group.normals, group.shading_normals, &fronts[begin]}, run.size());

@@ -1,8 +1,5 @@
 #include "core/shading/shadow_rays.h"
 
-#include <algorithm>
-#include <array>
-
 #define ETALON_WITH_AVX3
 #include "core/numerics/instruction_sets.h"
 
@@ -17,20 +14,11 @@
 #define ETALON_SHADOW_RAYS_ONCE
 namespace etalon {
 
-/// Some surfaces and what becomes of each: so many that they stay in the fastest cache.
-struct AimedChunk {
-    static constexpr std::size_t most = 64;
-
-    const Vec3 *positions, *errors, *normals, *shading_normals;
-    std::array<Vec3, most> lights;
-    std::size_t count;
-
-    std::array<Vec3, most> towards;              ///< unit vector to the light
-    std::array<double, most> cosine, facing;     ///< products of it with the two normals
-    std::array<Vec3, most> origins, directions;  ///< of the ray
-    std::array<double, most>
-        leaving;  ///< normal . (light - position), its sign that of the side left to
-    std::array<double, most> moving;  ///< that side's normal . direction
+/// Where the columns of ShadowRays begin.
+struct ShadowColumns {
+    MutableVec3Span origins, directions, towards;
+    double *excludes, *cosines;
+    std::int64_t* surfaces;
 };
 
 }  // namespace etalon
@@ -39,34 +27,54 @@ struct AimedChunk {
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-void aim(AimedChunk& c, double fixed_bias) {
+/// Returns how many rays there are.
+std::size_t aim(const SeenSurfaces& from, const Vec3Buffer& lights, double fixed_bias,
+                const ShadowColumns& to) {
     const DoubleTag tag;
-    const Doubles zero = broadcast(0.0), one = broadcast(1.0), bias = broadcast(fixed_bias);
-    for (std::size_t i = 0; i < c.count; i += hn::Lanes(tag)) {
-        const Vec3Lanes position = load(c.positions + i), normal = load(c.normals + i);
-        const Vec3Lanes light = load(&c.lights[i]), to_light = light - position;
+    const Doubles zero = broadcast(0.0), one = broadcast(1.0), bias = broadcast(fixed_bias),
+                  nothing = broadcast(no_index);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < from.size(); i += hn::Lanes(tag)) {
+        const auto column = [&](const PaddedColumn<double>& values)
+                                HWY_ATTR { return hn::LoadU(tag, &values[i]); };
+        const Vec3Lanes position = load(from.positions.span(), i);
+        const Vec3Lanes normal = load(from.normals.span(), i);
+        const Vec3Lanes light = load(lights.span(), i), to_light = light - position;
         const Vec3Lanes towards = normalized(to_light);
+        const Doubles cosine = load(from.shading_normals.span(), i).dot(towards);
         const Doubles facing = normal.dot(towards), leaving = normal.dot(to_light);
-        store(towards, &c.towards[i]);
-        hn::StoreU(load(c.shading_normals + i).dot(towards), tag, &c.cosine[i]);
-        hn::StoreU(facing, tag, &c.facing[i]);
+        const DoubleMask faces =
+            hn::And(hn::And(cosine > zero, column(from.fronts) * facing > zero),
+                    hn::And(column(from.scatters) > zero, hn::FirstN(tag, from.size() - i)));
+        if (hn::AllFalse(tag, faces)) continue;
 
         const Doubles side = hn::IfThenElse(leaving < zero, hn::Neg(one), one);
-        Vec3Lanes origin;
+        Doubles exclude = nothing;
+        Vec3Lanes origin, direction;
         if (fixed_bias == 0) {
-            const Doubles distance = abs(normal).dot(load(c.errors + i));
+            const Doubles distance = abs(normal).dot(load(from.errors.span(), i));
             const Vec3Lanes offset = (side * distance) * normal;
             origin = next_towards(position + offset, offset);
+            direction = light - origin;
+            const DoubleMask leaves = side * normal.dot(direction) > zero;
+            const Doubles left = hn::IfThenElse(leaving > zero, column(from.outward_excludes),
+                                                column(from.inward_excludes));
+            exclude = hn::IfThenElse(leaves, left, nothing);
         } else {
             const Doubles front = hn::IfThenElse(facing < zero, hn::Neg(bias), bias);
             origin = position + front * normal;
+            direction = light - origin;
         }
-        const Vec3Lanes direction = light - origin;
-        store(origin, &c.origins[i]);
-        store(direction, &c.directions[i]);
-        hn::StoreU(leaving, tag, &c.leaving[i]);
-        hn::StoreU(side * normal.dot(direction), tag, &c.moving[i]);
+        const ChosenLanes those(faces);
+        those.store(origin, to.origins, count);
+        those.store(direction, to.directions, count);
+        those.store(towards, to.towards, count);
+        those.store(exclude, to.excludes + count);
+        those.store(cosine, to.cosines + count);
+        those.store_numbers(i, to.surfaces + count);
+        count += those.count();
     }
+    return count;
 }
 
 }  // namespace etalon::HWY_NAMESPACE
@@ -77,48 +85,15 @@ namespace etalon {
 
 HWY_EXPORT(aim);
 
-namespace {
-
-/// Whether a ray that leaves a surface cannot meet it again.
-bool leaves_for_good(Convexity convexity, double leaving, double moving) {
-    const bool outward = leaving > 0;
-    return (convexity == Convexity::flat || (convexity == Convexity::convex && outward)) &&
-           moving > 0;
-}
-
-}  // namespace
-
-ShadowRays::ShadowRays(const SeenSurfaces& surfaces, std::span<const Vec3> lights,
-                       double fixed_bias) {
-    rays.reserve(surfaces.size());
-    facing.reserve(surfaces.size());
-    AimedChunk c;
-    for (std::size_t first = 0; first < surfaces.size(); first += AimedChunk::most) {
-        c.positions = &surfaces.positions[first];
-        c.errors = &surfaces.errors[first];
-        c.normals = &surfaces.normals[first];
-        c.shading_normals = &surfaces.shading_normals[first];
-        c.count = std::min(AimedChunk::most, surfaces.size() - first);
-        std::ranges::copy(lights.subspan(first, c.count), c.lights.begin());
-        HWY_DYNAMIC_DISPATCH(aim)(c, fixed_bias);
-        for (std::size_t i = 0; i < c.count; ++i) {
-            const double facing_it = surfaces.fronts[first + i] * c.facing[i];
-            if (!(c.cosine[i] > 0) || !(facing_it > 0)) continue;
-            const SeenSurfaces::Traits& traits = surfaces.traits[first + i];
-            if (!traits.scatters) continue;
-            const bool for_good =
-                fixed_bias == 0 && leaves_for_good(traits.convexity, c.leaving[i], c.moving[i]);
-            Ray& ray = rays.emplace_back();
-            ray.origin = c.origins[i];
-            ray.direction = c.directions[i];
-            ray.tmax = shadow_end;
-            if (for_good) ray.exclude = traits.primitive;
-            FacingSurface& surface = facing.emplace_back();
-            surface.surface = first + i;
-            surface.towards = c.towards[i];
-            surface.cosine = c.cosine[i];
-        }
-    }
+void ShadowRays::aim(const SeenSurfaces& from, const Vec3Buffer& lights, double fixed_bias) {
+    rays_.make_room(from.size());
+    towards.make_room(from.size());
+    cosines.make_room(from.size());
+    surfaces.make_room(from.size());
+    count_ =
+        HWY_DYNAMIC_DISPATCH(aim)(from, lights, fixed_bias,
+                                  {rays_.origins.span(), rays_.directions.span(), towards.span(),
+                                   rays_.excludes.data(), cosines.data(), surfaces.data()});
 }
 
 }  // namespace etalon

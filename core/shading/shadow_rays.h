@@ -1,7 +1,7 @@
 // Shadow rays of many surfaces to one light.
 #pragma once
 
-#include <vector>
+#include <cstdint>
 
 #include "core/shading/seen_surfaces.h"
 
@@ -11,24 +11,30 @@ namespace etalon {
 /// casts no shadow, so that a light may lie on a surface. Well above the roundings of a double.
 inline constexpr double shadow_end = 1 - 0x1p-32;
 
-/// Surface that faces a light, whether or not anything is in between: its number, the direction to
-/// the light, and the cosine there.
-struct FacingSurface {
-    std::size_t surface;
-    Vec3 towards;
-    double cosine;
-};
-
-/// The rays from surfaces to one light, of those that scatter and face it: see spawn_ray_to(),
-/// whose bits these have.
+/// The rays from surfaces to one light, of those that scatter and face it, whether or not anything
+/// is in between: see spawn_ray_to(), whose bits these have. To be aimed again and again.
 class ShadowRays {
   public:
     /// `lights`: a point of the light for each surface. A `fixed_bias` other than 0 is how far from
     /// the surface along its normal the rays start.
-    ShadowRays(const SeenSurfaces& surfaces, std::span<const Vec3> lights, double fixed_bias);
+    void aim(const SeenSurfaces& surfaces, const Vec3Buffer& lights, double fixed_bias);
 
-    std::vector<Ray> rays;
-    std::vector<FacingSurface> facing;  ///< the surface of each ray
+    std::size_t size() const { return count_; }
+
+    RayStream rays() const {
+        RayStream stream = rays_.view(count_);
+        stream.tmax = shadow_end;
+        return stream;
+    }
+
+    /// Of each ray; padded, of any value there.
+    PaddedColumn<std::int64_t> surfaces;  ///< number of the surface
+    Vec3Buffer towards;                   ///< unit vector to the light
+    PaddedColumn<double> cosines;         ///< product of it with the shading normal
+
+  private:
+    RayBuffer rays_;
+    std::size_t count_ = 0;
 };
 
 }  // namespace etalon

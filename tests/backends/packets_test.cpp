@@ -26,6 +26,7 @@ class CountingBackend : public BatchIntersector {
         count += rays.size();
         backend_.occluded(rays, blocked);
     }
+    using BatchIntersector::closest, BatchIntersector::occluded;
 
     mutable std::size_t count = 0;
 
@@ -57,8 +58,10 @@ std::vector<Ray> bundles(const Scene& scene, std::size_t number, Random& random)
     return rays;
 }
 
-std::size_t count_wrong(const Scene& scene, const BatchIntersector& intersector,
-                        const std::vector<Ray>& rays) {
+/// Asks for rays of a span or a stream. Returns how many answers are other than those of each ray
+/// alone.
+template <class Rays>
+std::size_t count_wrong(const Scene& scene, const BatchIntersector& intersector, const Rays& rays) {
     std::vector<Hit> hits(rays.size());
     std::vector<std::uint8_t> blocked(rays.size());
     intersector.closest(rays, hits);
@@ -86,6 +89,29 @@ TEST_CASE("Packets: rays in bundles find what each of them finds alone, to the b
             const PacketIntersector packets(scene.geometry, *backend, true);
             REQUIRE(packets.has_packets());
             CHECK(count_wrong(scene, packets, bundles(scene, 60, random)) == 0);
+        }
+    });
+}
+
+TEST_CASE("Packets: rays of a stream find what each of them finds alone, to the bit",
+          "[backends]") {
+    for_each_target([] {
+        for (const SceneFamily& family : scene_families()) {
+            const Scene scene = family.make(100);
+            INFO(family.name);
+            Random random(18);
+            const auto backend = backend_named("bvh").build(scene.geometry);
+            const PacketIntersector packets(scene.geometry, *backend, true);
+            const std::vector<Ray> rays = bundles(scene, 30, random);
+            RayBuffer buffer;
+            buffer.make_room(rays.size());
+            for (std::size_t i = 0; i < rays.size(); ++i) buffer.set(i, rays[i]);
+            RayStream stream = buffer.view(rays.size());
+            stream.traits = Ray::coherent_trait;
+            CHECK(count_wrong(scene, packets, stream) == 0);
+            stream.tmax = 0.8;
+            CHECK(count_wrong(scene, packets, stream.subspan(7)) == 0);
+            CHECK(count_wrong(scene, *backend, stream.first(100)) == 0);
         }
     });
 }

@@ -30,6 +30,8 @@ class CountingBackend : public BatchIntersector {
         std::ranges::fill(blocked, std::uint8_t{1});
     }
 
+    using BatchIntersector::closest, BatchIntersector::occluded;
+
     mutable std::size_t nearest = 0, shadow = 0;
 };
 
@@ -76,4 +78,20 @@ TEST_CASE("RecordedRays: given batches, then all are answered and every n-th is 
     CHECK(recorded.replay() >= 0);
     CHECK(backend.nearest == 70 + 30);  // the first, fourth and seventh batch
     CHECK(backend.shadow == 12 + 4);
+}
+
+TEST_CASE("RecordedRays: given streams, then they are kept whole") {
+    const CountingBackend backend;
+    const frames::RecordedRays recorded(backend, 2);
+    std::vector<Hit> hits(10);
+    std::vector<std::uint8_t> blocked(10);
+    {
+        RayBuffer rays;
+        rays.make_room(10);
+        for (int i = 0; i < 3; ++i) recorded.closest(rays.view(10), hits);
+        recorded.occluded(rays.view(7), blocked);
+    }
+    CHECK((backend.nearest == 30 && backend.shadow == 7));
+    CHECK(recorded.replay() >= 0);
+    CHECK((backend.nearest == 30 + 20 && backend.shadow == 7 + 7));
 }

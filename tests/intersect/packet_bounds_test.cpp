@@ -36,11 +36,11 @@ RaySet alike_rays(Random& random) {
     return set;
 }
 
-RayPacket packet_of(const RaySet& set) {
+PacketBounds bounds_of(const RaySet& set) {
     RayPacket packet;
     packet.dominant = set.dominant;
-    for (const Ray& ray : set.rays) packet.add(ray, ray.direction);
-    return packet;
+    for (const Ray& ray : set.rays) packet.add(packet.count, ray, ray.direction);
+    return PacketBounds(packet);
 }
 
 /// A box, thin or not, with one of its corners within roundings of a point of the ray.
@@ -72,7 +72,7 @@ std::size_t lost_boxes(std::size_t count) {
     std::size_t lost = 0;
     for (std::size_t done = 0; done < count;) {
         const RaySet set = alike_rays(random);
-        const PacketBounds bounds(packet_of(set));
+        const PacketBounds bounds = bounds_of(set);
         if (!bounds.goes_one_way()) continue;
         std::vector<Box3> boxes;
         for (const Ray& ray : set.rays) boxes.push_back(box_at(ray, random));
@@ -97,9 +97,8 @@ TEST_CASE("Packet bounds: what is beside or behind rays that go one way is misse
     for (int i = 0; i < 64; ++i) {
         set.rays.push_back({Vec3(0), Vec3(0.01 * (i % 8), 0.01 * (i / 8), 1)});
     }
-    const RayPacket packet = packet_of(set);
     for_each_target([&] {
-        const PacketBounds bounds(packet);
+        const PacketBounds bounds = bounds_of(set);
         const auto box_of = [](const Vec3& centre) {
             return Box3(centre - Vec3(0.25), centre + Vec3(0.25));
         };
@@ -116,7 +115,8 @@ TEST_CASE("Packet bounds: what is beside or behind rays that go one way is misse
 }
 
 TEST_CASE("Packet bounds: what is infinite is never missed") {
-    const PacketBounds bounds(packet_of({{{Vec3(0), Vec3(0, 0, 1)}, {Vec3(1), Vec3(0, 1, 1)}}, 2}));
+    const PacketBounds bounds =
+        bounds_of({{{Vec3(0), Vec3(0, 0, 1)}, {Vec3(1), Vec3(0, 1, 1)}}, 2});
     const Box3 whole(Vec3(-infinity), Vec3(infinity));
     const Box3 slab(Vec3(5, -infinity, -infinity), Vec3(5, infinity, infinity));
     CHECK(count_near(bounds, {whole, slab}) >= 1);
@@ -124,7 +124,7 @@ TEST_CASE("Packet bounds: what is infinite is never missed") {
 
 TEST_CASE("Packet bounds: nothing is said of rays that go both ways") {
     const auto says = [](const std::vector<Ray>& rays) {
-        return PacketBounds(packet_of({rays, 2})).goes_one_way();
+        return bounds_of({rays, 2}).goes_one_way();
     };
     CHECK(says({{Vec3(0), Vec3(0, 0, 1)}}));
     CHECK(says({{Vec3(0), Vec3(0, 0, -1)}, {Vec3(0), Vec3(0, 0, -2)}}));

@@ -32,14 +32,14 @@ void limit(Ray& ray, const Hit& hit, int i) {
     if (i % 16 == 3) ray.exclude = 0;
 }
 
-void require_same(const Geometry& geometry, RayPacket& packet) {
+void require_same(const Geometry& geometry, const std::vector<Ray>& rays, RayPacket& packet) {
     bool any = false;
     for (std::size_t i = 0; i < packet.count; ++i) {
-        any |= hit_alone(geometry, *packet.rays[i]).primitive == 0;
+        any |= hit_alone(geometry, rays[packet.numbers[i]]).primitive == 0;
     }
     REQUIRE(offer_to_packet(geometry, 0, packet) == any);
     for (std::size_t i = 0; i < packet.count; ++i) {
-        const Ray& ray = *packet.rays[i];
+        const Ray& ray = rays[packet.numbers[i]];
         if (same_bits(packet.hit(i), hit_alone(geometry, ray))) continue;
         CAPTURE(i, packet.count, ray.origin, ray.direction, ray.tmin, ray.tmax);
         CHECK(packet.hit(i).t == hit_alone(geometry, ray).t);
@@ -53,13 +53,13 @@ void require_same(const Geometry& geometry, const std::vector<Ray>& rays) {
     std::array<RayPacket, 3> packets;
     std::array<std::size_t, 3> sizes{1, 1, 1};
     for (int axis = 0; axis < 3; ++axis) packets[axis].dominant = axis;
-    for (const Ray& ray : rays) {
-        const RayQuery query(ray);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const RayQuery query(rays[i]);
         RayPacket& packet = packets[query.kz];
-        packet.add(ray, query.ray.direction);
+        packet.add(i, rays[i], query.ray.direction);
         if (packet.count < sizes[query.kz]) continue;
         sizes[query.kz] = sizes[query.kz] % RayPacket::most + 1;
-        require_same(geometry, packet);
+        require_same(geometry, rays, packet);
     }
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("Kernels: of two primitives at the same distance a packet keeps the lo
     for (const auto& [first, second] : {std::pair(0U, 1U), std::pair(1U, 0U)}) {
         RayPacket packet;
         packet.dominant = 2;
-        packet.add(ray, RayQuery(ray).ray.direction);
+        packet.add(0, ray, RayQuery(ray).ray.direction);
         offer_to_packet(geometry, first, packet);
         offer_to_packet(geometry, second, packet);
         CHECK(packet.hit(0).primitive == 0);

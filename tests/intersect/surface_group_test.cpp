@@ -13,43 +13,53 @@ using namespace etalon::test;
 
 namespace {
 
-constexpr std::size_t padded = SurfaceGroup::most + 8;
-
 bool same_bits(const Vec3& a, const Vec3& b) {
     return std::memcmp(&a, &b, sizeof(Vec3)) == 0;
 }
 
-/// Compares a group's points with surface_at(). Returns how many were found together.
-int check_group(const Geometry& geometry, std::span<const Ray> rays, std::span<const Hit> hits) {
-    std::vector<Vec3> directions(padded), positions(padded), errors(padded), normals(padded),
-        shading_normals(padded);
-    SurfaceGroup group;
-    group.count = rays.size();
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        group.origins[i] = rays[i].origin;
-        directions[i] = rays[i].direction;
-        group.ts[i] = hits[i].t;
+/// Compares the points of some of the hits with surface_at(). Returns how many were found together.
+int check_group(const Geometry& geometry, std::span<const Ray> rays, std::span<const Hit> hits,
+                std::span<const std::uint32_t> numbers) {
+    RayBuffer columns;
+    Vec3Buffer directions, positions, errors, normals, shading_normals;
+    columns.make_room(rays.size());
+    for (auto* to : {&directions, &positions, &errors, &normals, &shading_normals}) {
+        to->make_room(rays.size());
     }
-    group.directions = directions.data();
-    group.positions = positions.data();
-    group.errors = errors.data();
-    group.normals = normals.data();
-    group.shading_normals = shading_normals.data();
-    const SurfacePoint any = surface_at(geometry, rays[0], hits[0]);
+    for (std::size_t i = 0; i < rays.size(); ++i) columns.set(i, rays[i]);
+    std::vector<std::uint32_t> padded_numbers(numbers.begin(), numbers.end());
+    padded_numbers.resize(numbers.size() + padded_doubles, 0);
+    const SurfaceGroup group{
+        columns.view(rays.size()), hits.data(),      padded_numbers.data(), numbers.size(),
+        directions.span(),         positions.span(), errors.span(),         normals.span(),
+        shading_normals.span()};
+    const SurfacePoint any = surface_at(geometry, rays[numbers[0]], hits[numbers[0]]);
     const std::uint64_t decided = find_surfaces(geometry, geometry.primitives[0], any, group);
     int together = 0;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
         if ((decided >> i & 1) == 0) continue;
         ++together;
-        const SurfacePoint alone = surface_at(geometry, rays[i], hits[i]);
-        CAPTURE(i, rays.size(), rays[i].origin, rays[i].direction, hits[i].t);
+        const Ray& ray = rays[numbers[i]];
+        const Hit& hit = hits[numbers[i]];
+        const SurfacePoint alone = surface_at(geometry, ray, hit);
+        CAPTURE(i, numbers.size(), ray.origin, ray.direction, hit.t);
         CAPTURE(alone.position, positions[i], alone.normal, normals[i]);
+        REQUIRE(same_bits(directions[i], ray.direction));
         REQUIRE(same_bits(positions[i], alone.position));
         REQUIRE(same_bits(errors[i], alone.error));
         REQUIRE(same_bits(normals[i], alone.normal));
         REQUIRE(same_bits(shading_normals[i], alone.shading_normal));
     }
     return together;
+}
+
+/// Numbers of `count` rays: neighbours, or with gaps between them.
+std::vector<std::uint32_t> some_numbers(std::uint32_t count, bool all, Random& random) {
+    std::vector<std::uint32_t> numbers;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (all || i == 0 || !random.one_in(6)) numbers.push_back(i);
+    }
+    return numbers;
 }
 
 /// Rays of components so small that a RayQuery takes them as zeros are among these.
@@ -80,8 +90,10 @@ TEST_CASE("Surfaces: points of hits found together are those found alone, to the
                 rays.push_back(ray);
                 hits.push_back({t, 0});
                 if (rays.size() < size) continue;
-                together += check_group(geometry, rays, hits);
-                found += static_cast<int>(rays.size());
+                const auto numbers =
+                    some_numbers(static_cast<std::uint32_t>(rays.size()), random.one_in(2), random);
+                together += check_group(geometry, rays, hits, numbers);
+                found += static_cast<int>(numbers.size());
                 size = size % SurfaceGroup::most + 1;
                 rays.clear();
                 hits.clear();

@@ -92,11 +92,14 @@ TEST_CASE("Rays made together are those made one by one, whatever the instructio
             alone.push_back(camera.ray(pixels.back(), lens.back()));
         }
         for_each_target([&] {
-            std::vector<Ray> together(alone.size());
+            RayBuffer together;
+            together.make_room(alone.size());
             camera.rays(pixels, lens, together);
             for (std::size_t i = 0; i < alone.size(); ++i) {
-                CHECK(together[i].origin == alone[i].origin);
-                CHECK(together[i].direction == alone[i].direction);
+                const Ray ray = together.view(alone.size())[i];
+                CHECK(ray.origin == alone[i].origin);
+                CHECK(ray.direction == alone[i].direction);
+                CHECK(ray.exclude == no_index);
             }
         });
     }

@@ -32,8 +32,10 @@ std::vector<Ray> rays_of_pixel(const TestScene& scene, std::uint32_t count) {
     const CameraSampler sampler(scene.camera, scene.settings);
     CameraBatch batch(sampler);
     batch.add(3, 4, 0, count);
-    const std::span<const Ray> rays = batch.make().rays;
-    return {rays.begin(), rays.end()};
+    const RayStream stream = batch.make().rays;
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < stream.size(); ++i) rays.push_back(stream[i]);
+    return rays;
 }
 
 }  // namespace

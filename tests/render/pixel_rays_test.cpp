@@ -27,9 +27,12 @@ Color seen_through(const TestScene& scene, const Vec2& pixel) {
     const CameraRays camera(scene.camera, scene.settings.resolution);
     const Ray ray = camera.ray(pixel, Vec2(0.5));
     const SampleSource sample({0, 0, 0}, 0);
+    RayBuffer rays;
+    rays.make_room(1);
+    rays.set(0, ray);
     Color color;
     Whitted(scene, *intersector, scene.settings, problems)
-        .radiance({{&ray, 1}, {&sample, 1}}, {&color, 1}, counts);
+        .radiance({rays.view(1), {&sample, 1}}, {&color, 1}, counts);
     return color;
 }
 

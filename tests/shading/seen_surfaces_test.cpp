@@ -12,7 +12,8 @@ namespace {
 /// Shapes that are looked at together and one that is not, of two materials.
 Scene some_shapes() {
     Scene scene;
-    scene.look = WhittedLook{{Material{}, Material{.diffuse = Color(1.0F)}}, {}, {}};
+    const Material glass{.diffuse = Color(1.0F), .transmission = Color(0.5F)};
+    scene.look = WhittedLook{{Material{}, glass}, {}, {}};
     Geometry& g = scene.geometry;
     g.add(Sphere{Vec3(-1, 0, 0), 0.8}, 0);
     g.add(Box{Vec3(0.2, -0.5, -0.5), Vec3(1, 0.5, 0.5)}, 1);
@@ -31,6 +32,9 @@ Hit nearest(const Geometry& geometry, const Ray& ray) {
 
 void check_surface(const SeenSurfaces& seen, std::size_t i, const SurfaceInteraction& at,
                    const Ray& ray) {
+    const std::uint32_t primitive = at.surface.primitive;
+    const bool is_flat = at.surface.convexity == Convexity::flat;
+    const bool is_convex = at.surface.convexity == Convexity::convex;
     CHECK(seen.directions[i] == ray.direction);
     CHECK(seen.positions[i] == at.surface.position);
     CHECK(seen.errors[i] == at.surface.error);
@@ -38,9 +42,10 @@ void check_surface(const SeenSurfaces& seen, std::size_t i, const SurfaceInterac
     CHECK(seen.shading_normals[i] == at.ns);
     CHECK(seen.entering(i) == at.entering);
     CHECK(seen.traits[i].material == at.material);
-    CHECK(seen.traits[i].primitive == at.surface.primitive);
-    CHECK(seen.traits[i].convexity == at.surface.convexity);
-    CHECK(seen.traits[i].scatters == (at.surface.material == 1));
+    CHECK(seen.outward_excludes[i] == (is_flat || is_convex ? primitive : no_index));
+    CHECK(seen.inward_excludes[i] == (is_flat ? primitive : no_index));
+    CHECK(seen.scatters[i] == at.surface.material);
+    CHECK(seen.sends_on[i] == 2 * at.surface.material);
 }
 
 }  // namespace
@@ -49,6 +54,7 @@ TEST_CASE("Surfaces seen by many rays are those that each sees", "[shading]") {
     const Scene scene = some_shapes();
     for_each_target([&] {
         Random random(9);
+        SeenSurfaces seen;
         for (const std::size_t count : {0U, 1U, 7U, 40U, 700U}) {
             std::vector<Ray> rays;
             std::vector<Hit> hits;
@@ -58,7 +64,10 @@ TEST_CASE("Surfaces seen by many rays are those that each sees", "[shading]") {
                 hits.push_back(nearest(scene.geometry, rays[i]));
                 hit_count += hits[i].primitive != no_index;
             }
-            const SeenSurfaces seen(scene, rays, hits);
+            RayBuffer buffer;
+            buffer.make_room(count);
+            for (std::size_t i = 0; i < count; ++i) buffer.set(i, rays[i]);
+            seen.find(scene, buffer.view(count), hits);
             REQUIRE(seen.size() == hit_count);
             std::vector<int> times(count, 0);
             for (std::size_t i = 0; i < seen.size(); ++i) {

@@ -42,49 +42,61 @@ bool is_same(const Ray& a, const Ray& b) {
 TEST_CASE("Shadow rays made together are those that leave each surface", "[shading]") {
     for_each_target([] {
         Random random(5);
+        ShadowRays shadow;
         for (const std::size_t count : {0U, 1U, 5U, 64U, 200U}) {
             std::vector<SurfaceInteraction> surfaces;
             std::vector<Vec3> lights;
-            SeenSurfaces lit(count);
+            SeenSurfaces lit;
+            lit.reset(count);
+            Vec3Buffer light_columns;
+            light_columns.make_room(count);
             for (std::size_t i = 0; i < count; ++i) {
                 surfaces.push_back(random_surface(random));
                 lights.push_back(random_light(surfaces[i], static_cast<int>(i), random));
+                light_columns.set(i, lights[i]);
                 lit.add(surfaces[i], Vec3(0), static_cast<std::uint32_t>(i));
             }
-            const ShadowRays shadow(lit, lights, 0);
+            shadow.aim(lit, light_columns, 0);
+            const RayStream rays = shadow.rays();
             std::size_t next = 0;
             for (std::size_t i = 0; i < count; ++i) {
                 const SurfaceInteraction& at = surfaces[i];
                 const Vec3 towards = normalized(lights[i] - at.surface.position);
                 CAPTURE(count, i, towards);
                 if (!(at.ns.dot(towards) > 0) || !(at.ng.dot(towards) > 0)) continue;
-                REQUIRE(next < shadow.rays.size());
-                REQUIRE(shadow.facing[next].surface == i);
-                CHECK(shadow.facing[next].towards == towards);
-                CHECK(shadow.facing[next].cosine == at.ns.dot(towards));
-                CHECK(is_same(shadow.rays[next], spawn_ray_to(at.surface, lights[i])));
-                CHECK(shadow.rays[next].tmax < 1);
+                REQUIRE(next < rays.size());
+                REQUIRE(shadow.surfaces[next] == static_cast<std::int64_t>(i));
+                CHECK(shadow.towards[next] == towards);
+                CHECK(shadow.cosines[next] == at.ns.dot(towards));
+                CHECK(is_same(rays[next], spawn_ray_to(at.surface, lights[i])));
+                CHECK(rays[next].tmax < 1);
                 ++next;
             }
-            CHECK(next == shadow.rays.size());
+            CHECK(next == rays.size());
         }
     });
 }
 
 TEST_CASE("Shadow rays with a fixed bias start that far along the normal", "[shading]") {
     Random random(6);
-    SeenSurfaces lit(20);
+    SeenSurfaces lit;
+    lit.reset(20);
     std::vector<SurfaceInteraction> surfaces;
     for (std::uint32_t i = 0; i < 20; ++i) {
         lit.add(surfaces.emplace_back(random_surface(random)), Vec3(0), i);
     }
     const Vec3 light(100, 0, 0);
-    const ShadowRays shadow(lit, std::vector(20, light), 0.5);
-    CHECK(!shadow.rays.empty());
-    for (std::size_t i = 0; i < shadow.rays.size(); ++i) {
-        const SurfaceInteraction& at = surfaces[shadow.facing[i].surface];
-        CHECK(shadow.rays[i].origin == at.surface.position + 0.5 * at.ng);
-        CHECK(shadow.rays[i].direction == light - shadow.rays[i].origin);
-        CHECK(shadow.rays[i].exclude == no_index);
+    Vec3Buffer lights;
+    lights.make_room(20);
+    for (std::size_t i = 0; i < 20; ++i) lights.set(i, light);
+    ShadowRays shadow;
+    shadow.aim(lit, lights, 0.5);
+    const RayStream rays = shadow.rays();
+    CHECK(!rays.empty());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const SurfaceInteraction& at = surfaces[shadow.surfaces[i]];
+        CHECK(rays[i].origin == at.surface.position + 0.5 * at.ng);
+        CHECK(rays[i].direction == light - rays[i].origin);
+        CHECK(rays[i].exclude == no_index);
     }
 }

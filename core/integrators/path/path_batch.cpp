@@ -62,7 +62,8 @@ PathBatch<in_media>::PathBatch(const PathScene& scene, const CameraSamples& samp
       colors_(colors),
       counts_(counts),
       most_vertices_(most_vertices) {
-    rays_.assign(samples.rays.begin(), samples.rays.end());
+    rays_.reserve(samples.rays.size());
+    for (std::size_t i = 0; i < samples.rays.size(); ++i) rays_.push_back(samples.rays[i]);
     paths_.reserve(rays_.size());
     for (std::uint32_t i = 0; i < rays_.size(); ++i) {
         paths_.push_back({i, camera_ray_name, samples.sources[i]});

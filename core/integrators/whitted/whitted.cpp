@@ -1,9 +1,12 @@
 #include "core/integrators/whitted/whitted.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 #include "core/sampling/dimensions.h"
+#include "core/shading/leaving_rays.h"
 
 namespace etalon {
 namespace {
@@ -27,9 +30,10 @@ Color transmittance(const Color& absorption, double distance) {
     return {along(absorption.x), along(absorption.y), along(absorption.z)};
 }
 
-/// Factor of the highlight for unit vectors; `normal` is on the light's side.
-double highlight_of(const Material& m, const Vec3& direction, const Vec3& normal,
-                    const Vec3& towards) {
+/// Factor of the highlight for unit vectors; `normal` is on the light's side. Kept out of line:
+/// most surfaces have none.
+[[gnu::noinline]] double highlight_of(const Material& m, const Vec3& direction, const Vec3& normal,
+                                      const Vec3& towards) {
     const double cosine = m.highlight == Highlight::phong
                               ? reflect(direction, normal).dot(towards)
                               : normal.dot(normalized(towards - direction));
@@ -37,12 +41,75 @@ double highlight_of(const Material& m, const Vec3& direction, const Vec3& normal
     return std::pow(std::max(0.0, cosine), m.shininess);
 }
 
-/// Part of a white light from `towards` that the surface sends back along the ray.
-Color scattered(const Material& m, const Vec3& direction, const Vec3& normal, const Vec3& towards,
-                double cosine) {
+/// Part of a white light from `towards` that a surface sends back along the ray.
+[[gnu::always_inline]] inline Color scattered(const SeenSurfaces& surfaces, std::size_t i,
+                                              const Vec3& towards, double cosine) {
+    const Material& m = *surfaces.traits[i].material;
     Color sum = m.diffuse * static_cast<float>(cosine);
     if (is_black(m.specular)) return sum;
-    return sum += m.specular * static_cast<float>(highlight_of(m, direction, normal, towards));
+    return sum +=
+           m.specular * static_cast<float>(highlight_of(m, surfaces.directions[i],
+                                                        surfaces.shading_normals[i], towards));
+}
+
+/// Gives rays, which begin at surfaces of those numbers, the traits and times of those that have
+/// seen these. `times` must outlive the stream.
+template <class Numbers>
+void take_traits(const RayStream& seen_by, const SeenSurfaces& surfaces, const Numbers& numbers,
+                 RayStream& rays, std::vector<ShutterTime>& times) {
+    rays.traits = seen_by.traits;
+    if (seen_by.times == nullptr) return;
+    times.clear();
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        times.push_back(seen_by.times[surfaces.traits[numbers[i]].ray]);
+    }
+    rays.times = times.data();
+}
+
+/// What leaves surfaces of a chunk by one way: a weight for each ray.
+struct LeavingWay {
+    LeavingRays::Choice choice = 0;
+    std::array<Color, LeavingRays::most> weights;
+
+    void add(std::size_t i, const Color& weight) {
+        choice |= LeavingRays::Choice{1} << i;
+        weights[i] = weight;
+    }
+};
+
+/// Finds what leaves surface number i of the chunk. A mirrored ray that weighs nothing is followed
+/// where `all_glass_mirrors`.
+void weigh(const Material& m, const LeavingRays& leaving, std::size_t i, bool all_glass_mirrors,
+           LeavingWay& mirrored, LeavingWay& refracted) {
+    const bool counted = all_glass_mirrors && !is_black(m.transmission);
+    Color reflection = m.reflection, transmission = m.transmission;
+    if (!is_black(m.transmission)) {
+        if (m.fresnel) {
+            const double reflectance = leaving.reflectance(i);
+            reflection *= static_cast<float>(reflectance);
+            transmission *= static_cast<float>(1 - reflectance);
+        }
+        if (leaving.is_total(i)) transmission = Color(0.0F);
+    }
+    if (!is_black(reflection) || counted) mirrored.add(i, reflection);
+    if (!is_black(transmission)) refracted.add(i, transmission);
+}
+
+/// Appends what is known of rays, but for themselves, that leave surfaces from number `first` on.
+/// Returns how many they are.
+std::size_t append(const LeavingWay& way, bool crosses, const SeenSurfaces& surfaces,
+                   std::size_t first, std::span<const RayPath> paths, SecondaryRays& to) {
+    for (LeavingRays::Choice left = way.choice; left != 0; left &= left - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(left)), j = first + i;
+        const SeenSurfaces::Traits& traits = surfaces.traits[j];
+        const RayPath& path = paths[traits.ray];
+        Color within = path.absorption;
+        if (crosses) within = surfaces.entering(j) ? traits.material->absorption : Color(0.0F);
+        to.paths.push_back({path.sample, ray_name(path.name, crosses), within});
+        to.surfaces.push_back(static_cast<std::uint32_t>(j));
+        to.weights.push_back(way.weights[i]);
+    }
+    return static_cast<std::size_t>(std::popcount(way.choice));
 }
 
 }  // namespace
@@ -60,177 +127,164 @@ Whitted::Whitted(const Scene& scene, const BatchIntersector& intersector,
 
 void Whitted::radiance(const CameraSamples& samples, std::span<Color> colors,
                        RayCounts& counts) const {
-    std::vector<Path> paths;
-    paths.reserve(samples.sources.size());
-    for (const SampleSource& source : samples.sources) {
-        paths.push_back({&source, camera_ray_name, Color(0.0F)});
-    }
-    counts.camera += paths.size();
-    trace({samples.rays, paths}, 1, colors, counts);
+    const auto loan = trees_.lend();
+    RayTree& tree = *loan;
+    counts.camera += samples.rays.size();
+    const RayBatch batch{samples.rays, tree.camera_paths(samples.rays.size()), samples.sources};
+    trace(tree, 1, batch, colors, counts);
     if (!rules_.normalize_camera_rays) return;
     for (Color& color : colors) color = fitted(color);
 }
 
 /// Sets the colour that each ray of the batch brings back: what the recursion over a tree of rays
 /// gives for one of them, for all of a depth together.
-void Whitted::trace(const RaysView& batch, int depth, std::span<Color> colors,
+void Whitted::trace(RayTree& tree, int depth, const RayBatch& batch, std::span<Color> colors,
                     RayCounts& counts) const {
-    std::vector<Hit> hits(batch.rays.size());
-    const SeenSurfaces surfaces = find_surfaces(batch, hits, colors);
+    RayTree::Level& level = tree.level(depth);
+    find_surfaces(level, batch, colors);
+    const SeenSurfaces& surfaces = level.surfaces;
     (depth == 1 ? counts.camera_hits : counts.secondary_hits) += surfaces.size();
-    add_direct(batch, surfaces, colors, counts);
-    if (depth < max_depth_) add_secondary(batch, depth, surfaces, colors, counts);
-    for (const auto& traits : surfaces.traits) {
-        const Color& absorption = batch.paths[traits.ray].absorption;
-        if (is_black(absorption)) continue;
-        colors[traits.ray] *= transmittance(absorption, hits[traits.ray].t);
+    add_direct(level, batch, counts);
+    if (depth < max_depth_) add_secondary(tree, depth, batch, counts);
+    for (std::size_t j = 0; j < surfaces.size(); ++j) {
+        const std::uint32_t ray = surfaces.traits[j].ray;
+        const Color& absorption = batch.paths[ray].absorption;
+        colors[ray] = is_black(absorption)
+                          ? level.colors[j]
+                          : level.colors[j] * transmittance(absorption, level.hits[ray].t);
     }
     if (!rules_.clamp_each_ray) return;
     for (Color& color : colors) color = clamped(color);
 }
 
-/// Finds where the rays hit, and sets their colours to what does not depend on other rays.
-SeenSurfaces Whitted::find_surfaces(const RaysView& batch, std::span<Hit> hits,
-                                    std::span<Color> colors) const {
-    intersector_.closest(batch.rays, hits);
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-        if (hits[i].primitive != no_index) continue;
-        colors[i] = environment_.radiance(batch.rays[i].direction);
+/// Finds where the rays hit. Sets the colours of those that do not, and to begin with those of
+/// surfaces to what does not depend on other rays.
+void Whitted::find_surfaces(RayTree::Level& level, const RayBatch& batch,
+                            std::span<Color> colors) const {
+    level.hits.resize(batch.rays.size());
+    intersector_.closest(batch.rays, level.hits);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        if (level.hits[i].primitive != no_index) continue;
+        colors[i] = environment_.radiance(batch.rays.directions[i]);
     }
-    SeenSurfaces surfaces(scene_, batch.rays, hits);
-    for (const auto& traits : surfaces.traits) colors[traits.ray] = traits.material->ambient;
-    return surfaces;
+    level.surfaces.find(scene_, batch.rays, level.hits);
+    level.colors.resize(level.surfaces.size());
+    for (std::size_t j = 0; j < level.colors.size(); ++j) {
+        level.colors[j] = level.surfaces.traits[j].material->ambient;
+    }
+}
+
+/// Finds the light's point k for each surface.
+void Whitted::find_light_points(std::size_t light, int k, RayTree::Level& level,
+                                const RayBatch& batch) const {
+    const LightSamples& samples = lights_[light];
+    const std::size_t count = level.surfaces.size();
+    level.light_points.make_room(count);
+    if (!samples.is_random()) {
+        const Vec3 position = samples.position(k);
+        for (std::size_t j = 0; j < count; ++j) level.light_points.set(j, position);
+        return;
+    }
+    PointBatch points;
+    for (const auto& traits : level.surfaces.traits) {
+        const RayPath& path = batch.paths[traits.ray];
+        batch.sources[path.sample].add_stratified(light_dimension(path.name, light), k,
+                                                  samples.count(), points);
+    }
+    std::size_t j = 0;
+    for (const Vec2& uv : points.make()) level.light_points.set(j++, samples.position(uv));
+}
+
+/// Calls add(j, sent) with the part of the light's point k, taken as white, that surface j sends
+/// back, for all that do.
+template <class Add>
+void Whitted::add_light(std::size_t light, int k, RayTree::Level& level, const RayBatch& batch,
+                        RayCounts& counts, const Add& add) const {
+    find_light_points(light, k, level, batch);
+    const SeenSurfaces& surfaces = level.surfaces;
+    ShadowRays& shadow = level.shadow;
+    shadow.aim(surfaces, level.light_points, rules_.fixed_bias);
+    RayStream rays = shadow.rays();
+    take_traits(batch.rays, surfaces, shadow.surfaces.values, rays, level.shadow_times);
+    level.blocked.resize(rays.size());
+    intersector_.occluded(rays, level.blocked);
+    counts.shadow += shadow.size();
+    counts.shadow_blocked += std::ranges::count(level.blocked, 1);
+    for (std::size_t i = 0; i < shadow.size(); ++i) {
+        if (level.blocked[i] != 0) continue;
+        const std::size_t j = shadow.surfaces[i];
+        add(j, scattered(surfaces, j, shadow.towards[i], shadow.cosines[i]));
+    }
 }
 
 /// Adds what the lights send along each ray, by surfaces that scatter or shine.
-void Whitted::add_direct(const RaysView& batch, const SeenSurfaces& surfaces,
-                         std::span<Color> colors, RayCounts& counts) const {
-    const std::size_t count = surfaces.size();
-    std::vector<Color> sums(count, Color(0.0F)), reflected(count);
+void Whitted::add_direct(RayTree::Level& level, const RayBatch& batch, RayCounts& counts) const {
+    const std::size_t count = level.surfaces.size();
+    level.lit.assign(count, Color(0.0F));
     for (std::size_t i = 0; i < lights_.size(); ++i) {
-        std::ranges::fill(reflected, Color(0.0F));
-        for (int k = 0; k < lights_[i].count(); ++k) {
-            add_light(i, k, batch, surfaces, reflected, counts);
+        const Color& color = lights_[i].color();
+        if (lights_[i].count() == 1) {
+            add_light(i, 0, level, batch, counts,
+                      [&](std::size_t j, const Color& sent) { level.lit[j] += sent * color; });
+            continue;
         }
-        for (std::size_t j = 0; j < count; ++j) sums[j] += reflected[j] * lights_[i].color();
+        level.reflected.assign(count, Color(0.0F));
+        for (int k = 0; k < lights_[i].count(); ++k) {
+            add_light(i, k, level, batch, counts,
+                      [&](std::size_t j, const Color& sent) { level.reflected[j] += sent; });
+        }
+        for (std::size_t j = 0; j < count; ++j) level.lit[j] += level.reflected[j] * color;
     }
     for (std::size_t j = 0; j < count; ++j) {
-        const auto& traits = surfaces.traits[j];
-        if (traits.scatters) colors[traits.ray] += sums[j];
+        if (level.surfaces.scatters[j] > 0) level.colors[j] += level.lit[j];
     }
 }
 
-/// Returns the light's point k for each surface.
-std::vector<Vec3> Whitted::light_points(std::size_t light, int k, const RaysView& batch,
-                                        const SeenSurfaces& surfaces) const {
-    const LightSamples& samples = lights_[light];
-    if (!samples.is_random()) return std::vector(surfaces.size(), samples.position(k));
-    PointBatch points;
-    for (const auto& traits : surfaces.traits) {
-        const Path& path = batch.paths[traits.ray];
-        path.sample->add_stratified(light_dimension(path.name, light), k, samples.count(), points);
-    }
-    std::vector<Vec3> positions;
-    positions.reserve(surfaces.size());
-    for (const Vec2& uv : points.make()) positions.push_back(samples.position(uv));
-    return positions;
-}
-
-/// Adds the part of the light's point k, taken as white, that each surface sends back.
-void Whitted::add_light(std::size_t light, int k, const RaysView& batch,
-                        const SeenSurfaces& surfaces, std::span<Color> reflected,
-                        RayCounts& counts) const {
-    ShadowRays shadow(surfaces, light_points(light, k, batch, surfaces), rules_.fixed_bias);
-    for (std::size_t i = 0; i < shadow.rays.size(); ++i) {
-        const std::uint32_t ray = surfaces.traits[shadow.facing[i].surface].ray;
-        shadow.rays[i].traits_and_time = batch.rays[ray].traits_and_time;
-    }
-    std::vector<std::uint8_t> blocked(shadow.rays.size());
-    intersector_.occluded(shadow.rays, blocked);
-    counts.shadow += shadow.rays.size();
-    for (std::size_t i = 0; i < shadow.rays.size(); ++i) {
-        counts.shadow_blocked += blocked[i];
-        if (blocked[i] != 0) continue;
-        const auto& [j, towards, cosine] = shadow.facing[i];
-        reflected[j] += scattered(*surfaces.traits[j].material, surfaces.directions[j],
-                                  surfaces.shading_normals[j], towards, cosine);
-    }
-}
-
-void Whitted::SecondaryRays::reserve(std::size_t count) {
-    rays.reserve(count);
-    paths.reserve(count);
-    surfaces.reserve(count);
-    weights.reserve(count);
-}
-
-/// Makes the rays that leave the surfaces. Kept out of line, so that the group of rays is not on
-/// the stack once for each depth.
-[[gnu::noinline]] Whitted::SecondaryRays Whitted::secondary_rays(const RaysView& batch,
-                                                                 const SeenSurfaces& surfaces,
-                                                                 RayCounts& counts) const {
-    SecondaryRays secondary;
-    secondary.reserve(surfaces.size());
+/// Makes the rays that leave the surfaces: chunk by chunk the mirrored ones first.
+void Whitted::find_secondary(RayTree::Level& level, const RayBatch& batch,
+                             RayCounts& counts) const {
+    const SeenSurfaces& surfaces = level.surfaces;
+    SecondaryRays& secondary = level.secondary;
+    secondary.clear();
+    secondary.rays.make_room(2 * surfaces.size());
     LeavingRays leaving(surfaces, {rules_.schlick, rules_.fixed_bias});
     for (std::size_t first = 0, count = 0; first < surfaces.size(); first += count) {
         count = leaving.make(first);
-        for (std::size_t i = 0; i < count; ++i) {
-            leave(batch, surfaces.traits[first + i], leaving, first, i, secondary, counts);
+        LeavingWay mirrored, refracted;
+        for (LeavingRays::Choice left = leaving.senders(); left != 0; left &= left - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(left));
+            weigh(*surfaces.traits[first + i].material, leaving, i, rules_.mirror_all_glass,
+                  mirrored, refracted);
         }
+        leaving.put_mirrored(mirrored.choice, secondary.rays, secondary.paths.size());
+        counts.reflected += append(mirrored, false, surfaces, first, batch.paths, secondary);
+        leaving.put_refracted(refracted.choice, secondary.rays, secondary.paths.size());
+        counts.refracted += append(refracted, true, surfaces, first, batch.paths, secondary);
     }
-    return secondary;
 }
 
 /// Adds what mirrors and glass let come back.
-void Whitted::add_secondary(const RaysView& batch, int depth, const SeenSurfaces& surfaces,
-                            std::span<Color> colors, RayCounts& counts) const {
-    const SecondaryRays secondary = secondary_rays(batch, surfaces, counts);
-    std::vector<Color> sums(surfaces.size(), Color(0.0F)), incoming(secondary.rays.size());
-    const RaysView all{secondary.rays, secondary.paths};
-    for (std::size_t first = 0; first < incoming.size(); first += batch_size) {
-        const std::size_t count = std::min(batch_size, incoming.size() - first);
-        trace({all.rays.subspan(first, count), all.paths.subspan(first, count)}, depth + 1,
-              std::span(incoming).subspan(first, count), counts);
+void Whitted::add_secondary(RayTree& tree, int depth, const RayBatch& batch,
+                            RayCounts& counts) const {
+    RayTree::Level& level = tree.level(depth);
+    find_secondary(level, batch, counts);
+    const SecondaryRays& secondary = level.secondary;
+    const std::size_t all = secondary.paths.size();
+    RayStream rays = secondary.rays.view(all);
+    take_traits(batch.rays, level.surfaces, secondary.surfaces, rays, level.secondary_times);
+    level.incoming.resize(all);
+    for (std::size_t first = 0; first < all; first += batch_size) {
+        const std::size_t count = std::min(batch_size, all - first);
+        trace(tree, depth + 1,
+              {rays.subspan(first, count), std::span(secondary.paths).subspan(first, count),
+               batch.sources},
+              std::span(level.incoming).subspan(first, count), counts);
     }
-    for (std::size_t i = 0; i < incoming.size(); ++i) {
-        sums[secondary.surfaces[i]] += secondary.weights[i] * incoming[i];
+    level.lit.assign(level.surfaces.size(), Color(0.0F));
+    for (std::size_t i = 0; i < all; ++i) {
+        level.lit[secondary.surfaces[i]] += secondary.weights[i] * level.incoming[i];
     }
-    for (std::size_t i = 0; i < sums.size(); ++i) colors[surfaces.traits[i].ray] += sums[i];
-}
-
-/// Appends the rays that leave surface number first + i: the mirrored one first.
-void Whitted::leave(const RaysView& batch, const SeenSurfaces::Traits& from,
-                    const LeavingRays& leaving, std::size_t first, std::size_t i, SecondaryRays& to,
-                    RayCounts& counts) const {
-    const Material& m = *from.material;
-    if (is_black(m.reflection) && is_black(m.transmission)) return;
-    const bool counted = rules_.mirror_all_glass && !is_black(m.transmission);
-    Color reflection = m.reflection, transmission = m.transmission;
-    if (!is_black(m.transmission)) {
-        if (m.fresnel) {
-            const double reflectance = leaving.reflectance(i);
-            reflection *= static_cast<float>(reflectance);
-            transmission *= static_cast<float>(1 - reflectance);
-        }
-        if (leaving.is_total(i)) transmission = Color(0.0F);
-    }
-    const Path& path = batch.paths[from.ray];
-    const auto add = [&](const Color& weight, const Ray& ray, bool crosses, const Color& within) {
-        to.surfaces.push_back(first + i);
-        to.weights.push_back(weight);
-        to.rays.push_back(ray);
-        to.rays.back().traits_and_time = batch.rays[from.ray].traits_and_time;
-        to.paths.push_back({path.sample, ray_name(path.name, crosses), within});
-    };
-    if (!is_black(reflection) || counted) {
-        ++counts.reflected;
-        add(reflection, leaving.mirrored(i), false, path.absorption);
-    }
-    if (!is_black(transmission)) {
-        ++counts.refracted;
-        const Color beyond = leaving.enters(i) ? m.absorption : Color(0.0F);
-        add(transmission, leaving.refracted(i), true, beyond);
-    }
+    for (std::size_t j = 0; j < level.lit.size(); ++j) level.colors[j] += level.lit[j];
 }
 
 }  // namespace etalon

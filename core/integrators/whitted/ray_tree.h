@@ -1,0 +1,84 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/intersect/ray_stream.h"
+#include "core/sampling/dimensions.h"
+#include "core/sampling/sample_source.h"
+#include "core/shading/shadow_rays.h"
+
+namespace etalon {
+
+/// What belongs to a ray on its way: its sample, its place in the tree of rays, which names the
+/// sample dimensions used at its end, and what the matter around it absorbs.
+struct RayPath {
+    std::uint32_t sample;  ///< its number among those of the camera rays
+    std::uint32_t name;
+    Color absorption;
+};
+
+/// Rays of the same depth, followed together, and the path of each.
+struct RayBatch {
+    RayStream rays;
+    std::span<const RayPath> paths;
+    std::span<const SampleSource> sources;  ///< of the camera rays
+};
+
+/// The rays that leave the surfaces of a batch for mirrors and glass.
+struct SecondaryRays {
+    void clear() {
+        paths.clear();
+        surfaces.clear();
+        weights.clear();
+    }
+
+    RayBuffer rays;
+    std::vector<RayPath> paths;
+    std::vector<std::uint32_t> surfaces;  ///< where each begins
+    std::vector<Color> weights;           ///< of its colour there
+};
+
+/// Where trees of rays, one for each sample, are kept while they are followed, all together and
+/// level by level: the camera rays are of the first. To be used again and again.
+class RayTree {
+  public:
+    /// What is known of one batch. A level has one batch at a time.
+    struct Level {
+        std::vector<Hit> hits;
+        SeenSurfaces surfaces;
+        std::vector<Color> colors;  ///< that the surfaces send back along the rays
+        SecondaryRays secondary;
+        std::vector<ShutterTime> secondary_times;
+        std::vector<Color> incoming;  ///< by these
+
+        Vec3Buffer light_points;  ///< one for each surface
+        ShadowRays shadow;
+        std::vector<ShutterTime> shadow_times;
+        std::vector<std::uint8_t> blocked;  ///< whether these rays are
+        std::vector<Color> reflected;       ///< part of a white light that surfaces send back
+        std::vector<Color> lit;             ///< what all lights give
+    };
+
+    /// The level of that depth, 1 for camera rays. Levels stay where they are.
+    Level& level(int depth) {
+        while (levels_.size() < static_cast<std::size_t>(depth)) {
+            levels_.push_back(std::make_unique<Level>());
+        }
+        return *levels_[depth - 1];
+    }
+
+    /// The paths of so many camera rays.
+    std::span<const RayPath> camera_paths(std::size_t count) {
+        for (auto i = static_cast<std::uint32_t>(camera_paths_.size()); i < count; ++i) {
+            camera_paths_.push_back({i, camera_ray_name, Color(0.0F)});
+        }
+        return std::span(camera_paths_).first(count);
+    }
+
+  private:
+    std::vector<RayPath> camera_paths_;
+    std::vector<std::unique_ptr<Level>> levels_;
+};
+
+}  // namespace etalon
