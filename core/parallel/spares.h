@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace etalon {
@@ -26,12 +27,13 @@ class Spares {
         std::unique_ptr<T> object_;
     };
 
-    /// Lends an object, as it was left, or a new one.
-    Loan lend() {
+    /// Lends an object, as it was left, or a new one of these arguments.
+    template <class... Arguments>
+    Loan lend(Arguments&&... arguments) {
         const std::lock_guard lock(mutex_);
         if (spare_.empty()) {
             spare_.reserve(++made_);
-            return {*this, std::make_unique<T>()};
+            return {*this, std::make_unique<T>(std::forward<Arguments>(arguments)...)};
         }
         std::unique_ptr<T> object = std::move(spare_.back());
         spare_.pop_back();

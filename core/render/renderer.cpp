@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/parallel/spares.h"
 #include "core/render/adaptive_passes.h"
 #include "core/render/camera_sampler.h"
 #include "core/render/image_film.h"
@@ -266,7 +267,9 @@ class Renderer {
     TileResult render_tile(std::size_t tile, const Interrupted& interrupted) {
         const double start = thread_seconds();
         TileResult result;
-        SampleBatch batch(rays_, integrator_, film_, result.counts);
+        const auto loan = batches_.lend(rays_, integrator_, film_);
+        SampleBatch& batch = *loan;
+        batch.begin(result.counts);
         for_each_pixel(tiles_[tile], interrupted, [&](int x, int y) { add_pixel(x, y, batch); });
         batch.finish();
         result.samples = batch.done();
@@ -307,6 +310,7 @@ class Renderer {
     CameraSampler rays_;
     const Integrator& integrator_;
     ImageFilm film_;
+    Spares<SampleBatch> batches_;
     std::vector<Imath::Box2i> tiles_;
     std::vector<RayCounts> counts_;  ///< of as many tiles, which one thread at a time adds to
     RayCounts resumed_counts_;

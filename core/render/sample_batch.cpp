@@ -2,13 +2,14 @@
 
 namespace etalon {
 
-SampleBatch::SampleBatch(const CameraSampler& camera, const Integrator& integrator, ImageFilm& film,
-                         RayCounts& counts)
-    : samples_(camera),
-      integrator_(integrator),
-      film_(film),
-      counts_(counts),
-      colors_(Integrator::batch_size) {}
+SampleBatch::SampleBatch(const CameraSampler& camera, const Integrator& integrator, ImageFilm& film)
+    : samples_(camera), integrator_(integrator), film_(film), colors_(Integrator::batch_size) {}
+
+void SampleBatch::begin(RayCounts& counts) {
+    samples_.clear();
+    counts_ = &counts;
+    done_ = dropped_ = 0;
+}
 
 std::uint32_t SampleBatch::room() const {
     return static_cast<std::uint32_t>(Integrator::batch_size - samples_.size());
@@ -25,7 +26,7 @@ void SampleBatch::finish() {
     const std::span colors = std::span(colors_).first(count);
     const CameraSamples samples = samples_.make();
     if (samples.weights.empty()) {
-        integrator_.radiance(samples, colors, counts_);
+        integrator_.radiance(samples, colors, *counts_);
     } else {
         render_weighted(samples, colors);
     }
@@ -50,7 +51,7 @@ void SampleBatch::render_weighted(const CameraSamples& samples, std::span<Color>
     if (samples.rays.times != nullptr) rays.times = weighted_times_.data();
     weighted_colors_.resize(rays.size());
     if (!rays.empty()) {
-        integrator_.radiance({rays, weighted_sources_}, weighted_colors_, counts_);
+        integrator_.radiance({rays, weighted_sources_}, weighted_colors_, *counts_);
     }
     auto next = weighted_colors_.begin();
     for (std::size_t i = 0; i < colors.size(); ++i) {

@@ -9,12 +9,15 @@
 namespace etalon {
 
 /// Samples of neighbouring pixels on their way to the film: collected until there are as many as an
-/// integrator does best to get at a time. For one thread.
+/// integrator does best to get at a time. To be used for one tile after another, by one thread at a
+/// time.
 class SampleBatch {
   public:
-    /// All four must outlive the batch. No other thread may add samples to the same tile.
-    SampleBatch(const CameraSampler& camera, const Integrator& integrator, ImageFilm& film,
-                RayCounts& counts);
+    /// All three must outlive the batch.
+    SampleBatch(const CameraSampler& camera, const Integrator& integrator, ImageFilm& film);
+
+    /// Begins a tile, to which no other thread may add samples; `counts` gets its rays.
+    void begin(RayCounts& counts);
 
     /// How many samples can be added at least; never 0.
     std::uint32_t room() const;
@@ -25,7 +28,7 @@ class SampleBatch {
     /// Renders the samples that still wait, and gives them to the film.
     void finish();
 
-    /// Number of samples that are in the film.
+    /// Number of samples of the tile that are in the film.
     std::uint64_t done() const { return done_; }
 
     /// Number of those that were not finite.
@@ -37,7 +40,7 @@ class SampleBatch {
     CameraBatch samples_;
     const Integrator& integrator_;
     ImageFilm& film_;
-    RayCounts& counts_;
+    RayCounts* counts_ = nullptr;
     std::vector<Color> colors_;
     RayBuffer weighted_rays_;  ///< of a camera with weights, those above 0
     std::vector<ShutterTime> weighted_times_;

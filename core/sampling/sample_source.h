@@ -46,7 +46,10 @@ class PointBatch {
         return points_;
     }
 
-    void clear() { points_.clear(); }
+    void clear() {
+        sobol_.clear();
+        points_.clear();
+    }
 
   private:
     SobolBatch sobol_;

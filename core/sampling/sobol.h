@@ -45,6 +45,9 @@ class SobolBatch {
     /// Adds the points [first, last) of a sequence.
     void add(const ScrambledSobol& sequence, std::uint32_t first, std::uint32_t last);
 
+    /// Forgets the points that were added.
+    void clear() { size_ = 0; }
+
     /// Appends the points, in the order in which they were added, and forgets them.
     void move_to(std::vector<Vec2>& points);
 
