@@ -22,7 +22,8 @@ std::string check_writable(const std::string& path) {
     const std::string directory = parent.empty() ? "." : parent.string();
     const std::string unwritable = path + ": cannot be written: ";
     if (fs::is_directory(path, ignored)) return unwritable + "is a directory";
-    if (!fs::is_directory(directory, ignored)) return unwritable + directory + " is no directory";
+    if (!fs::is_directory(directory, ignored))
+        return unwritable + directory + " is not a directory";
     if (access(directory.c_str(), W_OK) == 0) return {};
     const std::string place = parent.empty() ? "this folder" : directory;
     if (errno == EACCES) return unwritable + "no permission in " + place;

@@ -98,7 +98,8 @@ Action declare_compare(Options& options) {
     options
         .add("--fail-above", a->limits,
              "Exit with status 1 if the metric is larger, for psnr and ssim smaller; may be "
-             "repeated")
+             "repeated. Metrics: " +
+                 compare::metric_names())
         .value("METRIC=VALUE")
         .check([](const std::string& text) { return compare::parse_limit(text).error; })
         .one_value_each();

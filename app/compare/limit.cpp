@@ -1,6 +1,6 @@
 #include "app/compare/limit.h"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -11,23 +11,27 @@
 namespace etalon::compare {
 namespace {
 
-std::string unknown(const std::string& name) {
+std::vector<std::string_view> names() {
     std::vector<std::string_view> names;
-    std::string list;
-    for (const Metric& metric : all_metrics()) {
-        names.push_back(metric.name);
-        list += (list.empty() ? "" : ", ") + std::string(metric.name);
-    }
-    return fmt::format("{}: expected one of {}{}", name, list, did_you_mean(name, names));
+    for (const Metric& metric : all_metrics()) names.push_back(metric.name);
+    return names;
 }
 
 }  // namespace
+
+std::string metric_names() {
+    return fmt::format("{}", fmt::join(names(), ", "));
+}
 
 Result<Limit> parse_limit(const std::string& text) {
     const std::size_t equals = text.find('=');
     const std::string name = text.substr(0, equals);
     const Metric* metric = find_metric(name);
-    if (!metric) return {{}, unknown(name)};
+    if (!metric) {
+        return {{},
+                fmt::format("{}: expected one of {}{}", name, metric_names(),
+                            did_you_mean(name, names()))};
+    }
     const std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
     char* end = nullptr;
     const double worst = std::strtod(value.c_str(), &end);

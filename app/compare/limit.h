@@ -13,6 +13,9 @@ struct Limit {
     double worst = 0;
 };
 
+/// Names of all metrics: "mse, relmse, ...".
+std::string metric_names();
+
 /// Parses METRIC=VALUE, or returns what is wrong with it.
 Result<Limit> parse_limit(const std::string& text);
 

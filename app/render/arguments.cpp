@@ -1,6 +1,6 @@
 #include "app/render/arguments.h"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "app/common/backends.h"
 #include "app/common/integrators.h"
@@ -128,7 +128,9 @@ void declare_rendering(Options& options, RenderArguments& a) {
         .group(group);
     options
         .add("--max-depth", a.max_depth,
-             "Maximum path length of whitted, including the camera ray (default: the scene's)")
+             fmt::format("Maximum path length, including the camera ray, for {} (default: the "
+                         "scene's)",
+                         fmt::join(integrators_with("--max-depth"), ", ")))
         .within(1, 1000)
         .group(group);
     options

@@ -115,7 +115,7 @@ std::string CheckpointReader::open(const std::string& path,
     file_.open(path, std::ios::binary);
     if (error || !file_) return path + ": cannot be read" + (error ? ": " + error.message() : "");
     const std::string first = read_line(file_), second = read_line(file_);
-    if (!first.starts_with(kind)) return path + ": is no checkpoint, or damaged";
+    if (!first.starts_with(kind)) return path + ": is not a checkpoint, or is damaged";
     if (first.substr(kind.size()) != layout) {
         return fmt::format("{}: is a checkpoint of another version of Etalon, layout {}, here {}",
                            path, first.substr(kind.size()), layout);

@@ -18,7 +18,7 @@ std::string default_output(const std::string& scene) {
 
 int check_image_files(const RenderArguments& a) {
     std::vector<std::string> paths = a.outputs;
-    if (a.stats == "-") paths.push_back(a.stats);
+    paths.push_back(a.stats);
     auto [error, status] = check_outputs(paths);
     const bool uses_standard_output = std::ranges::count(paths, "-") > 0;
     if (error.empty() && a.serve && uses_standard_output) {

@@ -98,12 +98,8 @@ std::string apply_integrator(const RenderArguments& a, const Scene& scene,
     }
     for (const std::string_view option : integrator_options(a)) {
         if (chosen.obeys(option)) continue;
-        std::vector<std::string_view> able;
-        for (const IntegratorType& type : all_integrators()) {
-            if (type.obeys(option)) able.push_back(type.name);
-        }
         return fmt::format("{}: the integrator {} does not have it; expected --integrator {}",
-                           option, chosen.name, fmt::join(able, " or "));
+                           option, chosen.name, fmt::join(integrators_with(option), " or "));
     }
     return {};
 }

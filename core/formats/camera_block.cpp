@@ -120,7 +120,7 @@ class BlockReader {
                         in_quotes(word), next->name);
             return next;
         }
-        in_.warn_at(offset, "camera", "{} is no part of a camera{}", in_quotes(word),
+        in_.warn_at(offset, "camera", "{} is not part of a camera{}", in_quotes(word),
                     did_you_mean(word, names()));
         return nullptr;
     }
@@ -155,7 +155,7 @@ std::string check_camera(const CameraBlock& b) {
 /// A lens that is none becomes a pinhole.
 void check_lens(Reader& in, Camera& c) {
     if (c.aperture < 0 || (c.aperture > 0 && !(c.focal > 0))) {
-        in.warn("camera", "aperture {} with focal {} is no lens; taken as a pinhole", c.aperture,
+        in.warn("camera", "aperture {} with focal {} is not a lens; taken as a pinhole", c.aperture,
                 c.focal);
         c.aperture = 0;
     }

@@ -16,7 +16,7 @@ std::string in_quotes(std::string_view word) {
     constexpr std::size_t longest = 40;
     std::string text = "'";
     for (const char c : word.substr(0, longest)) {
-        if (c > ' ' && c <= '~') {
+        if (c >= ' ' && c <= '~') {
             text += c;
         } else {
             text += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));

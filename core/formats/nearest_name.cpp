@@ -32,21 +32,30 @@ std::size_t typing_errors(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
+/// Number of letters with which both words begin.
+std::size_t common_start(std::string_view a, std::string_view b) {
+    std::size_t n = 0;
+    while (n < a.size() && n < b.size() && lower(a[n]) == lower(b[n])) ++n;
+    return n;
+}
+
 }  // namespace
 
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> names) {
     if (word.size() > longest) return {};
     std::string_view nearest;
-    std::size_t fewest = longest;
+    std::size_t fewest = longest, longest_start = 0;
     for (const std::string_view name : names) {
         if (name.size() > longest) continue;
         const auto [shorter, longer] = std::minmax({word.size(), name.size()});
-        const std::size_t unbearable = std::min({shorter / 3 + 2, shorter, fewest});
+        const std::size_t unbearable = std::min({shorter / 3 + 2, shorter, fewest + 1});
         if (longer - shorter >= unbearable) continue;  // each missing letter is an error
         const std::size_t errors = typing_errors(word, name);
-        if (errors < unbearable) {
+        const std::size_t start = common_start(word, name);
+        if (errors < unbearable && (errors < fewest || start > longest_start)) {
             nearest = name;
             fewest = errors;
+            longest_start = start;
         }
     }
     return nearest;

@@ -43,7 +43,7 @@ Color Reader::color(std::string_view what) {
         const std::size_t offset = tokens_.offset();
         const double value = number(what);
         if (std::abs(value) > std::numeric_limits<float>::max()) {
-            fail_at(offset, "range", "the {} of '{}' is beyond every colour", what, keyword_);
+            fail_at(offset, "range", "the {} of '{}' is too large for a colour", what, keyword_);
         }
         color[k] = ok_ ? static_cast<float>(value) : 0;
     }

@@ -27,7 +27,7 @@ bool is_possible(Reader& in, const Material& m) {
         in.warn("material", "the Shine is {}; expected 0 or more", m.shininess);
     } else if (!is_finite(m.diffuse) || !is_finite(m.specular) || !is_finite(m.reflection) ||
                !is_finite(m.transmission)) {
-        in.warn("material", "a colour times its weight is beyond every colour");
+        in.warn("material", "a colour times its weight is too large for a colour");
     } else {
         return true;
     }

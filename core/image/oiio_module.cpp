@@ -70,7 +70,7 @@ std::unique_ptr<OIIO::ImageInput> open(const char* path) {
     auto input = OIIO::ImageInput::open(path, &options);
     if (!input) {
         static_cast<void>(OIIO::geterror());  // or it is printed at the end
-        fail_by_content(path, "it is no image; expected EXR, PNG, JPEG, HDR or PFM");
+        fail_by_content(path, "it is not an image; expected EXR, PNG, JPEG, HDR or PFM");
     }
     const OIIO::ImageSpec& spec = input->spec();
     if (spec.depth != 1 || spec.deep) fail("volumes and deep pictures are not supported");

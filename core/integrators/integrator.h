@@ -1,4 +1,4 @@
-// Interface between the renderer, which asks for the colours of samples, and what computes them.
+// Interface between the renderer, which needs the colours of samples, and what computes them.
 #pragma once
 
 #include <span>
@@ -11,17 +11,17 @@
 
 namespace etalon {
 
-/// Samples of pixels, side by side: of each its ray, and where the choices on the ray's way come
-/// from.
+/// Samples of neighbouring pixels: for each its camera ray and the source of its random numbers.
+/// Spans of one length.
 struct CameraSamples {
     RayStream rays;
     std::span<const SampleSource> sources;
-    /// What colours count for in the image, which is not the integrators' business; empty where all
-    /// count alike.
+    /// Weights of the colours in the image, by which integrators need not multiply; empty if all
+    /// are equal.
     std::span<const float> weights{};
 };
 
-/// Computes what camera rays see. Thread-safe.
+/// Computes the colours that camera rays see. Thread-safe.
 class Integrator {
   public:
     Integrator() = default;
@@ -29,8 +29,8 @@ class Integrator {
     Integrator(const Integrator&) = delete;
     Integrator& operator=(const Integrator&) = delete;
 
-    /// Number of samples that an integrator does best to get at a time: enough to share the cost of
-    /// a call, few enough to stay in a core's cache.
+    /// Number of samples that are best computed in one call: enough to share its cost, few enough
+    /// to stay in a core's cache.
     static constexpr std::size_t batch_size = 512;
 
     /// Sets `colors`, one for each sample, to be averaged with the others of the pixel. Adds the
@@ -39,11 +39,11 @@ class Integrator {
     virtual void radiance(const CameraSamples& samples, std::span<Color> colors,
                           RayCounts& counts) const = 0;
 
-    /// Whether camera rays may meet lights.
+    /// Whether camera rays may hit lights.
     virtual bool shows_lights() const { return false; }
 
-    /// Sets `colors` to the part of the samples' colours that comes straight from lights. Black
-    /// where an integrator shows none.
+    /// Sets `colors` to the part of the samples' colours that is emitted by lights that camera rays
+    /// hit. Black if shows_lights() is false.
     virtual void emission(const CameraSamples& samples, std::span<Color> colors) const;
 
     /// Why parts of the scene were replaced after rendering began: a face of a skybox whose file

@@ -32,6 +32,16 @@ constexpr IntegratorType integrators[] = {
      make<AmbientOcclusion>, true, true},
 };
 
+/// Names of the integrators for which `test` holds.
+template <class Test>
+std::vector<std::string> names_where(const Test& test) {
+    std::vector<std::string> names;
+    for (const IntegratorType& type : integrators) {
+        if (test(type)) names.emplace_back(type.name);
+    }
+    return names;
+}
+
 }  // namespace
 
 void IntegratorType::prepare_scene(Scene& scene, RenderSettings& settings) const {
@@ -52,17 +62,15 @@ const IntegratorType* find_integrator(std::string_view name) {
 }
 
 std::vector<std::string> integrator_names() {
-    std::vector<std::string> names;
-    for (const IntegratorType& type : integrators) names.emplace_back(type.name);
-    return names;
+    return names_where([](const IntegratorType&) { return true; });
 }
 
 std::vector<std::string> integrators_for(const Scene& scene) {
-    std::vector<std::string> names;
-    for (const IntegratorType& type : integrators) {
-        if (type.renders(scene)) names.emplace_back(type.name);
-    }
-    return names;
+    return names_where([&](const IntegratorType& type) { return type.renders(scene); });
+}
+
+std::vector<std::string> integrators_with(std::string_view option) {
+    return names_where([&](const IntegratorType& type) { return type.obeys(option); });
 }
 
 }  // namespace etalon

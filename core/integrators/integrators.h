@@ -52,4 +52,7 @@ std::vector<std::string> integrator_names();
 /// Names of those that render the scene.
 std::vector<std::string> integrators_for(const Scene& scene);
 
+/// Names of those that obey an option, as the command line spells it.
+std::vector<std::string> integrators_with(std::string_view option);
+
 }  // namespace etalon

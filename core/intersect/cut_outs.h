@@ -1,4 +1,4 @@
-// Holes in surfaces: rays pass where a texture says so.
+// Holes in surfaces, through which rays pass: where an alpha texture is 0.
 #pragma once
 
 #include "core/intersect/surface.h"
@@ -6,8 +6,8 @@
 
 namespace etalon {
 
-/// Tells of the holes of surfaces that are cut out. The kernels ask it, and so every backend has
-/// the same holes. Thread-safe.
+/// Tells where surfaces that are cut out have holes. The kernels ask it, so every backend has the
+/// same holes. Thread-safe.
 class CutOuts {
   public:
     CutOuts() = default;
@@ -15,9 +15,9 @@ class CutOuts {
     CutOuts(const CutOuts&) = delete;
     CutOuts& operator=(const CutOuts&) = delete;
 
-    /// Whether there is nothing at a point of a surface for a ray, which may be a shadow ray.
-    /// `geometry` is that in which the point's primitive is, and its space the point's: an object's
-    /// for instances.
+    /// Whether a point of a surface is in a hole for a ray, which may be a shadow ray. `geometry`
+    /// holds the point's primitive, and the point is in its space: for an instance, in the space of
+    /// its object.
     virtual bool is_hole(const Geometry& geometry, const SurfacePoint& point,
                          bool for_shadow) const = 0;
 };

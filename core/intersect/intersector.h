@@ -17,19 +17,19 @@ namespace etalon {
 
 class LocalRays;
 
-/// Finds hits in a scene. A backend derives from it and says only *which* kernels are called; what
-/// counts as a hit, ties, unbounded primitives and instances are settled here, alike for all.
+/// Finds hits in a scene. A backend derives from it and decides only *which* kernels are called;
+/// ties, unbounded primitives and instances are handled here, in the same way for all backends.
 /// Thread-safe. The scene must outlive the intersector.
 class Intersector : public BatchIntersector {
   public:
     explicit Intersector(const Geometry& geometry)
         : Intersector(geometry, SceneBounds::of(geometry)) {}
     Intersector(const Geometry& geometry, SceneBounds bounds);
-    /// The nearest hit with tmin < t <= tmax; at equal t the one of the lower key. A ray with a
-    /// zero or non-finite direction, or a non-finite origin, hits nothing.
+    /// Returns the nearest hit with tmin < t <= tmax; at equal t that of the lower HitKey. A ray
+    /// with a zero or non-finite direction, or a non-finite origin, hits nothing.
     std::optional<Hit> closest(const Ray& ray) const;
 
-    /// The same hit. Adds to `cost` what it took, as far as the backend counts (see Backend).
+    /// Returns the same hit, and adds the tests that it took to `cost`, if Backend counts them.
     std::optional<Hit> closest(const Ray& ray, TraversalCost& cost) const;
 
     /// Whether closest(ray) finds something.
@@ -39,9 +39,9 @@ class Intersector : public BatchIntersector {
     void closest(std::span<const Ray> rays, std::span<Hit> hits) const override;
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const override;
 
-    /// Offers `nearest` the nearest hit on an instance, given by its number among the items: that
-    /// which the intersector of its object finds for the ray taken there. Adds to `cost`, if there
-    /// is one, what it took.
+    /// Offers `nearest` the nearest hit on an instance, given by its item number: the hit that the
+    /// intersector of its object finds for the ray in object space. Adds the tests that it took to
+    /// `cost`, if not null.
     void offer_instance(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
                         TraversalCost* cost = nullptr) const;
 
@@ -58,8 +58,8 @@ class Intersector : public BatchIntersector {
     /// Bytes of the backend's own structure, without those of objects.
     virtual std::size_t own_bytes() const = 0;
 
-    /// Builds an intersector of the backend's own class for each object of the geometry: part of
-    /// each backend's construction.
+    /// Builds an intersector of the backend's own class for each object of the geometry. Every
+    /// backend's constructor calls it.
     template <class Self, class... Arguments>
     void build_objects(const Arguments&... arguments) {
         for (const Geometry& object : geometry_.objects) {
@@ -67,7 +67,7 @@ class Intersector : public BatchIntersector {
         }
     }
 
-    /// Returns what build_objects() made of an object.
+    /// Returns the intersector that build_objects() made for an object.
     const Intersector& object(std::uint32_t number) const { return *objects_[number]; }
 
     /// Returns the hit that `nearest` holds; its primitive is no_index if there is none.
@@ -79,12 +79,12 @@ class Intersector : public BatchIntersector {
         return {nearest.t, nearest.part, nearest.item - first};
     }
 
-    /// Offers `nearest` every bounded primitive that could be nearer than, or as near as,
-    /// nearest.t.
+    /// Offers `nearest` every bounded primitive that might be hit at or before nearest.t, and
+    /// possibly others.
     virtual void closest_bounded(const RayQuery& query, const NormalizedRay& local,
                                  NearestHit& nearest) const = 0;
 
-    /// The same, adding to `cost`: code of its own, so that whoever does not ask does not pay.
+    /// The same, but counts its tests in `cost`. Separate code, so that other queries do not pay.
     virtual void closest_counted(const RayQuery& query, const NormalizedRay& local,
                                  NearestHit& nearest, TraversalCost&) const {
         closest_bounded(query, local, nearest);
@@ -100,12 +100,12 @@ class Intersector : public BatchIntersector {
     std::vector<BoundedPrimitive> take_bounded() { return std::move(bounds_.bounded); }
 
   private:
-    /// What is hit of all that a ray must be tested against which the space does not resolve:
-    /// everything, or what is not bounded if it surely misses the rest.
+    /// Returns the nearest hit of a ray for which the normalized space is too coarse: tests every
+    /// primitive, or only the unbounded ones if it surely misses the rest.
     NearestHit nearest_unresolved(const Ray& ray, TraversalCost* cost) const;
     bool is_occluded_unresolved(const Ray& ray) const;
 
-    /// `passes`: whether the ray surely_passes() what is bounded.
+    /// `passes`: whether the ray surely_passes() the bounded part of the scene.
     NearestHit nearest_hit(const Ray& ray, bool passes, TraversalCost* cost) const;
     NearestHit nearest_hit(const Ray& ray, TraversalCost* cost = nullptr) const {
         return nearest_hit(ray, surely_passes(bounds_.space, ray), cost);
@@ -118,8 +118,8 @@ class Intersector : public BatchIntersector {
                TraversalCost* cost) const;
     bool occludes(std::uint32_t item, const RayQuery& query) const;
 
-    /// Answers rays of a batch: those of LocalRays::Way::by_itself alone, others with what the
-    /// chunk of them knows of ray i.
+    /// Answers a batch of rays in chunks of LocalRays: those of LocalRays::Way::by_itself one by
+    /// one, the others with the data that their chunk has for them.
     template <class Answer, class AnswerAlone, class AnswerLocal>
     void answer_all(std::span<const Ray> rays, std::span<Answer> answers, const AnswerAlone& alone,
                     const AnswerLocal& local) const;
@@ -137,13 +137,13 @@ struct Backend {
     std::string_view summary;
     bool exact;  ///< hits are decided by the kernels, so bit-identical to every other exact backend
     /// Builds the backend; never null. Throws std::bad_alloc, and std::runtime_error with the
-    /// reason where a library that the backend stands on cannot work on this machine.
+    /// reason where a library that the backend needs does not work on this machine.
     std::unique_ptr<Intersector> (*build)(const Geometry& geometry);
     bool counts_box_tests = false;  ///< in a TraversalCost
     bool counts_primitive_tests = false;
     int colour = 7;  ///< colour in reports, of bench/plot/style.h, from 1; 7 is grey
-    /// Whether a backend that is not exact has kernels of its own for any of the primitives. Where
-    /// it has none it is no other than the exact ones.
+    /// Whether a backend that is not exact has kernels of its own for any of the primitives. If it
+    /// has none, its hits are those of the exact backends.
     bool (*has_own_kernels)(const Geometry& geometry) = nullptr;
 };
 

@@ -8,25 +8,25 @@
 
 namespace etalon {
 
-/// See core/intersect/shapes/all_shapes.h for what these promise.
+/// core/intersect/shapes/all_shapes.h says what these promise.
 Box3 primitive_bounds(const Geometry& geometry, std::uint32_t primitive);
 double primitive_first_hit(const Geometry& geometry, std::uint32_t primitive,
                            const RayQuery& query);
 
-/// The box with room for the roundings of sums of coordinates, which far from the origin are more
-/// than a small shape's size: up to eight of those of each axis's largest coordinate.
+/// Returns the box padded for the roundings of sums of coordinates, which may exceed the size of a
+/// small shape far from the origin: up to eight roundings of each axis's largest coordinate.
 Box3 widened(const Box3& box);
 
-/// A box of which no point that can be hit is outside. The numbers of some shapes are its own;
-/// those of others are sums, and their box is widened.
+/// Returns a box that contains every point that can be hit. Bounds that are a shape's own numbers
+/// are used as they are; where they are sums, the box is widened.
 Box3 whole_bounds(const Geometry& geometry, std::uint32_t primitive);
 
-/// Whether a ray that meets a primitive which is cut out does so in a hole. The kernel asks this.
+/// Whether a ray that hits a primitive which is cut out does so in a hole. The kernel asks this.
 bool meets_hole(const Geometry& geometry, std::uint32_t primitive, const RayQuery& query);
 
-/// The same as primitive_first_hit() for whoever has the shape at hand: a primitive's number leads
-/// to it over two cache misses. Triangles only need their corners; those that are cut out are not
-/// for it.
+/// The same as primitive_first_hit() for callers that have the shape itself, which saves the two
+/// cache misses of looking it up by the primitive's number. Of triangles only the corners are used;
+/// those that are cut out must not be given.
 template <class Shape>
 double shape_first_hit(const Geometry& geometry, const Shape& shape, Sides sides,
                        const RayQuery& query);

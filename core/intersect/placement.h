@@ -1,4 +1,4 @@
-// The way between the world and the objects of instances: all that knows of it is here.
+// Transforms between world space and the object space of instances: all of them are here.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace etalon {
 
-/// An instance where a ray of some time sees it: of one that moves, what its motion's map at that
-/// time makes of it.
+/// An instance at the time of a ray: a moving one is replaced by the still one that its animated
+/// transform gives for that time.
 class InstanceAt {
   public:
     /// `number`: among the geometry's instances. The geometry must outlive it.
@@ -32,19 +32,19 @@ class InstanceAt {
     std::optional<Instance> moved_;
 };
 
-/// Takes a vector of the world into the object's space.
+/// Transforms a vector from world to object space.
 inline Vec3 vector_to_object(const Instance& instance, const Vec3& v) {
     return {instance.rows[0].dot(v), instance.rows[1].dot(v), instance.rows[2].dot(v)};
 }
 
-/// Takes a point of the world into the object's space.
+/// Transforms a point from world to object space.
 inline Vec3 to_object(const Instance& instance, const Vec3& point) {
     return vector_to_object(instance, point - instance.origin);
 }
 
-/// Takes a ray into the object's space. This defines what is hit of an instance: that which the
-/// ray returned here hits of the object. Its t is the world's, as its direction is not normalized.
-/// No primitive is excluded from it.
+/// Transforms a ray from world to object space. This defines what is hit of an instance: what the
+/// ray returned here hits of the object. Its direction is not normalized, so its t is that of the
+/// world. It excludes no primitive.
 inline Ray to_object(const Instance& instance, const Ray& ray) {
     Ray local{to_object(instance, ray.origin), vector_to_object(instance, ray.direction), ray.tmin,
               ray.tmax};
@@ -56,8 +56,8 @@ inline Ray to_object(const Instance& instance, const Ray& ray) {
 /// a relative error of a point in the object's space moves it in the world, for each axis.
 Vec3 spread(const Instance& instance);
 
-/// Takes a point of the object's surface into the world. Its error is such that a ray which leaves
-/// the point starts off the object's surface after all roundings on its way into the object.
+/// Transforms a point of the object's surface to world space. Its error bound is such that a ray
+/// which leaves it starts off the object's surface after all roundings on its way back there.
 SurfacePoint placed(const Instance& instance, const SurfacePoint& local);
 
 /// Bounds how far, for each axis of the object's space, the origin of a ray that leaves `world` is
@@ -65,13 +65,13 @@ SurfacePoint placed(const Instance& instance, const SurfacePoint& local);
 Vec3 drift_of_origins(const Instance& instance, const SurfacePoint& local,
                       const SurfacePoint& world);
 
-/// Returns a point of an instance as the object's shape has it; it has no error bound.
+/// Transforms a point of an instance to object space; the result has no error bound.
 SurfacePoint local_point(const Instance& instance, const SurfacePoint& point);
 
-/// Takes coordinates of an object's surface into the world.
+/// Transforms coordinates of an object's surface to world space.
 Parametrization placed(const Instance& instance, const Parametrization& local);
 
-/// Calls the kernel of a primitive, or of one of an instance, for a ray of the world.
+/// Calls the kernel of a primitive, or of one of an instance, for a ray in world space.
 double first_hit(const Geometry& geometry, HitKey key, const Ray& ray);
 
 }  // namespace etalon

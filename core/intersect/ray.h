@@ -14,18 +14,18 @@ struct Ray {
     Vec3 origin, direction;
     double tmin = 0;
     double tmax = infinity;
-    /// The number of a primitive that the ray has just left and cannot meet again, if there is one:
-    /// it need not be tested to learn that.
+    /// The number of a primitive that the ray has just left and cannot hit again, which need not be
+    /// tested; no_index if there is none.
     std::uint32_t exclude = no_index;
-    /// Bits of coherent(), is_shadow() and time(): one word, which takes an instruction to copy.
+    /// Bits of coherent(), is_shadow() and time(), in one word so that one instruction copies them.
     std::uint32_t traits_and_time = 0;
 
-    /// A hint, which changes no hit: rays traced just before it by the same thread went nearly the
-    /// same way.
+    /// A hint, which changes no hit: the rays that the same thread traced just before took nearly
+    /// the same path through the scene.
     bool coherent() const { return (traits_and_time & coherent_trait) != 0; }
     void set_coherent() { traits_and_time |= coherent_trait; }
 
-    /// Whether the ray asks what is in a light's way: it passes some holes that others do not.
+    /// Whether it is a shadow ray, which passes holes that other rays do not (PBRT's shadowalpha).
     bool is_shadow() const { return (traits_and_time & shadow_trait) != 0; }
     void set_shadow() { traits_and_time |= shadow_trait; }
 
@@ -61,7 +61,7 @@ inline HitKey key_of(std::uint32_t primitive, std::uint32_t instance) {
     return static_cast<HitKey>(instance + 1) << 32 | primitive;  // no_index + 1 is 0
 }
 
-/// A ray and what every triangle and polygon test needs of it, worked out once: the axes permuted
+/// A ray and what every triangle and polygon test needs of it, computed once: the axes permuted
 /// so that z is the direction's dominant one (Woop, Benthin & Wald 2013, JCGT 2(1)).
 struct RayQuery {
     explicit RayQuery(const Ray& r) : RayQuery(r, dominant_axis(r.direction)) {}
@@ -81,8 +81,8 @@ struct RayQuery {
     double dx, dy, dz;
 
   private:
-    /// Returns a component, or 0 below 2^-500 of the largest. It moves no point that a double can
-    /// tell from its neighbours, but its products could leave the range in which signs are exact.
+    /// Returns a component, or 0 if it is below 2^-500 of the largest: that moves no point by even
+    /// a rounding, and products of smaller ones could leave the range in which signs are exact.
     double flush_negligible(int k) {
         double& component = ray.direction[k];
         if (std::abs(component) < 0x1p-500 * std::abs(ray.direction[kz])) component = 0;
@@ -91,7 +91,7 @@ struct RayQuery {
 };
 
 /// Bound on the relative error of the t that any kernel returns. Surfaces that are closer together
-/// may change places.
+/// than this may be hit in the wrong order.
 inline constexpr double t_tolerance = 0x1p-36;
 
 /// Value that a kernel returns when the ray misses: compares false with everything.

@@ -10,11 +10,11 @@ namespace etalon {
 
 enum class Projection : std::uint8_t { perspective, orthographic, environment, lens_system };
 
-/// A surface of a lens: a part of a sphere about the axis, or a stop. Lengths in metres.
+/// A surface of a lens: a spherical cap about the axis, or a stop. Lengths in metres.
 struct LensSurface {
     double curvature_radius;  ///< positive where the centre is towards the film; 0: a stop
     double thickness;         ///< distance to the next surface towards the film, or to the film
-    double eta;               ///< index of refraction up to there; 0: that of air
+    double eta;               ///< index of refraction up to that surface; 0: that of air
     double aperture_radius;
 };
 
@@ -23,24 +23,24 @@ struct LensSurface {
 struct LensSystem {
     std::vector<LensSurface> surfaces;  ///< from the scene to the film
     double film_diagonal;               ///< metres
-    /// Rectangles of the plane of the last surface that hold all points through which light
-    /// reaches a point of the film, of equal parts of the way from its middle along x to its
-    /// corner.
+    /// Rectangles in the plane of the last surface that contain all points through which light
+    /// reaches a point of the film. They are for equal intervals of the film's x axis, from its
+    /// centre to the distance of its corner.
     std::vector<Imath::Box2d> exit_pupils;
-    /// Light at the middle of the film, per unit of radiance and of its exit pupil's rectangle.
+    /// Exposure at the centre of the film, per unit of radiance and area of its exit pupil.
     double exposure;
 };
 
-/// A camera by its own space: x to the right, y up, looking along z. Any affine map takes it to the
-/// world, one that mirrors too.
+/// A camera in a space of its own: x to the right, y up, looking along z. Any affine map, mirrored
+/// or not, takes it to the world.
 struct ProjectiveCamera {
     Projection projection = Projection::perspective;
-    Affine to_world;      ///< of one that moves: where the shutter opens
-    Imath::Box2d window;  ///< the image in the plane z = 1; of no effect on an environment
+    Affine to_world;      ///< of a moving camera: as the shutter opens
+    Imath::Box2d window;  ///< the image in the plane z = 1; unused by Projection::environment
     double lens_radius = 0;
     double focal_distance = 1;                  ///< z of the plane in focus
-    std::optional<AnimatedTransform> motion{};  ///< how it moves, if it does
-    std::optional<LensSystem> lens{};  ///< of a camera with one; `window` is about what it shows
+    std::optional<AnimatedTransform> motion{};  ///< set if the camera moves
+    std::optional<LensSystem> lens{};           ///< if it has one; `window` is then approximate
 };
 
 /// A pinhole or thin-lens camera. The view plane passes through `at`.
@@ -49,10 +49,10 @@ struct Camera {
     double fov_degrees = 45;   ///< full vertical field of view
     double aperture = 0;       ///< lens diameter in pixel heights on the view plane; 0 is a pinhole
     double focal = 1;          ///< distance of the plane in focus, in units of |at - eye|
-    bool stretched = false;    ///< the field of view is the horizontal one, too: pixels need not be
-                               ///< square, as otherwise they are
-    bool sees_motion = false;  ///< it moves, or something of the scene: rays are of many times
-    /// Set: rays are made by it, and of all the above only `eye`, `at` and `up` say something.
+    bool stretched = false;    ///< the field of view is also the horizontal one: pixels need not be
+                               ///< square, as they are otherwise
+    bool sees_motion = false;  ///< it or the scene moves: rays have many times
+    /// If set, it generates the rays, and of the above only `eye`, `at` and `up` mean anything.
     std::optional<ProjectiveCamera> projective{};
 };
 

@@ -1,4 +1,4 @@
-// Geometry: plain data, filled by a loader, then read by kernels and backends alone.
+// Geometry: plain data, filled by a loader, then only read, by kernels and backends.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace etalon {
 
 class CutOuts;
 
-/// A point whose coordinates have few digits.
+/// A point whose coordinates have few decimal digits.
 using DecimalVertex = std::array<Decimal, 3>;
 
 /// Bit that is set in the number of a vertex that is among the decimal ones.
@@ -28,10 +28,10 @@ inline constexpr std::uint32_t decimal_vertex = 0x80000000U;
 inline constexpr ShapeKind instance_kind = shape_kinds;
 inline constexpr std::size_t item_kinds = shape_kinds + 1;
 
-/// The primitives are numbered in order of appearance; where two are hit at the same distance the
-/// lower number wins, in every backend. Instances have the numbers after the last primitive: what
-/// has a number is an item. Of equally near primitives of one instance the lower number among those
-/// of its object wins.
+/// Primitives are numbered in order of appearance; instances have the numbers after the last
+/// primitive. Both are items. Where two items are hit at the same distance, the lower number wins,
+/// in every backend. Of equally near primitives of one instance, the one with the lower number
+/// in its object wins.
 struct Geometry {
     PrimitiveRuns primitives;
     ShapeArrays shapes;
@@ -41,14 +41,14 @@ struct Geometry {
     std::vector<Geometry> objects;           ///< seen only as instances; they have none themselves
     LargeVector<Instance> instances;         ///< of the objects
     std::vector<AnimatedTransform> motions;  ///< of instances
-    /// Tells of the holes of primitives that are cut out. Those are whole where there is none.
+    /// The holes of primitives that are cut out; null: these have no holes.
     std::shared_ptr<const CutOuts> cut_outs;
 
     std::uint32_t item_count() const {
         return static_cast<std::uint32_t>(primitives.size() + instances.size());
     }
     bool is_instance(std::uint32_t item) const { return item >= primitives.size(); }
-    /// Number among the instances of an item that is one.
+    /// Returns the number, among the instances, of an item that is an instance.
     std::uint32_t instance_number(std::uint32_t item) const {
         return item - static_cast<std::uint32_t>(primitives.size());
     }
@@ -56,7 +56,7 @@ struct Geometry {
         return is_instance(item) ? instance_kind : primitives[item].kind;
     }
 
-    /// Returns the geometry in which the primitives of an instance are; this one for no_index.
+    /// Returns the geometry that holds the primitives of an instance; this one for no_index.
     const Geometry& holder(std::uint32_t instance) const {
         return instance == no_index ? *this : objects[instances[instance].object];
     }
@@ -67,7 +67,7 @@ struct Geometry {
         return {x.value(), y.value(), z.value()};
     }
 
-    /// Number of a corner's normal, of a triangle that has some.
+    /// Returns the number of a corner's normal, for a triangle with normals at its corners.
     static std::uint32_t normal_number(const Triangle& t, std::size_t corner) {
         return t.vertices[corner] - t.normal_offset;
     }
@@ -78,15 +78,15 @@ struct Geometry {
     /// Appends a vertex for triangles. Returns its number.
     std::uint32_t add_vertex(const Vec3& position);
 
-    /// Appends a vertex for the triangles of a large mesh in as few bytes as hold it, which kernels
-    /// take longer to read. Returns its number.
+    /// Appends a vertex for the triangles of a large mesh, in as few bytes as hold it. Kernels take
+    /// longer to read it. Returns its number.
     std::uint32_t add_compact_vertex(const Vec3& position);
 
-    /// Appends a vertex with a normal. Returns its number; that of the normal is less by
-    /// normal_offset() as it is then.
+    /// Appends a vertex with a normal. Returns its number; the number of the normal is that minus
+    /// normal_offset(), as it is after the call.
     std::uint32_t add_vertex(const Vec3& position, const Vec3& normal);
 
-    /// How many vertices have no normal.
+    /// Returns how many vertices have no normal.
     std::uint32_t normal_offset() const {
         return static_cast<std::uint32_t>(vertices.size() - normals.size());
     }
@@ -100,7 +100,7 @@ struct Geometry {
         return std::get<kind_of<Shape>()>(shapes);
     }
 
-    /// The data of a primitive known to be a `Shape`.
+    /// Returns the data of a primitive known to be a `Shape`.
     template <class Shape>
     decltype(auto) get(const Primitive& p) const {
         if constexpr (std::is_same_v<Shape, Triangle>) {
@@ -124,11 +124,11 @@ struct Geometry {
     }
 };
 
-/// Adds the primitives and instances of `other`, which has no texture coordinates, after those that
-/// there are. Materials keep their numbers.
+/// Appends the primitives and instances of `other`, which must have no texture coordinates.
+/// Materials keep their numbers.
 void append(Geometry& geometry, const Geometry& other);
 
-/// Gives back the memory that the arrays hold beyond what is in them: for a geometry that is whole.
+/// Releases the unused capacity of the arrays: for a geometry that is complete.
 void shrink_to_fit(Geometry& geometry);
 
 /// Bytes held by the arrays.

@@ -16,8 +16,8 @@
 
 namespace etalon {
 
-/// How surfaces and light look, as the Whitted-style formats mean it: a light has neither falloff
-/// nor cosine.
+/// Materials and lights of the Whitted-style formats, whose light falls off neither with distance
+/// nor with the cosine at the light.
 struct WhittedLook {
     std::vector<Material> materials;
     std::vector<Light> lights;
@@ -30,7 +30,7 @@ struct Scene {
     Geometry geometry;
     std::variant<WhittedLook, PhysicalLook> look;
 
-    /// The look of a scene of a Whitted-style format. Must not be asked of another.
+    /// The look of a scene of a Whitted-style format, one that is not is_physical().
     WhittedLook& whitted() { return std::get<WhittedLook>(look); }
     const WhittedLook& whitted() const { return std::get<WhittedLook>(look); }
 

@@ -214,9 +214,12 @@ TEST_CASE("Wrong usage ends with 2, an unusable scene with 3, an unwritable outp
         CHECK(r.status == 3);
         CHECK_THAT(r.err, ContainsSubstring("error:"));
     }
-    const auto r = f.etalon("render ball.p3f -o no/such/place.exr");
-    CHECK(r.status == 4);
-    CHECK_THAT(r.err, ContainsSubstring("no/such"));
+    for (const char* unwritable : {"-o no/such/place.exr", "-o a.exr --stats no/such/place.json"}) {
+        const auto r = f.etalon(std::string("render ball.p3f ") + unwritable);
+        CHECK(r.status == 4);
+        CHECK_THAT(r.err, ContainsSubstring("no/such is not a directory"));
+    }
+    CHECK(!f.has("a.exr"));  // known before rendering
 }
 
 TEST_CASE("Diagnostics name file, line and column", "[app]") {
@@ -298,10 +301,24 @@ TEST_CASE("trace answers ray by ray", "[app]") {
               "miss\n"
               "hit 6 plane 0 0 -1 0\n");
     }
-    f.write("bad.txt", "0 0 5 0 0\n");
-    const auto r = f.etalon("trace ball.p3f --rays bad.txt");
-    CHECK(r.status == 3);
-    CHECK_THAT(r.err, ContainsSubstring("bad.txt:1:1: error:"));
+}
+
+TEST_CASE("trace says where a file of rays is wrong", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const std::pair<const char*, const char*> wrong[] = {
+        {"0 0 5 0 0\n", ":1:1: error: wrong count of numbers; expected 'ox oy oz"},
+        {"\n0 0 5  0 1x 1\n", ":2:10: error: not a number; expected 'ox oy oz"},
+        {"# rays\n\n 0 0 5 # no more\n", ":3:2: error: wrong count of numbers"},
+        {"0 0 5 0 0 1 0 1 1\n", ":1:17: error: time outside of [0, 1)"}};
+    for (const auto& [rays, error] : wrong) {
+        f.write("bad.txt", rays);
+        const auto r = f.etalon("trace ball.p3f --rays bad.txt");
+        CHECK(r.status == 3);
+        CHECK(r.out == "");
+        CHECK_THAT(r.err, ContainsSubstring(std::string("bad.txt") + error));
+    }
+    CHECK(f.etalon("trace ball.p3f --rays bad.txt -o no/such/hits.txt").status == 4);
 }
 
 TEST_CASE("An interrupted render writes what there is", "[app]") {
@@ -372,10 +389,6 @@ TEST_CASE("trace, info, convert and crosscheck know what moves", "[app]") {
     CHECK(info["needs"] == json{"time samples"});
     CHECK(info["diagnostics"].empty());
     CHECK(f.etalon("crosscheck m.pbrt --rays 500 -b grid,bvh,embree").status == 0);
-    f.write("bad.txt", "0 0 5 0 0 1 0 1 1\n");
-    const auto r = f.etalon("trace m.pbrt --rays bad.txt");
-    CHECK(r.status == 3);
-    CHECK_THAT(r.err, ContainsSubstring("bad.txt:1:1: error: time outside of [0, 1)"));
 }
 
 TEST_CASE("trace, render and crosscheck know holes", "[app]") {

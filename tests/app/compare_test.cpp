@@ -209,7 +209,7 @@ TEST_CASE("compare writes its files whole or not at all", "[app]") {
         INFO(output);
         const auto r = f.etalon(std::string("compare a.exr a.exr ") + output);
         CHECK(r.status == 4);
-        CHECK_THAT(r.err, ContainsSubstring(": cannot be written: no is no directory"));
+        CHECK_THAT(r.err, ContainsSubstring(": cannot be written: no is not a directory"));
     }
     CHECK(f.shell("ls").out == "a.exr\n");
 }

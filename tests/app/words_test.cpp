@@ -55,7 +55,7 @@ TEST_CASE("an input that cannot be read is named with the system's reason", "[ap
     CHECK_THAT(
         error_of("compare text.txt text.txt", 3),
         ContainsSubstring(
-            "text.txt: cannot be read: it is no image; expected EXR, PNG, JPEG, HDR or PFM\n"));
+            "text.txt: cannot be read: it is not an image; expected EXR, PNG, JPEG, HDR or PFM\n"));
 }
 
 TEST_CASE("a damaged image is named with its format, in no library's words", "[app]") {
@@ -83,13 +83,14 @@ TEST_CASE("a damaged image is named with its format, in no library's words", "[a
         }
         says(whole.substr(0, 12) + std::string(whole.size(), '\x5a'), reason);
         says("", "the file is empty\n");
-        says(std::string(5000, '\x5a'), "it is no image; expected EXR, PNG, JPEG, HDR or PFM\n");
+        says(std::string(5000, '\x5a'),
+             "it is not an image; expected EXR, PNG, JPEG, HDR or PFM\n");
     }
 }
 
 TEST_CASE("an output that cannot be written is named with the reason", "[app]") {
     CHECK(error_of("render ball.p3f -o no/x.exr", 4) ==
-          "etalon: error: no/x.exr: cannot be written: no is no directory\n");
+          "etalon: error: no/x.exr: cannot be written: no is not a directory\n");
 }
 
 TEST_CASE("a folder without permission is said to be that", "[app][needs_unprivileged_user]") {

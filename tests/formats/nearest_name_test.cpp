@@ -25,6 +25,13 @@ TEST_CASE("a mistyped name finds the one that was meant") {
     CHECK(nearest_name("blcr", names) == "bclr");
 }
 
+TEST_CASE("of names as near as each other the one with the same beginning is found") {
+    constexpr std::array<std::string_view, 3> alike = {"pp", "sps", "spp"};
+    CHECK(nearest_name("sp", alike) == "sps");
+    CHECK(nearest_name("spx", alike) == "sps");
+    CHECK(nearest_name("ppx", alike) == "pp");
+}
+
 TEST_CASE("a name that resembles none finds none") {
     CHECK(nearest_name("x", names).empty());
     CHECK(nearest_name("", names).empty());

@@ -79,9 +79,9 @@ TEST_CASE("an NFF surface that cannot be is left out") {
     };
     CHECK(kept("1 1 1 1 1 1 1 0") == "the index of refraction of glass is 0; expected more than 0");
     CHECK(kept("1 1 1 1 1 -1 0 1") == "the Shine is -1; expected 0 or more");
-    CHECK(kept("1e30 1 1 1e30 1 1 0 1") == "a colour times its weight is beyond every colour");
-    CHECK(kept("1 1 1 1 1e300 1 0 1") == "a colour times its weight is beyond every colour");
-    CHECK(kept("1 1 1 1 1 1 1e300 1") == "a colour times its weight is beyond every colour");
+    CHECK(kept("1e30 1 1 1e30 1 1 0 1") == "a colour times its weight is too large for a colour");
+    CHECK(kept("1 1 1 1 1e300 1 0 1") == "a colour times its weight is too large for a colour");
+    CHECK(kept("1 1 1 1 1 1 1e300 1") == "a colour times its weight is too large for a colour");
 }
 
 TEST_CASE("an NFF object before any surface gets a grey one, with a warning") {

@@ -25,7 +25,7 @@ TEST_CASE("an NFF camera is read") {
 
 TEST_CASE("an NFF camera has no lens, and needs its lines by their names") {
     CHECK(messages(load_text("nff", good_view + "focal 2")) ==
-          Messages{"a.nff:8:1: warning: 'focal' is no part of a camera"});
+          Messages{"a.nff:8:1: warning: 'focal' is not part of a camera"});
     CHECK(messages(load_text("nff", "v from 0 0 1 at 0 0 0 up 0 1 0 resolution 9 9")) ==
           Messages{"a.nff:1:1: error: the camera has no angle, so nothing can be rendered"});
     CHECK(messages(load_text("nff", "v at 0 0 0 up 0 1 0 angle 9 resolution 9 9")) ==

@@ -63,14 +63,14 @@ TEST_CASE("a wrong word in a camera is taken for the one that is due if the numb
 
 TEST_CASE("a wrong word in a camera whose numbers do not fit is left out") {
     const LoadResult r = load_p3f_text(camera_with("resolution", "yon 1000\nresolution 40 30"));
-    CHECK(messages(r) == Messages{"a.p3f:7:1: warning: 'yon' is no part of a camera"});
+    CHECK(messages(r) == Messages{"a.p3f:7:1: warning: 'yon' is not part of a camera"});
     CHECK(r.settings.resolution.x == 40);
     CHECK(r.scene->camera.focal == 1);
 }
 
 TEST_CASE("stray numbers in a camera are one warning") {
     const LoadResult r = load_p3f_text(camera_with("angle", "angle 45 1 2 3 4 5"));
-    CHECK(messages(r) == Messages{"a.p3f:5:10: warning: '1' is no part of a camera"});
+    CHECK(messages(r) == Messages{"a.p3f:5:10: warning: '1' is not part of a camera"});
     CHECK(r.settings.resolution.x == 40);
 }
 
@@ -146,7 +146,7 @@ TEST_CASE("a camera of any scale is judged alike") {
 TEST_CASE("a lens that is none becomes a pinhole") {
     const LoadResult r = load_p3f_text(camera_with("aperture", "aperture -2"));
     CHECK(messages(r) ==
-          Messages{"a.p3f:1:1: warning: aperture -2 with focal 1 is no lens; taken as a "
+          Messages{"a.p3f:1:1: warning: aperture -2 with focal 1 is not a lens; taken as a "
                    "pinhole"});
     CHECK(r.scene->camera.aperture == 0);
     std::string without_focus = camera_with("aperture", "aperture 2");

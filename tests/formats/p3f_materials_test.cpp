@@ -113,7 +113,7 @@ TEST_CASE("a material that cannot be is left out") {
           "the index of refraction of glass is 0; expected more than 0");
     CHECK(kept("1 1 1 1 1 1 1 1 -1 0 1") == "the Shine is -1; expected 0 or more");
     CHECK(kept("1e30 1 1 1e30 1 1 1 1 1 0 1") ==
-          "a colour times its weight is beyond every colour");
+          "a colour times its weight is too large for a colour");
     CHECK(kept("1 1 1 1 1 1 x") == "expected a number for the specular colour of 'mat', found 'x'");
     CHECK(load_statements("f 1 1 1 1 1 1 1 0 10 0 0").diagnostics.empty());
 }

@@ -92,7 +92,7 @@ TEST_CASE("bclr is the background") {
           Color(0.25F, 0.5F, 2));
     const LoadResult r = load_statements("bclr 0 1e300 0");
     CHECK(messages(r) ==
-          Messages{"a.p3f:1:8: warning: the colour of 'bclr' is beyond every colour"});
+          Messages{"a.p3f:1:8: warning: the colour of 'bclr' is too large for a colour"});
     CHECK(r.scene->whitted().environment.background == Color(0.0F));
 }
 

@@ -124,7 +124,7 @@ TEST_CASE("a plane in Hessian form holds the points with N.p + D = 0") {
 
 TEST_CASE("a plane in Hessian form that is none is left out") {
     CHECK(complaint("npl 0 0 0 1") == "'npl' left out: its normal is zero");
-    CHECK(complaint("npl 1e-300 0 0 1e300") == "'npl' left out: it lies beyond all numbers");
+    CHECK(complaint("npl 1e-300 0 0 1e300") == "'npl' left out: its position is not finite");
 }
 
 TEST_CASE("a cone is two circles about an axis") {

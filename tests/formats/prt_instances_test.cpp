@@ -232,12 +232,12 @@ TEST_CASE("an instance without an end is left out") {
     CHECK(r.scene->geometry.primitives.size() == 1);
 }
 
-TEST_CASE("an instance moved beyond all numbers is left out, its surface with it") {
+TEST_CASE("an instance whose position is not finite is left out, its surface with it") {
     const LoadResult r = load_prt_text(red + "instance a\n" + green +
                                        "sphere 1e308 0 0 1\nend_instance\n"
                                        "instance_of a 1e308 0 0\nsphere 0 0 0 1\n");
     CHECK(messages(r) ==
-          Messages{"a.prt:11:1: warning: 'instance_of' left out: it lies beyond all numbers"});
+          Messages{"a.prt:11:1: warning: 'instance_of' left out: its position is not finite"});
     CHECK(colors(r) == "r");
 }
 

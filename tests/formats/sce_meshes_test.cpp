@@ -64,7 +64,7 @@ TEST_CASE("a triangle without area or under a singular matrix is left out") {
     CHECK(messages(r) ==
           Messages{"a.sce:1:1: warning: 'triangle' left out: it has no area",
                    "a.sce:3:1: warning: 'triangle' left out: its matrix is singular",
-                   "a.sce:6:1: warning: 'triangle' left out: its matrix is beyond all numbers"});
+                   "a.sce:6:1: warning: 'triangle' left out: its matrix is not finite"});
     CHECK(r.scene->geometry.primitives.empty());
 }
 

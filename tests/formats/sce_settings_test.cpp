@@ -80,9 +80,9 @@ TEST_CASE("an area light of half side w is a square that takes one point of each
     CHECK(r.scene->geometry.primitives.size() == 1);  // it is not seen
 }
 
-TEST_CASE("a light beyond all numbers is left out") {
+TEST_CASE("a light whose position is not finite is left out") {
     const std::string far = "scale 1e200 1e200 1e200\nscale 1e200 1 1\n";
     CHECK(messages(load_sce_text(far + "pointlight 1 0 0 1 1 1\narealight 1 1 1 1\n")) ==
-          Messages{"a.sce:3:1: warning: 'pointlight' left out: it lies beyond all numbers",
-                   "a.sce:4:1: warning: 'arealight' left out: it lies beyond all numbers"});
+          Messages{"a.sce:3:1: warning: 'pointlight' left out: its position is not finite",
+                   "a.sce:4:1: warning: 'arealight' left out: its position is not finite"});
 }

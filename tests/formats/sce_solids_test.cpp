@@ -65,7 +65,7 @@ TEST_CASE("a solid without volume is left out") {
           Messages{"a.sce:2:1: warning: 'ball' left out: its matrix is singular",
                    "a.sce:3:1: warning: 'cylinder' left out: its matrix is singular"});
     CHECK(said("scale 1e200 1e200 1e200\nball 1e200 0 0 0\n") ==
-          Messages{"a.sce:2:1: warning: 'ball' left out: its size is beyond all numbers"});
+          Messages{"a.sce:2:1: warning: 'ball' left out: its size is not finite"});
 }
 
 TEST_CASE("a solid counts as one primitive of the current surface") {

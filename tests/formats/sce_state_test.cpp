@@ -134,5 +134,5 @@ TEST_CASE("an impossible surface is left out") {
     CHECK(said("shininess -1\n") ==
           Messages{"a.sce:1:1: warning: the shininess is -1; expected 0 or more"});
     CHECK(said("ca 1e30 0 0\ncr 1e30 0 0\n") ==
-          Messages{"a.sce:2:1: warning: 'ca' times 'cr' is beyond every colour"});
+          Messages{"a.sce:2:1: warning: 'ca' times 'cr' is too large for a colour"});
 }

@@ -1,5 +1,5 @@
-// The table from which every kernel test is generated. A new shape is new rows here; a hard case
-// that once went wrong is a row too.
+// The table from which every kernel test is generated: its rows are in tests/intersect/shapes. A
+// new shape is new rows there; a hard case that once went wrong is a row too.
 #pragma once
 
 #include <functional>

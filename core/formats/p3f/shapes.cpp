@@ -50,7 +50,7 @@ void read_hessian_plane(Loader& loader) {
     const Vec3 point = normal * (-d / normal.dot(normal));
     if (!is_finite(normal) || normal == Vec3(0))
         return loader.skip_degenerate("its normal is zero");
-    if (!is_finite(point)) return loader.skip_degenerate("it lies beyond all numbers");
+    if (!is_finite(point)) return loader.skip_degenerate("its position is not finite");
     loader.add(Plane{point, normal}, loader.sides());
 }
 

@@ -84,8 +84,8 @@ bool ParameterReader::convert_numbers() {
     const auto multiple = static_cast<std::size_t>(declared_->numbers);
     if (const std::size_t surplus = numbers_.size() % multiple; surplus != 0) {
         log_.warn(given_.where, "count",
-                  "'{}' takes {} numbers a value; the last {} of {} is left out", given_.name,
-                  multiple, surplus, numbers_.size());
+                  "'{}' takes {} numbers per value, found {}; left out at the end: {}", given_.name,
+                  multiple, numbers_.size(), surplus);
         drop_surplus(numbers_, multiple);
     }
     if (declared_->encoding != Encoding::plain) {

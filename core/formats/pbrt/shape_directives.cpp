@@ -52,11 +52,11 @@ std::uint32_t area_light_of_shape(Parser& p) {
     const std::uint32_t light = p.now.graphics.area_light;
     if (light == none) return none;
     if (p.now.transform.current->is_animated()) {
-        p.log.warn(p.in.where(), "area-light", "a shape that moves is no light");
+        p.log.warn(p.in.where(), "area-light", "a shape that moves cannot be a light");
         return none;
     }
     if (p.now.object != none) {
-        p.log.warn(p.in.where(), "area-light", "a shape of an object is no light");
+        p.log.warn(p.in.where(), "area-light", "a shape of an object cannot be a light");
         return none;
     }
     return light;

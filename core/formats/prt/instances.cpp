@@ -97,7 +97,7 @@ bool add_instance(Loader& loader, const Definition& definition, std::uint32_t ob
     if (!(max_abs(offset) < harmless)) {
         if (is_too_much(loader, definition)) return false;
         if (!moved(geometry.objects[object], offset)) {
-            loader.skip_degenerate("it lies beyond all numbers");
+            loader.skip_degenerate("its position is not finite");
             return false;
         }
     }

@@ -113,7 +113,7 @@ void read_object(Loader& loader, Reader& in, bool smooth) {
     for (const Vec3& v : mesh->vertices) {
         world.push_back(loader.state.matrix.point(is_finite(v) ? v : Vec3(0)));
         if (is_finite(world.back())) continue;
-        return in.warn("matrix", "'{}' left out: it lies beyond all numbers", in.keyword());
+        return in.warn("matrix", "'{}' left out: its position is not finite", in.keyword());
     }
     smooth ? add_smooth_faces(loader, *mesh, world) : add_flat_faces(loader, *mesh, world);
 }

@@ -6,7 +6,7 @@ namespace {
 
 bool is_placed(Reader& in, const Vec3& a, const Vec3& b = Vec3(0), const Vec3& c = Vec3(0)) {
     if (is_finite(a) && is_finite(b) && is_finite(c)) return true;
-    in.warn("matrix", "'{}' left out: it lies beyond all numbers", in.keyword());
+    in.warn("matrix", "'{}' left out: its position is not finite", in.keyword());
     return false;
 }
 

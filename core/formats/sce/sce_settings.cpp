@@ -87,8 +87,7 @@ void finalize_camera(Loader& loader) {
     } else if (to_unit_magnitude(camera.up).cross(direction) == Vec3(0)) {
         loader.log.error(loader.view.offset, "camera", "'eyeup' is along 'eyedir', {}", nothing);
     } else if (!is_finite(camera.at)) {
-        loader.log.error(loader.view.offset, "camera", "the eye is beyond all numbers, {}",
-                         nothing);
+        loader.log.error(loader.view.offset, "camera", "the eye is not finite, {}", nothing);
     }
 }
 

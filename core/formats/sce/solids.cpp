@@ -23,7 +23,7 @@ template <class Shape>
 void add_image(Loader& loader, Reader& in, const Affine& map) {
     const Shape shape(map);
     if (shape.frame.exists()) return loader.add(shape);
-    in.warn("matrix", "'{}' left out: its size is beyond all numbers", in.keyword());
+    in.warn("matrix", "'{}' left out: its size is not finite", in.keyword());
 }
 
 }  // namespace

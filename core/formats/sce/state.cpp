@@ -77,7 +77,7 @@ void scale(Loader& loader, Reader& in) {
 
 bool Loader::has_usable_matrix(Reader& in) const {
     if (!is_finite(state.matrix)) {
-        in.warn("matrix", "'{}' left out: its matrix is beyond all numbers", in.keyword());
+        in.warn("matrix", "'{}' left out: its matrix is not finite", in.keyword());
         return false;
     }
     if (is_singular(state.matrix)) {

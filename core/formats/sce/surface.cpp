@@ -22,7 +22,8 @@ void read_color(Loader& loader, Reader& in, Color Surface::*color) {
     Surface s = loader.state.surface;
     s.*color = in.color("colour");
     if (!in.ok()) return;
-    if (!is_finite(sent_back(s))) return in.warn("range", "'ca' times 'cr' is beyond every colour");
+    if (!is_finite(sent_back(s)))
+        return in.warn("range", "'ca' times 'cr' is too large for a colour");
     loader.state.surface = s;
     loader.state.material.reset();
 }

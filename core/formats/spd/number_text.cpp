@@ -25,7 +25,8 @@ void read_word(std::string_view word, std::size_t offset, DiagnosticLog& log,
         const ScannedNumber scanned = scan_number(p, last, value);
         if (scanned.status == NumberStatus::malformed) {
             if (!said)
-                log.warn(place, "syntax", "passed over what is no number in {}", in_quotes(word));
+                log.warn(place, "syntax", "passed over what is not a number in {}",
+                         in_quotes(word));
             said = true;
             p = std::find_if(p + 1, last, begins_number);
         } else {

@@ -95,7 +95,7 @@ class P3fScene {
         const Geometry& geometry = scene_.geometry;
         for (const Instance& instance : geometry.instances) {
             const auto copy = moved(geometry.objects[instance.object], instance.origin);
-            lost_.add(copy ? "instance, now a copy" : "instance beyond all numbers, left out");
+            lost_.add(copy ? "instance, now a copy" : "instance that is not finite, left out");
             if (copy) write_shapes(*copy);
         }
     }

@@ -80,7 +80,7 @@ TEST_CASE("words in a lens file are passed over") {
     lenses.write("50 4 1.5 20 mm\n0 1 0 10\n-50 45 1 20");
     const LoadResult loaded = lenses.load(file);
     CHECK(lenses.said(loaded) ==
-          Said{"a.dat:1:13: warning: passed over what is no number in 'mm'"});
+          Said{"a.dat:1:13: warning: passed over what is not a number in 'mm'"});
     CHECK(lenses.camera(loaded).lens);
 }
 

@@ -63,17 +63,17 @@ TEST_CASE("shapes after an unknown area light do not shine") {
     CHECK(frame.shapes.at(0).area_light == none);
 }
 
-TEST_CASE("a shape that moves is no light") {
+TEST_CASE("a shape that moves cannot be a light") {
     const Frame frame = world_with(
         "AreaLightSource \"diffuse\" ActiveTransform EndTime Translate 1 0 0\nShape "
         "\"sphere\"",
-        "a.pbrt:2:1: warning: a shape that moves is no light");
+        "a.pbrt:2:1: warning: a shape that moves cannot be a light");
     CHECK(frame.shapes.at(0).area_light == none);
 }
 
-TEST_CASE("a shape of an object is no light") {
+TEST_CASE("a shape of an object cannot be a light") {
     const Frame frame =
         world_with("AreaLightSource \"diffuse\" ObjectBegin \"o\"\nShape \"sphere\" ObjectEnd",
-                   "a.pbrt:2:1: warning: a shape of an object is no light");
+                   "a.pbrt:2:1: warning: a shape of an object cannot be a light");
     CHECK(frame.objects.at(0).shapes.at(0).area_light == none);
 }

@@ -91,7 +91,7 @@ TEST_CASE("trailing characters of a number are dropped with a warning") {
 TEST_CASE("surplus numbers of a type are dropped with a warning") {
     const Parameters p = light_with(
         "\"rgb I\" [1 2 3 4]",
-        "a.pbrt:1:32: warning: 'I' takes 3 numbers a value; the last 1 of 4 is left out");
+        "a.pbrt:1:32: warning: 'I' takes 3 numbers per value, found 4; left out at the end: 1");
     CHECK(p.color("I") == Color(1, 2, 3));
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("an unknown type, or none, loses the parameter") {
         "rgb, color, xyz, blackbody, spectrum";
     CHECK(camera_with("\"double fov\" 30",
                       "a.pbrt:1:22: error: expected a type and a name, found "
-                      "'double\\x20fov'; " +
+                      "'double fov'; " +
                           types)
               .number("fov") == 90);
     CHECK(camera_with("\"float\" 30",
@@ -207,10 +207,12 @@ TEST_CASE("xyz, blackbody and spectra are converted to RGB") {
 TEST_CASE("two black bodies are two values, a spectrum of many pairs is one") {
     light_with("\"blackbody I\" [3000 1 4000 1]",
                "a.pbrt:1:32: warning: 'I' is not used: it takes one value, not 2");
-    light_with("\"blackbody I\" [3000 1 4000]",
-               "a.pbrt:1:32: warning: 'I' takes 2 numbers a value; the last 1 of 3 is left out");
-    light_with("\"spectrum I\" [400 1 500]",
-               "a.pbrt:1:32: warning: 'I' takes 2 numbers a value; the last 1 of 3 is left out");
+    light_with(
+        "\"blackbody I\" [3000 1 4000]",
+        "a.pbrt:1:32: warning: 'I' takes 2 numbers per value, found 3; left out at the end: 1");
+    light_with(
+        "\"spectrum I\" [400 1 500]",
+        "a.pbrt:1:32: warning: 'I' takes 2 numbers per value, found 3; left out at the end: 1");
 }
 
 TEST_CASE("a spectrum in a file that is missing is black") {

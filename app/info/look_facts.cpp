@@ -1,0 +1,59 @@
+#include "app/info/look_facts.h"
+
+#include <algorithm>
+
+namespace etalon {
+namespace {
+
+LookFacts facts_of(const WhittedLook& look) {
+    LookFacts facts{look.materials.size()};
+    for (const Light& light : look.lights) {
+        facts.count_light(std::holds_alternative<QuadLight>(light) ? "quad" : "point");
+    }
+    const Color& background = look.environment.background;
+    facts.background = {background.x, background.y, background.z};
+    if (look.environment.skybox) facts.skybox = look.environment.skybox->faces;
+    const auto any = [&](bool (*test)(const Material&)) {
+        return std::ranges::any_of(look.materials, test);
+    };
+    facts.need(any([](const Material& m) { return m.reflection != Color(0.0F); }), "mirrored rays");
+    facts.need(any([](const Material& m) { return m.transmission != Color(0.0F); }),
+               "refracted rays");
+    facts.need(any([](const Material& m) { return m.absorption != Color(0.0F); }), "absorption");
+    facts.need(facts.lights.contains("quad"), "area light samples");
+    facts.need(look.environment.skybox.has_value(), "pictures");
+    return facts;
+}
+
+LookFacts facts_of(const PhysicalLook& look) {
+    LookFacts facts{look.materials.size()};
+    constexpr std::string_view kinds[] = {"point",   "spot",     "goniometric", "projection",
+                                          "distant", "infinite", "area"};
+    for (const PhysicalLight& light : look.lights) facts.count_light(kinds[light.index()]);
+    facts.need(facts.lights.contains("area"), "area light samples");
+    facts.need(!look.textures.numbers.empty() || !look.textures.colors.empty(), "textures");
+    facts.need(!look.textures.images.empty(), "pictures");
+    facts.need(!look.media.empty(), "media");
+    return facts;
+}
+
+}  // namespace
+
+void LookFacts::count_light(std::string_view kind) {
+    nlohmann::ordered_json& count = lights[std::string(kind)];
+    count = count.is_null() ? 1 : count.get<int>() + 1;
+}
+
+LookFacts facts_of(const Scene& s, const RenderSettings& settings) {
+    LookFacts facts = std::visit([](const auto& look) { return facts_of(look); }, s.look);
+    const bool has_lens = s.camera.projective
+                              ? s.camera.projective->lens_radius > 0 || s.camera.projective->lens
+                              : s.camera.aperture > 0;
+    facts.need(has_lens && settings.samples_per_pixel > 0, "lens samples");
+    facts.need(s.camera.sees_motion && settings.samples_per_pixel > 0, "time samples");
+    facts.need(!s.geometry.normals.empty() || s.geometry.all<Polygon>().have_normals(),
+               "interpolated normals");
+    return facts;
+}
+
+}  // namespace etalon

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/render_settings.h"
+#include "core/scene/scene.h"
+
+namespace etalon {
+
+/// What `info` says of a scene's materials and lights, and of what rendering it takes.
+struct LookFacts {
+    std::size_t materials = 0;
+    nlohmann::ordered_json lights = nlohmann::ordered_json::object();  ///< their number by kind
+    nlohmann::ordered_json background{}, skybox{};  ///< null where the look has none
+    std::vector<std::string> needs{};               ///< "mirrored rays", "lens samples", ...
+
+    void count_light(std::string_view kind);
+    void need(bool condition, const char* what) {
+        if (condition) needs.emplace_back(what);
+    }
+};
+
+/// Returns the facts of the scene as it is rendered by these settings.
+LookFacts facts_of(const Scene& scene, const RenderSettings& settings);
+
+}  // namespace etalon

@@ -1,0 +1,85 @@
+#include "app/trace/ray_file.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+
+#include "core/formats/file_text.h"
+
+namespace etalon {
+namespace {
+
+struct Number {
+    double value;
+    int column;  ///< of its first character, counted from 1
+};
+
+/// What is wrong with a line, and in which column; column 0 if nothing is.
+struct Fault {
+    int column = 0;
+    std::string_view what{};
+};
+
+/// Appends the numbers of a line to `numbers`, up to the first word that is not one.
+Fault parse_numbers(const std::string& line, std::vector<Number>& numbers) {
+    constexpr const char* blanks = " \t\r";
+    const std::string text = line.substr(0, line.find('#'));
+    const char* at = text.c_str();
+    while (true) {
+        at += std::strspn(at, blanks);
+        if (*at == 0) return {};
+        const int column = static_cast<int>(at - text.c_str()) + 1;
+        char* end = nullptr;
+        numbers.push_back({std::strtod(at, &end), column});  // decimal and hexadecimal floats
+        if (end == at || (*end != 0 && std::strchr(blanks, *end) == nullptr)) {
+            return {column, "not a number"};
+        }
+        at = end;
+    }
+}
+
+/// Makes a ray of the numbers of a line that has some.
+Fault make_ray(const std::vector<Number>& n, Ray& ray) {
+    if (n.size() != 6 && n.size() != 8 && n.size() != 9) {
+        return {n.front().column, "wrong count of numbers"};
+    }
+    const auto vec = [&](std::size_t i) {
+        return Vec3(n[i].value, n[i + 1].value, n[i + 2].value);
+    };
+    ray = Ray{vec(0), vec(3)};
+    if (n.size() >= 8) ray.tmin = n[6].value, ray.tmax = n[7].value;
+    if (n.size() < 9) return {};
+    if (!(n[8].value >= 0 && n[8].value < 1)) return {n[8].column, "time outside of [0, 1)"};
+    ray.set_time(shutter_time(n[8].value));
+    return {};
+}
+
+}  // namespace
+
+Result<std::vector<Ray>> read_rays(const std::string& path) {
+    const FileText file = read_file(path);
+    if (!file.error.empty()) return {{}, fmt::format("{}: error: {}", path, file.error)};
+    std::istringstream in{std::string(file.text())};
+    std::vector<Ray> rays;
+    std::vector<Number> numbers;
+    int number = 0;
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        numbers.clear();
+        Fault fault = parse_numbers(line, numbers);
+        if (numbers.empty()) continue;
+        Ray ray{};
+        if (fault.column == 0) fault = make_ray(numbers, ray);
+        if (fault.column != 0) {
+            return {{},
+                    fmt::format("{}:{}:{}: error: {}; expected '{}'", path, number, fault.column,
+                                fault.what, ray_format)};
+        }
+        rays.push_back(ray);
+    }
+    return {std::move(rays), {}};
+}
+
+}  // namespace etalon

@@ -1,0 +1,21 @@
+// Rays as text, the input of `etalon trace`.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/intersect/ray.h"
+
+namespace etalon {
+
+/// The numbers of a line. The time is a fraction of that between the shutter's opening and closing.
+inline constexpr std::string_view ray_format = "ox oy oz dx dy dz [tmin tmax [time]]";
+
+/// Reads a file, or standard input if the path is "-": one ray per line of decimal or hexadecimal
+/// floats, with comments from `#` to the end of the line. The error is "FILE:LINE:COLUMN: error:
+/// what, and what was expected", or "FILE: error: why it cannot be read".
+Result<std::vector<Ray>> read_rays(const std::string& path);
+
+}  // namespace etalon
