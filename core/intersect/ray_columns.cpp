@@ -69,14 +69,25 @@ namespace etalon {
 
 HWY_EXPORT(describe);
 
+namespace {
+
+/// Lanes of the widest instruction set.
+constexpr std::size_t padding = 8;
+static_assert(RayColumns::most % padding == 0);
+
+void set(RayColumns& columns, std::size_t i, const Ray& ray) {
+    columns.origins.set(i, ray.origin);
+    columns.directions.set(i, ray.direction);
+    columns.tmins[i] = ray.tmin;
+    columns.tmaxs[i] = ray.tmax;
+}
+
+}  // namespace
+
+/// The last ray fills what a vector has beyond it: rays alone decide a branch on all lanes.
 RayColumns::RayColumns(std::span<const Ray> rays) : count(rays.size()) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const Ray& ray = rays[i];
-        origins.set(i, ray.origin);
-        directions.set(i, ray.direction);
-        tmins[i] = ray.tmin;
-        tmaxs[i] = ray.tmax;
-    }
+    for (std::size_t i = 0; i < count; ++i) set(*this, i, rays[i]);
+    for (std::size_t i = count; i % padding != 0; ++i) set(*this, i, rays.back());
     HWY_DYNAMIC_DISPATCH(describe)(*this);
 }
 
