@@ -69,15 +69,18 @@ namespace etalon {
 
 HWY_EXPORT(describe);
 
+/// The last ray fills what a vector has beyond it: rays alone decide a branch on all lanes.
 RayColumns::RayColumns(std::span<const Ray> rays)
     : count(rays.size()), origins(own_origins_.span()), directions(own_directions_.span()) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const Ray& ray = rays[i];
+    static_assert(most % padded_doubles == 0);
+    const auto set = [&](std::size_t i, const Ray& ray) {
         own_origins_.set(i, ray.origin);
         own_directions_.set(i, ray.direction);
         tmins[i] = ray.tmin;
         tmaxs[i] = ray.tmax;
-    }
+    };
+    for (std::size_t i = 0; i < count; ++i) set(i, rays[i]);
+    for (std::size_t i = count; i % padded_doubles != 0; ++i) set(i, rays.back());
     HWY_DYNAMIC_DISPATCH(describe)(*this);
 }
 

@@ -1,7 +1,8 @@
 // A library to preload into a program under test: once it has opened the file whose name ends in
-// FAILS_AFTER, the calls that ask for memory, or with FAILS=thread those that start threads, are
-// counted, and the one numbered FAILS_AT fails, from 1. FAILS_AT=0 lets all succeed; how many there
-// were is written to the file FAILS_COUNT when the program ends.
+// FAILS_AFTER, or from its start where that is empty, the calls that ask for memory, or with
+// FAILS=thread those that start threads, are counted, and the one numbered FAILS_AT fails, from 1.
+// FAILS_AT=0 lets all succeed; how many there were is written to the file FAILS_COUNT when the
+// program ends.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -49,7 +50,9 @@ void note_opened(const char* path) {
 __attribute__((constructor)) void prepare() {
     const char* at = getenv("FAILS_AT");
     const char* what = getenv("FAILS");
+    const char* after = getenv("FAILS_AFTER");
     fails_at = at != nullptr ? atol(at) : 0;
+    is_counting = after != nullptr && *after == '\0';
     of_threads = what != nullptr && strcmp(what, "thread") == 0;
 }
 

@@ -22,33 +22,41 @@ constexpr const char* no_preload =
     "a build without sanitizers, which libraries can be preloaded into";
 
 struct Task {
-    std::string scene;    ///< below scenes/
-    std::string options;  ///< beside those that make it small
+    std::string begin;    ///< end of the file's name from whose opening on calls are counted
+    std::string command;  ///< arguments of etalon, to make image.exr
 };
 
-const std::vector<Task> tasks = {
-    {"features/glass.p3f", "-b bvh -t 1"},         {"features/meshes.p3f", "-b embree -t 1"},
-    {"features/meshes.p3f", "-b grid -t 2"},       {"pbrt/materials.pbrt", "-b bvh -t 2"},
-    {"pbrt/textures.pbrt", "-b embree-user -t 2"},
+/// Renders a scene below scenes/, small.
+Task rendering(const std::string& scene, const std::string& options) {
+    return {scene.substr(scene.find('/')),
+            fmt::format("render '" ETALON_SOURCE_DIR
+                        "/scenes/{}' --resolution 16x12 --spp 2 -q -o image.exr {}",
+                        scene, options)};
+}
+
+const std::vector<Task> renderings = {
+    rendering("features/glass.p3f", "-b bvh -t 1"),
+    rendering("features/meshes.p3f", "-b embree -t 1"),
+    rendering("features/meshes.p3f", "-b grid -t 2"),
+    rendering("pbrt/materials.pbrt", "-b bvh -t 2"),
+    rendering("pbrt/textures.pbrt", "-b embree-user -t 2"),
 };
 
-/// Runs a task whose `at`-th call of a kind fails, once it has opened the scene.
+/// Runs a task whose `at`-th call of a kind fails.
 ProgramResult run(const Folder& f, const Task& task, const std::string& kind, long at) {
-    const std::string name = task.scene.substr(task.scene.find('/'));
     return f.shell(
         fmt::format("rm -f image.exr; timeout -s KILL 60 env FAILS={} FAILS_AT={} FAILS_AFTER='{}' "
                     "FAILS_COUNT=count "
                     "LD_PRELOAD='" ETALON_BINARY_DIR "/lib/failing_calls.so' '" ETALON_BINARY_DIR
-                    "/bin/etalon' render '" ETALON_SOURCE_DIR "/scenes/{}' "
-                    "{} --resolution 16x12 --spp 1 -q -o image.exr",
-                    kind, at, name, task.scene, task.options));
+                    "/bin/etalon' {}",
+                    kind, at, task.begin, task.command));
 }
 
 /// What a run without a fault does.
 struct Whole {
     Whole(const Folder& f, const Task& task, const std::string& kind) {
         const ProgramResult r = run(f, task, kind, 0);
-        CAPTURE(task.scene, r.err);
+        CAPTURE(task.command, r.err);
         REQUIRE(r.status == 0);
         image = f.read("image.exr");
         calls = std::atol(f.read("count").c_str());
@@ -61,7 +69,7 @@ struct Whole {
 void check(const Folder& f, const Task& task, const std::string& kind, long at,
            const Whole& whole) {
     const ProgramResult r = run(f, task, kind, at);
-    CAPTURE(task.scene, task.options, kind, at, r.status, r.err);
+    CAPTURE(task.command, kind, at, r.status, r.err);
     if (r.status == 0) {
         CHECK(f.read("image.exr") == whole.image);
     } else {
@@ -71,6 +79,9 @@ void check(const Folder& f, const Task& task, const std::string& kind, long at,
     }
     CHECK(f.shell("ls -A | grep -vx -e image.exr -e count").out == "");
 }
+
+/// How many calls of a task fail in the usual tests.
+constexpr long runs = 25;
 
 /// Lets every `step`-th call fail, and the last ones: those are made after the image was written.
 void check_each(const Folder& f, const Task& task, long step) {
@@ -88,25 +99,38 @@ TEST_CASE("A call for memory that fails ends in words, or changes nothing",
           "[faults][needs_preload]") {
     SKIP_UNLESS(can_preload, no_preload);
     const Folder f;
-    constexpr long runs = 25;
-    for (const Task& task : tasks) {
+    for (const Task& task : renderings) {
         check_each(f, task, Whole(f, task, "memory").calls / runs);
     }
+}
+
+TEST_CASE("A call for memory that fails where a library must not throw ends in words",
+          "[faults][needs_preload]") {
+    SKIP_UNLESS(can_preload, no_preload);
+    const Folder parts, f;
+    for (const int part : {1, 2}) {
+        const Task rendered = rendering("features/glass.p3f", fmt::format("--part {}/2", part));
+        REQUIRE(run(parts, rendered, "memory", 0).status == 0);
+        REQUIRE(parts.shell(fmt::format("mv image.exr {}.exr", part)).status == 0);
+    }
+    const Task merging{
+        "", fmt::format("merge '{}' '{}' -o image.exr", parts.path("1.exr"), parts.path("2.exr"))};
+    check_each(f, merging, Whole(f, merging, "memory").calls / (4 * runs));
 }
 
 TEST_CASE("Every call for memory that fails ends in words, or changes nothing",
           "[faults][needs_preload][long]") {
     SKIP_UNLESS(can_preload, no_preload);
     const Folder f;
-    for (const Task& task : tasks) check_each(f, task, 1);
+    for (const Task& task : renderings) check_each(f, task, 1);
 }
 
 TEST_CASE("A thread that cannot be started ends in words, or changes nothing",
           "[faults][needs_preload]") {
     SKIP_UNLESS(can_preload, no_preload);
     const Folder f;
-    for (Task task : tasks) {
-        task.options.back() = '4';
+    for (Task task : renderings) {
+        task.command.back() = '4';
         const Whole whole(f, task, "thread");
         for (long at = 1; at <= 4; ++at) check(f, task, "thread", at, whole);
     }

@@ -3,6 +3,6 @@
 
 namespace etalon::fuzz {
 
-const Target target = {[](std::string_view text) { read_scene("pbrt", text); }, true, false};
+const Target target = {[](std::string_view text) { read_scene("pbrt", text); }, true};
 
 }  // namespace etalon::fuzz

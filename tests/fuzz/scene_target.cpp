@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "core/base/hash64.h"
 #include "core/formats/load.h"
 #include "core/formats/write/write.h"
 #include "tests/formats/sane_scene.h"
@@ -22,6 +23,12 @@ void check(const LoadResult& result) {
         const std::string defect = insanity(result);
         require(defect.empty(), "not sane: " + defect);
     }
+}
+
+/// Whether what is read of a text is written, too. A curved surface is thousands of facets in P3F:
+/// to write every scene took four fifths of the time of SCE's reader.
+bool is_written(std::string_view text) {
+    return hash64(text) % 4 == 0;
 }
 
 /// What was read can be written; P3F can be read again.
@@ -45,7 +52,7 @@ void read_scene(const std::string& format, std::string_view text) {
     options.format = format;
     const LoadResult result = load_scene_text(text, path, options);
     check(result);
-    if (result.scene) write(result);
+    if (result.scene && is_written(text)) write(result);
 }
 
 }  // namespace etalon::fuzz

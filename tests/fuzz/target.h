@@ -11,8 +11,7 @@ struct Target {
     void (*run)(std::string_view input);
     bool is_text = false;  ///< words and numbers are changed as such, too
     /// Whether memory may end anywhere, and nothing is lost. Not so of OpenEXR and OpenImageIO;
-    /// nlohmann-json and CLI11 end the program where they need memory in what must not throw; and
-    /// of PBRT a list of one name is said to be lost, in clang 14's build.
+    /// nlohmann-json and CLI11 end the program where they need memory in what must not throw.
     bool survives_lack_of_memory = true;
 };
 

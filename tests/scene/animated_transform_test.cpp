@@ -24,18 +24,18 @@ Affine any_map(Random& random, double most_degrees) {
 }  // namespace
 
 TEST_CASE("MotionTimes: given times of a motion and a shutter, then the part that is done") {
-    constexpr ShutterTime half = ShutterTime{1} << 23;
+    constexpr ShutterTime middle = ShutterTime{1} << 23;
     CHECK(MotionTimes{}.part(0) == 0);
-    CHECK(MotionTimes{}.part(half) == 0.5);
+    CHECK(MotionTimes{}.part(middle) == 0.5);
     CHECK(MotionTimes{}.part(last_shutter_time) == 1 - 0x1p-24);
     const MotionTimes late{1, 3, 2, 6};  // half is done when the shutter opens
     CHECK(late.part(0) == 0.5);
-    CHECK(late.part(half / 4) == 0.75);
-    CHECK(late.part(half) == 1);
+    CHECK(late.part(middle / 4) == 0.75);
+    CHECK(late.part(middle) == 1);
     CHECK((late.see_motion() && !MotionTimes{0, 1, 2, 3}.see_motion()));
-    CHECK(MotionTimes{1, 1, 0, 2}.part(half) == 0);
-    CHECK(MotionTimes{1, 1, 0, 2}.part(half + 1) == 1);
-    CHECK((shutter_time(0) == 0 && shutter_time(0.5) == half));
+    CHECK(MotionTimes{1, 1, 0, 2}.part(middle) == 0);
+    CHECK(MotionTimes{1, 1, 0, 2}.part(middle + 1) == 1);
+    CHECK((shutter_time(0) == 0 && shutter_time(0.5) == middle));
     CHECK(shutter_time(std::nextafter(1.0, 0.0)) == last_shutter_time);
 }
 
