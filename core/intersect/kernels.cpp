@@ -2,6 +2,7 @@
 
 #include "core/intersect/cut_outs.h"
 #include "core/intersect/placement.h"
+#include "core/intersect/rescaled_ray.h"
 #include "core/intersect/shapes/all_shapes.h"
 
 namespace etalon {
@@ -96,6 +97,11 @@ namespace {
 /// for it.
 [[gnu::noinline]] SurfacePoint surface_of_instance(const Geometry& geometry, const Ray& ray,
                                                    const Hit& hit) {
+    if (has_extreme_direction(ray)) {
+        const RescaledRay usual(ray);
+        const Hit same{hit.t / usual.unit, hit.primitive, hit.instance};
+        return surface_of_instance(geometry, usual.ray, same);
+    }
     const InstanceAt instance(geometry, hit.instance, ray.time());
     const Geometry& object = geometry.objects[instance->object];
     SurfacePoint local =

@@ -1,6 +1,7 @@
 #include "core/intersect/placement.h"
 
 #include "core/intersect/kernels.h"
+#include "core/intersect/rescaled_ray.h"
 
 namespace etalon {
 namespace {
@@ -88,6 +89,10 @@ Parametrization placed(const Instance& instance, const Parametrization& local) {
 }
 
 double first_hit(const Geometry& geometry, HitKey key, const Ray& ray) {
+    if (has_extreme_direction(ray)) {
+        const RescaledRay usual(ray);
+        return first_hit(geometry, key, usual.ray) * usual.unit;
+    }
     const std::uint32_t instance = static_cast<std::uint32_t>(key >> 32) - 1;
     const auto primitive = static_cast<std::uint32_t>(key);
     const Geometry& holder = geometry.holder(instance);

@@ -49,16 +49,17 @@ Crossings define(const Geometry&, const Cone& c, const Ray& ray) {
 
 namespace {
 
-/// Whether the root is at a face of the box or within: o + t d, or, where that cannot be told, that
-/// the form a t^2 + 2 b t + c is known to vanish at the face.
-Certainty is_within(const Box3& box, const Ray& ray, const Tracked& t, const Tracked& a,
-                    const Tracked& b, const Tracked& c) {
+/// Whether the root t is at a face of the box or within: o + t d, or, where that cannot be told,
+/// that the form a t^2 + 2 b t + c is known to vanish at the face, and not by the other root.
+Certainty is_within(const Box3& box, const Ray& ray, const Tracked& t, const Tracked* other,
+                    const Tracked& a, const Tracked& b, const Tracked& c) {
     Certainty within = Certainty::yes;
     for (int k = 0; k < 3; ++k) {
         const Tracked o = ray.origin[k], d = ray.direction[k], p = o + t * d;
         const auto is_at = [&](double face) {
             const Tracked w = Tracked(face) - o;
-            return is_zero(a * w * w + 2 * (b * w * d) + c * d * d) & !is_zero(d);
+            const Certainty is_other = other == nullptr ? Certainty::no : is_zero(w - *other * d);
+            return is_zero(a * w * w + 2 * (b * w * d) + c * d * d) & !is_zero(d) & !is_other;
         };
         const auto is_not_beyond = [&](Certainty inside, double face) {
             return inside == Certainty::unknown ? inside | is_at(face) : inside;
@@ -96,7 +97,9 @@ Crossings define(const Geometry&, const Quadric& s, const Ray& ray) {
     const Roots roots = solve(a, b, c);
     for (std::size_t i = 0; i < roots.count; ++i) {
         const Root& root = roots.list[i];
-        found.add({root.t, root.exists & is_within(s.clip, ray, root.t, a, b, c), root.falling});
+        const Tracked* const other = roots.count == 2 ? &roots.list[1 - i].t : nullptr;
+        const Certainty within = is_within(s.clip, ray, root.t, other, a, b, c);
+        found.add({root.t, root.exists & within, root.falling});
     }
     return found;
 }

@@ -4,6 +4,7 @@
 
 #include "core/intersect/kernels.h"
 #include "core/intersect/placement.h"
+#include "core/intersect/rescaled_ray.h"
 #include "core/oracle/definitions.h"
 
 namespace etalon {
@@ -55,8 +56,9 @@ OracleAnswer answer_from(const Meetings& meetings, double tie) {
     OracleAnswer answer;
     const auto& nearest = meetings.nearest;
     for (const Meeting& m : meetings.all) {
-        const bool tied = nearest && magnitude(m.t.value - nearest->t.value) <=
-                                         magnitude(nearest->t.value) * Quad(tie) + nearest->t.error;
+        const bool tied =
+            nearest && magnitude(m.t.value - nearest->t.value) + m.t.error <=
+                           magnitude(nearest->t.value) * Quad(tie) + 2 * nearest->t.error;
         if (tied) {
             answer.tied.push_back(m.key);
         } else if (!nearest || m.t.value - m.t.error <= nearest->t.value) {
@@ -158,8 +160,16 @@ void Oracle::meet(const Ray& ray, double tie, std::uint32_t instance, Meetings& 
     }
 }
 
+/// Objects are defined to see a ray of usual length: see RescaledRay.
 OracleAnswer Oracle::closest(const Ray& ray, double tie) const {
     if (!is_valid(ray)) return {};
+    if (has_extreme_direction(ray)) {
+        const RescaledRay usual(ray);
+        OracleAnswer answer = closest(usual.ray, tie);
+        answer.exact_t *= Quad(usual.unit);
+        answer.t = static_cast<double>(answer.exact_t);
+        return answer;
+    }
     Meetings meetings;
     meet(ray, tie, no_index, meetings);
     const Ray meant = RayQuery(ray).ray;

@@ -17,7 +17,8 @@ namespace etalon::HWY_NAMESPACE {
 /// that Passages need, as those of instances of many sizes are. So they have the least; the ray's
 /// slack moves their planes outward. Those of o's second float round far below that. The other
 /// roundings, of the difference, of d, its reciprocal and the result, are at most 6 u of it, u =
-/// 2^-24, and those of the plane on the other side as much: `to` is lengthened by 16 u of itself.
+/// 2^-24, and those of the plane on the other side as much: `from` is shortened by 16 u of itself.
+/// Whoever compares it with the place of a hit, as it waits in the stack, needs that, too.
 class FinePassages {
   public:
     HWY_INLINE FinePassages(const NormalizedRay& ray, const FineRay& fine) {
@@ -33,7 +34,7 @@ class FinePassages {
 
     HWY_INLINE Floats entry(Floats planes, int k) const { return passage(planes, rest_in_[k], k); }
     HWY_INLINE Floats exit(Floats planes, int k) const { return passage(planes, rest_out_[k], k); }
-    HWY_INLINE Floats latest(Floats to) const { return hn::Mul(to, broadcast(1 + 0x1p-20F)); }
+    HWY_INLINE Floats earliest(Floats from) const { return hn::Mul(from, broadcast(1 - 0x1p-20F)); }
 
   private:
     HWY_INLINE Floats passage(Floats planes, Floats rest, int k) const {

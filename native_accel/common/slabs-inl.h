@@ -41,8 +41,9 @@ class SlabTest {
                 from = hn::Max(from, passages_.entry(hn::Load(Tag(), &node.planes[near]), k));
                 to = hn::Min(to, passages_.exit(hn::Load(Tag(), &node.planes[far]), k));
             }
+            from = passages_.earliest(from);
             hn::Store(from, Tag(), &entry[i]);
-            found |= bits(hn::Le(from, passages_.latest(to)), i);
+            found |= bits(hn::Le(from, to), i);
         }
         return found;
     }
@@ -71,7 +72,7 @@ class Passages {
         return hn::MulSub(planes, reciprocal_[k], offset_[k]);
     }
     HWY_INLINE Floats exit(Floats planes, int k) const { return entry(planes, k); }
-    HWY_INLINE Floats latest(Floats to) const { return to; }
+    HWY_INLINE Floats earliest(Floats from) const { return from; }
 
   private:
     std::array<Floats, 3> reciprocal_, offset_;

@@ -123,6 +123,27 @@ TEST_CASE("Given a primitive and instances at the same distance, the primitive w
     }
 }
 
+TEST_CASE("Given an instance just before a primitive, it is found after that", "[instances]") {
+    Geometry geometry;
+    geometry.add(Box{{-1, -1, 0}, {1, 1, 1}}, 0);
+    geometry.objects.resize(1);
+    geometry.objects[0].add(Box{{-1, -1, 0}, {1, 1, 0}}, 0);
+    geometry.instances.emplace_back(Affine{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -0x1p-32}}, 0);
+    Random random(32);
+    std::vector<Ray> rays;
+    std::vector<Hit> expected;
+    for (int i = 0; i < 500; ++i) {
+        const Vec3 origin = Vec3(0, 0, -3) + random.in_cube();
+        rays.push_back({origin, 0.5 * random.in_cube() - origin});
+        expected.push_back(all_tested(geometry, rays.back()));
+        REQUIRE(expected.back().instance == 0);
+    }
+    for (const Backend& backend : exact_backends()) {
+        INFO("backend " << backend.name);
+        CHECK(count_wrong(backend, geometry, rays, expected) == 0);
+    }
+}
+
 namespace {
 
 /// Boxes of sizes from 1e-7 to 10, by instances of one box, anywhere within 10 of the origin.

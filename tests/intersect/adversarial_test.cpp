@@ -99,3 +99,28 @@ TEST_CASE("Kernels: given any hit, then t is finite and the point has all its nu
         }
     }
 }
+
+namespace {
+
+double sphere_hit(const Sphere& sphere, const Ray& ray) {
+    Scene scene;
+    scene.geometry.add(sphere, 0);
+    return primitive_first_hit(scene.geometry, 0, RayQuery(ray));
+}
+
+}  // namespace
+
+TEST_CASE("Spheres: given a ray from any distance, then hit and miss are exact") {
+    const Vec3 direction(3, 4, 0), across(4, -3, 0);
+    for (int k = 60; k < 960; k += 20) {
+        CAPTURE(k);
+        const Vec3 origin = std::ldexp(-1, k) * direction;
+        const Vec3 beside(std::nextafter(origin.x, 0), origin.y, 0);
+        const double t = std::ldexp(1, k);
+        REQUIRE(sphere_hit({{0, 0, 0}, 1}, {origin, direction}) == t);
+        REQUIRE(std::isnan(sphere_hit({{0, 0, 0}, 1}, {beside, direction})));
+        REQUIRE(sphere_hit({across, 5}, {origin, direction}) == t);
+        REQUIRE(std::isnan(sphere_hit({across, std::nextafter(5, 0)}, {origin, direction})));
+        REQUIRE(sphere_hit({0x1p-200 * across, 5 * 0x1p-200}, {origin, direction}) == t);
+    }
+}

@@ -1,5 +1,7 @@
 #include "core/oracle/oracle.h"
 
+#include "core/intersect/kernels.h"
+#include "core/intersect/placement.h"
 #include "core/oracle/tracked.h"
 #include "tests/catch.h"
 #include "tests/intersect/rays_at_shapes.h"
@@ -94,6 +96,45 @@ TEST_CASE("Oracle: given equal distances, then all are named and the lowest numb
     REQUIRE(answer.kind == OracleAnswer::hit);
     REQUIRE(answer.primitive == 1);
     REQUIRE(answer.tied == std::vector<HitKey>{1, 2, 3});
+}
+
+TEST_CASE("Oracle: given a root that even quad precision leaves open, then it is no tie") {
+    // The box is met at 3.2e-7, and the sphere, which the ray all but touches, at 3.164...e-7.
+    Scene scene;
+    scene.geometry.add(Box{{-6, -2, -1e20}, {1e20, -1.5, -128}}, 0);
+    scene.geometry.add(Sphere{{1e-20, -2, -128}, 1e20}, 0);
+    const OracleAnswer answer =
+        Oracle(scene.geometry).closest({{1e20, -2, -1e-20}, {0, 5e-12, -4e8}});
+    REQUIRE(answer.kind == OracleAnswer::undecidable);
+}
+
+TEST_CASE("Oracle: given a root where the ray begins, then it is not taken for the one after") {
+    // The line leaves the flat box at its origin, by a distance that quad precision does not see.
+    Scene scene;
+    const Vec3 centre(-6.86, -1e20, 1e20), half(1, 0, 0);
+    scene.geometry.add(
+        Quadric{centre, {0, 2, 1, -2, 2, 2, -2, -1, 0, 0}, {centre - half, centre + half}}, 0);
+    const OracleAnswer answer = Oracle(scene.geometry).closest({centre, {-1e5, 0, -1e20}});
+    REQUIRE(answer.kind != OracleAnswer::hit);
+}
+
+TEST_CASE("Oracle: given an instance and a direction of any length, then the ray finds the same") {
+    Geometry geometry;
+    geometry.objects.resize(1);
+    geometry.objects[0].add(Sphere{{0, 0, 0}, 1}, 0);
+    const double size = 0x1p-70;
+    geometry.instances.emplace_back(Affine{{size, 0, 0}, {0, size, 0}, {0, 0, size}, Vec3(0)}, 0);
+    const Oracle oracle(geometry);
+    for (const int exponent : {-1000, -90, 0, 90, 950, 1000}) {
+        CAPTURE(exponent);
+        const Ray ray{{0, 0, -2 * size}, {0, 0, std::ldexp(1, exponent)}};
+        const OracleAnswer answer = oracle.closest(ray);
+        const double t = std::ldexp(size, -exponent);
+        REQUIRE(answer.kind == OracleAnswer::hit);
+        REQUIRE(answer.t == t);
+        REQUIRE(first_hit(geometry, key_of(0, 0), ray) == t);
+        REQUIRE(surface_at(geometry, ray, {t, 0, 0}).position == Vec3(0, 0, -size));
+    }
 }
 
 TEST_CASE("Oracle: given many shapes, then the nearest of all single answers is the scene's") {

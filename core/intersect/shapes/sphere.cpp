@@ -1,5 +1,7 @@
 #include "core/intersect/shapes/sphere.h"
 
+#include "core/intersect/shapes/exact_quadratic.h"
+#include "core/numerics/dyadic_vec.h"
 #include "core/numerics/exact.h"
 
 namespace etalon {
@@ -25,6 +27,25 @@ double fine_gap(const Sphere& s, const Vec3& origin) {
     return sum + rest;
 }
 
+namespace {
+
+/// Whether no bit of a product of four such numbers, scaled, is below the range of double.
+bool is_in_range(const Vec3& v, double scale) {
+    const auto is = [&](double x) { return x == 0 || std::abs(x * scale) > 0x1p-200; };
+    return is(v.x) && is(v.y) && is(v.z);
+}
+
+/// The same in integers: for a ray from 2^200 radii away, or with components as unequal as that.
+[[gnu::noinline]] double widest_first_hit(const Sphere& s, Sides sides, const Ray& ray) {
+    const DyadicVec f = difference(ray.origin, s.centre), d = exactly(ray.direction);
+    const ExactQuadratic form(dot(d, d), dot(f, d), dot(f, f) - square(Dyadic(s.radius)));
+    if (!form.has_roots()) return no_hit;
+    return first_visible(form.root(ExactQuadratic::in), form.root(ExactQuadratic::out), sides,
+                         ray.tmin);
+}
+
+}  // namespace
+
 /// Scales by powers of two, so that no product leaves the range of double: the sphere by `near`,
 /// the direction by `slow`.
 double exact_first_hit(const Sphere& s, Sides sides, const RayQuery& q) {
@@ -32,6 +53,10 @@ double exact_first_hit(const Sphere& s, Sides sides, const RayQuery& q) {
     const double size = std::max(max_abs(q.ray.origin - s.centre), s.radius);
     const double near = power_of_two_reciprocal(size);
     const double slow = power_of_two_reciprocal(max_abs(q.ray.direction));
+    if (!is_in_range(q.ray.direction, slow) || !is_in_range(q.ray.origin, near) ||
+        !is_in_range(s.centre, near) || !is_in_range(Vec3(s.radius), near)) {
+        return widest_first_hit(s, sides, q.ray);
+    }
     const Vec3 d = q.ray.direction * slow, o = q.ray.origin * near, centre = s.centre * near;
     const Expansion<1> r(s.radius * near);
     const std::array<Difference, 3> f = {Difference(two_difference(o.x, centre.x)),
