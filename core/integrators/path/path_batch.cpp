@@ -167,6 +167,7 @@ void PathBatch<in_media>::scatter_in_medium(std::size_t ray, const VertexNumbers
                     rays_[ray].time(),
                     segment_of(rays_[ray], end_of(hits_[ray])),
                     flight_densities_[ray]};
+    at.survival = survival(path);  // no direction changes what it carries
     see_lit_regions(path.last, at);
     if (!shared_.lights.empty()) ask_lights(path, at);
     scatter(path, at);

@@ -51,6 +51,7 @@ void PathBatch<in_media>::scatter(const Path& path, const Vertex& at) {
     Path part = path;
     part.is_split = true;
     part.throughput /= static_cast<float>(at.ways);
+    part.roulette_scale *= static_cast<float>(at.ways);
     for (std::uint32_t i = 0; i < at.ways; ++i) {
         part.source = path.source.part(i, at.ways);
         scatter(part, at, at.numbers.first_way + i);
@@ -61,6 +62,7 @@ template <bool in_media>
 template <class Vertex>
 void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_t way) {
     const Vec2 choices = ways_.choices(way);
+    if (choices.y >= at.survival) return;
     float favour = 1;
     const std::optional<BsdfSample> s =
         sample_direction<in_media>(at, choices.x, ways_.place(way), favour);
@@ -70,15 +72,15 @@ void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_
     }
     const float cosine = at.cosine(s->wi);
     Path& next = next_paths_.emplace_back(path);
-    next.throughput *= s->f * (cosine / s->pdf);
-    next.density = static_cast<float>(at.ways) * s->pdf;
+    next.throughput *= s->f * (cosine / (s->pdf * at.survival));
+    next.density = at.expected_ways() * s->pdf;
     next.specular = s->specular;
     // From between the horizons pbrt-v3 takes the light of lights only.
     next.last_ray = s->turned || (shared_.direct_only && !s->specular);
-    next.eta_scale *= s->eta * s->eta * favour;
+    next.roulette_scale *= s->eta * s->eta * favour;
     ++next.depth;
     next.name = ray_name(path.name, false);
-    if (!survives(next, choices.y)) {
+    if (std::is_same_v<Vertex, SurfaceVertex> && !survives(next, choices.y)) {
         next_paths_.pop_back();
         return;
     }
@@ -87,27 +89,31 @@ void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_
     ++(s->transmission ? counts_.refracted : counts_.reflected);
 }
 
-/// Russian roulette by throughput: a path goes on with a probability in proportion to what it may
-/// still carry, so that those that do carry about the same.
+/// Probability with which a path goes on, in proportion to what it may still carry, so that those
+/// that do carry about the same (Russian roulette by throughput).
+template <bool in_media>
+float PathBatch<in_media>::survival(const Path& path) const {
+    constexpr float part_kept = 2.5F;  // by measurement: less costs more by the survivors' noise
+    const Color expected = path.throughput * path.roulette_scale;
+    const float most = std::max({expected.x, expected.y, expected.z});
+    return std::min(part_kept * most / shared_.roulette_threshold, 1.0F);
+}
+
+/// Whether a path from a surface goes on, which then carries what others would have.
 template <bool in_media>
 bool PathBatch<in_media>::survives(Path& path, double choice) const {
-    // Both by measurement: earlier, or by less of the throughput as in pbrt-v3, costs more by the
-    // noise of the survivors than it saves in rays.
-    constexpr int first_at_stake = 3;
-    constexpr float part_kept = 2.5F;
+    constexpr int first_at_stake = 3;  // by measurement, too
     if (path.depth < first_at_stake) return true;
-    const float parts = path.is_split ? static_cast<float>(split_ways) : 1.0F;
-    const Color expected = path.throughput * (path.eta_scale * parts);
-    const float most = std::max({expected.x, expected.y, expected.z});
-    const float survival = part_kept * most / shared_.roulette_threshold;
-    if (!(survival < 1)) return true;
-    if (choice >= survival) return false;
-    path.throughput /= survival;
+    const float probability = survival(path);
+    if (choice >= probability) return false;
+    path.throughput /= probability;
     return true;
 }
 
 template void PathBatch<false>::see_lit_regions(const Receiver&, PathVertex&);
 template void PathBatch<true>::see_lit_regions(const Receiver&, PathVertex&);
+template float PathBatch<false>::survival(const Path&) const;
+template float PathBatch<true>::survival(const Path&) const;
 template void PathBatch<false>::scatter(const Path&, const SurfaceVertex&);
 template void PathBatch<true>::scatter(const Path&, const SurfaceVertex&);
 template void PathBatch<true>::scatter(const Path&, const MediumVertex&);

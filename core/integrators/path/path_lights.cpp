@@ -88,7 +88,7 @@ void PathBatch<in_media>::ask_light(const Path& path, const Vertex& at, const Qu
     float weight = 1;
     if (!light.is_delta) {
         const float scattered_density =
-            static_cast<float>(at.ways) * density_of<in_media>(at, light.wi, scattered.pdf);
+            at.expected_ways() * density_of<in_media>(at, light.wi, scattered.pdf);
         weight = light.at_infinity ? balance_weight(asked, scattered_density)
                                    : power_weight(asked, scattered_density);
     }
