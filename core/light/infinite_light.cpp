@@ -14,22 +14,17 @@ constexpr double pi = std::numbers::pi;
 /// Columns of the image by which directions to a skybox are chosen.
 constexpr int overview_width = 512;
 
+/// As many cells of a sky's table fit into a second level cache.
+constexpr std::size_t enough_cells = 1 << 15;
+
+/// What larger ones may cost in noise, which media make much more of.
+constexpr double most_moment = 1.05;
+
 /// The inverse of a map whose columns are at right angles to each other, or any other.
 Affine inverse_directions(const Affine& m) {
     const double d = m.determinant();
     const Vec3 a = m.y.cross(m.z) / d, b = m.z.cross(m.x) / d, c = m.x.cross(m.y) / d;
     return {{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}, Vec3(0)};
-}
-
-/// The cell of a row that has a share in [0, 1) of the row's sum, and how far the share is on the
-/// way there from the cell before.
-std::pair<std::size_t, double> find_in(const SearchGuide& guide, std::size_t row,
-                                       std::span<const double> sums, double share) {
-    auto i = std::min(guide.first_above(row, sums, share), sums.size() - 1);
-    while (i > 0 && sums[i] == sums[i - 1]) --i;  // a cell of density 0 at the end
-    const double before = i == 0 ? 0 : sums[i - 1], size = sums[i] - before;
-    const double value = share * sums.back();
-    return {i, size > 0 ? std::clamp((value - before) / size, 0.0, 1 - 0x1p-53) : 0.5};
 }
 
 /// Ninths of a row's luminances, from the column before the first to the one after the last.
@@ -90,71 +85,49 @@ Color InfiniteLight::radiance(const Vec3& direction) const {
 /// may show, perhaps less the mean of all, times the sine that makes a square of the sphere.
 void InfiniteLight::prepare_sampling(SkySampling sampling) {
     const int width = image_.width(), height = image_.height();
-    cells_ = blurred_luminances(image_);
+    CellValues cells{width, height, blurred_luminances(image_)};
     double sum = 0, weights = 0;
     Vec3 colors(0);
     for (int y = 0; y < height; ++y) {
         const double sine = std::sin(pi * (y + 0.5) / height);
         for (int x = 0; x < width; ++x) {
-            sum += sine * cells_[static_cast<std::size_t>(y) * width + x];
+            sum += sine * cells.values[static_cast<std::size_t>(y) * width + x];
             colors += sine * Vec3(image_.texel(x, y));
             weights += sine;
         }
     }
     mean_ = Color(colors / weights) * source_.radiance;
     const double left_out = sampling == SkySampling::above_mean ? sum / weights : 0;
-    sums_.reserve(cells_.size());
-    double total = 0;
-    std::vector<double> row_sums(height);
     for (int y = 0; y < height; ++y) {
         const double sine = std::sin(pi * (y + 0.5) / height);
-        double row = 0;
-        for (int x = 0; x < width; ++x) {
-            const std::size_t i = static_cast<std::size_t>(y) * width + x;
-            cells_[i] = sine * std::max(0.0, cells_[i] - left_out);
-            sums_.push_back(row += cells_[i]);
-        }
-        row_sums[y] = total += row;
+        double* const row = &cells.values[static_cast<std::size_t>(y) * width];
+        for (int x = 0; x < width; ++x) row[x] = sine * std::max(0.0, row[x] - left_out);
     }
+    if (sampling == SkySampling::whole) {
+        cells = joined_cells(std::move(cells), enough_cells, most_moment);
+    }
+    PiecewiseConstant2D places(cells.width, cells.height, std::move(cells.values));
     // An image of one colour, up to roundings, is sampled by surfaces alone.
-    if (!(total > 1e-6 * sum) || !std::isfinite(total)) return;
-    row_sums_ = std::move(row_sums);
-    row_guide_.add(row_sums_);
-    for (int y = 0; y < height; ++y) guide_.add(sums_of_row(y));
-    const double cell_area = 1.0 / (static_cast<double>(width) * height);
-    for (double& cell : cells_) cell /= total * cell_area;
-}
-
-std::span<const double> InfiniteLight::sums_of_row(std::size_t row) const {
-    const auto width = static_cast<std::size_t>(image_.width());
-    return {&sums_[row * width], width};
+    if (places.sum() > 1e-6 * sum && std::isfinite(places.sum())) places_ = std::move(places);
 }
 
 LightSample InfiniteLight::sample(const Vec2& uv) const {
     LightSample s;
     s.at_infinity = true;
-    if (row_sums_.empty()) return s;
-    const auto width = static_cast<std::size_t>(image_.width());
-    const auto [row, v] = find_in(row_guide_, 0, row_sums_, uv.y);
-    const auto [column, u] = find_in(guide_, row, sums_of_row(row), uv.x);
-    const Vec2 place((static_cast<double>(column) + u) / image_.width(),
-                     (static_cast<double>(row) + v) / image_.height());
+    if (places_.empty()) return s;
+    const auto [place, density] = places_.sample(uv);
     const double sine = std::sin(pi * place.y);
     s.wi = normalized(to_world_.vector(SphericalImage::direction_at(place)));
-    s.pdf = static_cast<float>(cells_[row * width + column] / (2 * pi * pi * sine));
+    s.pdf = static_cast<float>(density / (2 * pi * pi * sine));
     s.radiance = lookup(place);
     return s;
 }
 
 double InfiniteLight::pdf(const Vec3& direction) const {
-    if (row_sums_.empty()) return 0;
+    if (places_.empty()) return 0;
     const Vec2 place = place_of(direction);
-    const int width = image_.width(), height = image_.height();
-    const int x = std::min(static_cast<int>(place.x * width), width - 1);
-    const int y = std::min(static_cast<int>(place.y * height), height - 1);
     const double sine = std::sin(pi * place.y);
-    if (!(sine > 0)) return 0;
-    return cells_[static_cast<std::size_t>(y) * width + x] / (2 * pi * pi * sine);
+    return sine > 0 ? places_.density(place) / (2 * pi * pi * sine) : 0;
 }
 
 }  // namespace etalon

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "core/light/light_sample.h"
-#include "core/light/search_guide.h"
+#include "core/light/piecewise_constant.h"
 #include "core/light/skybox_light.h"
 #include "core/light/spherical_image.h"
 #include "core/scene/physical_light.h"
@@ -18,8 +16,9 @@ enum class SkySampling : std::uint8_t {
     /// By how much it is brighter than its mean (MIS compensation: Karlik et al. 2019); what is
     /// darker is left to the directions that surfaces choose.
     above_mean,
-    /// By its brightness. Where media may end the rays of chosen directions, light that is asked
-    /// for, and weakened, is less noisy.
+    /// By its brightness, in cells that may have many texels. Where media may end the rays of
+    /// chosen
+    /// directions, light that is asked for, and weakened, is less noisy.
     whole,
 };
 
@@ -44,23 +43,19 @@ class InfiniteLight {
     const Color& mean() const { return mean_; }
 
     /// Whether sample() has any direction to offer.
-    bool can_be_sampled() const { return !row_sums_.empty(); }
+    bool can_be_sampled() const { return !places_.empty(); }
 
   private:
     Color lookup(const Vec2& place) const;
     Vec2 place_of(const Vec3& direction) const;
     void prepare_sampling(SkySampling sampling);
-    std::span<const double> sums_of_row(std::size_t row) const;
 
     InfiniteSource source_;
     Affine to_world_;
     std::unique_ptr<const SkyboxLight> skybox_;
     SphericalImage image_;  ///< of a skybox an overview, by which directions are sampled
     Color mean_{0.0F};
-    std::vector<double> cells_;      ///< densities over the unit square, by rows
-    std::vector<double> sums_;       ///< of each row, up to and with each cell
-    std::vector<double> row_sums_;   ///< of rows, up to and with each
-    SearchGuide guide_, row_guide_;  ///< of these
+    PiecewiseConstant2D places_;  ///< of directions
 };
 
 }  // namespace etalon

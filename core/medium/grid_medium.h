@@ -15,6 +15,9 @@ class GridMedium {
     /// Density at a point of the grid's box.
     float density(const Vec3& point) const { return density_at(grid_, point); }
 
+    /// The part of removed light that is scattered.
+    const Color& albedo() const { return albedo_; }
+
     /// Chooses how far a ray goes: by null collisions with the largest density near the ray
     /// (Woodcock et al. 1965), each real or null by what the channels of the throughput have there
     /// on the whole (spectral tracking: Kutz et al. 2017, section 4). The first collision is at

@@ -33,8 +33,11 @@ struct DividedLight {
 /// Part of the light that is left after `length` in a medium of that extinction (Beer and Lambert).
 inline Color transmittance(const Color& extinction, double length) {
     const double finite = std::min(length, std::numeric_limits<double>::max());
-    Color result;
-    for (int c = 0; c < 3; ++c) result[c] = static_cast<float>(std::exp(-extinction[c] * finite));
+    Color result(static_cast<float>(std::exp(-extinction.x * finite)));
+    for (int c = 1; c < 3; ++c) {  // most media are grey
+        if (extinction[c] == extinction.x) continue;
+        result[c] = static_cast<float>(std::exp(-extinction[c] * finite));
+    }
     return result;
 }
 

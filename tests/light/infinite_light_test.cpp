@@ -5,6 +5,7 @@
 #include "core/image/io.h"
 #include "core/sampling/sobol.h"
 #include "tests/catch.h"
+#include "tests/chi_square.h"
 #include "tests/temporary_folder.h"
 
 using namespace etalon;
@@ -80,6 +81,32 @@ TEST_CASE("Directions are sampled as often as their density says", "[light]") {
     }
     CHECK_THAT(integral, WithinRel(1.0, 1e-2));
     CHECK_THAT(mean_from_samples, WithinRel(mean, 1e-2));
+}
+
+TEST_CASE("Directions to a sky are drawn with the density that is said of them", "[light]") {
+    const test::TemporaryFolder folder;
+    RenderedImage image{512, 256, {{0, 0}, {511, 255}}, {}, false, {}};
+    for (int i = 0; i < 512 * 256; ++i) {
+        const double x = i % 512 / 512.0, y = i / 512 / 256.0;
+        image.pixels.emplace_back(
+            static_cast<float>(y < 0.5 ? 2 + std::sin(6 * pi * x + 9 * y) : 0.2));
+    }
+    REQUIRE(write_image(folder / "sky.exr", image).empty());
+    const InfiniteSource source{
+        Color(1), folder / "sky.exr", {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}};
+    for (const SkySampling sampling : {SkySampling::above_mean, SkySampling::whole}) {
+        std::vector<std::string> problems;
+        const InfiniteLight light(source, problems, sampling);
+        REQUIRE(problems.empty());
+        const auto sample = [&](Random& random) -> std::optional<Vec3> {
+            const double u = random.uniform();
+            return light.sample({u, random.uniform()}).wi;
+        };
+        const auto density = [&](const Vec3& wi) { return light.pdf(wi); };
+        CHECK(test::chi_square_probability(sample, density, 3) > 1e-3);
+        const auto wrong = [&](const Vec3& wi) { return light.pdf(wi) * (wi.y > 0 ? 1.04 : 0.96); };
+        CHECK(test::chi_square_probability(sample, wrong, 3) < 1e-3);
+    }
 }
 
 TEST_CASE("An image that is missing is reported, and its light has one colour", "[light]") {

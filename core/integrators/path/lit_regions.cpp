@@ -60,8 +60,13 @@ LitRegions::LitRegions(const Scene& scene, const Lights& lights,
     const Beam beam{*spot, extinction, luminance(fog->scattering),
                     trace(*spot, 1 / extinction, scene, intersector)};
     double end = std::ranges::max(beam.rays, {}, &BeamRay::length).length;
-    for (Sphere& sphere : spheres_) {
-        sphere = sphere_around(beam, end);
+    for (std::size_t k = 0; k < count; ++k) {
+        const Sphere sphere = sphere_around(beam, end);
+        spheres_.x[k] = sphere.centre.x;
+        spheres_.y[k] = sphere.centre.y;
+        spheres_.z[k] = sphere.centre.z;
+        spheres_.radius[k] = sphere.radius;
+        spheres_.power[k] = sphere.power;
         end /= 2;
     }
     for (const BeamRay& ray : beam.rays) {
@@ -136,7 +141,7 @@ LitRegions::Disk LitRegions::disk_about(const Beam& beam, const BeamRay& first) 
 
 LitRegionsFrom::LitRegionsFrom(const LitRegions& regions, const Receiver& at)
     : disk_(regions.disk_), to_disk_(disk_.centre - at.position), part_(regions.part_) {
-    for (std::size_t k = 0; k < LitRegions::count; ++k) see(regions.spheres_[k], k, at);
+    see_spheres(regions.spheres_, at);
     see(disk_, at);
     for (std::size_t k = 0; k < LitRegions::count; ++k) {
         const float solid_angle = static_cast<float>(2 * pi) * sagitta_[k];
@@ -144,20 +149,31 @@ LitRegionsFrom::LitRegionsFrom(const LitRegions& regions, const Receiver& at)
     }
 }
 
-void LitRegionsFrom::see(const LitRegions::Sphere& sphere, std::size_t k, const Receiver& at) {
-    const Vec3 way = sphere.centre - at.position;
-    const auto distance2 = static_cast<float>(way.length2());
-    const float radius2 = sphere.radius * sphere.radius;
-    const bool is_outside = distance2 > radius2;
-    const float scale = is_outside ? 1 / std::sqrt(distance2) : 0;
-    x_[k] = static_cast<float>(way.x) * scale;
-    y_[k] = static_cast<float>(way.y) * scale;
-    z_[k] = is_outside ? static_cast<float>(way.z) * scale : 1;
-    const float sine2 = radius2 * scale * scale;
-    sagitta_[k] = is_outside ? sine2 / (1 + std::sqrt(std::max(1 - sine2, 0.0F))) : 2;
-    const bool is_seen = is_above(at, way, sphere.radius);
-    weights_[k] = is_seen ? sphere.power / std::max(distance2, radius2) : 0;
-    sum_ += weights_[k];
+/// Without branches, for all spheres side by side.
+void LitRegionsFrom::see_spheres(const LitRegions::Spheres& spheres, const Receiver& at) {
+    const Vec3& p = at.position;
+    const auto nx = static_cast<float>(at.normal.x), ny = static_cast<float>(at.normal.y),
+               nz = static_cast<float>(at.normal.z);
+    for (std::size_t k = 0; k < LitRegions::count; ++k) {
+        const auto x = static_cast<float>(spheres.x[k] - p.x),
+                   y = static_cast<float>(spheres.y[k] - p.y),
+                   z = static_cast<float>(spheres.z[k] - p.z);
+        const float distance2 = x * x + y * y + z * z, radius = spheres.radius[k];
+        const float radius2 = radius * radius;
+        const bool is_outside = distance2 > radius2;
+        const float scale = is_outside ? 1 / std::sqrt(distance2) : 0;
+        x_[k] = x * scale;
+        y_[k] = y * scale;
+        z_[k] = is_outside ? z * scale : 1;
+        const float sine2 = radius2 * scale * scale;
+        const float outside = sine2 / (1 + std::sqrt(std::max(1 - sine2, 0.0F)));
+        sagitta_[k] = is_outside ? outside : 2;
+        // A sphere below the horizon of a receiver, if that has one, is not seen.
+        const float above = nx * x + ny * y + nz * z;
+        const bool is_seen = (nx == 0 && ny == 0 && nz == 0) || above > -radius;
+        weights_[k] = is_seen ? spheres.power[k] / std::max(distance2, radius2) : 0;
+    }
+    for (const float weight : weights_) sum_ += weight;
 }
 
 void LitRegionsFrom::see(const LitRegions::Disk& disk, const Receiver& at) {

@@ -51,9 +51,13 @@ class LitRegions {
     static Disk disk_about(const Beam& beam, const BeamRay& first);
 
     static constexpr std::size_t count = 8;
+    struct Spheres {
+        std::array<double, count> x{}, y{}, z{};  ///< centres
+        std::array<float, count> radius{}, power{};
+    };
 
     float part_ = 0;
-    std::array<Sphere, count> spheres_{};
+    Spheres spheres_;
     Disk disk_;
 };
 
@@ -72,7 +76,7 @@ class LitRegionsFrom {
     float density(const Vec3& direction) const;
 
   private:
-    void see(const LitRegions::Sphere& sphere, std::size_t k, const Receiver& at);
+    void see_spheres(const LitRegions::Spheres& spheres, const Receiver& at);
     void see(const LitRegions::Disk& disk, const Receiver& at);
     Vec3 sample_disk(const Vec2& uv) const;
     Vec3 sample_sphere(float wanted, const Vec2& uv) const;

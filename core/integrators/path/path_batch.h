@@ -35,13 +35,14 @@ class PathBatch {
         std::uint32_t name;    ///< of its ray, for sample dimensions
         SampleSource source;   ///< of its choices
         Color throughput{1.0F};
-        float density = 0;    ///< of the last vertex's rays in this direction, per steradian
-        Receiver last{};      ///< that vertex
-        float eta_scale = 1;  ///< square of the index that throughput has been divided by, times by
-                              ///< how much its directions were favoured
-        int depth = 0;        ///< number of vertices that scattered
-        bool specular = true;   ///< no light could have been asked for that direction
-        bool last_ray = false;  ///< only what shines at its end counts
+        float density = 0;         ///< of the last vertex's rays in this direction, per steradian
+        Receiver last{};           ///< that vertex
+        float roulette_scale = 1;  ///< factor of throughput for Russian roulette: the square of the
+                                   ///< index that it has been divided by, the number of ways among
+                                   ///< which it was, and how much its directions were favoured
+        int depth = 0;             ///< number of vertices that scattered
+        bool specular = true;      ///< no light could have been asked for that direction
+        bool last_ray = false;     ///< only what shines at its end counts
         bool is_split = false;  ///< one of the ways on from the first vertex with a smooth lobe, or
                                 ///< one of what passes a medium and what is scattered in it
     };
@@ -50,6 +51,10 @@ class PathBatch {
     /// camera's ray and the light asked there are shared by them, and are less noisy than what
     /// comes after.
     static constexpr std::uint32_t split_ways = 2;
+
+    /// Number of places of a grid's medium at which a path is scattered where it first meets one.
+    /// By measurement, as the number of ways: from dark ones few paths go on.
+    static constexpr std::uint32_t split_places = 2, dark_places = 4;
 
     /// A direction to a light that a vertex asks for.
     struct Question {
@@ -140,6 +145,7 @@ class PathBatch {
     void scatter(const Path& path, const Vertex& at);
     template <class Vertex>
     void scatter(const Path& path, const Vertex& at, std::size_t way);
+    float survival(const Path& path) const;
     bool survives(Path& path, double choice) const;
     void see_lit_regions(const Receiver& at, PathVertex& vertex);
 
@@ -159,6 +165,7 @@ class PathBatch {
     bool divides(std::size_t ray) const {
         return ways_of(paths_[ray]) > 1 && shared_.media.grid(media_[ray]);
     }
+    std::uint32_t places_of(std::size_t ray) const;
     void divide(std::size_t ray, std::size_t number);
     void add_scattered(std::size_t ray, const Path& path, const Vec2& choices);
     void ask_along(std::size_t ray, const RaySegment& segment, const Vec2& choices);

@@ -24,7 +24,7 @@ void PathBatch<in_media>::fly_all() {
         if (media_[i] == no_index) continue;
         if (flies(i) && divides(i)) {
             divide(i, number);
-            number += split_ways;
+            number += places_of(i);
         } else if (flies(i)) {
             fly(i, number++);
         } else {
@@ -37,7 +37,7 @@ void PathBatch<in_media>::fly_all() {
 
 template <bool in_media>
 void PathBatch<in_media>::add_flight_points(std::size_t ray) {
-    const std::uint32_t parts = divides(ray) ? split_ways : 1;
+    const std::uint32_t parts = divides(ray) ? places_of(ray) : 1;
     for (std::uint32_t i = 0; i < parts; ++i)
         paths_[ray].source.part(i, parts).add_vertex(paths_[ray].name, flight_points_);
 }
@@ -64,6 +64,13 @@ void PathBatch<in_media>::fly(std::size_t ray, std::size_t number) {
     }
 }
 
+template <bool in_media>
+std::uint32_t PathBatch<in_media>::places_of(std::size_t ray) const {
+    constexpr float dark = 0.4F;  // albedo below which not all paths go on from the first place
+    const Color& albedo = shared_.media.grid(media_[ray])->albedo();
+    return std::max({albedo.x, albedo.y, albedo.z}) < dark ? dark_places : split_places;
+}
+
 /// Splits a path into what passes a grid and what is scattered at some places of it, instead of
 /// choosing one of these. Of the two what carries little is left out by Russian roulette; a path
 /// that passes alone is not split. The parts come after all other rays.
@@ -83,11 +90,13 @@ void PathBatch<in_media>::divide(std::size_t ray, std::size_t number) {
     paths_[ray].throughput *= passing * weight(passes);
     if (weight(scatters) == 0) return;
     path.is_split = true;
-    path.throughput *= weight(scatters) / static_cast<float>(split_ways);
-    for (std::uint32_t way = 0; way < split_ways; ++way) {
+    const std::uint32_t places = places_of(ray);
+    path.throughput *= weight(scatters) / static_cast<float>(places);
+    path.roulette_scale *= static_cast<float>(places);
+    for (std::uint32_t place = 0; place < places; ++place) {
         Path part = path;
-        part.source = path.source.part(way, split_ways);
-        add_scattered(ray, part, flight_points_.place(number + way));
+        part.source = path.source.part(place, places);
+        add_scattered(ray, part, flight_points_.place(number + place));
     }
     paths_[ray].is_split = true;
     paths_[ray].name = passing_name(path.name);

@@ -18,8 +18,12 @@ struct VertexNumbers {
 
 struct PathVertex {
     VertexNumbers numbers;
-    std::uint32_t ways;                           ///< in which the path goes on
+    std::uint32_t ways;  ///< in which the path goes on
+    float survival = 1;  ///< probability of each, where it is chosen before the direction
     const LitRegionsFrom* lit_regions = nullptr;  ///< to which some of its directions go, if to any
+
+    /// How many ways the path goes on, on average.
+    float expected_ways() const { return static_cast<float>(ways) * survival; }
 };
 
 /// The medium on the side of a surface to which `direction` leaves it; `medium` is the one that the

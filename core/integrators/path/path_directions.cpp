@@ -1,0 +1,122 @@
+// The ways in which paths go on from their vertices.
+#include <algorithm>
+
+#include "core/integrators/path/path_batch.h"
+#include "core/integrators/path/path_directions.h"
+#include "core/sampling/dimensions.h"
+
+namespace etalon {
+namespace {
+
+/// Chooses a direction in which a path goes on: by the scattering, and partly by where lit regions
+/// are. `favour` is set to its density over the one with which scattering alone chooses it, if that
+/// is another.
+template <bool in_media, class Vertex>
+std::optional<BsdfSample> sample_direction(const Vertex& at, double choice, const Vec2& uv,
+                                           float& favour) {
+    if (!in_media || !at.lit_regions) return at.sample(static_cast<float>(choice), uv);
+    const float part = at.lit_regions->part();
+    std::optional<BsdfSample> s;
+    if (choice < part) {
+        const Vec3 wi = at.lit_regions->sample(choice / part, uv);
+        if (!at.reflects(wi)) return std::nullopt;
+        const Evaluation e = at.evaluate(wi);
+        s = {wi, e.f, e.pdf, false, false, false, 1};
+    } else {
+        s = at.sample(static_cast<float>((choice - part) / (1 - part)), uv);
+    }
+    if (!s || !(s->pdf > 0)) return std::nullopt;
+    const float own = s->pdf;
+    s->pdf = s->specular ? (1 - part) * own : density_of<in_media>(at, s->wi, own);
+    favour = s->pdf / own;
+    return s;
+}
+
+}  // namespace
+
+/// Lets a vertex choose directions by the lit regions, if it sees any.
+template <bool in_media>
+void PathBatch<in_media>::see_lit_regions(const Receiver& at, PathVertex& vertex) {
+    if constexpr (in_media) {
+        if (!shared_.lit_regions) return;
+        lit_regions_.emplace(*shared_.lit_regions, at);
+        if (!lit_regions_->empty()) vertex.lit_regions = &*lit_regions_;
+    }
+}
+
+template <bool in_media>
+template <class Vertex>
+void PathBatch<in_media>::scatter(const Path& path, const Vertex& at) {
+    if (at.ways == 1) return scatter(path, at, at.numbers.first_way);
+    Path part = path;
+    part.is_split = true;
+    part.throughput /= static_cast<float>(at.ways);
+    part.roulette_scale *= static_cast<float>(at.ways);
+    for (std::uint32_t i = 0; i < at.ways; ++i) {
+        part.source = path.source.part(i, at.ways);
+        scatter(part, at, at.numbers.first_way + i);
+    }
+}
+
+template <bool in_media>
+template <class Vertex>
+void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_t way) {
+    const Vec2 choices = ways_.choices(way);
+    if (choices.y >= at.survival) return;
+    float favour = 1;
+    const std::optional<BsdfSample> s =
+        sample_direction<in_media>(at, choices.x, ways_.place(way), favour);
+    if (!s || s->f == Color(0.0F) || !(s->pdf > 0)) return;
+    if constexpr (std::is_same_v<Vertex, SurfaceVertex>) {
+        if (at.subsurface && s->transmission) return enter(path, at, *s);
+    }
+    const float cosine = at.cosine(s->wi);
+    Path& next = next_paths_.emplace_back(path);
+    next.throughput *= s->f * (cosine / (s->pdf * at.survival));
+    next.density = at.expected_ways() * s->pdf;
+    next.specular = s->specular;
+    // From between the horizons pbrt-v3 takes the light of lights only.
+    next.last_ray = s->turned || (shared_.direct_only && !s->specular);
+    next.roulette_scale *= s->eta * s->eta * favour;
+    ++next.depth;
+    next.name = ray_name(path.name, false);
+    if (std::is_same_v<Vertex, SurfaceVertex> && !survives(next, choices.y)) {
+        next_paths_.pop_back();
+        return;
+    }
+    next_rays_.push_back(at.ray(s->wi));
+    if constexpr (in_media) next_media_.push_back(at.medium_towards(s->wi));
+    ++(s->transmission ? counts_.refracted : counts_.reflected);
+}
+
+/// Probability with which a path goes on, in proportion to what it may still carry, so that those
+/// that do carry about the same (Russian roulette by throughput).
+template <bool in_media>
+float PathBatch<in_media>::survival(const Path& path) const {
+    constexpr float part_kept = 2.5F;  // by measurement: less costs more by the survivors' noise
+    const Color expected = path.throughput * path.roulette_scale;
+    const float most = std::max({expected.x, expected.y, expected.z});
+    return std::min(part_kept * most / shared_.roulette_threshold, 1.0F);
+}
+
+/// Whether a path from a surface goes on, which then carries what others would have.
+template <bool in_media>
+bool PathBatch<in_media>::survives(Path& path, double choice) const {
+    constexpr int first_at_stake = 3;  // by measurement, too
+    if (path.depth < first_at_stake) return true;
+    const float probability = survival(path);
+    if (choice >= probability) return false;
+    path.throughput /= probability;
+    return true;
+}
+
+template void PathBatch<false>::see_lit_regions(const Receiver&, PathVertex&);
+template void PathBatch<true>::see_lit_regions(const Receiver&, PathVertex&);
+template float PathBatch<false>::survival(const Path&) const;
+template float PathBatch<true>::survival(const Path&) const;
+template void PathBatch<false>::scatter(const Path&, const SurfaceVertex&);
+template void PathBatch<true>::scatter(const Path&, const SurfaceVertex&);
+template void PathBatch<true>::scatter(const Path&, const MediumVertex&);
+template void PathBatch<false>::scatter(const Path&, const MediumVertex&);
+
+}  // namespace etalon

@@ -1,0 +1,139 @@
+// The light that paths meet, and that their vertices ask for.
+#include "core/integrators/path/path_batch.h"
+#include "core/integrators/path/path_directions.h"
+#include "core/sampling/dimensions.h"
+#include "core/shading/shadow_rays.h"
+
+namespace etalon {
+namespace {
+
+/// Weight of a direction chosen with density `a` that another strategy would have chosen with `b`
+/// (power heuristic: Veach 1997, section 9.2).
+float power_weight(float a, float b) {
+    return a * a / (a * a + b * b);
+}
+
+/// The same for lights whose density is compensated (balance heuristic: Karlik et al. 2019).
+float balance_weight(float a, float b) {
+    return a / (a + b);
+}
+
+}  // namespace
+
+template <bool in_media>
+void PathBatch<in_media>::add_escaped(const Path& path, const Vec3& direction) {
+    for (const std::uint32_t light : shared_.lights.infinite()) {
+        const InfiniteLight& infinite = shared_.lights.infinite_light(light);
+        const Color radiance = infinite.radiance(direction);
+        float weight = 1;
+        if (!path.specular && infinite.can_be_sampled()) {
+            const double asked =
+                shared_.expected_samples(path.last, light) * infinite.pdf(direction);
+            weight = balance_weight(path.density, static_cast<float>(asked));
+        }
+        add(path, weight * radiance);
+    }
+}
+
+template <bool in_media>
+void PathBatch<in_media>::add_emitted(const Path& path, const PhysicalSurface& at,
+                                      const Vec3& direction) {
+    const SurfaceBinding& binding = *at.binding;
+    if (binding.light == no_index) return;
+    const std::uint32_t light =
+        shared_.lights.number_of(binding.light + (at.point.primitive - binding.first));
+    const Color radiance = shared_.lights.emitted(light, at.point, direction);
+    if (radiance == Color(0.0F)) return;
+    float weight = 1;
+    if (!path.specular) {
+        const double asked = shared_.expected_samples(path.last, light) *
+                             shared_.lights.pdf(light, path.last.position, at.point);
+        weight = power_weight(path.density, static_cast<float>(asked));
+    }
+    add(path, weight * radiance);
+}
+
+template <bool in_media>
+template <class Vertex>
+void PathBatch<in_media>::ask_lights(Path& path, const Vertex& at) {
+    if (!shared_.asks_all) {
+        const std::size_t number = at.numbers.vertex;
+        const auto pick = shared_.lights.pick(path.last, asked_.choices(number).x);
+        if (!pick) return;
+        ask_light(path, at,
+                  {pick->light, static_cast<float>(pick->probability), asked_.place(number), 0});
+        return;
+    }
+    std::size_t first = at.numbers.vertex * shared_.lights.samples(), next = first;
+    for (std::uint32_t light = 0; light < shared_.lights.size(); ++light) {
+        const int samples = shared_.lights.samples(light);
+        for (int k = 0; k < samples; ++k) {
+            ask_light(path, at,
+                      {light, static_cast<float>(samples), on_lights_[next], next - first});
+            ++next;
+        }
+    }
+}
+
+template <bool in_media>
+template <class Vertex>
+void PathBatch<in_media>::ask_light(const Path& path, const Vertex& at, const Question& question) {
+    const LightSample light =
+        shared_.lights.sample(question.light, path.last.position, question.uv);
+    if (!(light.pdf > 0) || light.radiance == Color(0.0F)) return;
+    const Evaluation scattered = at.evaluate(light.wi);
+    if (scattered.f == Color(0.0F)) return;
+
+    const float asked = question.expected_samples * light.pdf;
+    float weight = 1;
+    if (!light.is_delta) {
+        const float scattered_density =
+            at.expected_ways() * density_of<in_media>(at, light.wi, scattered.pdf);
+        weight = light.at_infinity ? balance_weight(asked, scattered_density)
+                                   : power_weight(asked, scattered_density);
+    }
+    if constexpr (std::is_same_v<Vertex, MediumVertex>) {
+        if (light.is_delta && !light.at_infinity) weight = flight_share(at, question);
+    }
+    const float cosine = at.cosine(light.wi);
+    const Color color = scattered.f * light.radiance * (cosine * weight / asked);
+    Ray ray = light.at_infinity ? at.ray(light.wi) : at.ray_to(light.target);
+    if (!light.at_infinity) ray.tmax = shadow_end;
+    if constexpr (in_media) {
+        if (light.at_infinity && light.is_delta) ray.tmax = 2 * shared_.lights.scene_radius();
+        shadow_media_.push_back(
+            {at.medium_towards(light.wi),
+             path.source.sequence(shadow_collision_dimension(path.name, question.number))});
+    }
+    ray.set_shadow();
+    shadow_rays_.push_back(ray);
+    answers_.push_back({path.sample, path.throughput * color});
+}
+
+template <bool in_media>
+void PathBatch<in_media>::add_answers() {
+    blocked_.resize(shadow_rays_.size());
+    counts_.shadow += shadow_rays_.size();
+    if constexpr (in_media) {
+        attenuate_answers();
+    } else {
+        shared_.intersector.occluded(shadow_rays_, blocked_);
+    }
+    for (std::size_t i = 0; i < answers_.size(); ++i) {
+        counts_.shadow_blocked += blocked_[i];
+        if (blocked_[i] == 0) colors_[answers_[i].sample] += answers_[i].color;
+    }
+}
+
+template void PathBatch<false>::add_escaped(const Path&, const Vec3&);
+template void PathBatch<true>::add_escaped(const Path&, const Vec3&);
+template void PathBatch<false>::add_emitted(const Path&, const PhysicalSurface&, const Vec3&);
+template void PathBatch<true>::add_emitted(const Path&, const PhysicalSurface&, const Vec3&);
+template void PathBatch<false>::ask_lights(Path&, const SurfaceVertex&);
+template void PathBatch<true>::ask_lights(Path&, const SurfaceVertex&);
+template void PathBatch<false>::ask_lights(Path&, const MediumVertex&);
+template void PathBatch<true>::ask_lights(Path&, const MediumVertex&);
+template void PathBatch<false>::add_answers();
+template void PathBatch<true>::add_answers();
+
+}  // namespace etalon
