@@ -124,7 +124,7 @@ TEST_CASE("a curve of an unknown type is a cylinder") {
 TEST_CASE("an unknown shape is left out") {
     const Frame frame = world_with("Shape \"cube\" Shape \"sphere\"",
                                    "a.pbrt:1:12: warning: unknown shape 'cube'; did you mean "
-                                   "'cone'?; it is left out");
+                                   "'curve'?; it is left out");
     CHECK(frame.shapes.size() == 1);
 }
 
