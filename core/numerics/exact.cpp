@@ -1,19 +1,23 @@
 #include "core/numerics/exact.h"
 
+#include <algorithm>
+#include <optional>
 #include <tuple>
 
 #include "core/numerics/double_double.h"
+#include "core/numerics/dyadic_vec.h"
 
 namespace etalon {
 namespace {
 
 using Difference = Expansion<2>;
 
-Difference difference(double a, double b) {
+Difference exact_difference(double a, double b) {
     return Difference(two_difference(a, b));
 }
 
-Vec3TwoTerm difference(const Vec3& a, const Vec3& b) {
+/// a - b, exactly.
+Vec3TwoTerm in_two_terms(const Vec3& a, const Vec3& b) {
     return {two_difference(a.x, b.x), two_difference(a.y, b.y), two_difference(a.z, b.z)};
 }
 
@@ -41,12 +45,29 @@ bool are_parallel(const Vec3TwoTerm& d, const Vec3TwoTerm& p) {
     return true;
 }
 
+/// Whether products whose magnitudes sum up to so much, and what they round to, are doubles.
+bool is_in_range(double terms) {
+    return terms > 0x1p-800 && terms < infinity;
+}
+
+template <class... Numbers>
+bool are_finite(const Numbers&... x) {
+    return (std::isfinite(x) && ...);
+}
+
+/// The nearest double of that sign; `least` in magnitude.
+double finite(const Dyadic& x, double least = std::numeric_limits<double>::min()) {
+    if (x.sign() == 0) return 0;
+    return x.sign() * std::clamp(std::abs(x.rounded()), least, std::numeric_limits<double>::max());
+}
+
 /// Bound on the error of a triple product in double-double, in units of its terms.
 constexpr double triple_product_error_bound = 0x1p-101;
 
-/// The same by double-double, where that is off by no more than `tolerance` of itself.
-double triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p, const Vec3TwoTerm& q,
-                      double tolerance) {
+/// The same by double-double, where that is off by no more than `tolerance` of itself. Nothing
+/// where products leave the range of double.
+std::optional<double> triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p,
+                                     const Vec3TwoTerm& q, double tolerance) {
     TwoTerm volume{0, 0};
     double terms = 0;
     for (int k = 0; k < 3; ++k) {
@@ -55,10 +76,10 @@ double triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p, const Vec3TwoT
         volume = volume + d[k] * (left + -right);
         terms += std::abs(d[k].value) * (std::abs(left.value) + std::abs(right.value));
     }
-    const bool in_range = terms > 0x1p-800;  // no product's error underflows
+    if (!is_in_range(terms)) return std::nullopt;
     const double error_bound = triple_product_error_bound * terms;
-    if (in_range && tolerance * std::abs(volume.value) > error_bound) return volume.value;
-    if (in_range && (are_parallel(d, p) || are_parallel(d, q))) return 0;
+    if (tolerance * std::abs(volume.value) > error_bound) return volume.value;
+    if (are_parallel(d, p) || are_parallel(d, q)) return 0;
     return exact_triple_product(d, p, q);
 }
 
@@ -67,17 +88,21 @@ bool precedes(const Vec3& a, const Vec3& b) {
 }
 
 constexpr double value_tolerance = 0x1p-38, sign_tolerance = 0.5;
+constexpr double least_volume = 0x1p-900;  // its product with a direction is not 0
 
 double edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b, double tolerance) {
     // Products of what is not finite could leave no terms at all, and so a zero.
     for (const Vec3& v : {o, d, a, b}) {
         if (!is_finite(v)) return nan_value;
     }
-    const double plain = d.dot((a - o).cross(b - o));
-    if (!std::isfinite(plain)) return plain;
     // The estimate's last bit depends on the order of the terms: take one order for both.
     if (precedes(b, a)) return -edge_volume(o, d, b, a, tolerance);
-    return triple_product(two_terms(d), difference(a, o), difference(b, o), tolerance);
+    if (const auto volume =
+            triple_product(two_terms(d), in_two_terms(a, o), in_two_terms(b, o), tolerance)) {
+        return *volume;
+    }
+    const DyadicVec across = cross(difference(a, o), difference(b, o));
+    return finite(dot(exactly(d), across), least_volume);
 }
 
 }  // namespace
@@ -91,9 +116,9 @@ double exact_edge_sign(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& 
 }
 
 double exact_volume(const Vec3& o, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const double plain = (a - o).dot((b - o).cross(c - o));
-    if (!std::isfinite(plain)) return plain;
-    return triple_product(difference(a, o), difference(b, o), difference(c, o), value_tolerance);
+    const std::optional<double> volume =
+        triple_product(in_two_terms(a, o), in_two_terms(b, o), in_two_terms(c, o), value_tolerance);
+    return volume.value_or(nan_value);
 }
 
 double exact_dot(const Vec3& n, const Vec3& d) {
@@ -101,23 +126,29 @@ double exact_dot(const Vec3& n, const Vec3& d) {
 }
 
 double exact_dot(const Vec3& n, const Vec3& p, const Vec3& o) {
-    const double plain = n.dot(p - o);
-    if (!std::isfinite(plain)) return plain;
-    const Vec3TwoTerm d = difference(p, o);
+    const Vec3TwoTerm d = in_two_terms(p, o);
     const std::array<TwoTerm, 3> term = {d[0] * TwoTerm{n.x, 0}, d[1] * TwoTerm{n.y, 0},
                                          d[2] * TwoTerm{n.z, 0}};
     const double sum = (term[0] + (term[1] + term[2])).value;
     const double terms =
         std::abs(term[0].value) + std::abs(term[1].value) + std::abs(term[2].value);
-    if (terms > 0x1p-800 && std::abs(sum) > 0x1p-45 * terms) return sum;
+    if (!is_in_range(terms)) {
+        if (!is_finite(n) || !is_finite(p) || !is_finite(o)) return nan_value;
+        return finite(dot(exactly(n), difference(p, o)));
+    }
+    if (std::abs(sum) > 0x1p-45 * terms) return sum;
     const auto exact = [](double x, const TwoTerm& y) { return Expansion<1>(x) * Difference(y); };
     return (exact(n.x, d[0]) + exact(n.y, d[1]) + exact(n.z, d[2])).estimate();
 }
 
 double exact_shear(double x, double a, double b, double y, double c, double e) {
-    const double plain = x * (a - b) - y * (c - e);
-    if (!std::isfinite(plain)) return plain;
-    const auto shear = Expansion<1>(x) * difference(a, b) - Expansion<1>(y) * difference(c, e);
+    if ((x == 0 || a == b) && (y == 0 || c == e)) return 0;
+    if (!is_in_range(std::abs(x * (a - b)) + std::abs(y * (c - e)))) {
+        if (!are_finite(x, a, b, y, c, e)) return nan_value;
+        return finite(Dyadic(x) * (Dyadic(a) - Dyadic(b)) - Dyadic(y) * (Dyadic(c) - Dyadic(e)));
+    }
+    const auto shear =
+        Expansion<1>(x) * exact_difference(a, b) - Expansion<1>(y) * exact_difference(c, e);
     return shear.estimate();
 }
 

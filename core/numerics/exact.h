@@ -109,7 +109,8 @@ Expansion<2 * N * M> operator*(const Expansion<N>& a, const Expansion<M>& b) {
 
 /// d . (p x q) for p = a - o and q = b - o: six times the signed volume that the direction d and
 /// the edge (a, b) span seen from o. The sign is exact and the value good to 2^-38. Swapping a and
-/// b gives exactly the negated value, which is what makes a shared edge watertight.
+/// b gives exactly the negated value, which is what makes a shared edge watertight. What is beyond
+/// the range of double, here and below, is the largest or smallest there is, but never 0.
 double exact_edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b);
 
 /// The exact sign, with a value that is off by 2^-100 of the terms of the sum; less slow.
@@ -129,7 +130,7 @@ double exact_shear(double x, double a, double b, double y, double c, double e);
 /// either product and one in their difference.
 inline double shear_sign(double x, double a, double b, double y, double c, double e) {
     const double p = x * (a - b), q = y * (c - e);
-    const double bound = 4 * unit_roundoff * (std::abs(p) + std::abs(q));
+    const double bound = 4 * unit_roundoff * (std::abs(p) + std::abs(q)) + 0x1p-1000;
     return std::abs(p - q) > bound ? p - q : exact_shear(x, a, b, y, c, e);
 }
 

@@ -56,10 +56,13 @@ OracleAnswer answer_from(const Meetings& meetings, double tie) {
     OracleAnswer answer;
     const auto& nearest = meetings.nearest;
     for (const Meeting& m : meetings.all) {
+        // One root of a shape that may not be there is not as good as the next.
+        const bool is_other_root = nearest && m.exists != Certainty::yes && m.key == nearest->key &&
+                                   m.t.value < nearest->t.value;
         const bool tied =
             nearest && magnitude(m.t.value - nearest->t.value) + m.t.error <=
                            magnitude(nearest->t.value) * Quad(tie) + 2 * nearest->t.error;
-        if (tied) {
+        if (tied && !is_other_root) {
             answer.tied.push_back(m.key);
         } else if (!nearest || m.t.value - m.t.error <= nearest->t.value) {
             answer.kind = OracleAnswer::undecidable;

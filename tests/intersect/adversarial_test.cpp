@@ -124,3 +124,28 @@ TEST_CASE("Spheres: given a ray from any distance, then hit and miss are exact")
         REQUIRE(sphere_hit({0x1p-200 * across, 5 * 0x1p-200}, {origin, direction}) == t);
     }
 }
+
+TEST_CASE("Flat shapes: given a ray from any distance, then hit and miss are exact") {
+    Scene scene;
+    for (const Vec3& v : {Vec3(4, -3, -9), Vec3(4, -3, 9), Vec3(-4, 3, 0)}) {
+        scene.geometry.add_vertex(v);
+    }
+    scene.geometry.add(Triangle{{0, 1, 2}}, 0);
+    const std::array corners = {Vec3(4, -3, -9), Vec3(4, -3, 9), Vec3(-4, 3, 0)};
+    scene.geometry.add(Polygon{corners}, 0);
+    for (int k = 60; k < 960; k += 20) {
+        const Vec3 direction(3, 4, 0), origin = std::ldexp(-1, k) * direction;
+        for (const std::uint32_t primitive : {0U, 1U}) {
+            CAPTURE(k, primitive);
+            const auto hit = [&](const Vec3& from) {
+                return primitive_first_hit(scene.geometry, primitive,
+                                           RayQuery(Ray{from, direction}));
+            };
+            REQUIRE(hit(origin) == std::ldexp(1, k));
+            REQUIRE(hit(-std::ldexp(1, -k) * direction) == std::ldexp(1, -k));
+            REQUIRE(std::isnan(hit({std::nextafter(origin.x, 0), origin.y, 0})));
+            REQUIRE(std::isnan(hit({origin.x, std::nextafter(origin.y, 0), 0})));
+            REQUIRE(std::isnan(hit({origin.x, origin.y, 10})));
+        }
+    }
+}

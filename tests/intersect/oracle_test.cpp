@@ -108,6 +108,16 @@ TEST_CASE("Oracle: given a root that even quad precision leaves open, then it is
     REQUIRE(answer.kind == OracleAnswer::undecidable);
 }
 
+TEST_CASE("Oracle: given a root that the ray's start may cut off, then it is none of the next") {
+    // Both roots are within a tie of tmin, and further apart than a kernel's t may be off.
+    Scene scene;
+    scene.geometry.add(Sphere{{0, 0, 0}, 0x1p-36}, 0);
+    const Oracle oracle(scene.geometry);
+    const Ray ray{{0, 0, -1}, {0, 0, 1}, 1 - 0x1p-36 - 0x1p-40};
+    REQUIRE(oracle.closest(ray).kind == OracleAnswer::undecidable);
+    REQUIRE(oracle.closest({ray.origin, ray.direction}).kind == OracleAnswer::hit);
+}
+
 TEST_CASE("Oracle: given a root where the ray begins, then it is not taken for the one after") {
     // The line leaves the flat box at its origin, by a distance that quad precision does not see.
     Scene scene;

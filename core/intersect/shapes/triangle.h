@@ -60,10 +60,14 @@ struct TriangleCrossing {
         const auto [u, v, w] = weight;
         return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
     }
+
+    /// Whether the products of two weights' terms are doubles, with room for what cancels.
+    bool is_in_range() const { return error_bound > 0x1p-500 && error_bound < 0x1p500; }
 };
 
 /// Takes the weights exactly that their roundings could spoil; all of them where the triangle is so
-/// thin or edge-on that they would mean little.
+/// thin or edge-on that they would mean little, or where products leave the range of double: then
+/// the largest weight is about 1.
 [[gnu::cold]] void finalize_weights(TriangleCrossing& c, const TriangleCorners& p,
                                     const RayQuery& q);
 
