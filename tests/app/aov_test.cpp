@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/image/io.h"
+#include "tests/app/image_pixels.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 #include "tests/exr_channels.h"
@@ -10,12 +10,6 @@
 using namespace etalon::test;
 
 namespace {
-
-std::vector<float> colors(const std::string& path) {
-    const auto image = etalon::read_image(path);
-    REQUIRE(image.error == "");
-    return std::get<std::vector<float>>(image.value.pixels);
-}
 
 ProgramResult render(const Folder& f, const std::string& options) {
     f.write("s.p3f", small_scene);
@@ -62,7 +56,7 @@ TEST_CASE("--aov changes neither the picture nor the counts of its rays", "[app]
     const Folder f;
     REQUIRE(render(f, "--spp 4 -o a.exr --stats a.json").status == 0);
     REQUIRE(render(f, "--spp 4 -o b.exr --stats b.json --aov N,P,variance").status == 0);
-    CHECK(colors(f.path("a.exr")) == colors(f.path("b.exr")));
+    CHECK(pixels(f.path("a.exr")) == pixels(f.path("b.exr")));
     const auto rays = [&](const char* name) { return nlohmann::json::parse(f.read(name))["rays"]; };
     CHECK(rays("a.json") == rays("b.json"));
 }

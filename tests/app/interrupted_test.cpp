@@ -1,6 +1,7 @@
 // What long commands keep when they are interrupted.
 #include <nlohmann/json.hpp>
 
+#include "tests/app/image_pixels.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 
@@ -97,4 +98,19 @@ TEST_CASE("An interrupted etalon-bench convergence gives the curves until then",
     REQUIRE(j["curves"].size() == 1);
     CHECK(j["curves"][0]["backend"] == "bvh");
     CHECK(j["curves"][0]["points"].size() == 3);
+}
+
+TEST_CASE("An interrupted render writes what there is", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const std::pair<std::string, int> signals[] = {{"INT", 130}, {"TERM", 143}, {"HUP", 129}};
+    for (const auto& [signal, status] : signals) {
+        INFO(signal);
+        const auto r = interrupted(f, "etalon render ball.p3f --spp 10000000 -o cut.exr",
+                                   has_worked(100), signal);
+        CHECK(r.status == status);
+        CHECK(pixels(f.path("cut.exr")).size() == 32 * 24 * 3);
+    }
+    CHECK(f.shell("rm out err loop; ls").out ==
+          "ball.p3f\ncut.exr\n");  // nothing half-written stays
 }

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "core/image/io.h"
 #include "core/image/metrics/metrics.h"
+#include "tests/app/image_pixels.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 
@@ -15,12 +15,6 @@ using namespace etalon::test;
 using nlohmann::json;
 
 namespace {
-
-std::vector<float> pixels(const Folder& f, const std::string& name) {
-    const auto image = etalon::read_image(f.path(name));
-    REQUIRE(image.error == "");
-    return std::get<std::vector<float>>(image.value.pixels);
-}
 
 /// Renders a scene of the feature scenes.
 void render(const Folder& f, const std::string& arguments, const std::string& output,
@@ -72,7 +66,7 @@ TEST_CASE("All parts of an image merge to its bits, in any order and by steps", 
         render(f, arguments, "whole.exr");
         std::vector<std::string> parts = render_parts(f, arguments, count);
         merge_well(f, parts, "merged.exr");
-        CHECK(pixels(f, "merged.exr") == pixels(f, "whole.exr"));
+        CHECK(pixels(f.path("merged.exr")) == pixels(f.path("whole.exr")));
         std::shuffle(parts.begin(), parts.end(), random);
         merge_well(f, parts, "shuffled.exr");
         CHECK(f.read("shuffled.exr") == f.read("merged.exr"));
@@ -80,8 +74,8 @@ TEST_CASE("All parts of an image merge to its bits, in any order and by steps", 
         parts.pop_back();
         merge_well(f, parts, "but_one.exr");
         merge_well(f, {last, "but_one.exr"}, "by_steps.exr");
-        CHECK(pixels(f, "by_steps.exr") == pixels(f, "whole.exr"));
-        CHECK(pixels(f, "but_one.exr") != pixels(f, "whole.exr"));
+        CHECK(pixels(f.path("by_steps.exr")) == pixels(f.path("whole.exr")));
+        CHECK(pixels(f.path("but_one.exr")) != pixels(f.path("whole.exr")));
     }
 }
 
@@ -115,7 +109,7 @@ TEST_CASE("Crops and other seeds merge, weighted by their samples", "[app]") {
         render(f, options + "--crop 33,20,80,60 --part 1/2", "lower1.exr");
         render(f, options + "--crop 33,20,80,60 --part 2/2", "lower2.exr");
         merge_well(f, {"lower2.exr", "upper.exr", "lower1.exr", "left.exr"}, "merged.exr");
-        CHECK(pixels(f, "merged.exr") == pixels(f, "whole.exr"));
+        CHECK(pixels(f.path("merged.exr")) == pixels(f.path("whole.exr")));
         const auto r = merge(f, {"upper.exr", "left.exr"}, "hole.exr");
         CHECK(r.status == 0);
         CHECK_THAT(r.err, ContainsSubstring("1880 pixels between the parts are in none"));
@@ -126,7 +120,8 @@ TEST_CASE("Crops and other seeds merge, weighted by their samples", "[app]") {
     merge_well(f, {"a.exr", "b.exr"}, "ab.exr");
     merge_well(f, {"b.exr", "a.exr"}, "ba.exr");
     CHECK(f.read("ab.exr") == f.read("ba.exr"));
-    const auto a = pixels(f, "a.exr"), b = pixels(f, "b.exr"), ab = pixels(f, "ab.exr");
+    const auto a = pixels(f.path("a.exr")), b = pixels(f.path("b.exr")),
+               ab = pixels(f.path("ab.exr"));
     for (std::size_t i = 0; i < ab.size(); ++i) {
         CHECK(std::abs(ab[i] - (8 * a[i] + 24 * b[i]) / 32) < 1e-6);
     }
@@ -223,5 +218,5 @@ TEST_CASE("Sixteen parts of a large image take the memory of three films", "[app
     constexpr std::size_t film = std::size_t{3840} * 2160 * (2 * 24 + 4);  // with exact sums
     CHECK(r.peak_bytes < 3 * film);
     REQUIRE(f.etalon("render ball.p3f --spp 16 --resolution 3840x2160 -q -o w.exr").status == 0);
-    CHECK(pixels(f, "m.exr") == pixels(f, "w.exr"));
+    CHECK(pixels(f.path("m.exr")) == pixels(f.path("w.exr")));
 }

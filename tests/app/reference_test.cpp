@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/image/io.h"
+#include "tests/app/image_pixels.h"
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 
@@ -25,12 +25,6 @@ int different_pixels(const std::vector<float>& a, const std::vector<float>& b) {
         if (differs(i) || differs(i + 1) || differs(i + 2)) ++count;
     }
     return count;
-}
-
-std::vector<float> pixels(const std::string& path) {
-    const auto image = etalon::read_image(path);
-    REQUIRE(image.error == "");
-    return std::get<std::vector<float>>(image.value.pixels);
 }
 
 }  // namespace

@@ -62,11 +62,12 @@ ProgramResult Folder::shell(const std::string& command, const std::string& input
             io.read("err"), static_cast<std::size_t>(usage.ru_maxrss) * 1024};
 }
 
-ProgramResult interrupted(const Folder& f, const std::string& command, const std::string& until) {
+ProgramResult interrupted(const Folder& f, const std::string& command, const std::string& until,
+                          const std::string& signal) {
     // What an earlier program wrote must not be taken for what this one does.
     const auto r = f.shell("rm -f out err; '" ETALON_BINARY_DIR "/bin/'" + command +
                            " >out 2>err & pid=$!; while kill -0 $pid && ! { " + until +
-                           "; }; do sleep 0.02; done 2>loop; kill -INT $pid; wait $pid");
+                           "; }; do sleep 0.02; done 2>loop; kill -" + signal + " $pid; wait $pid");
     return {r.status, f.read("out"), f.read("err"), r.peak_bytes};
 }
 

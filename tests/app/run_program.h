@@ -31,9 +31,10 @@ class Folder {
     TemporaryFolder folder_;
 };
 
-/// Runs a program and interrupts it as soon as `until`, a shell command, succeeds; "$pid" is its
-/// process, "out" and "err" are what it has written.
-ProgramResult interrupted(const Folder& f, const std::string& command, const std::string& until);
+/// Runs a program and sends it a signal as soon as `until`, a shell command, succeeds; "$pid" is
+/// its process, "out" and "err" are what it has written.
+ProgramResult interrupted(const Folder& f, const std::string& command, const std::string& until,
+                          const std::string& signal = "INT");
 
 /// For interrupted(): the program has used so many hundredths of a second of processor time.
 std::string has_worked(int hundredths);

@@ -1,0 +1,177 @@
+// Images that render makes, and the options that change them.
+#include <nlohmann/json.hpp>
+
+#include "core/image/io.h"
+#include "tests/app/image_pixels.h"
+#include "tests/app/run_program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+
+using nlohmann::json;
+
+TEST_CASE("render writes SCENE's name with .exr beside the caller by default", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto r = f.etalon("render ball.p3f -q");
+    CHECK(r.status == 0);
+    CHECK(r.err == "");
+    CHECK(pixels(f.path("ball.exr")).size() == 32 * 24 * 3);
+}
+
+TEST_CASE("render gives identical pixels with every exact backend and thread count", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    REQUIRE(f.etalon("render ball.p3f --spp 3 -b none -t 1 -o a.exr").status == 0);
+    for (const std::string backend : {"grid", "bvh", "embree", "embree-user"}) {
+        REQUIRE(f.etalon("render ball.p3f --spp 3 -o b.exr -t 2 -b " + backend).status == 0);
+        CHECK(pixels(f.path("a.exr")) == pixels(f.path("b.exr")));
+    }
+    REQUIRE(f.etalon("render ball.p3f --spp 3 -o b.exr -b embree-builtin").status == 0);
+}
+
+TEST_CASE("render --spd shoots a ray through each pixel corner", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto r = f.etalon("render ball.p3f --spd -q -o a.exr --stats s.json");
+    CHECK(r.status == 0);
+    CHECK(pixels(f.path("a.exr")).size() == 32 * 24 * 3);
+    CHECK(json::parse(f.read("s.json"))["rays"]["camera"] == 33 * 25);
+    CHECK(f.etalon("render ball.p3f --spd --spp 2").status == 2);
+}
+
+TEST_CASE("render takes size, crop, depth, seed and several outputs", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto r = f.etalon(
+        "render ball.p3f --resolution 64x48 --crop 8,8,24,20 --max-depth 2 "
+        "--seed 7 --spp 2 --exposure 1 -o a.exr -o a.png --stats s.json");
+    CHECK(r.status == 0);
+    CHECK(pixels(f.path("a.exr")).size() == 16 * 12 * 3);
+    CHECK(f.has("a.png"));
+    const json s = json::parse(f.read("s.json"));
+    CHECK(s["format"] == "p3f");
+    CHECK(s["backend"] == "bvh");
+    CHECK(s["integrator"] == "whitted");
+    CHECK(s["image"] == json{{"width", 64}, {"height", 48}, {"spp", 2}, {"seed", 7}});
+    CHECK(s["primitives"] == json{{"sphere", 1}, {"plane", 1}});
+    CHECK(s["rays"]["camera"] == 16 * 12 * 2);
+    for (const char* key : {"parse", "build", "render", "write", "total"}) {
+        CHECK(s["seconds"].contains(key));
+    }
+    CHECK(s["memory_bytes"]["peak_rss"].get<double>() > 0);
+}
+
+TEST_CASE("--filter says how samples make pixels; a box of half a pixel is the usual one",
+          "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto render = [&](const std::string& options) {
+        REQUIRE(f.etalon("render ball.p3f --spp 4 -q -o a.exr " + options).status == 0);
+        return pixels(f.path("a.exr"));
+    };
+    const auto plain = render("");
+    CHECK(render("--filter box") == plain);
+    CHECK(render("--filter box:0.5") == plain);
+    const auto gaussian = render("--filter gaussian");
+    CHECK(gaussian != plain);
+    CHECK(gaussian.size() == plain.size());
+    CHECK(render("--filter gaussian:2") == gaussian);
+    CHECK(render("--filter gaussian:1.5") != gaussian);
+    for (const char* wrong : {"gauss", "box:", "box:0", "box:-1", "box:1x", "box:65", "sinc:nan"}) {
+        INFO(wrong);
+        const auto r = f.etalon(std::string("render ball.p3f --filter ") + wrong);
+        CHECK(r.status == 2);
+        CHECK_THAT(r.err, ContainsSubstring(std::string(wrong) + ": expected"));
+    }
+    CHECK_THAT(f.etalon("render ball.p3f --filter gausian").err,
+               ContainsSubstring("did you mean 'gaussian'?"));
+    CHECK(f.etalon("render ball.p3f --spd --filter gaussian").status == 2);
+}
+
+TEST_CASE("a seed has 64 bits, all of which count", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto render = [&](const std::string& seed) {
+        REQUIRE(
+            f.etalon("render ball.p3f --spp 1 -q -o a.exr --stats s.json --seed " + seed).status ==
+            0);
+        CHECK(json::parse(f.read("s.json"))["image"]["seed"].dump() == seed);
+        return pixels(f.path("a.exr"));
+    };
+    const auto first = render("0");
+    CHECK(first != render("4294967296"));
+    CHECK(render("4294967296") != render("8589934592"));
+    CHECK(render("18446744073709551615") != render("4294967295"));
+    CHECK(f.etalon("render ball.p3f --seed 18446744073709551616").status == 2);
+    CHECK(f.etalon("render ball.p3f --seed -1").status == 2);
+}
+
+TEST_CASE("--resolution keeps the part of the image that a scene crops", "[app]") {
+    const Folder f;
+    f.write("crop.pbrt",
+            "Film \"image\" \"integer xresolution\" 1000 \"integer yresolution\" 800 \"float "
+            "cropwindow\" [.3 .7 .5 .75]\nWorldBegin WorldEnd");
+    REQUIRE(f.etalon("render crop.pbrt --spp 1 -q -o whole.exr").status == 0);
+    REQUIRE(f.etalon("render crop.pbrt --spp 1 -q -o small.exr --resolution 50x40").status == 0);
+    REQUIRE(f.etalon("render crop.pbrt --spp 1 -q -o tiny.exr --resolution 1x1").status == 0);
+    const auto whole = etalon::read_image(f.path("whole.exr")).value;
+    CHECK(whole.width == 400);
+    CHECK(whole.height == 200);
+    const auto small = etalon::read_image(f.path("small.exr")).value;
+    CHECK(small.width == 20);
+    CHECK(small.height == 10);
+    CHECK(small.origin == Imath::V2i(15, 20));
+    CHECK(small.frame == Imath::V2i(50, 40));
+    CHECK(etalon::read_image(f.path("tiny.exr")).value.width == 1);
+}
+
+TEST_CASE("render takes any integrator by name, auto is the scene's own", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto render = [&](const std::string& options, const std::string& name) {
+        REQUIRE(f.etalon("render ball.p3f --spp 4 -q -o " + name + ".exr --stats " + name +
+                         ".json " + options)
+                    .status == 0);
+        return json::parse(f.read(name + ".json"));
+    };
+    CHECK(render("", "none")["integrator"] == "whitted");
+    CHECK(render("--integrator auto", "auto")["integrator"] == "whitted");
+    CHECK(render("--integrator whitted", "whitted")["integrator"] == "whitted");
+    const json ao = render("--integrator ao", "ao");
+    CHECK(ao["integrator"] == "ao");
+    CHECK(ao["rays"]["shadow"] == ao["rays"]["camera_hits"]);
+    CHECK(ao["rays"]["reflected"] == 0);
+    CHECK(pixels(f.path("auto.exr")) == pixels(f.path("none.exr")));
+    CHECK(pixels(f.path("whitted.exr")) == pixels(f.path("none.exr")));
+    CHECK(pixels(f.path("ao.exr")) != pixels(f.path("none.exr")));
+    const json near = render("--integrator ao --max-distance 0.01", "near");
+    CHECK(near["rays"]["shadow_blocked"] < ao["rays"]["shadow_blocked"]);
+}
+
+TEST_CASE("an unknown integrator is refused with the list, and what one would ignore", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const auto unknown = f.etalon("render ball.p3f --integrator bdpt");
+    CHECK(unknown.status == 2);
+    CHECK_THAT(unknown.err + unknown.out, ContainsSubstring("one of auto, whitted, path,"));
+    CHECK_THAT(unknown.err + unknown.out, ContainsSubstring("volpath, ao"));
+    f.write("ball.pbrt", "WorldBegin Shape \"sphere\" WorldEnd");
+    const auto other = f.etalon("render ball.pbrt --integrator whitted");
+    CHECK(other.status == 2);
+    CHECK_THAT(other.err, ContainsSubstring("cannot render a pbrt scene; expected"));
+    CHECK_THAT(other.err, ContainsSubstring("path or volpath or ao"));
+    const std::pair<std::string, std::string> ignored[] = {
+        {"--max-distance 2", "--integrator ao"},
+        {"--integrator whitted --max-distance 2", "--integrator ao"},
+        {"--integrator ao --max-depth 2", "--integrator whitted"},
+        {"--integrator ao --spd", "--integrator whitted"}};
+    for (const auto& [options, expected] : ignored) {
+        INFO(options);
+        const auto r = f.etalon("render ball.p3f " + options);
+        CHECK(r.status == 2);
+        CHECK_THAT(r.err, ContainsSubstring(expected));
+    }
+    CHECK(f.etalon("render ball.p3f --integrator ao --max-distance 0").status == 2);
+    CHECK(f.etalon("render ball.p3f --integrator ao --max-distance -1").status == 2);
+}

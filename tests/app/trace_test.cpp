@@ -1,0 +1,48 @@
+// Rays in, hits out.
+#include "tests/app/run_program.h"
+#include "tests/catch.h"
+
+using namespace etalon::test;
+
+TEST_CASE("trace answers ray by ray", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    f.write("rays.txt",
+            "# a comment\n"
+            "0 0 5 0 0 -1\n"
+            "0 0 5 0 0 -0x1p1 # twice as fast\n"
+            "0 0 5 0 0 -1 0 3.9999999999999996\n"
+            "0 0 5 0 0 -1 0 4\n"
+            "\n"
+            "0 9 0 0 1 0\n"
+            "5 5 0 0 -1 0\n");
+    for (const char* backend : {"none", "grid", "bvh", "embree", "embree-user"}) {
+        const auto r = f.etalon(std::string("trace ball.p3f --rays rays.txt -b ") + backend);
+        CHECK(r.status == 0);
+        CHECK(r.out ==
+              "hit 4 sphere 1 0 0 1\n"
+              "hit 2 sphere 1 0 0 1\n"
+              "miss\n"
+              "hit 4 sphere 1 0 0 1\n"
+              "miss\n"
+              "hit 6 plane 0 0 -1 0\n");
+    }
+}
+
+TEST_CASE("trace says where a file of rays is wrong", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    const std::pair<const char*, const char*> wrong[] = {
+        {"0 0 5 0 0\n", ":1:1: error: wrong count of numbers; expected 'ox oy oz"},
+        {"\n0 0 5  0 1x 1\n", ":2:10: error: not a number; expected 'ox oy oz"},
+        {"# rays\n\n 0 0 5 # no more\n", ":3:2: error: wrong count of numbers"},
+        {"0 0 5 0 0 1 0 1 1\n", ":1:17: error: time outside of [0, 1)"}};
+    for (const auto& [rays, error] : wrong) {
+        f.write("bad.txt", rays);
+        const auto r = f.etalon("trace ball.p3f --rays bad.txt");
+        CHECK(r.status == 3);
+        CHECK(r.out == "");
+        CHECK_THAT(r.err, ContainsSubstring(std::string("bad.txt") + error));
+    }
+    CHECK(f.etalon("trace ball.p3f --rays bad.txt -o no/such/hits.txt").status == 4);
+}
