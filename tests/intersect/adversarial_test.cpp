@@ -110,6 +110,15 @@ double sphere_hit(const Sphere& sphere, const Ray& ray) {
 
 }  // namespace
 
+TEST_CASE("Spheres: given numbers that are none among tiny ones, then nothing hits") {
+    const Ray ray{Vec3(-5, 0, 0), Vec3(1, 1e-200, 0)};
+    for (const double x : {nan_value, infinity}) {
+        CHECK(std::isnan(sphere_hit({{0, x, 1e-300}, 1}, ray)));
+        CHECK(std::isnan(sphere_hit({{0, 1e-300, 0}, nan_value}, ray)));
+        CHECK(std::isnan(sphere_hit({{0, 1e-300, 0}, 1}, {Vec3(x, 1e-300, 0), ray.direction})));
+    }
+}
+
 TEST_CASE("Spheres: given a ray from any distance, then hit and miss are exact") {
     const Vec3 direction(3, 4, 0), across(4, -3, 0);
     for (int k = 60; k < 960; k += 20) {

@@ -29,14 +29,16 @@ double fine_gap(const Sphere& s, const Vec3& origin) {
 
 namespace {
 
-/// Whether no bit of a product of four such numbers, scaled, is below the range of double.
-bool is_in_range(const Vec3& v, double scale) {
-    const auto is = [&](double x) { return x == 0 || std::abs(x * scale) > 0x1p-200; };
-    return is(v.x) && is(v.y) && is(v.z);
+/// Whether a bit of a product of four such numbers, scaled, is below the range of double. What is
+/// no number is not.
+bool is_below_range(const Vec3& v, double scale) {
+    const auto is = [&](double x) { return x != 0 && std::abs(x * scale) <= 0x1p-200; };
+    return is(v.x) || is(v.y) || is(v.z);
 }
 
 /// The same in integers: for a ray from 2^200 radii away, or with components as unequal as that.
 [[gnu::noinline]] double widest_first_hit(const Sphere& s, Sides sides, const Ray& ray) {
+    if (!is_finite(ray.origin) || !is_finite(s.centre) || !std::isfinite(s.radius)) return no_hit;
     const DyadicVec f = difference(ray.origin, s.centre), d = exactly(ray.direction);
     const ExactQuadratic form(dot(d, d), dot(f, d), dot(f, f) - square(Dyadic(s.radius)));
     if (!form.has_roots()) return no_hit;
@@ -53,8 +55,8 @@ double exact_first_hit(const Sphere& s, Sides sides, const RayQuery& q) {
     const double size = std::max(max_abs(q.ray.origin - s.centre), s.radius);
     const double near = power_of_two_reciprocal(size);
     const double slow = power_of_two_reciprocal(max_abs(q.ray.direction));
-    if (!is_in_range(q.ray.direction, slow) || !is_in_range(q.ray.origin, near) ||
-        !is_in_range(s.centre, near) || !is_in_range(Vec3(s.radius), near)) {
+    if (is_below_range(q.ray.direction, slow) || is_below_range(q.ray.origin, near) ||
+        is_below_range(s.centre, near) || is_below_range(Vec3(s.radius), near)) {
         return widest_first_hit(s, sides, q.ray);
     }
     const Vec3 d = q.ray.direction * slow, o = q.ray.origin * near, centre = s.centre * near;
