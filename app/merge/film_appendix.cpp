@@ -106,11 +106,11 @@ Result<FilmAppendix> read_checked(std::ifstream& file, const Ending& ending) {
     }
 }
 
-std::string json_line(const FilmAppendix& appendix) {
+}  // namespace
+
+std::string appendix_line(const FilmAppendix& appendix) {
     return to_json(appendix).dump(-1, ' ', true, Json::error_handler_t::replace) + "\n";
 }
-
-}  // namespace
 
 StoredFilm one_film(const Json& identity, std::size_t bytes) {
     const Json& crop = identity["crop"];
@@ -151,7 +151,7 @@ std::map<std::string, RenderedImage::Attribute> metadata_of(const Json& json) {
     return metadata;
 }
 
-void write_appendix(const FilmAppendix& appendix, const StateWriter::Sink& put,
+void write_appendix(const std::string& line, const StateWriter::Sink& put,
                     const std::function<void(const StateWriter::Sink&)>& write_films) {
     Ending ending{0, 0, mark};
     Hash64 hash;
@@ -161,7 +161,7 @@ void write_appendix(const FilmAppendix& appendix, const StateWriter::Sink& put,
         put(bytes);
     };
     count(first_line);
-    count(json_line(appendix));
+    count(line);
     write_films(count);
     ending.hash = hash.value();
     put({reinterpret_cast<const char*>(&ending), sizeof ending});
@@ -170,7 +170,7 @@ void write_appendix(const FilmAppendix& appendix, const StateWriter::Sink& put,
 std::string film_appendix(const FilmAppendix& appendix, const std::string& films) {
     std::string result;
     write_appendix(
-        appendix, [&](std::string_view bytes) { result += bytes; },
+        appendix_line(appendix), [&](std::string_view bytes) { result += bytes; },
         [&](const StateWriter::Sink& put) { put(films); });
     return result;
 }

@@ -42,8 +42,13 @@ StoredFilm one_film(const nlohmann::ordered_json& identity, std::size_t bytes);
 nlohmann::ordered_json metadata_json(const RenderedImage& image);
 std::map<std::string, RenderedImage::Attribute> metadata_of(const nlohmann::ordered_json& json);
 
-/// Calls put(bytes) with all of the appendix; `write_films` writes the films in their order.
-void write_appendix(const FilmAppendix& appendix, const StateWriter::Sink& put,
+/// The line of text with which the appendix begins. The JSON that it is made of asks for memory
+/// when it is destroyed, and ends the program where there is none.
+std::string appendix_line(const FilmAppendix& appendix);
+
+/// Calls put(bytes) with all of an appendix that begins with that line; `write_films` writes the
+/// films in their order.
+void write_appendix(const std::string& line, const StateWriter::Sink& put,
                     const std::function<void(const StateWriter::Sink&)>& write_films);
 
 /// The same in memory, for films as bytes.

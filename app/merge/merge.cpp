@@ -91,18 +91,24 @@ std::uint64_t size_of(ImageFilm& film) {
     return size;
 }
 
-std::string write(const std::string& path, MergedFilms& merged, const RenderedImage& image) {
-    const Result<std::string> picture = encode_image(path, image);
-    if (!picture) return path + ": cannot be written: " + picture.error;
-    FilmAppendix appendix{merged.identity, metadata_json(image), {}};
+/// Takes the identity, so that no JSON is left when the file begins to change.
+std::string line_of(MergedFilms& merged, const RenderedImage& image) {
+    FilmAppendix appendix{std::move(merged.identity), metadata_json(image), {}};
     for (MergedFilm& m : merged.films) {
         m.stored.bytes = size_of(*m.film);
         appendix.films.push_back(m.stored);
     }
+    return appendix_line(appendix);
+}
+
+std::string write(const std::string& path, MergedFilms& merged, const RenderedImage& image) {
+    const Result<std::string> picture = encode_image(path, image);
+    if (!picture) return path + ": cannot be written: " + picture.error;
+    const std::string line = line_of(merged, image);
     FileReplacement file(path);
     const StateWriter::Sink put = [&](std::string_view bytes) { file.write(bytes); };
     put(picture.value);
-    write_appendix(appendix, put, [&](const StateWriter::Sink& sink) {
+    write_appendix(line, put, [&](const StateWriter::Sink& sink) {
         StateWriter writer(sink);
         for (MergedFilm& m : merged.films) m.film->transfer(writer);
     });
