@@ -37,6 +37,7 @@ bool is_in_range(const Vec3& v, double scale) {
 
 /// The same in integers: for a ray from 2^200 radii away, or with components as unequal as that.
 [[gnu::noinline]] double widest_first_hit(const Sphere& s, Sides sides, const Ray& ray) {
+    if (!is_finite(s.centre) || !is_finite(ray.origin) || !is_finite(ray.direction)) return no_hit;
     const DyadicVec f = difference(ray.origin, s.centre), d = exactly(ray.direction);
     const ExactQuadratic form(dot(d, d), dot(f, d), dot(f, f) - square(Dyadic(s.radius)));
     if (!form.has_roots()) return no_hit;
