@@ -33,19 +33,22 @@ WideDouble square_root(const WideDouble& x) {
     return {std::sqrt(std::ldexp(x.mantissa, odd)), (x.exponent - odd) / 2};
 }
 
+/// The mantissa is made odd, so that whole numbers and their products take few limbs.
 Dyadic::Dyadic(double finite) : negative_(finite < 0) {
     if (finite == 0) return;
-    int exponent;
-    const double fraction = std::frexp(std::abs(finite), &exponent);
-    const auto mantissa = static_cast<Limb>(std::ldexp(fraction, 53));
-    exponent -= 53;
+    constexpr int fraction_bits = 52, least_exponent = -1074;
+    constexpr Limb leading_bit = Limb(1) << fraction_bits;
+    const auto bits = std::bit_cast<Limb>(finite);
+    const int field = static_cast<int>(bits >> fraction_bits) & 2047;  // 0: denormal
+    const Limb mantissa = (bits & (leading_bit - 1)) | (field == 0 ? 0 : leading_bit);
+    const int zeros = std::countr_zero(mantissa);
+    const int exponent = least_exponent + std::max(field, 1) - 1 + zeros;
     const int shift = exponent & (limb_bits - 1);
+    const TwoLimbs shifted = TwoLimbs(mantissa >> zeros) << shift;
     low_ = (exponent - shift) / limb_bits;
-    size_ = 2;
-    const TwoLimbs shifted = TwoLimbs(mantissa) << shift;
     limbs_[0] = static_cast<Limb>(shifted);
     limbs_[1] = static_cast<Limb>(shifted >> limb_bits);
-    trim();
+    size_ = limbs_[1] == 0 ? 1 : 2;
 }
 
 Dyadic& Dyadic::operator=(const Dyadic& other) {
@@ -75,7 +78,13 @@ WideDouble Dyadic::magnitude() const {
 
 /// Copies a, with zeros about it, and then adds b to it in place.
 Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, bool b_negative) {
+    if (b.size_ == 0) return a;
     Dyadic sum;
+    if (a.size_ == 0) {
+        sum = b;
+        sum.negative_ = b_negative;
+        return sum;
+    }
     sum.negative_ = a.negative_;
     sum.low_ = std::min(a.low_, b.low_);
     sum.size_ = std::max(a.high(), b.high()) - sum.low_ + 1;

@@ -38,7 +38,9 @@ bool is_below_range(const Vec3& v, double scale) {
 
 /// The same in integers: for a ray from 2^200 radii away, or with components as unequal as that.
 [[gnu::noinline]] double widest_first_hit(const Sphere& s, Sides sides, const Ray& ray) {
-    if (!is_finite(ray.origin) || !is_finite(s.centre) || !std::isfinite(s.radius)) return no_hit;
+    const bool all_finite = is_finite(ray.origin) && is_finite(ray.direction) &&
+                            is_finite(s.centre) && std::isfinite(s.radius);
+    if (!all_finite) return no_hit;
     const DyadicVec f = difference(ray.origin, s.centre), d = exactly(ray.direction);
     const ExactQuadratic form(dot(d, d), dot(f, d), dot(f, f) - square(Dyadic(s.radius)));
     if (!form.has_roots()) return no_hit;
