@@ -59,8 +59,8 @@ TEST_CASE("Cells are joined as long as that costs little noise", "[light]") {
     const CellValues one = joined_cells(uneven_cells(), 1, 100);
     CHECK(one.values == std::vector{sum_of(uneven_cells().values)});
 
-    // Halves of 1 and 3 have a mean square of 5 where their mean has 4.
-    CellValues halves{2, 1, {1, 3}};
-    CHECK(joined_cells(halves, 1, 1.24).width == 2);
-    CHECK(joined_cells(halves, 1, 1.26).width == 1);
+    // Values of 1 and 3 have a mean square of 5, the square of their mean is 4.
+    CellValues two{2, 1, {1, 3}};
+    CHECK(joined_cells(two, 1, 1.24).width == 2);
+    CHECK(joined_cells(two, 1, 1.26).width == 1);
 }

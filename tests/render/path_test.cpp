@@ -109,6 +109,19 @@ TEST_CASE("A point light gives intensity times cosine over the square of the dis
     CHECK_THAT(mean(image(scene)), WithinRel(expected, 1e-4));
 }
 
+TEST_CASE("The grain of a ball turns with it", "[path]") {
+    // Half way between the light and the camera is 30 degrees along x from the normal.
+    const auto seen = [](const std::string& turn) {
+        return brightness("LightSource \"distant\" \"point from\" [1.7320508 0 -1]\n" + turn +
+                          "\nMaterial \"metal\" \"float uroughness\" 0.5 "
+                          "\"float vroughness\" 0.01 \"bool remaproughness\" \"false\"\n"
+                          "Shape \"sphere\"");
+    };
+    const double u_along_x = seen("Rotate 90 1 0 0"), u_along_y = seen("Rotate 90 0 1 0");
+    CHECK(u_along_x > 100 * u_along_y);
+    CHECK(u_along_x > 0.01);
+}
+
 TEST_CASE("Glass and mirrors that lose nothing are not seen in an even sky", "[path]") {
     for (const char* material : {"Material \"glass\"", "Material \"mirror\" \"color Kr\" [1 1 1]",
                                  "Material \"glass\" \"float uroughness\" 0 \"float eta\" 2.4"}) {

@@ -12,7 +12,7 @@ bool is_whole_turn(const Parameters& p) {
 /// The factor of lengths of a whole turn whose surface coordinates nobody asks for: spheres and
 /// rings have their own. Nothing where circles do not stay circles.
 std::optional<double> scale_of_circles(const ShapeBuilder& s) {
-    if (!is_whole_turn(s.parameters()) || s.has_texture()) return std::nullopt;
+    if (!is_whole_turn(s.parameters()) || s.needs_coordinates()) return std::nullopt;
     return scale_of(s.to_world);
 }
 

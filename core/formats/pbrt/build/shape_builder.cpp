@@ -16,17 +16,29 @@ bool same(const SurfaceBinding& a, const SurfaceBinding& b) {
            same(a.shadow_alpha, b.shadow_alpha) && a.media == b.media;
 }
 
-/// Whether a material, or one that it mixes, has a texture. Deep nests are taken to have one.
-bool shows_texture(const Frame& frame, const Material& m, int depth) {
-    constexpr int deepest = 8;
-    const auto is_texture = [](const Argument& a) {
+bool shows_texture(const Plugin& material) {
+    return std::ranges::any_of(material.parameters.arguments(), [](const Argument& a) {
         return std::holds_alternative<TextureNumber>(a.values);
-    };
-    if (depth > deepest || std::ranges::any_of(m.plugin.parameters.arguments(), is_texture)) {
-        return true;
-    }
+    });
+}
+
+/// Whether a material without textures may scatter light in another way when it is turned about
+/// the normal.
+bool may_have_grain(const Plugin& material) {
+    const Parameters& p = material.parameters;
+    if (material.type->name == "hair") return true;
+    if (p.is_given("anisotropic")) return p.number("anisotropic") != 0;
+    const bool u = p.is_given("uroughness"), v = p.is_given("vroughness");
+    return u != v || (u && p.number("uroughness") != p.number("vroughness"));
+}
+
+/// Whether a material, or one that it mixes, asks for surface coordinates. Deep nests are taken to
+/// do so.
+bool asks_for_coordinates(const Frame& frame, const Material& m, int depth) {
+    constexpr int deepest = 8;
+    if (depth > deepest || shows_texture(m.plugin) || may_have_grain(m.plugin)) return true;
     return std::ranges::any_of(m.mixed, [&](std::uint32_t part) {
-        return part != none && shows_texture(frame, frame.materials[part], depth + 1);
+        return part != none && asks_for_coordinates(frame, frame.materials[part], depth + 1);
     });
 }
 
@@ -38,8 +50,8 @@ Vec3 ShapeBuilder::normal(const Vec3& n) const {
     return std::copysign(1.0, to_world.determinant()) * across;
 }
 
-bool ShapeBuilder::has_texture() const {
-    return shows_texture(b.frame, b.frame.materials[shape.material], 0);
+bool ShapeBuilder::needs_coordinates() const {
+    return asks_for_coordinates(b.frame, b.frame.materials[shape.material], 0);
 }
 
 void ShapeBuilder::begin(SurfaceBinding binding) {

@@ -28,8 +28,8 @@ class ShapeBuilder {
     /// and to those that the winding of corners gives.
     bool flips_normals() const { return shape.reverse_orientation != swaps_hand_; }
 
-    /// Whether its material shows a texture, and so asks for surface coordinates.
-    bool has_texture() const;
+    /// Whether its material asks for surface coordinates: shows a texture, or has a grain.
+    bool needs_coordinates() const;
 
     /// Begins a run of primitives: makes their binding, or takes that of the shape before.
     void begin(SurfaceBinding binding);
