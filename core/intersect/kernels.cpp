@@ -91,9 +91,28 @@ template double shape_first_hit(const Geometry&, const Sphere&, Sides, const Ray
 
 namespace {
 
-/// A point of an instance. A box's is kept so far off its edges that a ray into the box starts
-/// inside of the other faces, too. Kept out of line, so that points of the scene itself do not pay
-/// for it.
+/// Whether rays that go into a shape from next to an edge may start beyond another of its faces.
+template <class Shape>
+concept HasEdges = requires(const Shape& shape, const Vec3& distance, SurfacePoint& p) {
+    { move_off_edges(shape, distance, p) } -> std::same_as<bool>;
+};
+
+/// Moves a point of an object's shape with edges so far off them that a ray into the shape starts
+/// inside of its other faces, too: whether it was nearer. `point` is where `local` was placed.
+bool move_off_edges(const Geometry& object, const Instance& instance, const SurfacePoint& point,
+                    SurfacePoint& local) {
+    const Primitive p = object.primitives[local.primitive];
+    return with_shape(p.kind, [&]<class Shape>() {
+        if constexpr (HasEdges<Shape>) {
+            const Vec3 drift = drift_of_origins(instance, local, point);
+            return move_off_edges(object.get<Shape>(p), drift, local);
+        } else {
+            return false;
+        }
+    });
+}
+
+/// A point of an instance. Kept out of line, so that points of the scene itself do not pay for it.
 [[gnu::noinline]] SurfacePoint surface_of_instance(const Geometry& geometry, const Ray& ray,
                                                    const Hit& hit) {
     const InstanceAt instance(geometry, hit.instance, ray.time());
@@ -101,11 +120,7 @@ namespace {
     SurfacePoint local =
         surface_at(object, to_object(*instance, RayQuery(ray).ray), {hit.t, hit.primitive});
     SurfacePoint point = placed(*instance, local);
-    if (object.primitives[hit.primitive].kind == kind_of<Box>()) {
-        const Vec3 drift = drift_of_origins(*instance, local, point);
-        const Box box = object.get<Box>(object.primitives[hit.primitive]);
-        if (move_off_edges(box, drift, local)) point = placed(*instance, local);
-    }
+    if (move_off_edges(object, *instance, point, local)) point = placed(*instance, local);
     point.instance = hit.instance;
     return point;
 }

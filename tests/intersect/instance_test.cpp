@@ -30,6 +30,32 @@ Geometry sphere_under(const Affine& map) {
     return geometry;
 }
 
+/// A shape under random maps is hit next to an edge of it, and left towards its inside: the ray
+/// must meet it from there. `on_edge` and `inside` make random points of the shape.
+template <class Shape, class OnEdge, class Inside>
+void require_exits_from_inside(const Shape& shape, const OnEdge& on_edge, const Inside& inside) {
+    Random random(9);
+    Geometry geometry;
+    geometry.objects.resize(1);
+    geometry.objects[0].add(shape, 0);
+    geometry.instances.emplace_back(Affine{}, 0);
+    for (int i = 0; i < 20000; ++i) {
+        const Affine map = random_map(random, random.magnitude(0, 4));
+        geometry.instances[0] = Instance(map, 0);
+        const Vec3 target = on_edge(random) + random.magnitude(-18, -12) * random.direction();
+        const Vec3 from = map.point(4.0 * random.direction());
+        const Ray ray{from, map.point(target) - from};
+        const double t = first_hit(geometry, key_of(0, 0), ray);
+        if (!(t <= infinity)) continue;
+        const SurfacePoint p = surface_at(geometry, ray, {t, 0, 0});
+        const Ray left = spawn_ray(p, map.point(inside(random)) - p.position);
+        const double next = first_hit(geometry, key_of(0, 0), left);
+        CAPTURE(i, t, next);
+        REQUIRE((next > 0 && next < infinity));
+        REQUIRE(surface_at(geometry, left, {next, 0, 0}).normal.dot(left.direction) > 0);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("Instance: given a map, then points and directions are taken back by its inverse") {
@@ -136,28 +162,28 @@ TEST_CASE("Instance: given a ray that leaves one outward, then it does not meet 
 }
 
 TEST_CASE("Instance: given a ray into a box from next to an edge, then it meets it from inside") {
-    Random random(9);
     const Box box{{-1, -0.5, -0.75}, {0.5, 1, 0.25}};
-    Geometry geometry;
-    geometry.objects.resize(1);
-    geometry.objects[0].add(box, 0);
-    geometry.instances.emplace_back(Affine{}, 0);
-    for (int i = 0; i < 20000; ++i) {
-        const Affine map = random_map(random, random.magnitude(0, 4));
-        geometry.instances[0] = Instance(map, 0);
-        Vec3 on_edge = random.index(2) == 0 ? box.min : box.max;
-        on_edge[random.axis()] = random.uniform(-0.4, 0.2);
-        on_edge += random.magnitude(-18, -12) * random.direction();
-        const Vec3 from = map.point(4.0 * random.direction());
-        const Ray ray{from, map.point(on_edge) - from};
-        const double t = first_hit(geometry, key_of(0, 0), ray);
-        if (!(t <= infinity)) continue;
-        const SurfacePoint p = surface_at(geometry, ray, {t, 0, 0});
-        const Ray left = spawn_ray(p, map.point(0.25 * in_ball(random)) - p.position);
-        const double next = first_hit(geometry, key_of(0, 0), left);
-        CAPTURE(i, t, next);
-        REQUIRE(next > 0);
-        REQUIRE(surface_at(geometry, left, {next, 0, 0}).normal.dot(left.direction) > 0);
+    const auto on_edge = [&](Random& random) {
+        Vec3 corner = random.index(2) == 0 ? box.min : box.max;
+        corner[random.axis()] = random.uniform(-0.4, 0.2);
+        return corner;
+    };
+    require_exits_from_inside(box, on_edge, [](Random& random) { return 0.25 * in_ball(random); });
+}
+
+TEST_CASE(
+    "Instance: given a ray into a cylinder from next to a rim, then it meets it from inside") {
+    Random random(8);
+    for (int i = 0; i < 8; ++i) {
+        const Affine of_cylinder = random_map(random, random.magnitude(0, 1));
+        const auto on_rim = [&](Random& choice) {
+            const double angle = choice.uniform(0, 6.283185307179586);
+            return of_cylinder.point(
+                {std::cos(angle), std::sin(angle), static_cast<double>(choice.index(2))});
+        };
+        require_exits_from_inside(ClosedCylinder(of_cylinder), on_rim, [&](Random& choice) {
+            return of_cylinder.point(Vec3(0, 0, 0.5) + 0.25 * in_ball(choice));
+        });
     }
 }
 

@@ -13,6 +13,12 @@
 //       The (u, v) and the derivatives there, of a point that surface() returned: finite, and the
 //       derivatives tangent. Where they do not span the tangent plane, as at a pole, the caller
 //       replaces them.
+//
+// A solid shape whose faces meet at edges has a fifth, for points of instances:
+//
+//   bool move_off_edges(shape, distance, point)
+//       Moves a point of a face along it, so that no point nearer than `distance`, for each axis,
+//       is beyond another face: whether it was nearer.
 #pragma once
 
 #include "core/intersect/shapes/box.h"

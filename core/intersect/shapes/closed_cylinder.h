@@ -83,6 +83,28 @@ inline SurfacePoint surface(const Geometry&, const ClosedCylinder& c, const RayQ
     return {c.frame.point(p.local), error, p.normal, p.normal};
 }
 
+inline bool is_on_cap(const ClosedCylinder& c, const SurfacePoint& p) {
+    const Vec3 normal = pulled_back(c.to_world, p.normal);
+    return std::abs(normal.z) > std::hypot(normal.x, normal.y);
+}
+
+/// Moves a point of a cap or of the side along it, off the rims by `distance` and its own error
+/// where it is so wide: whether the point was nearer.
+inline bool move_off_edges(const ClosedCylinder& c, const Vec3& distance, SurfacePoint& p) {
+    const Vec3 local = c.frame.vector(p.position - c.to_world.origin), side = outward(local);
+    const Vec3 reach = distance + p.error;
+    if (is_on_cap(c, p)) {
+        const double widest = std::max(1 - abs(c.frame.normal(side)).dot(reach), 0.0);
+        if (std::hypot(local.x, local.y) <= widest) return false;
+        p.position = c.frame.point(widest * side + Vec3(0, 0, local.z < 0.5 ? 0 : 1));
+    } else {
+        const double lowest = std::min(abs(c.frame.row(2)).dot(reach), 0.5);
+        if (lowest <= local.z && local.z <= 1 - lowest) return false;
+        p.position = c.frame.point(side + Vec3(0, 0, std::clamp(local.z, lowest, 1 - lowest)));
+    }
+    return true;
+}
+
 /// Returns coordinates across the axis in the unit cylinder. The frame's own are turned about it.
 inline Vec3 unturned(const ClosedCylinder& c, const Vec3& local) {
     const Vec3 x = c.frame.vector(c.to_world.x), y = c.frame.vector(c.to_world.y);
@@ -95,10 +117,9 @@ inline Vec3 unturned(const ClosedCylinder& c, const Vec3& local) {
 inline Parametrization parametrization(const Geometry&, const ClosedCylinder& c,
                                        const SurfacePoint& p) {
     const Vec3 local = c.frame.vector(p.position - c.to_world.origin);
+    if (is_on_cap(c, p)) return image(c.to_world, ring_chart(unturned(c, local), 0, 1));
     const Vec3 normal = pulled_back(c.to_world, p.normal);
-    const bool is_cap = std::abs(normal.z) > std::hypot(normal.x, normal.y);
-    return image(c.to_world, is_cap ? ring_chart(unturned(c, local), 0, 1)
-                                    : cone_chart(outward(normal), saturated(local.z), 1, 1, 1));
+    return image(c.to_world, cone_chart(outward(normal), saturated(local.z), 1, 1, 1));
 }
 
 }  // namespace etalon
