@@ -40,7 +40,7 @@ bool traverse_occluded(const BvhView& bvh, const RayQuery& query, const Normaliz
     const float tmin = local.tmin(query.ray.tmin);
     const FineSlabs boxes(local, tmin,
                           fine_ray(bvh.bounds.space, bvh.bounds.spread, query.ray, local));
-    return find_any<BranchlessLaneSelect>(bvh, query, local, tmin, boxes);
+    return find_any_in_pairs(bvh, query, local, tmin, boxes);
 }
 
 }  // namespace

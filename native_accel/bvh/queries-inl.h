@@ -12,6 +12,7 @@
 #include "core/accel/clusters/filter-inl.h"
 #include "core/accel/clusters/instance_list.h"
 #include "native_accel/bvh/lane_select.h"
+#include "native_accel/bvh/pairwise-inl.h"
 #include "native_accel/bvh/traversal-inl.h"
 #include "native_accel/bvh/traversal.h"
 #include "native_accel/common/tally.h"
@@ -59,6 +60,20 @@ HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const No
     });
 }
 
+/// Whether any member of a cluster is hit at t <= query.ray.tmax, which is no later than `tmax`.
+HWY_INLINE bool is_hit(const BvhView& bvh, ClusterRef ref, const ClusterFilter& filter, float tmax,
+                       const RayQuery& query) {
+    if (HWY_UNLIKELY(ref.kind() == ClusterRef::instances)) {
+        return instances_occlude(bvh.instances, bvh.clusters, ref, query);
+    }
+    bool found = false;
+    visit(bvh, ref, filter, tmax, query, [&](double t, std::uint32_t) HWY_ATTR {
+        found = t <= query.ray.tmax;
+        return !found;
+    });
+    return found;
+}
+
 /// Whether anything is hit at t <= query.ray.tmax; arguments as for find_closest().
 template <class LowestLane, class Boxes>
 HWY_INLINE bool find_any(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
@@ -69,19 +84,23 @@ HWY_INLINE bool find_any(const BvhView& bvh, const RayQuery& query, const Normal
     if (!traversal.begin(tmax)) return false;
     const ClusterFilter filter(bvh.clusters, query, local, tmin);
     bool found = false;
-    const auto offer = [&](double t, std::uint32_t) HWY_ATTR {
-        found = t <= query.ray.tmax;
-        return !found;
-    };
     traversal.finish(tmax, [&](ClusterRef ref) HWY_ATTR {
-        if (HWY_UNLIKELY(ref.kind() == ClusterRef::instances)) {
-            found = instances_occlude(bvh.instances, bvh.clusters, ref, query);
-        } else {
-            visit(bvh, ref, filter, tmax, query, offer);
-        }
+        found = is_hit(bvh, ref, filter, tmax, query);
         return !found;
     });
     return found;
+}
+
+/// The same for trees of instances, whose boxes overlap: a ray enters many nodes.
+template <class Boxes>
+HWY_INLINE bool find_any_in_pairs(const BvhView& bvh, const RayQuery& query,
+                                  const NormalizedRay& local, float tmin, const Boxes& boxes) {
+    const float tmax = local.tmax(query.ray.tmax);
+    PairwiseTraversal traversal(bvh.tree, boxes, tmax);
+    if (!traversal.begin()) return false;
+    const ClusterFilter filter(bvh.clusters, query, local, tmin);
+    return traversal.finish([&](ClusterRef ref)
+                                HWY_ATTR { return is_hit(bvh, ref, filter, tmax, query); });
 }
 
 }  // namespace etalon::HWY_NAMESPACE
