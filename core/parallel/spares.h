@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -8,7 +9,8 @@
 namespace etalon {
 
 /// Objects that are dear to make and are needed for a while by one thread at a time: who is done
-/// with one leaves it for the next. Thread-safe.
+/// with one leaves it for the next, unless an exception ends its use, which may have left the object
+/// half changed. Thread-safe.
 template <class T>
 class Spares {
   public:
@@ -18,13 +20,16 @@ class Spares {
         Loan(Spares& from, std::unique_ptr<T> object) : from_(from), object_(std::move(object)) {}
         Loan(const Loan&) = delete;
         Loan& operator=(const Loan&) = delete;
-        ~Loan() { from_.take_back(std::move(object_)); }
+        ~Loan() {
+            if (std::uncaught_exceptions() == exceptions_) from_.take_back(std::move(object_));
+        }
 
         T& operator*() const { return *object_; }
 
       private:
         Spares& from_;
         std::unique_ptr<T> object_;
+        int exceptions_ = std::uncaught_exceptions();
     };
 
     /// Lends an object, as it was left, or a new one of these arguments.
