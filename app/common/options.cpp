@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -69,7 +70,11 @@ CLI::Validator any_check() {
         using Limits = std::numeric_limits<T>;
         expected = fmt::format("a whole number from {} to {}", Limits::min(), Limits::max());
     }
-    return CLI::Validator(number_check<T>(expected, [](T x) { return x == x; }), "", any_number);
+    const auto is_number = [](T x) {
+        if constexpr (is_whole<T>) return true;
+        return !std::isnan(static_cast<double>(x));
+    };
+    return CLI::Validator(number_check<T>(expected, is_number), "", any_number);
 }
 
 }  // namespace

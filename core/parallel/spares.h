@@ -9,8 +9,8 @@
 namespace etalon {
 
 /// Objects that are dear to make and are needed for a while by one thread at a time: who is done
-/// with one leaves it for the next, unless an exception ends its use, which may have left the object
-/// half changed. Thread-safe.
+/// with one leaves it for the next, unless an exception ends its use, which may have left the
+/// object half changed. Thread-safe.
 template <class T>
 class Spares {
   public:

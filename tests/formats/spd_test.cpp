@@ -41,9 +41,10 @@ TEST_CASE("pairs of a wavelength and a value are read, comments are not") {
 TEST_CASE("what is between the numbers of a spectrum is passed over with a warning") {
     const Read r = read("400, 1\nnm 500 2\n600;3");
     CHECK(numbers(r) == Numbers{400, 1, 500, 2, 600, 3});
-    CHECK(r.messages == Messages{"a.spd:1:4: warning: passed over what is not a number in '400,'",
-                                 "a.spd:2:1: warning: passed over what is not a number in 'nm'",
-                                 "a.spd:3:4: warning: passed over what is not a number in '600;3'"});
+    CHECK(r.messages ==
+          Messages{"a.spd:1:4: warning: passed over what is not a number in '400,'",
+                   "a.spd:2:1: warning: passed over what is not a number in 'nm'",
+                   "a.spd:3:4: warning: passed over what is not a number in '600;3'"});
 }
 
 TEST_CASE("a number of a spectrum without a partner is left out") {

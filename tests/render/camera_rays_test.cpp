@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "tests/chi_square.h"
 #include "tests/each_instruction_set.h"
 
 using namespace etalon;
@@ -55,6 +56,39 @@ TEST_CASE("A lens moves the origin and keeps the focus plane sharp", "[render]")
         CHECK((there - focus).length() < 1e-12);
     }
     CHECK((camera.ray(Vec2(30, 70), Vec2(1, 0.5)).origin - c.eye).length() == Approx(0.4));
+}
+
+namespace {
+
+/// Numbers of points in 8 x 16 parts of a disk of radius 1, all of the same area.
+std::vector<double> numbers_on_disk(const std::vector<Vec2>& points) {
+    std::vector<double> numbers(8 * 16);
+    for (const Vec2& p : points) {
+        const auto ring = static_cast<int>(8 * std::min(p.length2(), 1 - 1e-9));
+        const double turn = (std::atan2(p.y, p.x) + M_PI) / (2 * M_PI);
+        ++numbers[ring * 16 + static_cast<int>(16 * std::min(turn, 1 - 1e-9))];
+    }
+    return numbers;
+}
+
+}  // namespace
+
+TEST_CASE("Rays begin anywhere on a lens with the same density", "[render]") {
+    Camera c = looking_down_z();
+    c.aperture = 8;
+    c.focal = 2;
+    const CameraRays camera(c, size);
+    Random random(3);
+    std::vector<Vec2> origins, too_central;
+    for (int i = 0; i < 100'000; ++i) {
+        const Vec2 lens(random.uniform(), random.uniform());
+        const Vec3 from = camera.ray(Vec2(30, 70), lens).origin - c.eye;
+        origins.push_back(Vec2(from.x, from.y) / 0.4);
+        too_central.push_back(origins.back() * std::pow(origins.back().length(), 0.03));
+    }
+    const std::vector<double> expected(8 * 16, 100'000.0 / (8 * 16));
+    CHECK(chi_square_probability(numbers_on_disk(origins), expected) > 1e-3);
+    CHECK(chi_square_probability(numbers_on_disk(too_central), expected) < 1e-3);
 }
 
 TEST_CASE("world_to_ndc takes what a pixel sees to the pixel's place", "[render]") {

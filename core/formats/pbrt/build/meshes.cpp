@@ -193,8 +193,9 @@ void build_heightfield(ShapeBuilder& s) {
     uvs.reserve(2 * heights.size());
     for (const float height : heights) {
         const auto number = static_cast<std::int64_t>(uvs.size() / 2);
-        const float x = static_cast<float>(number % columns) / static_cast<float>(columns - 1),
-                    y = static_cast<float>(number / columns) / static_cast<float>(rows - 1);
+        const std::int64_t column = number % columns, row = number / columns;
+        const float x = static_cast<float>(column) / static_cast<float>(columns - 1),
+                    y = static_cast<float>(row) / static_cast<float>(rows - 1);
         points.insert(points.end(), {x, y, height});
         uvs.insert(uvs.end(), {x, y});
     }
