@@ -27,49 +27,64 @@ struct ShadowColumns {
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
+HWY_INLINE Doubles column(const PaddedColumn<double>& values, std::size_t i) {
+    return hn::LoadU(DoubleTag(), &values[i]);
+}
+
+/// Rays from surfaces to points of a light.
+struct AimedRays {
+    Vec3Lanes origin, direction;
+    Doubles exclude;
+};
+
+/// The steps of spawn_ray_to(), from surfaces from number i on.
+HWY_INLINE AimedRays aimed(const SeenSurfaces& from, std::size_t i, const Vec3Lanes& light) {
+    const Doubles zero = broadcast(0.0), one = broadcast(1.0);
+    const Vec3Lanes position = load(from.positions.span(), i);
+    const Vec3Lanes normal = load(from.normals.span(), i);
+    const Doubles leaving = normal.dot(light - position);
+    const Doubles side = hn::IfThenElse(leaving < zero, hn::Neg(one), one);
+    const Doubles distance = abs(normal).dot(load(from.errors.span(), i));
+    const Vec3Lanes offset = (side * distance) * normal;
+    const Vec3Lanes origin = next_towards(position + offset, offset), direction = light - origin;
+    const DoubleMask moves_away = side * normal.dot(direction) > zero;
+    const Doubles left = hn::IfThenElse(leaving > zero, column(from.outward_excludes, i),
+                                        column(from.inward_excludes, i));
+    return {origin, direction, hn::IfThenElse(moves_away, left, broadcast(no_index))};
+}
+
+/// The same for rays that begin so far from the surface; `facing`: normal . direction.
+HWY_INLINE AimedRays aimed(const SeenSurfaces& from, std::size_t i, const Vec3Lanes& light,
+                           Doubles facing, double fixed_bias) {
+    const Doubles bias = broadcast(fixed_bias);
+    const Doubles front = hn::IfThenElse(facing < broadcast(0.0), hn::Neg(bias), bias);
+    const Vec3Lanes origin = load(from.positions.span(), i) + front * load(from.normals.span(), i);
+    return {origin, light - origin, broadcast(no_index)};
+}
+
 /// Returns how many rays there are.
 std::size_t aim(const SeenSurfaces& from, const Vec3Buffer& lights, double fixed_bias,
                 const ShadowColumns& to) {
     const DoubleTag tag;
-    const Doubles zero = broadcast(0.0), one = broadcast(1.0), bias = broadcast(fixed_bias),
-                  nothing = broadcast(no_index);
+    const Doubles zero = broadcast(0.0);
     std::size_t count = 0;
     for (std::size_t i = 0; i < from.size(); i += hn::Lanes(tag)) {
-        const auto column = [&](const PaddedColumn<double>& values)
-                                HWY_ATTR { return hn::LoadU(tag, &values[i]); };
-        const Vec3Lanes position = load(from.positions.span(), i);
-        const Vec3Lanes normal = load(from.normals.span(), i);
-        const Vec3Lanes light = load(lights.span(), i), to_light = light - position;
-        const Vec3Lanes towards = normalized(to_light);
+        const Vec3Lanes light = load(lights.span(), i);
+        const Vec3Lanes towards = normalized(light - load(from.positions.span(), i));
         const Doubles cosine = load(from.shading_normals.span(), i).dot(towards);
-        const Doubles facing = normal.dot(towards), leaving = normal.dot(to_light);
+        const Doubles facing = load(from.normals.span(), i).dot(towards);
         const DoubleMask faces =
-            hn::And(hn::And(cosine > zero, column(from.fronts) * facing > zero),
-                    hn::And(column(from.scatters) > zero, hn::FirstN(tag, from.size() - i)));
+            hn::And(hn::And(cosine > zero, column(from.fronts, i) * facing > zero),
+                    hn::And(column(from.scatters, i) > zero, hn::FirstN(tag, from.size() - i)));
         if (hn::AllFalse(tag, faces)) continue;
 
-        const Doubles side = hn::IfThenElse(leaving < zero, hn::Neg(one), one);
-        Doubles exclude = nothing;
-        Vec3Lanes origin, direction;
-        if (fixed_bias == 0) {
-            const Doubles distance = abs(normal).dot(load(from.errors.span(), i));
-            const Vec3Lanes offset = (side * distance) * normal;
-            origin = next_towards(position + offset, offset);
-            direction = light - origin;
-            const DoubleMask leaves = side * normal.dot(direction) > zero;
-            const Doubles left = hn::IfThenElse(leaving > zero, column(from.outward_excludes),
-                                                column(from.inward_excludes));
-            exclude = hn::IfThenElse(leaves, left, nothing);
-        } else {
-            const Doubles front = hn::IfThenElse(facing < zero, hn::Neg(bias), bias);
-            origin = position + front * normal;
-            direction = light - origin;
-        }
+        const AimedRays rays =
+            fixed_bias == 0 ? aimed(from, i, light) : aimed(from, i, light, facing, fixed_bias);
         const ChosenLanes those(faces);
-        those.store(origin, to.origins, count);
-        those.store(direction, to.directions, count);
+        those.store(rays.origin, to.origins, count);
+        those.store(rays.direction, to.directions, count);
         those.store(towards, to.towards, count);
-        those.store(exclude, to.excludes + count);
+        those.store(rays.exclude, to.excludes + count);
         those.store(cosine, to.cosines + count);
         those.store_numbers(i, to.surfaces + count);
         count += those.count();

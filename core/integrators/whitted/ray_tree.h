@@ -3,40 +3,18 @@
 #include <memory>
 #include <vector>
 
-#include "core/intersect/ray_stream.h"
+#include "core/integrators/whitted/secondary_rays.h"
 #include "core/sampling/dimensions.h"
 #include "core/sampling/sample_source.h"
 #include "core/shading/shadow_rays.h"
 
 namespace etalon {
 
-/// What belongs to a ray on its way: its sample, its place in the tree of rays, which names the
-/// sample dimensions used at its end, and what the matter around it absorbs.
-struct RayPath {
-    std::uint32_t sample;  ///< its number among those of the camera rays
-    std::uint32_t name;
-    Color absorption;
-};
-
 /// Rays of the same depth, followed together, and the path of each.
 struct RayBatch {
     RayStream rays;
     std::span<const RayPath> paths;
     std::span<const SampleSource> sources;  ///< of the camera rays
-};
-
-/// The rays that leave the surfaces of a batch for mirrors and glass.
-struct SecondaryRays {
-    void clear() {
-        paths.clear();
-        surfaces.clear();
-        weights.clear();
-    }
-
-    RayBuffer rays;
-    std::vector<RayPath> paths;
-    std::vector<std::uint32_t> surfaces;  ///< where each begins
-    std::vector<Color> weights;           ///< of its colour there
 };
 
 /// Where trees of rays, one for each sample, are kept while they are followed, all together and

@@ -1,12 +1,10 @@
 #include "core/integrators/whitted/whitted.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 
 #include "core/sampling/dimensions.h"
-#include "core/shading/leaving_rays.h"
+#include "core/shading/fresnel.h"
 
 namespace etalon {
 namespace {
@@ -64,52 +62,6 @@ void take_traits(const RayStream& seen_by, const SeenSurfaces& surfaces, const N
         times.push_back(seen_by.times[surfaces.traits[numbers[i]].ray]);
     }
     rays.times = times.data();
-}
-
-/// What leaves surfaces of a chunk by one way: a weight for each ray.
-struct LeavingWay {
-    LeavingRays::Choice choice = 0;
-    std::array<Color, LeavingRays::most> weights;
-
-    void add(std::size_t i, const Color& weight) {
-        choice |= LeavingRays::Choice{1} << i;
-        weights[i] = weight;
-    }
-};
-
-/// Finds what leaves surface number i of the chunk. A mirrored ray that weighs nothing is followed
-/// where `all_glass_mirrors`.
-void weigh(const Material& m, const LeavingRays& leaving, std::size_t i, bool all_glass_mirrors,
-           LeavingWay& mirrored, LeavingWay& refracted) {
-    const bool counted = all_glass_mirrors && !is_black(m.transmission);
-    Color reflection = m.reflection, transmission = m.transmission;
-    if (!is_black(m.transmission)) {
-        if (m.fresnel) {
-            const double reflectance = leaving.reflectance(i);
-            reflection *= static_cast<float>(reflectance);
-            transmission *= static_cast<float>(1 - reflectance);
-        }
-        if (leaving.is_total(i)) transmission = Color(0.0F);
-    }
-    if (!is_black(reflection) || counted) mirrored.add(i, reflection);
-    if (!is_black(transmission)) refracted.add(i, transmission);
-}
-
-/// Appends what is known of rays, but for themselves, that leave surfaces from number `first` on.
-/// Returns how many they are.
-std::size_t append(const LeavingWay& way, bool crosses, const SeenSurfaces& surfaces,
-                   std::size_t first, std::span<const RayPath> paths, SecondaryRays& to) {
-    for (LeavingRays::Choice left = way.choice; left != 0; left &= left - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(left)), j = first + i;
-        const SeenSurfaces::Traits& traits = surfaces.traits[j];
-        const RayPath& path = paths[traits.ray];
-        Color within = path.absorption;
-        if (crosses) within = surfaces.entering(j) ? traits.material->absorption : Color(0.0F);
-        to.paths.push_back({path.sample, ray_name(path.name, crosses), within});
-        to.surfaces.push_back(static_cast<std::uint32_t>(j));
-        to.weights.push_back(way.weights[i]);
-    }
-    return static_cast<std::size_t>(std::popcount(way.choice));
 }
 
 }  // namespace
@@ -240,35 +192,12 @@ void Whitted::add_direct(RayTree::Level& level, const RayBatch& batch, RayCounts
     }
 }
 
-/// Makes the rays that leave the surfaces: chunk by chunk the mirrored ones first.
-void Whitted::find_secondary(RayTree::Level& level, const RayBatch& batch,
-                             RayCounts& counts) const {
-    const SeenSurfaces& surfaces = level.surfaces;
-    SecondaryRays& secondary = level.secondary;
-    secondary.clear();
-    secondary.rays.make_room(2 * surfaces.size());
-    LeavingRays leaving(surfaces, {rules_.schlick, rules_.fixed_bias});
-    for (std::size_t first = 0, count = 0; first < surfaces.size(); first += count) {
-        count = leaving.make(first);
-        LeavingWay mirrored, refracted;
-        for (LeavingRays::Choice left = leaving.senders(); left != 0; left &= left - 1) {
-            const auto i = static_cast<std::size_t>(std::countr_zero(left));
-            weigh(*surfaces.traits[first + i].material, leaving, i, rules_.mirror_all_glass,
-                  mirrored, refracted);
-        }
-        leaving.put_mirrored(mirrored.choice, secondary.rays, secondary.paths.size());
-        counts.reflected += append(mirrored, false, surfaces, first, batch.paths, secondary);
-        leaving.put_refracted(refracted.choice, secondary.rays, secondary.paths.size());
-        counts.refracted += append(refracted, true, surfaces, first, batch.paths, secondary);
-    }
-}
-
 /// Adds what mirrors and glass let come back.
 void Whitted::add_secondary(RayTree& tree, int depth, const RayBatch& batch,
                             RayCounts& counts) const {
     RayTree::Level& level = tree.level(depth);
-    find_secondary(level, batch, counts);
-    const SecondaryRays& secondary = level.secondary;
+    SecondaryRays& secondary = level.secondary;
+    secondary.find(level.surfaces, batch.paths, rules_, counts);
     const std::size_t all = secondary.paths.size();
     RayStream rays = secondary.rays.view(all);
     take_traits(batch.rays, level.surfaces, secondary.surfaces, rays, level.secondary_times);

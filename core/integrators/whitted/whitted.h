@@ -35,7 +35,6 @@ class Whitted final : public Integrator {
     template <class Add>
     void add_light(std::size_t light, int k, RayTree::Level& level, const RayBatch& batch,
                    RayCounts& counts, const Add& add) const;
-    void find_secondary(RayTree::Level& level, const RayBatch& batch, RayCounts& counts) const;
     void add_secondary(RayTree& tree, int depth, const RayBatch& batch, RayCounts& counts) const;
 
     const Scene& scene_;
