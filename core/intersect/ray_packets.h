@@ -28,7 +28,7 @@ template <class Rays, class Alone>
 void sort_into(std::array<RayPacket, 3>& packets, std::size_t first, const Rays& rays,
                const RayColumns& columns, const Alone& alone) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const Ray ray = rays[i];
+        const Ray& ray = rays[i];  // of a stream, a copy that lives as long
         if (columns.common[i] != 0) {
             packets[columns.dominants[i]].add(first + i, ray, ray.direction);
         } else if (is_valid(ray) && has_extreme_direction(ray)) {
