@@ -195,6 +195,21 @@ TEST_CASE("Curve: given a map that flattens it, then rays from far away meet it 
     }
 }
 
+TEST_CASE("Curve: given rays of an object from 2^57 away, then it is met where they pass it") {
+    // An instance that is all but flat makes such rays of usual ones. Each passes (x, y, 0).
+    const auto past = [](double x, double y) {
+        return Ray{{x + 30, y - 14, 0x1p57}, {-30, 14, -0x1p57}};
+    };
+    for (const CurveType type : {CurveType::flat, CurveType::cylinder}) {
+        const Geometry g = one(line(type), {{1, 4, 0}, {0, -4, 0}, {0, 3, 3}, Vec3(0)});
+        for (int i = -64; i <= 64; ++i) {
+            CHECK(std::isnan(t_of(g, past(0.25 * i, 8))));
+            CHECK(std::isnan(t_of(g, past(4, 0.25 * i))));
+        }
+        for (int i = -7; i <= 7; ++i) CHECK(t_of(g, past(0.125 * i, 0.5 * i)) == 1);
+    }
+}
+
 TEST_CASE("Curve: given a map that flattens it to less than roundings, then it is nowhere") {
     for (const double stretch : {0x1p51, 1e20, 1e300}) {
         const Geometry g = one(bent(CurveType::flat), flattened(stretch));

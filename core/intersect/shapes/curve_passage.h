@@ -45,13 +45,15 @@ struct CurvePassage {
 /// Below this roundings of a ray from far away are as good as those of its own coordinates.
 inline constexpr double ample_stretch = 16;
 
+/// Below this, in the size of what is seen, those of the distance are far below it.
+inline constexpr double ample_distance = 0x1p16;
+
 /// A ray in a curve's space, and axes along which the curve is seen: z is the ray's direction, and
 /// x is as nearly the curve's as it can be, so that y is small.
 class CurveView {
   public:
     CurveView(const StoredCurve& c, const CubicPoints& part, const Ray& ray) {
-        start_ = start_of(c.place, ray);
-        origin_ = c.place.vector(ray.origin - c.place.to_world.origin + start_ * ray.direction);
+        origin_ = start_near(c, part, ray);
         const Vec3 d = c.place.vector(ray.direction);
         const double scale = power_of_two_reciprocal(max_abs(d));
         const Vec3 scaled = d * scale;
@@ -77,18 +79,33 @@ class CurveView {
     Vec3 x, y, z;
 
   private:
-    /// The t at which a ray starts in the curve's space: where it is nearest to the map's origin if
+    /// Returns where a ray starts in the curve's space: where it is nearest to the map's origin if
     /// axes of the map are so unlike that the roundings of a far origin would be longer than the
-    /// curve.
-    static double start_of(const CurvePlace& place, const Ray& ray) {
-        if (stretch_of(place.to_world, place.rows) <= ample_stretch) return 0;
+    /// curve, or if it comes from so far that they are. Its own roundings then only move the point
+    /// along each axis by what they are of the ray's part along it, which boxes of instances have
+    /// room for. The second step makes good what the first, a rounded t, left of the way.
+    Vec3 start_near(const StoredCurve& c, const CubicPoints& part, const Ray& ray) {
+        Vec3 origin = ray.origin - c.place.to_world.origin;
+        if (stretch_of(c.place.to_world, c.place.rows) > ample_stretch) advance(origin, ray);
+        double size = widest(c.curve, c.part.begin(), c.part.end());
+        for (const Vec3& p : part) size = std::max(size, max_abs(p));
+        for (int step = 0; step < 2; ++step) {
+            if (max_abs(c.place.vector(origin)) > ample_distance * size) advance(origin, ray);
+        }
+        return c.place.vector(origin);
+    }
+
+    /// Moves a point of the ray to where that is nearest to 0.
+    void advance(Vec3& origin, const Ray& ray) {
         const double scale = power_of_two_reciprocal(max_abs(ray.direction));
         const Vec3 d = ray.direction * scale;
-        return (place.to_world.origin - ray.origin).dot(d) / d.dot(d) * scale;
+        const double step = -origin.dot(d) / d.dot(d) * scale;
+        origin += step * ray.direction;
+        start_ += step;
     }
 
     Vec3 origin_;
-    double start_, per_length_;
+    double start_ = 0, per_length_;
 };
 
 /// Calls take(passage) for each piece of the part that the ray's line passes, beyond its origin.
