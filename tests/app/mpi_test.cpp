@@ -146,9 +146,11 @@ TEST_CASE("When a rank is killed, what was done can be resumed", "[app][needs_mp
                         "-o image.exr --checkpoint c --checkpoint-every 0.1 --resume");
     for (const int victim : {2, 0}) {
         f.shell("rm -f c pid*");
+        // Waits for the victim's work, but not for that of one that has ended.
         const auto r = f.shell(fmt::format(
-            "{}sh rank & run=$!; until test -s pid{}; do sleep 0.02; done; "
-            "pid=$(cat pid{}); until {}; do sleep 0.02; done 2>loop; kill -KILL $pid; wait $run",
+            "{}sh rank & run=$!; while kill -0 $run && ! test -s pid{}; do sleep 0.02; done; "
+            "pid=$(cat pid{}); while kill -0 $pid && ! {{ {}; }}; do sleep 0.02; done 2>loop; "
+            "kill -KILL $pid; wait $run",
             mpirun(3), victim, victim, has_worked(25)));
         CAPTURE(victim, r.err);
         CHECK(r.status == 128 + 9);
