@@ -23,7 +23,7 @@ float first_t(const NormalizedRay& ray, double tmin) {
 
 constexpr unsigned first_shape = UserPrimitives::geometries;
 
-/// Whether Embree's floats can invert a map.
+/// Returns whether Embree's floats can invert a map.
 bool is_invertible(const Affine& map) {
     constexpr double largest = 0x1p100;
     const double volume = std::abs(map.determinant());

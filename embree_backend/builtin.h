@@ -29,7 +29,7 @@ class EmbreeBuiltin final : public Intersector {
     explicit EmbreeBuiltin(const Geometry& geometry, Traversal traversal = Traversal::fast,
                            const Device& of_scene = nullptr);
 
-    /// Whether Embree has a geometry for any of the primitives.
+    /// Returns whether Embree has a geometry for any of the primitives.
     static bool has_own_kernels(const Geometry& geometry);
 
     std::string isa() const override { return device_->isa(); }

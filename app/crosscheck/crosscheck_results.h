@@ -21,7 +21,7 @@ struct Results {
     std::vector<Contingency> contingencies;
     bool stopped = false;  ///< not all rays were asked, or not all backends
 
-    /// Whether every backend that promises to be exact is.
+    /// Returns whether every backend that promises to be exact is.
     bool as_promised() const;
 };
 

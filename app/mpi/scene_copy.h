@@ -26,7 +26,7 @@ class SceneCopy {
     /// Returns why that failed, or nothing.
     std::string receive(Ranks& ranks);
 
-    /// Whether rank 0 wants nothing instead.
+    /// Returns whether rank 0 wants nothing instead.
     bool is_over() const { return is_over_; }
 
     /// Where the copy of a file is; "-" is what rank 0 had as standard input.

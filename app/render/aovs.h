@@ -15,7 +15,7 @@ std::string check_aov(const std::string& name);
 /// "albedo, N, ..."
 std::string aov_names();
 
-/// Whether one of them needs the variances of the film.
+/// Returns whether one of them needs the variances of the film.
 bool need_variance(const std::vector<std::string>& names);
 
 /// Returns why the backend cannot give all of them; empty if it can.

@@ -35,7 +35,7 @@ class KeptState {
     /// not outlive this.
     void attach(RunControl& control);
 
-    /// Whether a state that was resumed from did not fit the image.
+    /// Returns whether a state that was resumed from did not fit the image.
     bool failed() const { return resumed_ && resumed_->failed(); }
 
     /// What stands behind the image in the EXR of a part; nothing for other images.

@@ -33,7 +33,7 @@ class RenderRun {
     /// Renders tiles for rank 0, which does all the rest. Returns the exit status.
     int work();
 
-    /// Whether a signal asked for the end.
+    /// Returns whether a signal asked for the end.
     bool is_interrupted() const { return signals_.raised(); }
 
   private:

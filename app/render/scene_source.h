@@ -20,7 +20,7 @@ class SceneSource {
     /// Gets the scene from rank 0, if that sends it. Returns why that failed, or nothing.
     std::string receive();
 
-    /// Whether rank 0 wants nothing of this rank.
+    /// Returns whether rank 0 wants nothing of this rank.
     bool is_over() const { return copy_.is_over(); }
 
     LoadedScene load();

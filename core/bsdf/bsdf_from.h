@@ -29,7 +29,7 @@ class BsdfFrom {
     /// Value and density of the smooth lobes.
     Evaluation evaluate(const Vec3& wi) const;
 
-    /// Whether `wi` is on the other side of the surface.
+    /// Returns whether `wi` is on the other side of the surface.
     bool passes(const Vec3& wi) const { return side(wi) == LobeKind::transmission; }
 
     /// Chooses a lobe by `lobe_choice` and of it a direction by `uv`, all in [0, 1). Nothing where

@@ -20,7 +20,7 @@ namespace etalon {
 /// which knows its side.
 enum class LobeKind : std::uint8_t { reflection, transmission, both, specular };
 
-/// Whether smooth lobes of this kind scatter light to a side.
+/// Returns whether smooth lobes of this kind scatter light to a side.
 constexpr bool scatters_to(LobeKind side, LobeKind kind) {
     return kind == side || kind == LobeKind::both;
 }

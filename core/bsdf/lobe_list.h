@@ -43,10 +43,10 @@ class LobeList {
         }
     }
 
-    /// Whether any lobe is not specular.
+    /// Returns whether any lobe is not specular.
     bool has_smooth() const { return has_smooth_; }
 
-    /// Whether one of these scatters light through the surface.
+    /// Returns whether one of these scatters light through the surface.
     bool has_smooth_transmission() const { return has_smooth_transmission_; }
 
     std::size_t size() const { return count_; }

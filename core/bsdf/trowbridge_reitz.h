@@ -13,7 +13,7 @@ class TrowbridgeReitz {
     TrowbridgeReitz(float alpha_x, float alpha_y)
         : alpha_x_(std::max(0.001F, alpha_x)), alpha_y_(std::max(0.001F, alpha_y)) {}
 
-    /// Whether the roughness is the same along x and y.
+    /// Returns whether the roughness is the same along x and y.
     bool is_isotropic() const { return alpha_x_ == alpha_y_; }
 
     float mean_alpha() const { return (alpha_x_ + alpha_y_) / 2; }

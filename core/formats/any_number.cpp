@@ -39,8 +39,9 @@ std::int64_t exponent_of(const char* first, const char* last) {
     return negative ? -size : size;
 }
 
-/// Whether a number without a sign that no double is near is too small for one, not too large:
-/// whether its first digit that is not 0 stands behind the point once the exponent has moved it.
+/// Returns whether a number without a sign that no double is near is too small for one, not too
+/// large: whether its first digit that is not 0 stands behind the point once the exponent has moved
+/// it.
 bool is_tiny(const char* first, const char* last) {
     const char* const point = std::find_if(first, last, [](char c) { return c < '0' || c > '9'; });
     const char* const digit =
@@ -53,7 +54,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// Whether [p, last) begins with a digit, perhaps behind a point.
+/// Returns whether [p, last) begins with a digit, perhaps behind a point.
 bool at_digits(const char* p, const char* last) {
     if (p != last && *p == '.') ++p;
     return p != last && is_digit(*p);

@@ -8,8 +8,8 @@
 
 namespace etalon {
 
-/// Whether a vector has been normalised, as far as roundings let one see: a step of 2^-53 in each
-/// of its numbers, and those of the product.
+/// Returns whether a vector has been normalised, as far as roundings let one see: a step of 2^-53
+/// in each of its numbers, and those of the product.
 bool is_of_unit_length(const Vec3& v);
 
 /// Vector along the normal of a polygon, on the side from which the corners run counter-clockwise

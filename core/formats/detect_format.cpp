@@ -88,7 +88,7 @@ bool is_obj(const FormatProbe& o) {
     return shows(o, {{"v", 3}, {"v", 4}, {"v", 6}, {"vn", 3}, {"vt", 2}, {"mtllib"}});
 }
 
-/// Whether more than one byte in fifty is one that no text has.
+/// Returns whether more than one byte in fifty is one that no text has.
 bool is_binary(const FormatProbe& o) {
     const auto strange = std::ranges::count_if(o.text, [](char c) {
         return (c >= '\0' && c < '\t') || (c > '\r' && c < ' ') || c == '\x7F';

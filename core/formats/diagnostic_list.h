@@ -16,7 +16,7 @@ class DiagnosticList {
     /// kind. It is valid until the next call.
     Diagnostic* admit(Severity severity, std::string_view kind);
 
-    /// Whether further ones of the kind are only counted.
+    /// Returns whether further ones of the kind are only counted.
     bool is_full(std::string_view kind) const;
 
     /// Takes over another list.

@@ -25,7 +25,7 @@ void read_corners(SceneLoader& loader, std::size_t count, bool with_normals) {
     }
 }
 
-/// Whether the corners just read make a polygon.
+/// Returns whether the corners just read make a polygon.
 bool is_visible(SceneLoader& loader) {
     if (!loader.in.ok()) return false;
     const Vec3 normal = area_normal(loader.corners.positions);

@@ -19,7 +19,7 @@ void finalize_cameras(const SceneLoader& loader, DiagnosticLog& log) {
     }
 }
 
-/// Whether there is such a surface; if not, says why.
+/// Returns whether there is such a surface; if not, says why.
 bool is_possible(Reader& in, const Material& m) {
     if (m.transmission != Color(0.0F) && !(m.ior > 0)) {
         in.warn("material", "the index of refraction of glass is {}; expected more than 0", m.ior);

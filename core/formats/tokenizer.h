@@ -17,7 +17,7 @@ class Tokenizer {
 
     bool at_end() const { return cursor_ == last_; }
 
-    /// Whether the next word sets out to be a number. It need not be a well-formed one.
+    /// Returns whether the next word sets out to be a number. It need not be a well-formed one.
     bool at_number() const;
 
     /// The next word; empty at the end.

@@ -18,7 +18,7 @@ class Triangulator {
         for (std::uint32_t i = 0; i < left_.size(); ++i) left_[i] = i;
     }
 
-    /// Whether the whole polygon turns one way, seen from the first corner.
+    /// Returns whether the whole polygon turns one way, seen from the first corner.
     bool is_fan() const {
         for (std::uint32_t i = 2; i < points_.size(); ++i) {
             if (!(area(0, i - 1, i) >= 0)) return false;

@@ -21,13 +21,13 @@ std::string write_image(const std::string& path, const RenderedImage& image, dou
 Result<std::string> encode_image(const std::string& name, const RenderedImage& image,
                                  double exposure = 0);
 
-/// Whether write_image() knows the extension.
+/// Returns whether write_image() knows the extension.
 bool can_write(const std::string& path);
 
-/// Whether a file of this extension has a place for an image's channels.
+/// Returns whether a file of this extension has a place for an image's channels.
 bool can_hold_channels(const std::string& path);
 
-/// Whether write_image() applies the exposure to a file of this extension.
+/// Returns whether write_image() applies the exposure to a file of this extension.
 bool has_exposure(const std::string& path);
 
 /// Reads an image file, told by its first bytes: EXR by OpenEXR, PNG by libpng, JPEG by libjpeg;

@@ -15,9 +15,9 @@ class CutOuts {
     CutOuts(const CutOuts&) = delete;
     CutOuts& operator=(const CutOuts&) = delete;
 
-    /// Whether a point of a surface is in a hole for a ray, which may be a shadow ray. `geometry`
-    /// holds the point's primitive, and the point is in its space: for an instance, in the space of
-    /// its object.
+    /// Returns whether a point of a surface is in a hole for a ray, which may be a shadow ray.
+    /// `geometry` holds the point's primitive, and the point is in its space: for an instance, in
+    /// the space of its object.
     virtual bool is_hole(const Geometry& geometry, const SurfacePoint& point,
                          bool for_shadow) const = 0;
 };

@@ -32,7 +32,7 @@ class Intersector : public BatchIntersector {
     /// Returns the same hit, and adds the tests that it took to `cost`, if Backend counts them.
     std::optional<Hit> closest(const Ray& ray, TraversalCost& cost) const;
 
-    /// Whether closest(ray) finds something.
+    /// Returns whether closest(ray) finds something.
     bool occluded(const Ray& ray) const;
 
     using BatchIntersector::closest, BatchIntersector::occluded;
@@ -45,7 +45,7 @@ class Intersector : public BatchIntersector {
     void offer_instance(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
                         TraversalCost* cost = nullptr) const;
 
-    /// Whether an instance is hit with t <= query.ray.tmax.
+    /// Returns whether an instance is hit with t <= query.ray.tmax.
     bool instance_occludes(std::uint32_t item, const RayQuery& query) const;
 
     /// Bytes of the backend's structures, those of objects included.
@@ -90,7 +90,7 @@ class Intersector : public BatchIntersector {
         closest_bounded(query, local, nearest);
     }
 
-    /// Whether any bounded primitive is hit with t <= query.ray.tmax.
+    /// Returns whether any bounded primitive is hit with t <= query.ray.tmax.
     virtual bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const = 0;
 
     const Geometry& geometry() const { return geometry_; }
@@ -142,8 +142,8 @@ struct Backend {
     bool counts_box_tests = false;  ///< in a TraversalCost
     bool counts_primitive_tests = false;
     int colour = 7;  ///< colour in reports, of bench/plot/style.h, from 1; 7 is grey
-    /// Whether a backend that is not exact has kernels of its own for any of the primitives. If it
-    /// has none, its hits are those of the exact backends.
+    /// Returns whether a backend that is not exact has kernels of its own for any of the
+    /// primitives. If it has none, its hits are those of the exact backends.
     bool (*has_own_kernels)(const Geometry& geometry) = nullptr;
 };
 

@@ -27,7 +27,7 @@ Box3 widened(const Box3& box) {
 
 namespace {
 
-/// Whether the faces of a shape's box are numbers of the shape.
+/// True if the faces of a shape's box are numbers of the shape.
 template <class Shape>
 constexpr bool has_exact_bounds =
     std::is_same_v<Shape, Triangle> || std::is_same_v<Shape, Polygon> ||
@@ -92,7 +92,7 @@ template double shape_first_hit(const Geometry&, const Sphere&, Sides, const Ray
 
 namespace {
 
-/// Whether rays that go into a shape from next to an edge may start beyond another of its faces.
+/// True if rays that go into a shape from next to an edge may start beyond another of its faces.
 template <class Shape>
 concept HasEdges = requires(const Shape& shape, const Vec3& distance, SurfacePoint& p) {
     { move_off_edges(shape, distance, p) } -> std::same_as<bool>;

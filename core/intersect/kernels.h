@@ -21,7 +21,8 @@ Box3 widened(const Box3& box);
 /// are used as they are; where they are sums, the box is widened.
 Box3 whole_bounds(const Geometry& geometry, std::uint32_t primitive);
 
-/// Whether a ray that hits a primitive which is cut out does so in a hole. The kernel asks this.
+/// Returns whether a ray that hits a primitive which is cut out does so in a hole. The kernel asks
+/// this.
 bool meets_hole(const Geometry& geometry, std::uint32_t primitive, const RayQuery& query);
 
 /// The same as primitive_first_hit() for callers that have the shape itself, which saves the two

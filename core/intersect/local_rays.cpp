@@ -29,8 +29,8 @@ HWY_INLINE Doubles power_of_two_reciprocal(Doubles x) {
     return hn::BitCast(DoubleTag(), hn::ShiftLeft<52>(mirrored));
 }
 
-/// Whether lines pass the box by, or end before it: with a margin far above the roundings. Nothing
-/// is said of lines that are next to parallel to one of its sides.
+/// Returns whether lines pass the box by, or end before it: with a margin far above the roundings.
+/// Nothing is said of lines that are next to parallel to one of its sides.
 HWY_INLINE DoubleMask passes_by(const Vec3& reach, const Vec3Lanes& origin,
                                 const Vec3Lanes& direction) {
     const Doubles one = broadcast(1), least = broadcast(0x1p-100);

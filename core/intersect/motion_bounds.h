@@ -17,8 +17,8 @@ class MotionBounds {
   public:
     explicit MotionBounds(const AnimatedTransform& motion);
 
-    /// Whether there are bounds: false where the map is singular or nearly so, or not finite, at
-    /// any time.
+    /// Returns whether there are bounds: false where the map is singular or nearly so, or not
+    /// finite, at any time.
     bool exist() const { return spread_ < infinity; }
 
     /// Returns the box of all places of the points of `box`.

@@ -53,10 +53,10 @@ inline FineRay fine_ray(const NormalizedSpace& space, double spread, const Ray& 
     return {Vec3f(origin - Vec3(local.origin)), static_cast<float>(slack)};
 }
 
-/// Whether the ray's line passes the box of all that is bounded, or leaves it behind, beyond all
-/// roundings, however far it comes from: by the separating axes across the line and the sides
-/// (Gottschalk, Lin & Manocha 1996, SIGGRAPH '96), without a division: most rays to instances need
-/// no more. Holds of what is decided for this ray, not of instances seen by rays that are not
+/// Returns whether the ray's line passes the box of all that is bounded, or leaves it behind,
+/// beyond all roundings, however far it comes from: by the separating axes across the line and the
+/// sides (Gottschalk, Lin & Manocha 1996, SIGGRAPH '96), without a division: most rays to instances
+/// need no more. Holds of what is decided for this ray, not of instances seen by rays that are not
 /// resolved.
 inline bool surely_passes(const NormalizedSpace& space, const Ray& ray) {
     const Vec3 o = ray.origin - space.centre(), &d = ray.direction, &reach = space.reach();

@@ -74,8 +74,8 @@ class NormalizedSpace {
     /// everything, but for those that surely miss.
     bool resolves(const Ray& ray) const;
 
-    /// Whether the ray's line passes the bounded part of the scene by, beyond all roundings of its
-    /// coordinates, however far it comes from.
+    /// Returns whether the ray's line passes the bounded part of the scene by, beyond all roundings
+    /// of its coordinates, however far it comes from.
     bool surely_misses(const Ray& ray) const;
 
   private:

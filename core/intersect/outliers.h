@@ -12,7 +12,7 @@ inline double reach_of(const Box3& box) {
     return std::max(max_abs(box.min), max_abs(box.max));
 }
 
-/// Whether there is a box, and no coordinate of it is beyond `limit`.
+/// Returns whether there is a box, and no coordinate of it is beyond `limit`.
 inline bool is_bounded(const Box3& box, double limit) {
     return !box.isEmpty() && is_finite(box.min) && is_finite(box.max) && reach_of(box) <= limit;
 }

@@ -25,7 +25,8 @@ struct Ray {
     bool coherent() const { return (traits_and_time & coherent_trait) != 0; }
     void set_coherent() { traits_and_time |= coherent_trait; }
 
-    /// Whether it is a shadow ray, which passes holes that other rays do not (PBRT's shadowalpha).
+    /// Returns whether it is a shadow ray, which passes holes that other rays do not (PBRT's
+    /// shadowalpha).
     bool is_shadow() const { return (traits_and_time & shadow_trait) != 0; }
     void set_shadow() { traits_and_time |= shadow_trait; }
 
@@ -41,7 +42,7 @@ struct Ray {
 
 static_assert(sizeof(Ray) == 72);
 
-/// Whether a ray can hit anything at all.
+/// Returns whether a ray can hit anything at all.
 inline bool is_valid(const Ray& ray) {
     return is_finite(ray.origin) && is_finite(ray.direction) && max_abs(ray.direction) > 0 &&
            ray.tmin < ray.tmax;

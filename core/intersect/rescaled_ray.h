@@ -11,7 +11,7 @@ namespace etalon {
 /// Directions between the reciprocal of this and this have products that are doubles.
 inline constexpr double largest_usual_direction = 0x1p90;
 
-/// Whether products of the direction's components could leave the range of double.
+/// Returns whether products of the direction's components could leave the range of double.
 inline bool has_extreme_direction(const Ray& ray) {
     const double size = max_abs(ray.direction);
     return size < 1 / largest_usual_direction || size > largest_usual_direction;

@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Whether a RayQuery leaves the component of a direction as it is.
+/// Returns whether a RayQuery leaves the component of a direction as it is.
 HWY_INLINE DoubleMask is_kept(Doubles size, Doubles least) {
     return hn::Or(size >= least, size == broadcast(0));
 }

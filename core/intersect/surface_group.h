@@ -19,7 +19,7 @@ struct SurfaceGroup {
     MutableVec3Span positions, errors, normals, shading_normals;  ///< of the points; padded
 };
 
-/// Whether there is a kernel for groups of hits on the primitive.
+/// Returns whether there is a kernel for groups of hits on the primitive.
 bool has_surface_group(const Primitive& primitive);
 
 /// Sets the points of a group of hits on such a primitive: to the bits of surface_at(), which has

@@ -42,7 +42,7 @@ class InfiniteLight {
     /// Mean over all directions.
     const Color& mean() const { return mean_; }
 
-    /// Whether sample() has any direction to offer.
+    /// Returns whether sample() has any direction to offer.
     bool can_be_sampled() const { return !places_.empty(); }
 
   private:

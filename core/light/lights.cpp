@@ -79,7 +79,7 @@ bool Lights::AreaLight::shines(const Vec3& normal, const Vec3& ray) const {
     return front.dot(ray) < 0;
 }
 
-/// Whether a flat light of one side shines to the other side of its plane only.
+/// Returns whether a flat light of one side shines to the other side of its plane only.
 bool Lights::AreaLight::turns_from(const Vec3& point) const {
     return flat_front && !two_sided && flat_front->dot(point - bounds.centre) <= 0;
 }

@@ -25,7 +25,7 @@ class Lights {
 
     bool empty() const { return sources_.empty(); }
 
-    /// Whether rays meet any of them.
+    /// Returns whether rays meet any of them.
     bool can_be_seen() const { return !area_lights_.empty() || !infinite_.empty(); }
 
     /// Radius of a sphere around the scene's bounds.
@@ -45,7 +45,7 @@ class Lights {
     /// The probability with which pick() chose the light for the same receiver.
     double pick_probability(const Receiver& at, std::uint32_t light) const;
 
-    /// Whether any light has a place but no extent.
+    /// Returns whether any light has a place but no extent.
     bool has_point_lights() const { return !point_lights_.empty(); }
 
     /// The part of all lights' power that spots have.

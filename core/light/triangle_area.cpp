@@ -7,13 +7,14 @@
 namespace etalon {
 namespace {
 
-/// Whether a shape is so near for its size that sampling its solid angle instead of its area pays.
+/// Returns whether a shape is so near for its size that sampling its solid angle instead of its
+/// area pays.
 bool is_near(const Vec3& from, const BoundingSphere& bounds, double area) {
     return area > 0.1 * (bounds.centre - from).length2();
 }
 
-/// Whether the angles of spherical triangles of that solid angle are good to a few digits, as in
-/// pbrt-v4.
+/// Returns whether the angles of spherical triangles of that solid angle are good to a few digits,
+/// as in pbrt-v4.
 bool is_accurate(double solid_angle) {
     return solid_angle > 3e-4 && solid_angle < 6.22;
 }

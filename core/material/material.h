@@ -22,7 +22,7 @@ struct MaterialPoint {
 BsdfFrame bsdf_frame(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all,
                      const TextureValues& textures, const MaterialPoint& point);
 
-/// Whether that frame depends on the point's coordinates.
+/// Returns whether that frame depends on the point's coordinates.
 bool is_bumpy(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all);
 
 /// Lobes at a point of a surface of `material`, one of `all`, as PBRT version 3 defines its

@@ -34,7 +34,7 @@ class PointValues {
         return at_.uv.y;
     }
 
-    /// Whether any value asked so far is that of the point, as a texture's is.
+    /// Returns whether any value asked so far is that of the point, as a texture's is.
     bool asked_point() const { return asked_point_; }
 
   private:

@@ -25,7 +25,7 @@ class DiffusionTables {
     std::map<std::pair<float, float>, DiffusionTable> tables_;
 };
 
-/// Whether light is scattered below surfaces of a material anywhere.
+/// Returns whether light is scattered below surfaces of a material anywhere.
 bool may_scatter_below(const PhysicalMaterial& material);
 
 /// What is below a point of a surface; nothing where light goes through the surface or not at all.

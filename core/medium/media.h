@@ -31,7 +31,7 @@ class Media {
     Color transmittance(std::uint32_t medium, const RaySegment& segment,
                         RandomSequence& numbers) const;
 
-    /// Whether the densities of flights in the medium are known, and there are any.
+    /// Returns whether the densities of flights in the medium are known, and there are any.
     bool knows_densities(std::uint32_t medium) const {
         return !grids_[medium] && media_[medium].scattering != Color(0.0F);
     }

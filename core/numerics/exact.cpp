@@ -32,8 +32,8 @@ double exact_triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p, const Ve
     return volume.estimate();
 }
 
-/// Whether two vectors of single terms are parallel: rays that are aimed at a corner often pass
-/// through it exactly.
+/// Returns whether two vectors of single terms are parallel: rays that are aimed at a corner often
+/// pass through it exactly.
 bool are_parallel(const Vec3TwoTerm& d, const Vec3TwoTerm& p) {
     for (int k = 0; k < 3; ++k) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -45,7 +45,8 @@ bool are_parallel(const Vec3TwoTerm& d, const Vec3TwoTerm& p) {
     return true;
 }
 
-/// Whether products whose magnitudes sum up to so much, and what they round to, are doubles.
+/// Returns whether products whose magnitudes sum up to so much, and what they round to, are
+/// doubles.
 bool is_in_range(double terms) {
     return terms > 0x1p-800 && terms < infinity;
 }

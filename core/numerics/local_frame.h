@@ -15,7 +15,7 @@ class LocalFrame {
   public:
     LocalFrame(const Affine& map, Symmetry symmetry);
 
-    /// Whether the map is finite and not singular, which is found out exactly.
+    /// Returns whether the map is finite and not singular, which is found out exactly.
     bool exists() const { return exists_; }
 
     /// Maps from the world to local coordinates. Each row of the matrix is good to two roundings of

@@ -16,12 +16,12 @@ Affine rotation(double degrees, const Vec3& axis);
 /// length but zero.
 Affine about_axis(const Vec3& origin, const Vec3& axis);
 
-/// Whether the map leaves no volume, as far as can be told: its determinant, a sum of six products,
-/// is no more than the roundings of the map's twelve numbers may have made of zero. No scale by
-/// which a map was composed, however uneven, makes it singular.
+/// Returns whether the map leaves no volume, as far as can be told: its determinant, a sum of six
+/// products, is no more than the roundings of the map's twelve numbers may have made of zero. No
+/// scale by which a map was composed, however uneven, makes it singular.
 bool is_singular(const Affine& map);
 
-/// Whether the map turns right hands into left ones. It must not be singular.
+/// Returns whether the map turns right hands into left ones. It must not be singular.
 bool mirrors(const Affine& map);
 
 /// How a map carries normals: by the transpose of its inverse but for a positive factor, so that

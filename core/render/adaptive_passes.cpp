@@ -52,7 +52,8 @@ bool AdaptivePasses::is_enough() const {
     return errors_.estimate().exists() && expected_ <= (1 + tolerance) * error_;
 }
 
-/// Whether too little is known; not if twice the samples for all were more than was asked for.
+/// Returns whether too little is known; not if twice the samples for all were more than was asked
+/// for.
 bool AdaptivePasses::knows_too_little() const {
     if (2 * of_all_ > samples_) return false;
     return of_all_ < 2 || (of_all_ < fewest && expected_ / 2 > error_);

@@ -24,7 +24,7 @@ class CameraRays {
     /// `pixels` and, where there is a lens, of `lens`, of the time at which the shutter opens.
     void rays(std::span<const Vec2> pixels, std::span<const Vec2> lens, RayBuffer& rays) const;
 
-    /// Whether rays count differently: where a lens of several surfaces stops some.
+    /// Returns whether rays count differently: where a lens of several surfaces stops some.
     bool has_weights() const { return lens_ != nullptr; }
 
     /// Sets `weights`, too, to what the rays' light counts. For a camera that has weights. `times`

@@ -12,7 +12,7 @@ class CameraSampler {
   public:
     CameraSampler(const Camera& camera, const RenderSettings& settings);
 
-    /// Whether each ray counts for the four pixels about its corner.
+    /// Returns whether each ray counts for the four pixels about its corner.
     bool shares_corners() const { return shares_corners_; }
 
     /// Returns the points with rays of their own: a window's pixels, or the corners about them.

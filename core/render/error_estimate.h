@@ -32,7 +32,7 @@ class ErrorEstimate {
     /// estimated.
     void look(const Film& film, const FilteredErrors* filtered = nullptr);
 
-    /// Whether there is an estimate: some pixels were doubled.
+    /// Returns whether there is an estimate: some pixels were doubled.
     bool exists() const { return exists_; }
 
     /// relMSE of the image: the mean over pixels and channels of (error / value)^2, with 0.01

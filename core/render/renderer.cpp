@@ -80,7 +80,7 @@ class Renderer {
     }
 
   private:
-    /// Whether to stop. However short the time is, an image has one sample of each pixel.
+    /// Returns whether to stop. However short the time is, an image has one sample of each pixel.
     bool stopped() const {
         return (control_.stop != nullptr && control_.stop->load()) ||
                (control_.dealer != nullptr && control_.dealer->has_failed()) ||

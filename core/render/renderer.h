@@ -21,7 +21,7 @@ class StateKeeper {
   public:
     virtual ~StateKeeper() = default;
 
-    /// Whether it is time to keep it. Called often, from any thread.
+    /// Returns whether it is time to keep it. Called often, from any thread.
     virtual bool is_due() = 0;
 
     /// Keeps the state that `save` writes. Nothing is rendered meanwhile.

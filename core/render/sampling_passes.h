@@ -30,8 +30,8 @@ class SamplingPasses {
     /// Returns the goal of the next pass; nothing when the image is done.
     virtual std::optional<SamplingGoal> next(const Film& film) = 0;
 
-    /// Whether the image is what was asked for after so many samples; next() also ends the passes
-    /// where there is no time for more.
+    /// Returns whether the image is what was asked for after so many samples; next() also ends the
+    /// passes where there is no time for more.
     virtual bool is_complete(std::uint64_t samples) const = 0;
 
     /// The image's expected relMSE after the last whole pass; nothing where it was not estimated.

@@ -85,7 +85,7 @@ class SplatFilm {
 
     std::size_t cell_of(const Imath::V2i& pixel) const;
 
-    /// Whether the pixel is the first one of its cell that is in the tile.
+    /// Returns whether the pixel is the first one of its cell that is in the tile.
     bool is_first_of_cell(const Imath::V2i& pixel, const Imath::Box2i& tile) const {
         const Imath::V2i offset = pixel - corner_;
         return (offset.x % side_ == 0 || pixel.x == tile.min.x) &&

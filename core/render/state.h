@@ -12,7 +12,7 @@
 
 namespace etalon {
 
-/// Whether all that a value is lies in its own bytes; vectors have constructors, but no more.
+/// True if all that a value is lies in its own bytes; vectors have constructors, but no more.
 template <class T>
 inline constexpr bool is_plain = std::is_standard_layout_v<T>&& std::is_trivially_destructible_v<T>;
 
@@ -84,7 +84,7 @@ class StateReader {
     /// Fails unless the values so far are those of such objects.
     void expect(bool holds) { failed_ = failed_ || !holds; }
 
-    /// Whether the bytes were not those of such objects.
+    /// Returns whether the bytes were not those of such objects.
     bool failed() const { return failed_; }
 
   private:

@@ -33,7 +33,7 @@ class TileDealer {
     /// been read, and the pass is called no more.
     virtual void deal(const DealtPass& pass) = 0;
 
-    /// Whether another process has failed, so that rendering is to stop. From any thread.
+    /// Returns whether another process has failed, so that rendering is to stop. From any thread.
     virtual bool has_failed() const = 0;
 };
 

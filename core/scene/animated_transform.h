@@ -22,7 +22,7 @@ class AnimatedTransform {
     /// Returns the map where a part of the motion is done, in [0, 1].
     Affine at_part(double part) const;
 
-    /// Whether the maps differ by where the origin goes alone.
+    /// Returns whether the maps differ by where the origin goes alone.
     bool is_translation() const;
 
     /// Returns where the origin is.

@@ -37,7 +37,7 @@ struct CurvePart {
 struct CurvePlace {
     explicit CurvePlace(const Affine& map);
 
-    /// Whether the map is finite and not singular, as far as doubles show it.
+    /// Returns whether the map is finite and not singular, as far as doubles show it.
     bool exists() const;
 
     Affine to_world;

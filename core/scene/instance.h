@@ -20,8 +20,8 @@ struct Instance {
     /// singular.
     Affine to_world() const;
 
-    /// Whether rays can be transformed to object space: false for a map that is singular or not
-    /// finite, whose instance is never hit.
+    /// Returns whether rays can be transformed to object space: false for a map that is singular or
+    /// not finite, whose instance is never hit.
     bool exists() const;
 
     /// Value of `motion` for an instance that does not move.

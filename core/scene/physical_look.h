@@ -29,7 +29,7 @@ struct SurfaceBinding {
     NumberSlot shadow_alpha{1.0F};  ///< a shadow ray passes where it, or alpha, is 0
     MediumInterface media{};
 
-    /// Whether any ray passes the surface anywhere.
+    /// Returns whether any ray passes the surface anywhere.
     bool is_cut_out() const { return can_be_zero(alpha) || can_be_zero(shadow_alpha); }
 
   private:

@@ -19,7 +19,7 @@ struct PixelFilter {
     double b = 1.0 / 3, c = 1.0 / 3;  ///< of Mitchell and Netravali (1988)
     double tau = 3;                   ///< of a sinc: cycles until Lanczos' window is 0
 
-    /// Whether each sample counts for the pixel that it lies in, and for no other.
+    /// Returns whether each sample counts for the pixel that it lies in, and for no other.
     bool is_pixel_box() const { return kind == FilterKind::box && radius == Vec2(0.5); }
 };
 

@@ -70,7 +70,7 @@ struct RenderSettings {
 
     std::string backend;  ///< name of the intersection backend; empty: the program's default
 
-    /// Whether an image has the light that the film's display values stand for.
+    /// Returns whether an image has the light that the film's display values stand for.
     bool decodes() const { return display_colors && !keep_display_values; }
 
     /// The first sample of the part, and the one after its last; of an image without a number of

@@ -64,7 +64,7 @@ struct Revolved {
     /// The same surface in another place.
     Revolved under(const Affine& map) const { return {map, profile, sector}; }
 
-    /// Whether there is something to be met: the map is not singular, and all is finite.
+    /// Returns whether there is something to be met: the map is not singular, and all is finite.
     bool exists() const;
 
     Affine to_world;

@@ -29,7 +29,7 @@ struct MotionTimes {
         return (now - start) / (end - start);
     }
 
-    /// Whether the shutter sees more than one moment of the motion.
+    /// Returns whether the shutter sees more than one moment of the motion.
     bool see_motion() const { return part(0) != part(last_shutter_time); }
 };
 

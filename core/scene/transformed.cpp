@@ -126,7 +126,7 @@ class Similarity {
         for (T& item : list) (*this)(item);
     }
 
-    /// Whether all points so far are within the range of double.
+    /// Returns whether all points so far are within the range of double.
     bool stayed_finite() const { return finite_; }
 
   private:

@@ -15,7 +15,7 @@ struct TexelRows {
     std::function<void(int y, float* texels)> read;  ///< writes row `y`, on any thread
 };
 
-/// Whether both sides are powers of two.
+/// Returns whether both sides are powers of two.
 bool has_power_of_two_sides(int width, int height);
 
 /// The length to which a side is stretched.

@@ -23,7 +23,7 @@ Color shown(const TextureImages& images, const ImageTexture<Color>& texture, con
     return images.colors[texture.image].color(st);
 }
 
-/// Whether the fields with these coordinates' whole parts are of the first kind.
+/// Returns whether the fields with these coordinates' whole parts are of the first kind.
 bool is_even(double sum_of_floors) {
     return std::floor(sum_of_floors / 2) == sum_of_floors / 2;
 }

@@ -17,7 +17,7 @@ class ZeroTexels {
     /// Notes that a texel, given by its number by rows from the top, is not 0.
     void set_not_zero(std::size_t texel) { words_[texel / 64] |= std::uint64_t{1} << texel % 64; }
 
-    /// Whether the value that is interpolated at (s, t) is 0.
+    /// Returns whether the value that is interpolated at (s, t) is 0.
     bool is_zero(const Vec2& st) const;
 
     std::size_t memory_bytes() const { return words_.size() * sizeof(std::uint64_t); }

@@ -52,7 +52,7 @@ class PairwiseTraversal {
     HWY_INLINE PairwiseTraversal(const WideTree& tree, const Boxes& boxes, float tmax)
         : tree_(tree), boxes_(boxes), tmax_(tmax) {}
 
-    /// Whether the ray meets the tree at all: many do not, and need no more set up.
+    /// Returns whether the ray meets the tree at all: many do not, and need no more set up.
     HWY_INLINE bool begin() {
         if (tree_.root.is_leaf()) {
             leaves_.push(tree_.root);

@@ -60,7 +60,8 @@ HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const No
     });
 }
 
-/// Whether any member of a cluster is hit at t <= query.ray.tmax, which is no later than `tmax`.
+/// Returns whether any member of a cluster is hit at t <= query.ray.tmax, which is no later than
+/// `tmax`.
 HWY_INLINE bool is_hit(const BvhView& bvh, ClusterRef ref, const ClusterFilter& filter, float tmax,
                        const RayQuery& query) {
     if (HWY_UNLIKELY(ref.kind() == ClusterRef::instances)) {
@@ -74,7 +75,7 @@ HWY_INLINE bool is_hit(const BvhView& bvh, ClusterRef ref, const ClusterFilter& 
     return found;
 }
 
-/// Whether anything is hit at t <= query.ray.tmax; arguments as for find_closest().
+/// Returns whether anything is hit at t <= query.ray.tmax; arguments as for find_closest().
 template <class LowestLane, class Boxes>
 HWY_INLINE bool find_any(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
                          float tmin, const Boxes& boxes) {

@@ -38,7 +38,8 @@ class Traversal {
                          Counters counters)
         : tree_(tree), boxes_(boxes), stack_(space), counters_(counters), next_(tree.root) {}
 
-    /// Whether the ray meets the tree before tmax at all: many do not, and need no more set up.
+    /// Returns whether the ray meets the tree before tmax at all: many do not, and need no more set
+    /// up.
     HWY_INLINE bool begin(float tmax) { return next_.is_leaf() || descend(tmax); }
 
     /// Passes, after begin(), the leaves one by one to at_leaf(cluster), as long as that returns

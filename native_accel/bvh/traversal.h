@@ -17,8 +17,8 @@ struct BvhView {
     const Clusters& clusters;
     const Intersector& instances;
 
-    /// Whether the ray is likely to take the same way through the tree as those before it: hardly
-    /// where it enters very many nodes.
+    /// Returns whether the ray is likely to take the same way through the tree as those before it:
+    /// hardly where it enters very many nodes.
     bool predicts_branches(const Ray& ray) const {
         return ray.coherent() && tree.expected_nodes < 16;
     }
@@ -34,7 +34,7 @@ struct BvhTraversal {
     void (*closest_counted)(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
                             NearestHit& nearest, TraversalCost& cost);
 
-    /// Whether any primitive is hit at t <= query.ray.tmax.
+    /// Returns whether any primitive is hit at t <= query.ray.tmax.
     bool (*occluded)(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local);
 };
 

@@ -26,7 +26,7 @@ struct GridCost {
         return std::min(list(items), enter + 2 * std::cbrt(items));
     }
 
-    /// Whether a list is so short that no grid could be better.
+    /// Returns whether a list is so short that no grid could be better.
     bool is_short(std::uint32_t items) const { return list(items) <= enter + 2; }
 };
 

@@ -24,7 +24,7 @@ struct GridTrace {
     void (*closest)(const GridView& grid, const RayQuery& query, const NormalizedRay& local,
                     NearestHit& nearest);
 
-    /// Whether any primitive is hit at t <= query.ray.tmax.
+    /// Returns whether any primitive is hit at t <= query.ray.tmax.
     bool (*occluded)(const GridView& grid, const RayQuery& query, const NormalizedRay& local);
 };
 

@@ -51,7 +51,7 @@ class LayoutChoice {
     }
 
   private:
-    /// Whether it would not take too long to find out what it costs to cut so.
+    /// Returns whether it would not take too long to find out what it costs to cut so.
     bool is_allowed(const GridLayout& layout) const {
         const auto items = static_cast<double>(part_.items.size());
         const double limit = std::min(part_.budget, config_.max_work * items);

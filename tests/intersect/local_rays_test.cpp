@@ -68,7 +68,7 @@ void require_same(const NormalizedRay& together, const NormalizedRay& alone) {
     CHECK(together.scale == alone.scale);
 }
 
-/// Whether the ray meets the box, as far as plain slabs say.
+/// Returns whether the ray meets the box, as far as plain slabs say.
 bool surely_meets(const Ray& ray) {
     double from = std::max(0.0, ray.tmin), to = ray.tmax;
     for (int k = 0; k < 3; ++k) {

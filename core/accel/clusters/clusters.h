@@ -26,7 +26,7 @@ struct ClusterRef {
     Kind kind() const { return static_cast<Kind>(bits >> 29); }
     std::uint32_t index() const { return bits & 0x1FFFFFFFU; }
 
-    /// Whether a cluster of instances is one instance.
+    /// Returns whether a cluster of instances is one instance.
     bool is_single() const { return (bits & most_single) != 0; }
     std::uint32_t instance() const { return index() & ~most_single; }
 

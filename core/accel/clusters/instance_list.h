@@ -9,7 +9,7 @@ namespace etalon {
 void offer_instances(const Intersector& intersector, const Clusters& clusters, ClusterRef ref,
                      const RayQuery& query, NearestHit& nearest, TraversalCost* cost);
 
-/// Whether an instance of a cluster is hit with t <= query.ray.tmax.
+/// Returns whether an instance of a cluster is hit with t <= query.ray.tmax.
 bool instances_occlude(const Intersector& intersector, const Clusters& clusters, ClusterRef ref,
                        const RayQuery& query);
 

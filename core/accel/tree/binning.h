@@ -17,13 +17,13 @@ class Binning {
 
     int bins() const { return bins_; }
 
-    /// Whether the centres fall into more than one bin along the axis.
+    /// Returns whether the centres fall into more than one bin along the axis.
     bool divides(int axis) const { return scale_[axis] > 0; }
 
     /// The bins along all axes.
     Bounds::Corner positions(const Bounds& b) const { return (twice_centre(b) - origin_) * scale_; }
 
-    /// Whether the bin along `axis` is below `bin`.
+    /// Returns whether the bin along `axis` is below `bin`.
     bool is_below(const Bounds& b, int axis, float bin) const {
         return (b.min[axis] + b.max[axis] - origin_[axis]) * scale_[axis] < bin;
     }

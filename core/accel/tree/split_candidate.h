@@ -25,7 +25,7 @@ struct SplitCandidate {
     double priority = 0;  ///< 0: not to be cut
 };
 
-/// Whether a factor up to `limit` might cut a primitive, judged by its box alone.
+/// Returns whether a factor up to `limit` might cut a primitive, judged by its box alone.
 bool might_be_cut(const BoundedPrimitive& p, double limit);
 
 std::array<Vec3, 3> corners_of(const Geometry& geometry, const BoundedPrimitive& triangle);

@@ -22,7 +22,7 @@ std::optional<Matrix4> inverse(const Matrix4& m);
 
 bool is_finite(const Matrix4& m);
 
-/// Whether the last row is 0 0 0 1.
+/// Returns whether the last row is 0 0 0 1.
 bool is_affine(const Matrix4& m);
 
 }  // namespace etalon::pbrt

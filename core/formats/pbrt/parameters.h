@@ -39,7 +39,7 @@ class Parameters {
     explicit Parameters(const PluginType& type, std::vector<Argument> arguments = {})
         : type_(&type), arguments_(std::move(arguments)) {}
 
-    /// Whether the file gives it, as a value or as a texture.
+    /// Returns whether the file gives it, as a value or as a texture.
     bool is_given(std::string_view name) const { return find(name) != nullptr; }
 
     float number(std::string_view name) const;

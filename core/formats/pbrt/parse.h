@@ -9,7 +9,7 @@
 
 namespace etalon::pbrt {
 
-/// Whether a word is a directive of PBRT, be it of this version or of another.
+/// Returns whether a word is a directive of PBRT, be it of this version or of another.
 bool is_directive(std::string_view word);
 
 struct ParseOptions {

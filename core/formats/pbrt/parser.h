@@ -85,7 +85,8 @@ struct Parser {
     /// a required one is missing.
     std::optional<Plugin> make_plugin(const PluginType& type, ParameterList& list);
 
-    /// Whether its parameters go together, so that it is not left out; says it if they do not.
+    /// Returns whether its parameters go together, so that it is not left out; says it if they do
+    /// not.
     bool check(const Plugin& plugin);
 
     /// Adds a material, made of the lists' values, of which the first list has precedence.

@@ -19,8 +19,8 @@ constexpr std::array not_of_materials = {
     NotOfMaterials{ValueType::string, "scheme"},
 };
 
-/// Whether pbrt-v3 takes the parameter of a shape for one that might be meant for its material:
-/// any texture but a mask, any single value but a few.
+/// Returns whether pbrt-v3 takes the parameter of a shape for one that might be meant for its
+/// material: any texture but a mask, any single value but a few.
 bool may_be_of_material(const GivenParameter& given) {
     if (given.is_texture) return given.name != "alpha" && given.name != "shadowalpha";
     return given.count() == 1 && std::ranges::none_of(not_of_materials, [&](const auto& n) {

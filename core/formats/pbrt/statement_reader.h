@@ -31,7 +31,7 @@ class StatementReader {
     /// The next quoted string if there is one.
     std::optional<std::string> optional_string();
 
-    /// Whether the next token is this word, without quotes.
+    /// Returns whether the next token is this word, without quotes.
     bool at_word(std::string_view word);
 
     /// Word without quotes.

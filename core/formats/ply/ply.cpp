@@ -12,7 +12,7 @@ namespace etalon {
 namespace ply {
 namespace {
 
-/// Whether a file has what a mesh needs. Says what is missing.
+/// Returns whether a file has what a mesh needs. Says what is missing.
 bool is_mesh(const Header& header, DiagnosticLog& log) {
     const auto fail = [&](std::size_t offset, std::string_view message) {
         log.error(offset, "mesh", "{}", message);
@@ -103,7 +103,7 @@ bool all_finite(std::span<const float> values) {
     return (carried & top_bit) == 0;
 }
 
-/// Whether all are less than `end`, of which the top bit must not be set.
+/// Returns whether all are less than `end`, of which the top bit must not be set.
 bool all_less(std::span<const std::uint32_t> values, std::uint32_t end) {
     std::uint32_t borrowed = 0;
     for (const std::uint32_t v : values) borrowed |= v | (end - 1 - v);
@@ -141,7 +141,7 @@ void drop_infinite_triangles(PlyMesh& mesh, DiagnosticLog& log) {
     }
 }
 
-/// Whether the faces name vertices that there are. Says the first that is not.
+/// Returns whether the faces name vertices that there are. Says the first that is not.
 bool is_consistent(const PlyMesh& mesh, DiagnosticLog& log) {
     const auto vertices = static_cast<std::uint32_t>(mesh.positions.size() / 3);
     if (all_less(mesh.indices, vertices)) return true;

@@ -12,7 +12,7 @@
 
 namespace etalon::ply {
 
-/// Whether binary numbers have their bytes in the order of this machine.
+/// True if binary numbers have their bytes in the order of this machine.
 enum class Bytes { native, reversed };
 
 /// Reads a binary number that lies anywhere.

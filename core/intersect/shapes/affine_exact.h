@@ -5,8 +5,9 @@
 
 namespace etalon {
 
-/// Whether the line of the ray meets the solid is exact; where it does, good to a few ulp. Nothing
-/// for a degenerate shape, and for a ray that is not finite.
+/// Returns where the line of the ray enters and leaves the solid. Whether it meets the solid is
+/// exact; where, is good to a few ulp. Nothing for a degenerate shape, and for a ray that is not
+/// finite.
 [[gnu::cold]] Passage exact_passage(const Ellipsoid& e, const Ray& ray);
 [[gnu::cold]] Passage exact_passage(const ClosedCylinder& c, const Ray& ray);
 

@@ -23,7 +23,7 @@ class ApproximateRoots {
 
     bool misses() const { return in_range() && discriminant_ < -error_; }
 
-    /// Whether there are roots, and the discriminant's own is good to a half.
+    /// Returns whether there are roots, and the discriminant's own is good to a half.
     bool is_certain() const { return in_range() && discriminant_ > 2 * error_; }
 
     /// Of roots that are certain: takes the discriminant's root.
@@ -35,12 +35,12 @@ class ApproximateRoots {
     /// Which way the form goes at the root that is a quotient by a sum of like signs: -1 falls.
     int near_way() const { return B_.value < 0 ? -1 : 1; }
 
-    /// Whether the other root is certainly further off than `stretch`, or at infinity: the true sum
-    /// is more than 0.35 of the computed one.
+    /// Returns whether the other root is certainly further off than `stretch`, or at infinity: the
+    /// true sum is more than 0.35 of the computed one.
     bool has_one_within(double stretch) const {
         return sum_ > 3 * (std::abs(A_.value) + A_.error) * stretch;
     }
-    /// Whether the sign of A, and so the order of the roots, is known.
+    /// Returns whether the sign of A, and so the order of the roots, is known.
     bool has_two() const { return std::abs(A_.value) > A_.error; }
 
     Approximate near() const { return bounded(-near_way() * C_.value / sum_); }

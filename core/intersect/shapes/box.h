@@ -44,7 +44,8 @@ inline SlabCrossing cross_slabs(const Box& b, const Ray& ray) {
     return c;
 }
 
-/// Whether a line that is in the slabs of the axes it runs along meets the closed box. Exact.
+/// Returns whether a line that is in the slabs of the axes it runs along meets the closed box.
+/// Exact.
 inline bool meets_box(const Box& b, const Ray& ray) {
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {

@@ -115,14 +115,15 @@ class ConeBoundsCheck {
         return from_origin > tmin ? from_origin : no_hit;
     }
 
-    /// Whether the root that a small alpha carries far away, +-sum / alpha, is beyond the ends.
+    /// Returns whether the root that a small alpha carries far away, +-sum / alpha, is beyond the
+    /// ends.
     bool is_out_of_reach(double sum) const {
         const double nearest = sum / (2 * (std::abs(alpha_) + e_alpha_));
         return nearest * (std::abs(d_.rise) - e_rise_) >
                1.01 * (std::abs(start_) + e_place_ + axis_.height);
     }
 
-    /// Whether the line, as one along the axis, is inside or outside from end to end.
+    /// Returns whether the line, as one along the axis, is inside or outside from end to end.
     bool stays_clear() const {
         const double rise = std::abs(d_.rise) - e_rise_;
         const double longest = 1.01 * (std::abs(start_) + e_place_ + axis_.height) / rise;

@@ -54,7 +54,7 @@ class ConeFastPath {
     static constexpr double u = unit_roundoff, of_sum = t_tolerance / 16, of_rest = t_tolerance / 4;
     static constexpr int in = -1, out = 1;
 
-    /// Whether nothing underflows that counts, and nothing overflows.
+    /// Returns whether nothing underflows that counts, and nothing overflows.
     bool is_in_range(double size2) const {
         const double least = std::min(std::min(hh_, dd_), far2_), most = scale_ * size2;
         return least > 0x1p-250 && most > 0x1p-750 && most < 0x1p1000 &&

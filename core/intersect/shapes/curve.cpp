@@ -6,7 +6,7 @@
 namespace etalon {
 namespace {
 
-/// Whether there is nothing that a ray could hit.
+/// Returns whether there is nothing that a ray could hit.
 bool is_degenerate(const StoredCurve& c) {
     const auto is_point = [](const Vec3f& p) { return is_finite(Vec3(p)); };
     const auto is_width = [](float w) { return std::isfinite(w); };

@@ -128,7 +128,8 @@ class CurvePassages {
     const CurveView& view() const { return view_; }
 
   private:
-    /// Whether the box of the control points, wider by half the width, holds a point of the ray.
+    /// Returns whether the box of the control points, wider by half the width, holds a point of the
+    /// ray.
     bool may_pass(const Vec3* p, double begin, double end) const {
         const double half = 0.5 * widest(c_.curve, begin, end);
         const auto low = [p](int k) {
@@ -188,7 +189,7 @@ class CurvePassages {
         take_(passage);
     }
 
-    /// Whether the ray passes on the other side of an end than the rest of the piece.
+    /// Returns whether the ray passes on the other side of an end than the rest of the piece.
     static bool beyond(const Vec3& end, const Vec3& next) {
         return (next.y - end.y) * -end.y + end.x * (end.x - next.x) < 0;
     }

@@ -13,7 +13,7 @@ class ExactQuadratic {
 
     ExactQuadratic(const Dyadic& a, const Dyadic& b, const Dyadic& c);
 
-    /// Whether it has roots, and is not constant.
+    /// Returns whether it has roots, and is not constant.
     bool has_roots() const {
         return discriminant_.sign() >= 0 && (a_.sign() != 0 || b_.sign() != 0);
     }

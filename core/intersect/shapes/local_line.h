@@ -43,7 +43,7 @@ struct LocalLine {
     double error_of_w(double rows) const { return 8 * unit_roundoff * rows * distance; }
     double error_of_d(double rows) const { return 10 * unit_roundoff * rows * speed; }
 
-    /// Whether nothing underflows that counts, and nothing overflows.
+    /// Returns whether nothing underflows that counts, and nothing overflows.
     bool is_in_range(double rows) const {
         const double growth = rows * speed;
         return rows > 0x1p-400 && rows < 0x1p400 && growth > 0x1p-200 && growth < 0x1p200 &&

@@ -7,7 +7,7 @@
 
 namespace etalon {
 
-/// Whether all corners lie in one plane with the ray.
+/// Returns whether all corners lie in one plane with the ray.
 bool is_edge_on(std::span<const Vec3> p, const RayQuery& q);
 
 /// Even-odd rule in the sheared frame of the triangles: counts the edges that cross the positive x

@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// Whether a quadric is not finite, or has nothing to be met anywhere.
+/// Returns whether a quadric is not finite, or has nothing to be met anywhere.
 inline bool is_degenerate(const Quadric& s) {
     const auto& c = s.coefficients;
     const auto is_finite_number = [](double x) { return std::isfinite(x); };

@@ -64,7 +64,7 @@ class QuadricFastPath {
         reach_ = max_abs(w_) + stretch_ * speed_;
     }
 
-    /// Whether nothing underflows that counts, and nothing overflows.
+    /// Returns whether nothing underflows that counts, and nothing overflows.
     bool is_in_range() const {
         constexpr double least = 0x1p-120, most = 0x1p120;
         return speed_ > least && speed_ < most && reach_ < most && error_bound_of_C_ > 0x1p-460 &&

@@ -59,8 +59,8 @@ class RingPassage {
     bool in_range_;
 };
 
-/// Whether the line, which is not parallel to the ring's plane, passes it between the circles or on
-/// one of them. Never for a degenerate ring. Slow.
+/// Returns whether the line, which is not parallel to the ring's plane, passes it between the
+/// circles or on one of them. Never for a degenerate ring. Slow.
 [[gnu::cold]] bool is_exactly_between(const Ring& r, const Ray& ray);
 
 /// The same at once for most lines.

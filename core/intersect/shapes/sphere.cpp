@@ -29,8 +29,8 @@ double fine_gap(const Sphere& s, const Vec3& origin) {
 
 namespace {
 
-/// Whether a bit of a product of four such numbers, scaled, is below the range of double. What is
-/// no number is not.
+/// Returns whether a bit of a product of four such numbers, scaled, is below the range of double.
+/// What is no number is not.
 bool is_below_range(const Vec3& v, double scale) {
     const auto is = [&](double x) { return x != 0 && std::abs(x * scale) <= 0x1p-200; };
     return is(v.x) || is(v.y) || is(v.z);

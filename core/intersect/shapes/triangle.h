@@ -61,7 +61,7 @@ struct TriangleCrossing {
         return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
     }
 
-    /// Whether the products of two weights' terms are doubles, with room for what cancels.
+    /// Returns whether the products of two weights' terms are doubles, with room for what cancels.
     bool is_in_range() const { return error_bound > 0x1p-500 && error_bound < 0x1p500; }
 };
 
@@ -75,7 +75,7 @@ inline double max_abs(double x, double y, double z) {
     return std::max(std::abs(x), std::max(std::abs(y), std::abs(z)));
 }
 
-/// Whether a triangle is so thin or edge-on that its weights mean little.
+/// Returns whether a triangle is so thin or edge-on that its weights mean little.
 inline bool is_thin(const TriangleCrossing& c) {
     return !(std::abs(c.sum) > 0x1p28 * c.error_bound);
 }
@@ -99,10 +99,10 @@ inline bool is_thin(const TriangleCrossing& c) {
 /// pass between them, and not along the plane.
 double exact_distance(const TriangleCrossing& c, const TriangleCorners& p, const RayQuery& q);
 
-/// Whether n . (p - o) and n . d, for the normal n = (b - a) x (c - a), are of opposite signs
-/// beyond all doubt: the plane is behind the ray's start, as that of a triangle which it has just
-/// left. A component of n is off by 4 u of its two products, and the sums over f = p - o by 4 u
-/// more, to first order.
+/// Returns whether n . (p - o) and n . d, for the normal n = (b - a) x (c - a), are of opposite
+/// signs beyond all doubt: the plane is behind the ray's start, as that of a triangle which it has
+/// just left. A component of n is off by 4 u of its two products, and the sums over f = p - o by 4
+/// u more, to first order.
 inline bool is_plane_behind(const TriangleCorners& p, const RayQuery& q) {
     const Vec3 e = p[1] - p[0], g = p[2] - p[0], f = p[0] - q.ray.origin;
     const Vec3& d = q.ray.direction;

@@ -25,16 +25,16 @@ class UnitLine {
         e_discriminant_ = e_A_ + e_B_ * (4 * sum_abs(m) + e_B_);
     }
 
-    /// Whether the line starts outside and is on its way out.
+    /// Returns whether the line starts outside and is on its way out.
     bool leaves() const { return C_ > e_C_ && B_ > e_B_; }
 
     bool misses() const { return discriminant_ < -e_discriminant_; }
     bool is_certain() const { return discriminant_ > e_discriminant_; }
 
-    /// Whether not even the order of A is known: of a line along the cylinder.
+    /// Returns whether not even the order of A is known: of a line along the cylinder.
     bool is_parallel() const { return !(A_ > 8 * e_A_); }
 
-    /// Whether the points up to t = +-longest are all inside or all outside.
+    /// Returns whether the points up to t = +-longest are all inside or all outside.
     bool stays_clear(double longest) const {
         const double radius = std::sqrt(C_ + 1);
         const double drift = speed_ * longest + e_w_ + 4 * unit_roundoff * (1 + radius);

@@ -24,11 +24,11 @@ class ShapeBuilder {
     /// The normal, as long as it is, across the image of what `n` is across.
     Vec3 normal(const Vec3& n) const;
 
-    /// Whether normals of the format are opposite to those that point outward from a closed shape,
-    /// and to those that the winding of corners gives.
+    /// Returns whether normals of the format are opposite to those that point outward from a closed
+    /// shape, and to those that the winding of corners gives.
     bool flips_normals() const { return shape.reverse_orientation != swaps_hand_; }
 
-    /// Whether its material asks for surface coordinates: shows a texture, or has a grain.
+    /// Returns whether its material asks for surface coordinates: shows a texture, or has a grain.
     bool needs_coordinates() const;
 
     /// Begins a run of primitives: makes their binding, or takes that of the shape before.

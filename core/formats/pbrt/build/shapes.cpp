@@ -36,7 +36,7 @@ void build_shape(SceneBuilder& b, const pbrt::Shape& shape, const Affine& map) {
     entry->build(s);
 }
 
-/// Whether there is a way to build a shape; says so if there is none.
+/// Returns whether there is a way to build a shape; says so if there is none.
 bool is_rendered(SceneBuilder& b, const pbrt::Shape& shape) {
     const std::string_view name = shape.plugin.type->name;
     if (std::ranges::find(entries, name, &Entry::name) != entries.end()) return true;

@@ -126,7 +126,7 @@ Wrap wrap(std::string_view name) {
     return name == "black" ? Wrap::black : name == "clamp" ? Wrap::clamp : Wrap::repeat;
 }
 
-/// Whether a file's values are those of a display if the scene says nothing of them.
+/// Returns whether a file's values are those of a display if the scene says nothing of them.
 bool is_display_format(const std::string& file) {
     const std::string extension = std::filesystem::path(file).extension().string();
     return extension == ".png" || extension == ".tga" || extension == ".PNG" || extension == ".TGA";
