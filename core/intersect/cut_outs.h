@@ -1,4 +1,4 @@
-// Holes in surfaces, through which rays pass: where an alpha texture is 0.
+// Holes in surfaces, through which rays pass: the points where an alpha texture is 0.
 #pragma once
 
 #include "core/intersect/surface.h"
@@ -6,8 +6,8 @@
 
 namespace etalon {
 
-/// Tells where surfaces that are cut out have holes. The kernels ask it, so every backend has the
-/// same holes. Thread-safe.
+/// Tells where cut-out surfaces have holes. The kernels call it, so every backend sees the same
+/// holes. Thread-safe.
 class CutOuts {
   public:
     CutOuts() = default;

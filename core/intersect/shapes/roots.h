@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// Value that a fast path returns in place of a t for which its error bound cannot vouch.
+/// Value that a fast path returns instead of a t that its error bound cannot guarantee.
 inline constexpr double uncertain = -infinity;
 
 /// Returns whether a root counts: beyond tmin, and not carried to infinity by a vanishing
