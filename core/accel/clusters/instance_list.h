@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// Offers `nearest` the instances of a cluster; adds to `cost`, if there is one.
+/// Offers `nearest` the instances of a cluster. Adds to `cost` if it is not null.
 void offer_instances(const Intersector& intersector, const Clusters& clusters, ClusterRef ref,
                      const RayQuery& query, NearestHit& nearest, TraversalCost* cost);
 
