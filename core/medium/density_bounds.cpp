@@ -61,7 +61,7 @@ DensityBounds::DistanceRange DensityBounds::part_in_box(const RaySegment& segmen
     return part;
 }
 
-std::optional<DensityBounds::Step> DensityBounds::Walk::next() {
+std::optional<DensityBounds::Step> DensityBounds::Traversal::next() {
     const auto box = boxes_.next();
     if (!box) return std::nullopt;
     std::size_t number = 0;

@@ -52,10 +52,10 @@ RaySegment GridMedium::in_box(const RaySegment& segment) const {
 FreeFlight GridMedium::sample(const RaySegment& segment, const Color& throughput, double first,
                               RandomSequence& numbers) const {
     const RaySegment in_grid = in_box(segment);
-    DensityBounds::Walk walk(bounds_, in_grid);
+    DensityBounds::Traversal traversal(bounds_, in_grid);
     Color weight(1.0F);
-    double at = walk.begin(), left = optical_distance(first);
-    while (const auto step = walk.next()) {
+    double at = traversal.begin(), left = optical_distance(first);
+    while (const auto step = traversal.next()) {
         const double majorant = static_cast<double>(step->most) * largest_;
         for (;;) {
             const double rest = majorant * (step->end - at);
@@ -113,11 +113,11 @@ FreeFlight GridMedium::sample(const DensityProfile& profile, const Color& throug
 
 Color GridMedium::transmittance(const RaySegment& segment, RandomSequence& numbers) const {
     const RaySegment in_grid = in_box(segment);
-    DensityBounds::Walk walk(bounds_, in_grid);
+    DensityBounds::Traversal traversal(bounds_, in_grid);
     Color estimate(1.0F);
-    double at = walk.begin(), known = 0;  // known: the integral of the least densities
+    double at = traversal.begin(), known = 0;  // known: the integral of the least densities
     double left = optical_distance(numbers.next());
-    while (const auto step = walk.next()) {
+    while (const auto step = traversal.next()) {
         const float range = step->most - step->least;
         const double majorant = static_cast<double>(range) * largest_;
         known += step->least * (step->end - at);
