@@ -6,20 +6,23 @@
 namespace etalon {
 namespace {
 
-/// Thickness of which light that passes is no more than a rounding of what is scattered.
+/// Optical thickness beyond which transmitted light is no more than a rounding of the scattered
+/// light.
 constexpr float all_but_a_rounding = 17;
 
 float largest_of(const Color& c) {
     return std::max({c.x, c.y, c.z});
 }
 
-/// What of the throughput's channels on average has a property that each has by that part.
+/// Returns the average of a property over the throughput's channels, weighted by each channel's
+/// part.
 double average(const Color& throughput, const Color& parts) {
     const double sum = static_cast<double>(throughput.x) + throughput.y + throughput.z;
     return sum > 0 ? throughput.dot(parts) / sum : (parts.x + parts.y + parts.z) / 3;
 }
 
-/// Ends most estimates that have become small. Returns whether this one goes on.
+/// Ends most estimates that have become small, by Russian roulette. Returns whether this one goes
+/// on.
 bool survives(Color& estimate, RandomSequence& numbers) {
     constexpr float small = 0.1F;
     const float most = largest_of(estimate);
@@ -86,7 +89,7 @@ DividedLight GridMedium::divide(const RaySegment& segment, DensityProfile& profi
     return {etalon::transmittance(extinction_, profile.total()), removed(profile) * albedo_};
 }
 
-/// The part of the light that does not pass.
+/// Returns the fraction of the light that does not pass.
 Color GridMedium::removed(const DensityProfile& profile) const {
     Color result;
     for (int c = 0; c < 3; ++c) {
