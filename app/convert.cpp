@@ -28,7 +28,7 @@ SceneWriter writer_of(const ConvertArguments& a) {
     return find_scene_writer("." + (a.output_format.empty() ? "p3f" : a.output_format));
 }
 
-/// Whether both name one file.
+/// Returns whether both name one file.
 bool is_same_file(const std::string& a, const std::string& b) {
     std::error_code none;
     return std::filesystem::equivalent(a, b, none);
@@ -66,7 +66,7 @@ std::filesystem::path output_directory(const ConvertArguments& a) {
     return std::filesystem::path(a.output).parent_path();
 }
 
-/// Whether the output is to be PBRT as the scene is: then it says all that the scene says.
+/// Returns whether the output is to be PBRT as the scene is: then it says all that the scene says.
 bool is_pbrt_to_pbrt(const ConvertArguments& a, std::string_view text) {
     return writer_of(a) == write_pbrt && a.scene.legacy.empty() && !text.empty() &&
            format_of(text, a.scene.path, a.scene.options) == "pbrt";

@@ -10,10 +10,10 @@
 namespace etalon {
 namespace {
 
-/// Returns the t from which a ray is tested. Rounded to floats, a surface lies off by about u (1 +
-/// |o|) in the frame (0.6 of that was seen), so a ray that leaves it at an angle meets it again
-/// before t = u (1 + |o|) / cosine. The margin clears all rays but those within 1/128 of tangent,
-/// and loses contacts nearer than 1e-5 of the scene's size. Slivers are further off.
+/// Returns the t from which a ray is tested. Rounded to floats, a surface is off by about u (1 +
+/// |o|) in normalized space (0.6 of that was seen), so a ray that leaves it at an angle meets it
+/// again before t = u (1 + |o|) / cosine. The margin clears all rays except those within 1/128 of
+/// tangent, and loses contacts nearer than 1e-5 of the scene's size. Slivers are off by more.
 float first_t(const NormalizedRay& ray, double tmin) {
     constexpr float margin = 128 * unit_roundoff_f;
     const Vec3f& o = ray.origin;
@@ -23,7 +23,7 @@ float first_t(const NormalizedRay& ray, double tmin) {
 
 constexpr unsigned first_shape = UserPrimitives::geometries;
 
-/// Whether Embree's floats can invert a map.
+/// Returns whether Embree's floats can invert a map.
 bool is_invertible(const Affine& map) {
     constexpr double largest = 0x1p100;
     const double volume = std::abs(map.determinant());
@@ -153,7 +153,7 @@ void EmbreeBuiltin::closest_bounded(const RayQuery& query, const NormalizedRay& 
 
 bool EmbreeBuiltin::occluded_bounded(const RayQuery& query, const NormalizedRay& local) const {
     const float tfar = local.tmax(query.ray.tmax);
-    if (tfar < 0) return false;  // which is how Embree would tell that there is a hit
+    if (tfar < 0) return false;  // Embree reports a hit by a negative tfar
     RTCRay ray;
     set_ray(ray, local, first_t(local, query.ray.tmin), tfar);
     if (others_.empty()) {

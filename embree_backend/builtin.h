@@ -13,8 +13,8 @@
 namespace etalon {
 
 /// The backend `embree-builtin`: Embree's own float triangles, quads, spheres and instances, as the
-/// baseline in speed and in accuracy. One-sided primitives, and what Embree has no geometry for,
-/// are tested as by the backend `embree`; so are instances of objects that have any of those.
+/// baseline in speed and in accuracy. One-sided primitives, and those for which Embree has no
+/// geometry, are tested as in the backend `embree`; so are instances of objects that have any.
 class EmbreeBuiltin final : public Intersector {
   public:
     enum class Traversal {
@@ -24,12 +24,12 @@ class EmbreeBuiltin final : public Intersector {
 
     using Device = std::shared_ptr<const EmbreeDevice>;
 
-    /// Throws as EmbreeDevice does. An object is built on the device of the scene that shows it, as
-    /// Embree asks of what it instances; without one given a device is made.
+    /// Throws as EmbreeDevice does. An object is built on the device of the scene that contains it,
+    /// as Embree requires of instances; without a given device one is created.
     explicit EmbreeBuiltin(const Geometry& geometry, Traversal traversal = Traversal::fast,
                            const Device& of_scene = nullptr);
 
-    /// Whether Embree has a geometry for any of the primitives.
+    /// Returns whether Embree has a geometry for any of the primitives.
     static bool has_own_kernels(const Geometry& geometry);
 
     std::string isa() const override { return device_->isa(); }
@@ -43,11 +43,11 @@ class EmbreeBuiltin final : public Intersector {
   private:
     const EmbreeBuiltin& object_of(const Instance& instance) const;
 
-    /// Returns the map that Embree applies, from the object's normalized space to this one; nothing
-    /// where not all of the instance is Embree's, or where its floats cannot invert the map.
+    /// Returns the map that Embree applies, from the object's normalized space to this one. Nothing
+    /// if not all of the instance is Embree's, or if its floats cannot invert the map.
     std::optional<Affine> embree_map(const Instance& instance) const;
 
-    /// Numbers of geometries: those of others_, those of ids_ and those of instances_.
+    /// Geometry numbers are in the order: those of others_, of ids_, of instances_.
     void attach_shapes(std::map<RTCGeometryType, std::vector<std::uint32_t>> by_type);
     void attach_instance(std::uint32_t item, const Affine& map);
 

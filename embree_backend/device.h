@@ -21,10 +21,11 @@ struct EmbreeRelease {
 template <class Handle>
 using EmbreeOwned = std::unique_ptr<std::remove_pointer_t<Handle>, EmbreeRelease>;
 
-/// An Embree device, and how much memory it holds.
+/// An Embree device that tracks how much memory it uses.
 class EmbreeDevice {
   public:
-    /// Throws std::runtime_error, with Embree's reason, where there can be none on this machine.
+    /// Throws std::runtime_error, with Embree's reason, if no device can be created on this
+    /// machine.
     EmbreeDevice();
     EmbreeDevice(const EmbreeDevice&) = delete;
     EmbreeDevice& operator=(const EmbreeDevice&) = delete;
@@ -39,12 +40,12 @@ class EmbreeDevice {
 
     std::size_t bytes() const { return static_cast<std::size_t>(bytes_.load()); }
 
-    /// "sse2", "sse4.2", "avx", "avx2" or "neon".
+    /// Returns "sse2", "sse4.2", "avx", "avx2" or "neon".
     std::string isa() const;
 
   private:
     std::atomic<std::ptrdiff_t> bytes_{0};
-    EmbreeOwned<RTCDevice> device_;  ///< reports to bytes_ until its end
+    EmbreeOwned<RTCDevice> device_;  ///< reports to bytes_ until it is released
 };
 
 }  // namespace etalon

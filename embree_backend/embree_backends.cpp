@@ -8,7 +8,7 @@
 namespace etalon {
 namespace {
 
-/// Embree's builder leaves the calling thread flushing denormals to zero: that ends here.
+/// Restores the float environment: Embree's builder leaves the calling thread flushing denormals.
 template <class Accelerator>
 std::unique_ptr<Intersector> build(const Geometry& geometry) {
     const DefaultFloatEnvironment restored;

@@ -7,18 +7,18 @@
 
 namespace etalon {
 
-/// embree, embree-user, embree-builtin.
+/// Returns embree, embree-user and embree-builtin.
 std::span<const Backend> embree_backends();
 
-/// embree-builtin with RTC_SCENE_FLAG_ROBUST, a second baseline for measurements; no program
-/// offers it to render with.
+/// Returns embree-builtin with RTC_SCENE_FLAG_ROBUST, a second baseline for measurements; no
+/// program offers it for rendering.
 const Backend& embree_builtin_robust();
 
-/// The library that is loaded, which need not be the one whose header was compiled.
+/// The library that is loaded, which may differ from the header that was compiled.
 struct EmbreeLibrary {
     std::string version;           ///< "3.13.5"
-    std::string compiled_version;  ///< of the header
-    std::string isa;               ///< that its devices are made for, "avx2"
+    std::string compiled_version;  ///< version of the header
+    std::string isa;               ///< instruction set of its devices, such as "avx2"
 };
 
 /// Throws as EmbreeDevice does.

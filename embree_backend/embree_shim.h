@@ -1,9 +1,9 @@
-// The one file that knows which Embree this is: 3.12 and 3.13 (Debian 12), or 4 (Debian 13).
+// The one file that depends on the version of Embree: 3.12 and 3.13 (Debian 12), or 4 (Debian 13).
 //
-// What a query carries hangs off its context in both, by inheritance. Embree 4 passes the context
-// inside arguments, and its callbacks must say whether they found a hit. Ray streams are gone from
-// it and not used here; its geometries have the mask 1 by default, so a ray's mask must be all ones
-// (query.h sees to that).
+// In both, the data of a query is attached to its context by inheritance. Embree 4 passes the
+// context inside arguments, and its callbacks must say whether they found a hit. It has no ray
+// streams, which are not used here. Its geometries have the mask 1 by default, so a ray's mask must
+// be all ones (query.h sets it).
 #pragma once
 
 #if ETALON_EMBREE_MAJOR >= 4
@@ -36,7 +36,7 @@ inline void embree_occluded(RTCScene scene, EmbreeContext& context, RTCRay& ray)
     rtcOccluded1(scene, &ray, &arguments);
 }
 
-/// The last thing a callback for one ray does.
+/// Reports the result at the end of a callback for one ray.
 template <class CallbackArguments>
 void report(const CallbackArguments& arguments, bool hit) {
     arguments.valid[0] = hit ? -1 : 0;

@@ -12,8 +12,8 @@ struct FloatSphere {
     float radius;
 };
 
-/// Number of a vertex in the buffer of all: the decimal ones follow the others, and the corners of
-/// polygons those.
+/// Returns the index of a vertex in the common buffer: first the vertices, then the decimal ones,
+/// then the corners of polygons.
 std::uint32_t buffer_index(const Geometry& geometry, std::uint32_t vertex) {
     if ((vertex & decimal_vertex) == 0) return vertex;
     return static_cast<std::uint32_t>(geometry.vertices.size()) + (vertex & ~decimal_vertex);
@@ -24,7 +24,7 @@ std::size_t vertex_count(const Geometry& geometry) {
            geometry.all<Polygon>().corners().size();
 }
 
-/// Number of a polygon's first corner in that buffer.
+/// Returns the index of a polygon's first corner in that buffer.
 std::uint32_t buffer_index(const Geometry& geometry, const Polygon& polygon) {
     const std::span<const Vec3> all = geometry.all<Polygon>().corners();
     const std::size_t before = vertex_count(geometry) - all.size();
@@ -46,15 +46,16 @@ EmbreeOwned<RTCBuffer> float_vertices(const EmbreeDevice& device, const Geometry
     return buffer;
 }
 
-/// A new buffer of the geometry, to be filled with one `Item` for each of `count`.
+/// Returns a new buffer of the geometry, to be filled with `count` items.
 template <class Item>
 Item* new_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t count) {
     return static_cast<Item*>(
         rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Item), count));
 }
 
-/// Embree takes a quad for two triangles that meet in the diagonal from corner 1 to corner 3. That
-/// is the polygon if it is convex and, to the precision of its float corners, flat.
+/// Returns whether Embree can represent a polygon as a quad: two triangles that share the diagonal
+/// from corner 1 to corner 3. It can if the polygon is convex and, to the precision of its float
+/// corners, flat.
 bool is_quad(const Polygon& polygon, const NormalizedSpace& space) {
     const std::span<const Vec3> p = polygon.corners;
     if (p.size() != 4) return false;

@@ -9,18 +9,19 @@
 
 namespace etalon {
 
-/// Returns Embree's type for a primitive that Embree has and hits on the same sides, if any.
+/// Returns Embree's type for a primitive if Embree has one that is hit on the same sides.
 std::optional<RTCGeometryType> embree_type_of(const Geometry& geometry,
                                               const NormalizedSpace& space,
                                               std::uint32_t primitive);
 
-/// Makes geometries of Embree's own from a scene's primitives, in the floats of a frame.
+/// Makes Embree's own geometries from a scene's primitives, as floats in normalized space.
 class FloatGeometry {
   public:
     FloatGeometry(const EmbreeDevice& device, const Geometry& geometry,
                   const NormalizedSpace& space);
 
-    /// The primitives `ids`, all of that type, in this order. Throws as EmbreeDevice does.
+    /// Makes a geometry of the primitives `ids`, all of that type, in this order. Throws as
+    /// EmbreeDevice does.
     EmbreeOwned<RTCGeometry> make(RTCGeometryType type,
                                   const std::vector<std::uint32_t>& ids) const;
 
@@ -37,7 +38,7 @@ class FloatGeometry {
     const EmbreeDevice& device_;
     const Geometry& geometry_;
     const NormalizedSpace& space_;
-    EmbreeOwned<RTCBuffer> vertices_;  ///< all of the scene's, so that indices stay what they are
+    EmbreeOwned<RTCBuffer> vertices_;  ///< all of the scene's, so that indices do not change
 };
 
 }  // namespace etalon

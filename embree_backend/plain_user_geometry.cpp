@@ -8,7 +8,7 @@
 namespace etalon {
 namespace {
 
-/// The boxes of all items, worked out one primitive after the other: see the class.
+/// Computes the boxes of all items, one primitive after the other: see PlainUserGeometry.
 class PlainBoxes {
   public:
     explicit PlainBoxes(const Geometry& geometry) : geometry_(geometry) {
@@ -42,7 +42,7 @@ class PlainBoxes {
     std::vector<Box3> instances_;
 };
 
-/// Returns what SceneBounds::of does but for the bounded primitives, which Embree asks for by
+/// Returns what SceneBounds::of does, except for the bounded primitives: Embree asks for these by
 /// number.
 SceneBounds plain_bounds(const Geometry& geometry) {
     const PlainBoxes boxes(geometry);
@@ -59,15 +59,15 @@ SceneBounds plain_bounds(const Geometry& geometry) {
     return result;
 }
 
-/// Input of the callback for boxes, for as long as the scene is built.
+/// Input of the callback for boxes while the scene is built.
 struct BoundsQuery {
     PlainBoxes boxes;
     const NormalizedSpace& space;
 };
 
 /// Gives each box nine times the margin that NormalizedSpace::padding derives, roundings to float
-/// included, so that an error in that derivation is no error here. Embree ignores a primitive whose
-/// box is empty. Its builder flushes denormals to zero on the threads that call this.
+/// included, so that an error in that derivation has no effect here. Embree ignores a primitive
+/// whose box is empty. Its builder flushes denormals to zero on the threads that call this.
 void bounds_of_primitive(const RTCBoundsFunctionArguments* arguments) {
     constexpr double margin = 0x1p-16;
     const DenormalsCount denormals_count;
@@ -81,7 +81,7 @@ void bounds_of_primitive(const RTCBoundsFunctionArguments* arguments) {
     *arguments->bounds_o = {box.min.x, box.min.y, box.min.z, 0, box.max.x, box.max.y, box.max.z, 0};
 }
 
-/// Input of the callbacks for hits: Embree hands them the context it was given for the ray.
+/// Input of the callbacks for hits: Embree passes them the context of the ray.
 struct Query : EmbreeContext {
     Query(const Geometry& s, const Intersector& i, const RayQuery& q, const NormalizedRay& l,
           const NearestHit& n)
@@ -89,7 +89,8 @@ struct Query : EmbreeContext {
         initialise(*this);
     }
 
-    /// Offers what the kernel finds. True where that is no further away than the nearest so far.
+    /// Offers what the kernel finds. Returns whether that is no further away than the nearest so
+    /// far.
     bool offer(std::uint32_t primitive) {
         if (geometry.is_instance(primitive)) {
             instances.offer_instance(primitive, query, nearest);
@@ -118,7 +119,7 @@ void intersect_primitive(const RTCIntersectFunctionNArguments* arguments) {
     report(*arguments, found);
 }
 
-/// Sets tfar to what tells Embree to stop.
+/// Sets tfar to the value that tells Embree to stop.
 void occluded_by_primitive(const RTCOccludedFunctionNArguments* arguments) {
     auto& query = *static_cast<Query*>(arguments->context);
     const bool found = query.offer(arguments->primID);
@@ -129,8 +130,8 @@ void occluded_by_primitive(const RTCOccludedFunctionNArguments* arguments) {
 
 }  // namespace
 
-/// A primitive's number in the geometry is its number in the scene. RTC_SCENE_FLAG_ROBUST is left
-/// out: Embree's traversal of user geometries takes no notice of it.
+/// A primitive's number in the geometry is its number in the scene. RTC_SCENE_FLAG_ROBUST is not
+/// set: Embree's traversal of user geometries ignores it.
 PlainUserGeometry::PlainUserGeometry(const Geometry& geometry)
     : Intersector(geometry, plain_bounds(geometry)), embree_scene_(rtcNewScene(device_.handle())) {
     build_objects<PlainUserGeometry>();

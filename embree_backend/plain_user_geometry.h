@@ -5,11 +5,11 @@
 
 namespace etalon {
 
-/// The backend `embree-user`: one Embree user geometry with one primitive a callback, as Embree's
-/// documentation shows. It is the independent witness against the accelerators: its hierarchy,
-/// traversal, boxes and list of primitives are not those that the project's trees, clusters and
-/// grids are made from, so that a primitive or a piece of a box which they lose is not lost here.
-/// The kernels, the rule for ties and the normalized space of the rays are those of all backends.
+/// The backend `embree-user`: one Embree user geometry with one primitive per callback, as in
+/// Embree's documentation. It is the independent check of the accelerators: it shares no hierarchy,
+/// traversal, boxes or list of primitives with the project's trees, clusters and grids, so that a
+/// primitive or a piece of a box that they lose is not lost here. It shares the kernels, the rule
+/// for ties and the normalized space of the rays with all backends.
 class PlainUserGeometry final : public Intersector {
   public:
     /// Throws as EmbreeDevice does.

@@ -5,11 +5,11 @@
 
 namespace etalon {
 
-/// The scene's numbers of the primitives in one Embree geometry. Where they are 0, 1, 2, ... as
-/// Embree's are, nothing is stored: looking them up would cost a cache miss a hit.
+/// The scene's numbers of the primitives in one Embree geometry. If they are 0, 1, 2, ... like
+/// Embree's, nothing is stored: a look-up would cost a cache miss for each hit.
 class PrimitiveIds {
   public:
-    /// `ids` in ascending order.
+    /// `ids` must be in ascending order.
     explicit PrimitiveIds(std::vector<std::uint32_t> ids) : ids_(std::move(ids)) {
         if (!ids_.empty() && ids_.back() == ids_.size() - 1) ids_ = {};
     }

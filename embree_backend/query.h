@@ -7,8 +7,8 @@
 
 namespace etalon {
 
-/// Fills in the ray as Embree wants it. It is written as the three vectors as which Embree reads
-/// it: a vector load cannot be served from scalar stores that are still under way.
+/// Fills in Embree's ray. It is written as the three vectors that Embree reads, because a vector
+/// load cannot be forwarded from pending scalar stores.
 inline void set_ray(RTCRay& to, const NormalizedRay& from, float tnear, float tfar) {
     using Row = float __attribute__((vector_size(16), may_alias));
     const float every_mask = std::bit_cast<float>(0xFFFFFFFFU);

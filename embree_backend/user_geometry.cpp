@@ -26,7 +26,7 @@ void EmbreeUserGeometry::closest_bounded(const RayQuery& query, const Normalized
 
 bool EmbreeUserGeometry::occluded_bounded(const RayQuery& query, const NormalizedRay& local) const {
     const float tfar = local.tmax(query.ray.tmax);
-    if (tfar < 0) return false;  // which is how Embree would tell that there is a hit
+    if (tfar < 0) return false;  // Embree reports a hit by a negative tfar
     RTCRay ray;
     set_ray(ray, local, local.tmin(query.ray.tmin), tfar);
     primitives_.occluded(embree_scene_.get(), query, local, ray);

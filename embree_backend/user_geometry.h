@@ -6,8 +6,8 @@
 
 namespace etalon {
 
-/// The backend `embree`: Embree's builder and traversal, the project's kernels, so its hits are
-/// those of every other exact backend to the last bit.
+/// The backend `embree`: Embree's builder and traversal with the project's kernels, so that its
+/// hits are those of every other exact backend to the last bit.
 class EmbreeUserGeometry final : public Intersector {
   public:
     /// Throws as EmbreeDevice does.

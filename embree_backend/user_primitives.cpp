@@ -14,7 +14,7 @@ bool is_single(const BoundedPrimitive& p) {
     return kind == ClusterRef::list || kind == ClusterRef::instances;
 }
 
-/// Takes the primitives that have no filter out of `primitives` and returns them.
+/// Removes the primitives that have no filter from `primitives` and returns them.
 std::vector<BoundedPrimitive> take_singles(std::vector<BoundedPrimitive>& primitives) {
     std::vector<BoundedPrimitive> singles;
     std::copy_if(primitives.begin(), primitives.end(), std::back_inserter(singles), is_single);
@@ -36,7 +36,7 @@ Boxes boxes_of(const std::vector<BoundedPrimitive>& primitives) {
     return boxes;
 }
 
-/// The leaves of a tree as clusters, and their boxes by kind of cluster.
+/// Returns the leaves of a tree as clusters, and sets their boxes by kind of cluster.
 Clusters cluster(const Geometry& geometry, const NormalizedSpace& space, BvhTree tree,
                  std::array<Boxes, 3>& boxes) {
     std::vector<Range> ranges;
@@ -45,7 +45,7 @@ Clusters cluster(const Geometry& geometry, const NormalizedSpace& space, BvhTree
         ranges.push_back({node.first, node.count});
         boxes[cluster_kind(geometry.primitives[tree.ids[node.first]].kind)].push_back(node.box);
     }
-    std::vector<BvhNode>().swap(tree.nodes);  // before the clusters, which take the most
+    std::vector<BvhNode>().swap(tree.nodes);  // before building the clusters, which take the most
     return Clusters(geometry, space, tree.ids, ranges, cluster_refs(geometry, tree.ids, ranges));
 }
 
@@ -54,7 +54,8 @@ void bounds_of_box(const RTCBoundsFunctionArguments* arguments) {
     *arguments->bounds_o = {box.min.x, box.min.y, box.min.z, 0, box.max.x, box.max.y, box.max.z, 0};
 }
 
-/// A geometry of as many primitives as there are `boxes`, which must be there until it is built.
+/// Attaches a geometry of as many primitives as there are `boxes`, which must exist until it is
+/// built.
 void attach(const EmbreeDevice& device, RTCScene target, unsigned number, Boxes& boxes,
             const UserTracing::Callbacks& callbacks) {
     if (boxes.empty()) return;

@@ -9,30 +9,29 @@
 namespace etalon {
 
 /// Primitives of which Embree knows only the boxes: those of clusters, and of single primitives
-/// where there is no filter for a cluster. It finds the boxes that a ray meets, nearest first;
-/// filters say what in them the ray could hit, and the kernels decide. Its robust flag does nothing
-/// for these: that a float traversal loses no hit is due to the padding of the boxes and to a tfar
-/// that is never below the best t.
+/// that have no filter. Embree finds the boxes that a ray enters, nearest first; filters find what
+/// the ray could hit in them, and the kernels decide. Its robust flag has no effect on these. A
+/// float traversal loses no hit because the boxes are padded and tfar is never below the best t.
 class UserPrimitives {
   public:
-    /// `instances` answers for the geometry's instances.
+    /// `instances` answers queries for the geometry's instances.
     UserPrimitives(const Geometry& geometry, const Intersector& instances)
         : geometry_(geometry), instances_(instances) {}
     UserPrimitives(const UserPrimitives&) = delete;
     UserPrimitives& operator=(const UserPrimitives&) = delete;
 
-    /// How many numbers of geometries build() may use.
+    /// Number of geometry numbers that build() may use.
     static constexpr unsigned geometries = 3;
 
-    /// Puts `primitives`, of this frame, into `target` as geometries from the number `first` on,
-    /// and builds it with whatever else is in it.
+    /// Attaches `primitives`, in this normalized space, to `target` as geometries from the number
+    /// `first` on, and builds `target` with whatever else is in it.
     void build(const EmbreeDevice& device, RTCScene target, unsigned first,
                const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives);
 
     bool empty() const { return empty_; }
     std::size_t memory_bytes() const { return clusters_.memory_bytes() + singles_.memory_bytes(); }
 
-    /// Does what UserTracing::intersect does.
+    /// Does the same as UserTracing::intersect.
     void intersect(RTCScene target, const RayQuery& query, const NormalizedRay& local,
                    NearestHit& nearest, RTCRayHit& ray) const {
         tracing_.intersect(view(target), query, local, nearest, ray);

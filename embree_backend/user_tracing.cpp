@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Filter that is made for the first cluster a ray meets: many rays meet none of one kind, or none.
+/// Filter that is lazily made for the first cluster a ray meets: many rays meet none of one kind.
 template <class Filter>
 class Lazy {
   public:
@@ -36,7 +36,7 @@ class Lazy {
     bool made_ = false;
 };
 
-/// Input of the callbacks for one ray: Embree hands them the context it was given.
+/// Input of the callbacks for one ray: Embree passes them the context that it was given.
 struct UserQuery : EmbreeContext {
     HWY_INLINE UserQuery(const UserView& view, const RayQuery& q, const NormalizedRay& l,
                          NearestHit* n)
@@ -50,8 +50,8 @@ struct UserQuery : EmbreeContext {
         initialise(*this);
     }
 
-    /// The lanes, lowest first, that the ray could hit from its tnear to its tfar; of what no
-    /// filter is for, one.
+    /// Returns the lanes, lowest first, that the ray could hit from its tnear to its tfar; one lane
+    /// for items without a filter.
     template <ClusterRef::Kind kind>
     HWY_INLINE std::uint32_t candidates(std::uint32_t cluster, const RTCRay& ray) {
         const ClusterRef ref(kind, cluster);
@@ -79,7 +79,7 @@ struct UserQuery : EmbreeContext {
     Lazy<SphereFilter> spheres;
 };
 
-/// Embree's single-ray layout is what a packet of one is.
+/// Returns the ray of a packet of one, which has the layout of a single ray.
 template <class Ray, class PacketOfOne>
 HWY_INLINE Ray& single(PacketOfOne* packet) {
     return *reinterpret_cast<Ray*>(packet);
@@ -87,8 +87,8 @@ HWY_INLINE Ray& single(PacketOfOne* packet) {
 
 /// Calls offer(t, id) for each of `lanes` of a cluster, as long as it returns true.
 template <ClusterRef::Kind kind, class Offer>
-HWY_INLINE void ask(const UserQuery& query, std::uint32_t cluster, std::uint32_t lanes,
-                    const Offer& offer) {
+HWY_INLINE void test_lanes(const UserQuery& query, std::uint32_t cluster, std::uint32_t lanes,
+                           const Offer& offer) {
     if constexpr (kind == ClusterRef::list) {
         const std::uint32_t id = query.singles[cluster];
         offer(primitive_first_hit(query.geometry, id, query.query), id);
@@ -126,8 +126,8 @@ HWY_NOINLINE void occluded_by_instance(const RTCOccludedFunctionNArguments* argu
     report(*arguments, found);
 }
 
-/// Intersects candidates. A hit at t may lie behind one that is not in `nearest`: a hit on a
-/// geometry of Embree's own, which tfar tells.
+/// Intersects candidates. A hit at t may lie behind one that is not in `nearest`: a hit on one of
+/// Embree's own geometries, whose t is in tfar.
 template <ClusterRef::Kind kind>
 HWY_NOINLINE void intersect_candidates(const RTCIntersectFunctionNArguments* arguments,
                                        std::uint32_t lanes) {
@@ -138,7 +138,7 @@ HWY_NOINLINE void intersect_candidates(const RTCIntersectFunctionNArguments* arg
     }
     auto& asked = single<RTCRayHit>(arguments->rayhit);
     bool found = false;
-    ask<kind>(query, arguments->primID, lanes, [&](double t, std::uint32_t id) HWY_ATTR {
+    test_lanes<kind>(query, arguments->primID, lanes, [&](double t, std::uint32_t id) HWY_ATTR {
         if (!(t <= query.nearest->t)) return true;
         const float tfar = query.local.tmax(t);
         if (tfar > asked.ray.tfar) return true;
@@ -160,7 +160,7 @@ HWY_NOINLINE void occluded_candidates(const RTCOccludedFunctionNArguments* argum
     }
     auto& ray = single<RTCRay>(arguments->ray);
     bool found = false;
-    ask<kind>(query, arguments->primID, lanes, [&](double t, std::uint32_t) HWY_ATTR {
+    test_lanes<kind>(query, arguments->primID, lanes, [&](double t, std::uint32_t) HWY_ATTR {
         found = t <= query.query.ray.tmax;
         return !found;
     });
@@ -168,7 +168,8 @@ HWY_NOINLINE void occluded_candidates(const RTCOccludedFunctionNArguments* argum
     report(*arguments, found);
 }
 
-/// Most clusters have no candidate: what those take is apart, so that these need no stack.
+/// Intersects a cluster. Most clusters have no candidate, so the code for candidates is apart and
+/// these need no stack frame.
 template <ClusterRef::Kind kind>
 void intersect_cluster(const RTCIntersectFunctionNArguments* arguments) {
     auto& query = *static_cast<UserQuery*>(arguments->context);

@@ -1,5 +1,5 @@
-// A ray on its way through clusters that Embree found: compiled for several instruction sets, of
-// which the best that the machine has is taken.
+// Tracing of a ray through the clusters that Embree finds, compiled for several instruction sets.
+// The best one that the machine has is used.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@
 
 namespace etalon {
 
-/// View of all that a ray can meet.
+/// View of everything that a ray can hit.
 struct UserView {
     RTCScene target;
     const Geometry& geometry;
     const Clusters& clusters;
-    const PrimitiveIds& singles;  ///< items that no filter is for, in place of lists
+    const PrimitiveIds& singles;  ///< items without a filter, in place of lists
     const Intersector& instances;
 };
 
@@ -27,14 +27,14 @@ struct UserTracing {
         RTCOccludedFunctionN occluded;
     };
 
-    std::array<Callbacks, 3> callbacks;  ///< of the geometries, by kind of cluster
+    std::array<Callbacks, 3> callbacks;  ///< for the geometries, by kind of cluster
 
-    /// Offers `nearest` what the kernels hit no later than at ray.ray.tfar, and keeps that at the
-    /// nearest hit, rounded up.
+    /// Offers `nearest` the kernels' hits at or before ray.ray.tfar, and keeps tfar at the nearest
+    /// hit, rounded up.
     void (*intersect)(const UserView& view, const RayQuery& query, const NormalizedRay& local,
                       NearestHit& nearest, RTCRayHit& ray);
 
-    /// Leaves a negative ray.tfar where anything is hit.
+    /// Sets ray.tfar to a negative value if anything is hit.
     void (*occluded)(const UserView& view, const RayQuery& query, const NormalizedRay& local,
                      RTCRay& ray);
 };

@@ -6,7 +6,7 @@
 
 namespace etalon {
 
-/// In the order of help texts. CONTRIBUTING.md lists what a new one takes.
+/// Returns the backends in the order of help texts. CONTRIBUTING.md lists the steps to add one.
 std::span<const Backend> native_backends();
 
 }  // namespace etalon

@@ -46,7 +46,7 @@ void None::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
     });
 }
 
-/// Returns the nearer of the hit on a primitive that is the nearest one, and those on instances.
+/// Returns the nearer of the nearest hit on a primitive, `hit`, and the hits on instances.
 Hit None::with_instances(const Ray& ray, const Hit& hit) const {
     const RayQuery query(ray);
     NearestHit nearest(hit.t);

@@ -4,8 +4,8 @@
 
 namespace etalon {
 
-/// No structure at all. Even the shortcuts of the normalized space are left out: to this backend
-/// every primitive is unbounded, so it is what the others are checked against.
+/// Backend without any structure. It does not even use the shortcuts of normalized space: every
+/// primitive is unbounded to it, so it is the reference for the others.
 class None final : public Intersector {
   public:
     explicit None(const Geometry& geometry);
@@ -13,7 +13,7 @@ class None final : public Intersector {
     using Intersector::closest;
     using Intersector::occluded;
 
-    /// Goes from primitive to primitive rather than from ray to ray.
+    /// Loops over primitives outside and over rays inside.
     void closest(std::span<const Ray> rays, std::span<Hit> hits) const override;
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const override;
 

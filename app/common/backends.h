@@ -1,4 +1,4 @@
-// Every intersection backend there is, by name.
+// All intersection backends, by name.
 #pragma once
 
 #include <string_view>
@@ -10,22 +10,22 @@
 
 namespace etalon {
 
-/// Returns all backends in the order of help and reports. CONTRIBUTING.md lists what a new one
-/// takes.
+/// Returns all backends in the order of help and reports. CONTRIBUTING.md lists the steps to add
+/// one.
 const std::vector<Backend>& all_backends();
 
-/// Adds a backend of a program that is built on the installed libraries. Call it first of all in
+/// Adds a backend of a program that is built on the installed libraries. Must be called first in
 /// main(): it invalidates what the functions here returned before. Throws std::invalid_argument if
 /// there is a backend of that name.
 void add_backend(const Backend& backend);
 
-/// nullptr if there is none of that name.
+/// Returns a backend by its name; nullptr if there is none.
 const Backend* find_backend(std::string_view name);
 
-/// The backend that the settings name, else the default one.
+/// Returns the backend that the settings name, else the default one.
 const Backend& chosen_backend(const RenderSettings& settings);
 
-/// "none, grid, bvh, ..."
+/// Returns "none, grid, bvh, ..."
 std::vector<std::string> backend_names();
 
 }  // namespace etalon

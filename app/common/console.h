@@ -1,5 +1,6 @@
-// Standard output and standard error of the programs: results go to the one, messages to the other.
-// Neither throws nor ends the program, whatever is closed, full or no longer read.
+// Standard output and standard error of the programs: results go to the former, messages to the
+// latter. Functions neither throw nor end the program, even if a stream is closed, full or no
+// longer read.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,23 +10,23 @@
 
 namespace etalon {
 
-/// Prepares the standard streams; the first thing a program does. Descriptors 0 to 2 that the
-/// caller closed are occupied by what can be neither read nor written, or the next file opened, an
-/// image say, would receive the messages. Writing to a pipe that nobody reads any more becomes an
-/// error like others.
+/// Prepares the standard streams; a program must call this first. If the caller closed some of the
+/// descriptors 0 to 2, they are occupied by files that can be neither read nor written; otherwise
+/// the next file opened, such as an image, would receive the messages. Writing to a pipe without a
+/// reader becomes an ordinary error.
 void prepare_standard_streams();
 
-/// Writes to standard error, as far as that can be written; the rest is lost.
+/// Writes to standard error, as far as possible; the rest is lost.
 void write_message(std::string_view text) noexcept;
 void write_message(fmt::string_view format, fmt::format_args values) noexcept;
 
-/// Keeps messages from now on, rather than write them to standard error.
+/// Stores messages from now on instead of writing them to standard error.
 void hold_messages() noexcept;
 
-/// The messages that were kept.
+/// Returns the stored messages.
 std::string held_messages();
 
-/// Writes to standard output at once. False if that failed, now or earlier.
+/// Writes to standard output at once. Returns false if that failed, now or earlier.
 bool write_result(std::string_view text) noexcept;
 bool write_result(fmt::string_view format, fmt::format_args values) noexcept;
 
@@ -41,8 +42,8 @@ bool print_result(fmt::format_string<T...> format, T&&... values) noexcept {
     return write_result(format, fmt::make_format_args(values...));
 }
 
-/// Returns the exit status of a program that would end with `status`: another one, and a message,
-/// if not all of its results were written to standard output.
+/// Returns the exit status of a program that would end with `status`. If not all results were
+/// written to standard output, prints a message and returns another status.
 int status_after_results(const char* program, int status) noexcept;
 
 }  // namespace etalon

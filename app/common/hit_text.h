@@ -7,7 +7,7 @@
 
 namespace etalon {
 
-/// Returns "hit T SHAPE PRIMITIVE" as `trace` prints it, PRIMITIVE of an instance as "a/b": number
+/// Returns "hit T SHAPE PRIMITIVE" as `trace` prints it. For an instance PRIMITIVE is "a/b": number
 /// of the instance, number of the primitive in its object.
 std::string hit_text(const Geometry& geometry, const Hit& hit);
 

@@ -1,14 +1,14 @@
-// The integrators as the command line names them.
+// Names of integrators on the command line.
 #pragma once
 
 #include "core/integrators/integrators.h"
 
 namespace etalon {
 
-/// Name on the command line of the integrator that the scene's own settings choose.
+/// Name on the command line for the integrator of the scene's own settings.
 inline constexpr std::string_view scene_integrator = "auto";
 
-/// scene_integrator and the names of all integrators.
+/// Returns scene_integrator and the names of all integrators.
 inline std::vector<std::string> integrator_choices() {
     std::vector<std::string> choices = integrator_names();
     choices.insert(choices.begin(), std::string(scene_integrator));
@@ -20,7 +20,7 @@ inline void choose_integrator(std::string_view choice, RenderSettings& settings)
     if (choice != scene_integrator) settings.integrator = choice;
 }
 
-/// Makes a scene ready for one of the choices, if that can render it.
+/// Prepares a scene for one of the choices, if that can render it.
 inline void prepare_scene(std::string_view choice, Scene& scene, RenderSettings& settings) {
     if (choice == scene_integrator) return;
     const IntegratorType& type = *find_integrator(choice);

@@ -1,4 +1,4 @@
-// How options are called and described, for the help and the manual pages.
+// Names and descriptions of options, for the help and the manual pages.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ namespace etalon {
 /// Returns "-o, --output FILE", or "SCENE...".
 std::string name_of(const CLI::Option& option);
 
-/// Returns whether a value follows the name of the option.
+/// Returns whether the option has a value.
 bool has_value(const CLI::Option& option);
 
-/// Returns what the option does, which others it excludes, and its default.
+/// Returns the option's description, the options that it excludes, and its default.
 std::string description_of(const CLI::Option& option);
 
 /// Returns "etalon render [OPTIONS] SCENE" for a command called as `name`.

@@ -10,12 +10,12 @@
 
 namespace etalon {
 
-/// Runs a subcommand once the command line has been parsed; returns the exit status.
+/// Runs a subcommand after the command line has been parsed; returns the exit status.
 using Action = std::function<int()>;
 
 /// A command line that the help shows.
 struct Example {
-    const char* arguments;  ///< what follows the program and the subcommand
+    const char* arguments;  ///< the words after the program and the subcommand
     const char* purpose;
 };
 
@@ -26,17 +26,17 @@ struct Command {
     std::array<Example, 2> examples;
 };
 
-/// What a program says of itself.
+/// Description of a program.
 struct ProgramText {
     const char* name;
     const char* description;
-    std::string (*libraries)() = nullptr;  ///< lines of --version on the libraries that it loads
+    std::string (*libraries)() = nullptr;  ///< lines of --version about the libraries that it loads
 };
 
-/// Parses the command line and runs what it asks for. No exception escapes.
+/// Parses the command line and runs the subcommand. No exception escapes.
 int run_program(const ProgramText& text, std::span<const Command> commands, int argc, char** argv);
 
-/// The same for a program that has no subcommands, but is one.
+/// The same for a program without subcommands.
 int run_program(const Command& command, int argc, char** argv);
 
 }  // namespace etalon

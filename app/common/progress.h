@@ -6,8 +6,8 @@
 
 namespace etalon {
 
-/// Says on standard error how far a task is: a bar as wide as the terminal, a line every few
-/// seconds elsewhere. May be called from any thread.
+/// Shows the progress of a task on standard error: on a terminal as a bar of its width, elsewhere
+/// as a line every few seconds. Thread-safe.
 class Progress {
   public:
     explicit Progress(std::string what);
@@ -15,7 +15,7 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// `part` in [0, 1].
+    /// Updates the progress; `part` is in [0, 1].
     void update(double part);
 
   private:

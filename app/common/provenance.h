@@ -1,4 +1,4 @@
-// What made a result: the program and how it was called, the machine, and Embree.
+// Provenance of a result: the program and its command line, the machine, and Embree.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -6,23 +6,24 @@
 
 namespace etalon {
 
-/// The number that changes when a key of a JSON is renamed or removed, or its meaning changes.
+/// Version of the JSON formats. It changes when a key is renamed or removed, or its meaning
+/// changes.
 inline constexpr int json_schema = 1;
 
 /// The machine on which the program runs.
 struct MachineFacts {
     std::string processor;    ///< as the system names it, or "unknown"
-    int cores = 0;            ///< that this process may use
-    double load_average = 0;  ///< of the last minute, other processes included; 0 if unknown
-    std::string isa;          ///< the best that this machine has of those compiled, "avx2"
+    int cores = 0;            ///< number that this process may use
+    double load_average = 0;  ///< of the last minute, including other processes; 0 if unknown
+    std::string isa;          ///< best compiled instruction set that it has, "avx2"
 };
 MachineFacts machine_facts();
 
-/// Returns what every JSON of a measurement begins with: "schema", the build, "command", "machine"
+/// Returns the beginning of every JSON of a measurement: "schema", the build, "command", "machine"
 /// and "embree". Throws as embree_library() does.
 nlohmann::ordered_json provenance();
 
-/// Returns what --version says beside the build: Embree and the instruction set, a line each.
+/// Returns the lines of --version beside the build: Embree and the instruction set.
 std::string library_lines();
 
 }  // namespace etalon

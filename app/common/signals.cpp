@@ -24,7 +24,7 @@ auto disposition(int number) {
     return action.sa_handler;
 }
 
-/// Whether the program was started to outlive its terminal, as by nohup.
+/// Returns whether the program was started to outlive its terminal, as by nohup.
 bool outlives(int number) {
     return number == SIGHUP && disposition(number) == SIG_IGN;
 }

@@ -4,8 +4,8 @@
 
 namespace etalon {
 
-/// While it lives, the first SIGINT, SIGTERM or SIGHUP only sets a flag, so that what there is can
-/// be written; a second one ends the program at once. A SIGHUP that was ignored stays ignored.
+/// During its lifetime the first SIGINT, SIGTERM or SIGHUP only sets a flag, so that results so far
+/// can be written; a second one ends the program at once. A SIGHUP that was ignored stays ignored.
 class SignalGuard {
   public:
     SignalGuard();
@@ -14,9 +14,9 @@ class SignalGuard {
     SignalGuard& operator=(const SignalGuard&) = delete;
 
     const std::atomic<bool>& raised() const;
-    int signal() const;  ///< its number; 0 if there was none
+    int signal() const;  ///< number of the signal; 0 if there was none
 
-    /// Does what a first SIGINT does. From any thread, any number of times.
+    /// Acts like a first SIGINT. Thread-safe; may be called repeatedly.
     static void interrupt();
 };
 

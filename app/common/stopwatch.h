@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// Seconds on the wall and of processor time, all threads together.
+/// Seconds of wall clock time, and of processor time of all threads together.
 struct Duration {
     double wall = 0, cpu = 0;
 };

@@ -1,4 +1,4 @@
-// Quantities as messages show them.
+// Formatting of quantities in messages.
 #pragma once
 
 #include <cstdint>
@@ -6,13 +6,13 @@
 
 namespace etalon {
 
-/// "1,411,230".
+/// Returns "1,411,230".
 std::string grouped(std::uint64_t n);
 
-/// "1,536 rays", "12.34 Mrays".
+/// Returns "1,536 rays", "12.34 Mrays".
 std::string rays_text(std::uint64_t rays);
 
-/// "1.2 ms", "12.34 s".
+/// Returns "1.2 ms", "12.34 s".
 std::string seconds_text(double seconds);
 
 }  // namespace etalon

@@ -9,8 +9,8 @@ class ParseError;
 
 namespace etalon {
 
-/// Says what is wrong with a command line that CLI11 refused, with the nearest name where one was
-/// misspelt, and, on a second line, where the help is.
+/// Returns what is wrong with a command line that CLI11 rejected, with the nearest name if one was
+/// misspelt and, on a second line, how to get help.
 std::string usage_error(const CLI::App& program, const CLI::ParseError& error);
 
 }  // namespace etalon

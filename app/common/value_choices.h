@@ -1,4 +1,4 @@
-// The values that options take, where they take only some.
+// Values of the options that accept only certain ones.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@ class Option;
 
 namespace etalon {
 
-/// The values of each option that takes only certain ones, for the completion of command lines.
+/// The values of each option that accepts only certain ones, for the completion of command lines.
 using ValueChoices = std::map<const CLI::Option*, std::vector<std::string>>;
 
 }  // namespace etalon

@@ -60,8 +60,8 @@ void cut(ImagePair& images, const Image& a, const Image& b, const Imath::Box2i& 
                               size.y, window.min.x, window.min.y);
 }
 
-/// Whether the pair is compared by display values: one has them, and the other, if a PNG, may have
-/// them too.
+/// Returns whether the pair is compared by display values: one has them, and the other, if a PNG,
+/// may have them too.
 bool has_display_values(const Image& a, const Image& b) {
     const auto has = [&](Encoding e) { return a.encoding == e || b.encoding == e; };
     return has(Encoding::display) && !has(Encoding::linear);

@@ -9,11 +9,11 @@
 
 namespace etalon::compare {
 
-/// What two images both show of one frame.
+/// The part of a frame that two images both show.
 struct ImagePair {
     int width = 0, height = 0;
     std::array<std::vector<Color>, 2> pixels;  ///< linear RGB, or display values, by rows
-    std::string note{};                        ///< which part it is, if an image shows more
+    std::string note{};                        ///< describes the part, if an image shows more
 };
 
 /// Reads two files of any format of read_image. A failure's reason begins with the path at fault.

@@ -7,13 +7,13 @@
 
 namespace etalon::compare {
 
-/// The worst value of a metric that is still good enough.
+/// The worst acceptable value of a metric.
 struct Limit {
     const Metric* metric = nullptr;
     double worst = 0;
 };
 
-/// Names of all metrics: "mse, relmse, ...".
+/// Returns the names of all metrics: "mse, relmse, ...".
 std::string metric_names();
 
 /// Parses METRIC=VALUE, or returns what is wrong with it.

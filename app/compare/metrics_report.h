@@ -10,21 +10,21 @@
 
 namespace etalon::compare {
 
-/// A number that may be asked for by its name.
+/// A metric that can be selected by its name.
 struct Metric {
     std::string_view name;
     nlohmann::json (*of)(const Metrics& metrics);
-    bool falls;  ///< the larger the better; else the smaller
+    bool falls;  ///< true if larger is better
     std::string_view meaning;
 };
 
 /// Returns the metrics in the order of reports. To add one: a member of Metrics, a line here.
 std::span<const Metric> all_metrics();
 
-/// nullptr if there is none of that name.
+/// Returns a metric by its name; nullptr if there is none.
 const Metric* find_metric(std::string_view name);
 
-/// The metrics' keys are a contract. What is not finite is null.
+/// Returns the metrics as JSON. Their keys are stable; values that are not finite are null.
 nlohmann::ordered_json as_json(const Metrics& metrics);
 
 std::string as_text(const Metrics& metrics);

@@ -1,21 +1,21 @@
-// Comparison of two backends: which of them is right where they differ.
+// Comparison of two backends: which is right where they differ.
 #pragma once
 
 #include "app/crosscheck/classification.h"
 
 namespace etalon::crosscheck {
 
-/// Decided rays, by who is right. The error of t is no matter of right or wrong.
+/// Numbers of decided rays by which backend is right. The error of t is not considered.
 struct Contingency {
     std::string a, b;
     std::size_t both_right = 0, only_a_right = 0, only_b_right = 0, both_wrong = 0;
 
-    /// chi2 of one degree of freedom, without correction: how far the two are from being wrong
-    /// equally often (McNemar 1947, "Note on the sampling error of the difference between
-    /// correlated proportions or percentages", Psychometrika 12(2)). 0 where they never differ.
+    /// Returns chi2 of one degree of freedom, without correction: how far the two are from being
+    /// wrong equally often (McNemar 1947, "Note on the sampling error of the difference between
+    /// correlated proportions or percentages", Psychometrika 12(2)). 0 if they never differ.
     double mcnemar() const;
 
-    /// Returns a sentence that says which of the two is the worse.
+    /// Returns a sentence that says which of the two is worse.
     std::string in_words() const;
 };
 

@@ -5,17 +5,17 @@
 
 namespace etalon::crosscheck {
 
-/// Rays that the oracle cannot decide count for nothing but the first two.
+/// Counts of rays. Those that the oracle cannot decide are only in the first two.
 struct CrosscheckCounts {
     std::size_t rays = 0, undecidable = 0;
     std::size_t class_errors = 0, primitive_errors = 0,
                 occlusion_errors = 0;  ///< see Classification
-    std::vector<double> t_ulp;         ///< of the hits on the right primitive, ascending
+    std::vector<double> t_ulp;         ///< errors of hits on the right primitive, ascending
     double seconds = 0;
 
     bool clean() const { return class_errors + primitive_errors + occlusion_errors == 0; }
 
-    /// The least error of t that the share `q` of the hits does not exceed; 0 without a hit.
+    /// Returns the quantile `q` of the errors of t; 0 without a hit.
     double t_quantile(double q) const;
 };
 

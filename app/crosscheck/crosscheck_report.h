@@ -7,14 +7,14 @@
 
 namespace etalon::crosscheck {
 
-/// Tables of errors and of who was right.
+/// Returns tables of errors and of the comparison of backends.
 std::string as_text(const Results& results);
 
-/// Returns for each backend the figures of all rays and of each kind; the pairs in "contingency".
-/// "stopped" is "signal" or null.
+/// Returns the figures of each backend, of all rays and of each kind, and the pairs in
+/// "contingency". "stopped" is "signal" or null.
 nlohmann::ordered_json as_json(const Results& results);
 
-/// Every backend's worst rays, comments above each, as `etalon trace --rays` takes them. Backends
+/// Returns every backend's worst rays, with comments, as input of `etalon trace --rays`. Backends
 /// that answer the same rays equally badly share them.
 std::string as_rays(const Results& results);
 

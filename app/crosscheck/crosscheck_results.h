@@ -1,4 +1,4 @@
-// All that a cross-check finds out.
+// Results of a cross-check.
 #pragma once
 
 #include "app/crosscheck/contingency.h"
@@ -10,29 +10,29 @@ namespace etalon::crosscheck {
 struct BackendResults {
     std::string name;
     bool exact;                             ///< see Backend
-    std::vector<CrosscheckCounts> by_kind;  ///< of ray
+    std::vector<CrosscheckCounts> by_kind;  ///< one for each kind of ray
     CrosscheckCounts total;
     std::vector<WorstRay> worst;
 };
 
 struct Results {
-    std::vector<std::string> kinds;  ///< of ray
+    std::vector<std::string> kinds;  ///< kinds of rays
     std::vector<BackendResults> backends;
     std::vector<Contingency> contingencies;
-    bool stopped = false;  ///< not all rays were asked, or not all backends
+    bool stopped = false;  ///< not all rays were traced, or not with all backends
 
-    /// Whether every backend that promises to be exact is.
+    /// Returns whether all backends that promise to be exact are.
     bool as_promised() const;
 };
 
 struct Plan {
     std::vector<std::string> backends;
-    std::size_t rays = 1000;  ///< of each kind, about
-    std::size_t worst = 5;    ///< rays kept for each backend
+    std::size_t rays = 1000;  ///< approximate number of each kind
+    std::size_t worst = 5;    ///< number of rays kept for each backend
 };
 
-/// Asks the oracle and the backends, and compares. A stop while the oracle is asked leaves fewer
-/// rays, which all backends are then asked; one after that leaves fewer backends.
+/// Compares the backends with the oracle. A stop during the oracle's work leaves fewer rays, which
+/// are then traced with all backends; a later stop leaves fewer backends.
 Results crosscheck(const Scene& scene, const Imath::V2i& resolution, const Plan& plan,
                    const RunControl& run);
 

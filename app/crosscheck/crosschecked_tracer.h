@@ -1,4 +1,4 @@
-// Backends that answer the rays of a cross-check.
+// Backends that trace the rays of a cross-check.
 #pragma once
 
 #include "app/crosscheck/trial.h"
@@ -23,7 +23,7 @@ struct Tracer {
     std::vector<Answers> answers;  ///< one for each trial
 };
 
-/// The backend's answers to all rays; nothing if it was stopped before the last one.
+/// Returns the backend's answers to all rays; nothing if it was stopped before the last one.
 std::optional<Tracer> ask(const std::string& backend, const Scene& scene,
                           const std::vector<Trial>& trials, const RunControl& run);
 

@@ -9,11 +9,11 @@
 
 namespace etalon::crosscheck {
 
-/// How to watch and to stop a cross-check, most of whose time the oracle takes.
+/// Progress and stop flag of a cross-check, most of whose time the oracle takes.
 struct RunControl {
-    const std::atomic<bool>& stop;                        ///< set: give up soon, keep what there is
+    const std::atomic<bool>& stop;                        ///< if set, stop soon and keep results
     std::function<void(const std::string& stage)> begin;  ///< called before "oracle", "backends"
-    std::function<void(double)> progress;  ///< with the part of the stage done, from any thread
+    std::function<void(double)> progress;  ///< called with the fraction done, from any thread
 };
 
 /// Rays of one kind and the oracle's answer to each.
@@ -23,8 +23,8 @@ struct Trial {
     std::vector<OracleAnswer> truth;
 };
 
-/// Returns about `limit` rays of each kind for an image of this resolution, fewer where the scene
-/// has no more, e.g. no light; after a stop those that the oracle has answered.
+/// Returns about `limit` rays of each kind for an image of this resolution; fewer if the scene has
+/// no more, e.g. no light. After a stop returns those that the oracle has answered.
 std::vector<Trial> make_trials(const Scene& scene, const Imath::V2i& resolution, std::size_t limit,
                                const RunControl& run);
 

@@ -1,4 +1,4 @@
-// The rays that a backend answers worst, for `etalon trace` to ask again.
+// The rays that a backend answers worst, as input of `etalon trace`.
 #pragma once
 
 #include "app/crosscheck/classification.h"
@@ -6,20 +6,20 @@
 namespace etalon::crosscheck {
 
 struct WorstRay {
-    std::string kind;    ///< of ray
-    std::string wrong;   ///< in words
-    std::string oracle;  ///< its answer as trace would print it, without the normal
-    std::string found;   ///< the backend's, likewise
+    std::string kind;    ///< kind of ray
+    std::string wrong;   ///< description of the error
+    std::string oracle;  ///< oracle's answer as trace would print it, without the normal
+    std::string found;   ///< the backend's answer, likewise
     Ray ray;
 };
 
-/// Returns up to `limit` of the rays that the tracer answers wrongly: first those where hit or miss
-/// is wrong, then occlusion, then the primitive; of these the ones whose t is furthest off. If
-/// there is none, returns those with the largest errors of t.
+/// Returns up to `limit` of the rays that the tracer answers wrongly: first those with a wrong hit
+/// or miss, then a wrong occlusion, then a wrong primitive; of these the ones with the largest
+/// error of t. If none is wrong, returns those with the largest errors of t.
 std::vector<WorstRay> worst_rays(const Scene& scene, const std::vector<Trial>& trials,
                                  const Tracer& tracer, std::size_t limit);
 
-/// Two lines: what is wrong, as a comment, and the ray in hexadecimal floats, so to the bit.
+/// Returns two lines: the error as a comment, and the ray in hexadecimal floats, which are exact.
 std::string trace_lines(const WorstRay& worst);
 
 }  // namespace etalon::crosscheck

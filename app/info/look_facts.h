@@ -10,11 +10,11 @@
 
 namespace etalon {
 
-/// What `info` says of a scene's materials and lights, and of what rendering it takes.
+/// Facts about a scene's materials and lights, and about what its rendering needs.
 struct LookFacts {
     std::size_t materials = 0;
-    nlohmann::ordered_json lights = nlohmann::ordered_json::object();  ///< their number by kind
-    nlohmann::ordered_json background{}, skybox{};  ///< null where the look has none
+    nlohmann::ordered_json lights = nlohmann::ordered_json::object();  ///< number of each kind
+    nlohmann::ordered_json background{}, skybox{};  ///< null if the look has none
     std::vector<std::string> needs{};               ///< "mirrored rays", "lens samples", ...
 
     void count_light(std::string_view kind);
@@ -23,7 +23,7 @@ struct LookFacts {
     }
 };
 
-/// Returns the facts of the scene as it is rendered by these settings.
+/// Returns the facts of the scene as rendered with these settings.
 LookFacts facts_of(const Scene& scene, const RenderSettings& settings);
 
 }  // namespace etalon

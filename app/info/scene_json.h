@@ -1,4 +1,4 @@
-// What `info` says of a scene, as JSON: docs/json.md has the keys.
+// Output of `info` as JSON: docs/json.md has the keys.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,10 +8,11 @@
 
 namespace etalon {
 
-/// Returns the contents of a scene that was loaded, what it needs, and the diagnostics about it.
+/// Returns the contents of a loaded scene, what it needs, and the diagnostics about it.
 nlohmann::ordered_json scene_json(const SceneArguments& arguments, const LoadedScene& loaded);
 
-/// Returns the diagnostics; "more" counts further ones of the same kind, which were left out.
+/// Returns the diagnostics; "more" is the number of further ones of the same kind, which are left
+/// out.
 nlohmann::ordered_json diagnostics_json(const std::vector<Diagnostic>& list);
 
 }  // namespace etalon

@@ -7,9 +7,8 @@
 
 namespace etalon {
 
-/// Returns a PNG of how much each pixel of the window costs, by rows. The most expensive one is as
-/// bright as can be, and what costs a 256th of it or less is black: brightness goes by the
-/// logarithm.
+/// Returns a PNG of the cost of each pixel of the window, in rows. The most expensive pixel has
+/// full brightness, a 256th of its cost or less is black, and brightness is logarithmic in between.
 std::string cost_map(const Imath::Box2i& window, const std::vector<double>& costs);
 
 }  // namespace etalon

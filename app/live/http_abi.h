@@ -1,5 +1,5 @@
-// Interface of the HTTP module to the rest of the program: C types only, so that no exception and
-// no type of a library crosses it. Texts are UTF-8 and end in a zero.
+// Interface between the HTTP module and the rest of the program, in C types only, so that no
+// exception and no type of a library crosses it. Texts are UTF-8 and end in a zero.
 #pragma once
 
 #include <cstddef>
@@ -7,16 +7,16 @@
 extern "C" {
 
 struct EtalonHttpRequest {
-    const char *method, *host, *path;  ///< the path without what follows a "?"
+    const char *method, *host, *path;  ///< the path without a query
 };
 
-/// Takes the answer to a request, once.
+/// Receives the answer to a request, once.
 struct EtalonHttpReply {
     void* context;
     void (*send)(void* context, int status, const char* type, const char* body, std::size_t size);
 };
 
-/// Answers requests, from several threads at a time.
+/// Answers requests; called by several threads.
 struct EtalonHttpHandler {
     void* context;
     void (*answer)(void* context, const EtalonHttpRequest* request, const EtalonHttpReply* reply);
@@ -25,10 +25,10 @@ struct EtalonHttpHandler {
 struct EtalonHttp {
     int version;  ///< etalon_http_version
 
-    /// Begins to serve 127.0.0.1, at a port that the system chooses. Returns null if there is none.
+    /// Starts to serve 127.0.0.1, at a port that the system chooses. Returns null on failure.
     void* (*start)(const EtalonHttpHandler* handler, int* port);
 
-    /// Ends it, when the requests under way are answered.
+    /// Stops the server after pending requests are answered.
     void (*stop)(void* server);
 };
 

@@ -11,44 +11,44 @@
 
 namespace etalon {
 
-/// The newest pixels of an image while it is rendered, for those who show it. It takes the memory
-/// of one image, however slow they are; who renders waits for them no longer than it takes to copy
-/// a row of tiles.
+/// The newest pixels of an image during its rendering, for its viewers. It takes the memory of one
+/// image, however slow they are; the renderer waits for them no longer than it takes to copy a row
+/// of tiles.
 class LiveImage {
   public:
-    /// What is known of some pixels, by rows.
+    /// Data of some pixels, in rows.
     struct Pixels {
-        std::vector<Color> colors;  ///< as the film has them
+        std::vector<Color> colors;  ///< in the film's values
         std::vector<std::uint32_t> samples;
-        std::vector<float> seconds;  ///< processor time of samples, spread over a tile
+        std::vector<float> seconds;  ///< processor time of samples, averaged over a tile
     };
 
-    /// What the costs of the pixels come to.
+    /// Totals of the pixels.
     struct Summary {
-        double samples = 0;  ///< mean number of a pixel
+        double samples = 0;  ///< mean number per pixel
         std::uint32_t most_samples = 0;
         float most_seconds = 0;
     };
 
     explicit LiveImage(const RenderSettings& settings);
 
-    /// Returns what keeps the image up to date. In the middle of a pass a filtered image has the
-    /// means of the samples in each pixel, afterwards those that the filter makes.
+    /// Returns an observer that updates the image. During a pass, a filtered image has the means of
+    /// the samples in each pixel; afterwards, the filtered values.
     RenderObserver observer();
 
     const RenderSettings& settings() const { return settings_; }
     const Imath::Box2i& window() const { return window_; }
 
-    /// The window cut into tiles.
+    /// Returns the tiles of the window.
     const std::vector<Imath::Box2i>& tiles() const { return tiles_; }
 
-    /// Number of times that a tile's pixels have changed; 0: there are none yet.
+    /// Returns how often a tile's pixels have changed; 0: there are none yet.
     std::uint64_t version(std::size_t tile) const { return versions_[tile]; }
 
-    /// Sum of the versions of all tiles.
+    /// Returns the sum of the versions of all tiles.
     std::uint64_t version() const;
 
-    /// Copies of the pixels of a tile, and of all. From any thread.
+    /// Return copies of the pixels of a tile, and of all. Thread-safe.
     Pixels pixels_of(std::size_t tile) const;
     Pixels pixels() const;
 
@@ -71,8 +71,8 @@ class LiveImage {
     Imath::Box2i window_;
     int width_, tiles_across_;
     std::vector<Imath::Box2i> tiles_;
-    std::vector<std::atomic<std::uint64_t>> versions_;  ///< of the tiles
-    mutable std::deque<std::mutex> mutexes_;            ///< of the rows of tiles
+    std::vector<std::atomic<std::uint64_t>> versions_;  ///< one for each tile
+    mutable std::deque<std::mutex> mutexes_;            ///< one for each row of tiles
     Pixels pixels_;
 };
 

@@ -10,26 +10,26 @@
 
 namespace etalon {
 
-/// A page on this machine that shows an image while it is rendered.
+/// A web page on this machine that shows an image during its rendering.
 class LivePage {
   public:
-    /// `title` names the scene; `stop`, from another thread, ends the rendering.
+    /// `title` names the scene; `stop`, called from another thread, ends the rendering.
     LivePage(const RenderSettings& settings, std::string title, double exposure,
              std::function<void()> stop);
 
-    /// Begins to serve. Returns why that failed, or nothing.
+    /// Starts to serve. Returns why that failed, or an empty string.
     std::string start() { return server_.start(); }
     std::string address() const { return server_.address(); }
 
-    /// Returns what keeps the page up to date.
+    /// Returns observers that update the page.
     std::vector<RenderObserver> observers() { return {image_.observer(), state_.observer()}; }
     void set_stage(ViewState::Stage stage) { state_.set_stage(stage); }
 
-    /// Waits until all pages that are open have shown what there is now; a few seconds at most.
+    /// Waits until all open pages have shown the current image; a few seconds at most.
     void wait_for_pages() const;
 
   private:
-    /// A PNG that is made anew when the image has changed.
+    /// A PNG that is encoded again when the image has changed.
     struct Picture {
         std::mutex mutex;
         std::uint64_t version = 0;
@@ -49,7 +49,7 @@ class LivePage {
     double exposure_;
     std::function<void()> stop_;
     Picture shown_, samples_, seconds_;
-    PageServer server_;  ///< the last, which ends first
+    PageServer server_;  ///< declared last, so that it ends first
 };
 
 }  // namespace etalon

@@ -10,30 +10,31 @@
 
 namespace etalon {
 
-/// What a page, or something on it, is at the moment.
+/// A resource of a page: the page itself or something on it.
 struct Resource {
     std::string type;                   ///< as in Content-Type
     std::function<std::string()> body;  ///< called from several threads
     std::string method = "GET";
 };
 
-/// Serves resources to this machine alone, below a path that cannot be guessed. Requests that call
-/// the machine by another name than its own are refused: a web page can make a browser send them.
+/// Serves resources only to this machine, below a path that cannot be guessed. Requests that use
+/// another name of the machine are refused, as a web page can make a browser send them (DNS
+/// rebinding).
 class PageServer {
   public:
-    /// The resources by their names; "" is the page.
+    /// `resources` are by name; "" is the page.
     explicit PageServer(std::map<std::string, Resource> resources);
     ~PageServer();
     PageServer(const PageServer&) = delete;
     PageServer& operator=(const PageServer&) = delete;
 
-    /// Begins to serve. Returns why that failed, or nothing.
+    /// Starts to serve. Returns why that failed, or an empty string.
     std::string start();
 
-    /// "http://127.0.0.1:PORT/TOKEN/"
+    /// Returns "http://127.0.0.1:PORT/TOKEN/".
     std::string address() const;
 
-    /// Seconds since the last request that was answered; infinite where there was none.
+    /// Returns the seconds since the last answered request; infinite if there was none.
     double idle_seconds() const;
 
   private:

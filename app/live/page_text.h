@@ -4,7 +4,7 @@
 
 namespace etalon {
 
-/// The page of `etalon serve`: HTML that needs nothing from elsewhere but what is served beside it.
+/// Returns the page of `etalon serve`: HTML that uses only what is served beside it.
 std::string_view page_text();
 
 }  // namespace etalon

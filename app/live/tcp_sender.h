@@ -9,7 +9,7 @@ struct addrinfo;
 
 namespace etalon {
 
-/// Where a program listens.
+/// Network address of a listening program.
 struct NetworkAddress {
     std::string host, port;
 };
@@ -17,11 +17,10 @@ struct NetworkAddress {
 /// Reads "HOST:PORT", or "[HOST]:PORT" for a host with colons.
 NetworkAddress parse_address(const std::string& text);
 
-/// Returns nothing for such a text, else what is wrong with it, beginning with the text.
+/// Returns what is wrong with such a text, beginning with the text; empty if it is valid.
 std::string check_address(const std::string& text);
 
-/// A connection that bytes are written to. While the other end lets it wait it asks again and again
-/// whether to go on.
+/// A connection for writing. While the other end blocks, it asks repeatedly whether to go on.
 class TcpSender {
   public:
     using Seconds = std::chrono::duration<double>;
@@ -32,7 +31,7 @@ class TcpSender {
     TcpSender(const TcpSender&) = delete;
     TcpSender& operator=(const TcpSender&) = delete;
 
-    /// Each returns why it failed, in the system's words, or nothing.
+    /// Each returns why it failed, in the system's words, or an empty string.
     std::string connect(const NetworkAddress& address);
     std::string send(std::string_view bytes);
 

@@ -1,4 +1,4 @@
-// Messages to tev, the image viewer, over the network: the README of its repository describes them
+// Messages to tev, the image viewer, over the network. The README of its repository describes them
 // (Tom94/tev, "Over the Network"), and Ipc.h has the numbers of the operations. Integers and floats
 // are little-endian, texts end with a zero byte.
 #pragma once
@@ -10,10 +10,10 @@
 
 namespace etalon::tev {
 
-/// Returns the message that makes a black image of red, green and blue.
+/// Returns the message that creates a black image with channels R, G and B.
 std::string create_image(const std::string& name, int width, int height);
 
-/// Returns the message with the colours of a part of it, inclusive on both ends, by rows.
+/// Returns the message with the colours of a part of it, inclusive on both ends, in rows.
 std::string update_image(const std::string& name, const Imath::Box2i& part,
                          const std::vector<Color>& colors);
 

@@ -12,15 +12,15 @@
 
 namespace etalon {
 
-/// Sends an image to tev while it is rendered. A thread of its own sends the tiles that have
-/// changed, each as it then is: a viewer that is slow, hangs or closes holds nobody. Where there is
-/// none, or no longer, a warning says so once.
+/// Sends an image to tev during its rendering. A separate thread sends the tiles that have changed,
+/// in their current state, so that a viewer that is slow, hangs or closes blocks nothing. If there
+/// is no viewer, or no longer, there is one warning.
 class TevView {
   public:
-    /// `name` is what the viewer calls the image. The image must outlive this.
+    /// `name` is the viewer's name for the image. The image must outlive this.
     TevView(std::string address, std::string name, const LiveImage& image);
 
-    /// Sends what has changed, as long as the viewer takes some of it every second.
+    /// Sends the remaining changes, as long as the viewer takes some of them every second.
     ~TevView();
 
     TevView(const TevView&) = delete;
@@ -33,10 +33,10 @@ class TevView {
 
     std::string address_, name_;
     const LiveImage& image_;
-    std::vector<std::uint64_t> sent_;  ///< versions of the tiles
+    std::vector<std::uint64_t> sent_;  ///< sent versions of the tiles
     std::mutex mutex_;
     std::condition_variable ending_;
-    std::atomic<bool> is_over_ = false;  ///< no more will change
+    std::atomic<bool> is_over_ = false;  ///< no more changes will come
     std::thread thread_;
 };
 

@@ -10,7 +10,7 @@
 
 namespace etalon {
 
-/// How far a rendering is, and how its error falls, for the page that shows it.
+/// Progress of a rendering, and its error over time, for the page that shows it.
 class ViewState {
   public:
     enum class Stage { preparing, rendering, writing, over };
@@ -20,8 +20,8 @@ class ViewState {
     void set_stage(Stage stage);
     Stage stage() const;
 
-    /// Returns "stage", "seconds" since the rendering began, "part" of it that is done, and
-    /// "errors", a list of "seconds" and "relmse".
+    /// Returns "stage", "seconds" since the rendering began, the completed "part", and "errors", a
+    /// list of "seconds" and "relmse".
     nlohmann::ordered_json json() const;
 
   private:

@@ -52,7 +52,7 @@ FilmAppendix from_json(const Json& json) {
 
 constexpr int most_pixels_of_side = 65536;
 
-/// Whether a film may be that of an image of a size: a pixel has its sums and its number of
+/// Returns whether a film may be that of an image of a size: a pixel has its sums and its number of
 /// samples.
 bool is_possible(const StoredFilm& film, const Imath::V2i& size) {
     const Imath::V2i &min = film.window.min, &max = film.window.max;
@@ -63,8 +63,8 @@ bool is_possible(const StoredFilm& film, const Imath::V2i& size) {
     return pixels <= film.bytes / (sizeof(Vec3) + sizeof(std::uint32_t));
 }
 
-/// Whether an appendix can be that of an image: a hash tells damage, but not who wrote the file.
-/// Throws as film_settings() does.
+/// Returns whether an appendix can be that of an image: a hash tells damage, but not who wrote the
+/// file. Throws as film_settings() does.
 bool is_possible(const FilmAppendix& appendix, std::uint64_t bytes) {
     const RenderSettings settings = film_settings(appendix.identity);
     const Imath::V2i& size = settings.resolution;

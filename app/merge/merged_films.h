@@ -9,19 +9,19 @@
 
 namespace etalon {
 
-/// The films of all samples of one window.
+/// The sum of all films of one window.
 struct MergedFilm {
     StoredFilm stored;
     std::unique_ptr<ImageFilm> film;
 };
 
 struct MergedFilms {
-    nlohmann::ordered_json identity, metadata;  ///< those of the first in order
+    nlohmann::ordered_json identity, metadata;  ///< of the first file in order
     std::vector<MergedFilm> films;              ///< of windows that do not overlap
 };
 
-/// Adds up the films of these files, one after the other, in an order of their own. An error says
-/// which file does not fit which.
+/// Adds the films of these files one after the other, in an order that does not depend on that of
+/// `paths`. An error names two files that do not fit.
 Result<MergedFilms> merge_films(const std::vector<std::string>& paths);
 
 }  // namespace etalon

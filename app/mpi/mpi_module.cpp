@@ -137,8 +137,8 @@ const char* receive(const EtalonMpiReceiver* receiver, int* received) {
     });
 }
 
-/// Whether all processes have come here and have sent what they had to. To be called until then;
-/// `barrier` is null at first.
+/// Returns whether all processes have come here and have sent what they had to. To be called until
+/// then; `barrier` is null at first.
 bool all_have_come(MPI_Request& barrier, bool& has_begun) {
     const EtalonMpiReceiver dropped = {nullptr, [](void*, int, const char*, std::size_t) {}};
     int received = 0, is_complete = 0;

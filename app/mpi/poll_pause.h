@@ -6,11 +6,11 @@
 
 namespace etalon {
 
-/// Pauses between looks for messages: at most a tenth of the time since the last message, so that
-/// neither waiting nor looking costs much where tiles take long, nor where they take a moment.
+/// Pauses between polls: at most a tenth of the time since the last message, so that neither
+/// waiting nor polling costs much, whether tiles take long or not.
 class PollPause {
   public:
-    /// There was a message.
+    /// Restarts with the shortest pause, after a message.
     void reset() { next_ = shortest; }
 
     void sleep() {

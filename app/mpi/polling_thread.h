@@ -7,11 +7,11 @@
 
 namespace etalon {
 
-/// A thread that looks for messages as long as this lives, and sleeps where there is none: it takes
-/// hardly any time from the threads that render.
+/// A thread that polls for messages during its lifetime, and sleeps in between: it takes hardly any
+/// time from the threads that render.
 class PollingThread {
   public:
-    /// `look` returns whether there was anything to do. It does not throw.
+    /// `look` returns whether there was anything to do. It must not throw.
     explicit PollingThread(std::function<bool()> look)
         : thread_([look = std::move(look)](const std::stop_token& over) {
               PollPause pause;
@@ -25,7 +25,7 @@ class PollingThread {
           }) {}
 
   private:
-    std::jthread thread_;  ///< asked to stop, and waited for, by its destructor
+    std::jthread thread_;  ///< its destructor requests a stop and joins
 };
 
 }  // namespace etalon

@@ -14,32 +14,32 @@
 
 namespace etalon {
 
-/// Deals tiles to the threads of this process, rank 0, and to the other ranks. Each rank holds some
-/// tiles ahead, fewer towards the end of a pass, so that it need not wait for messages.
+/// Deals tiles to the threads of this process, rank 0, and to the other ranks. Each rank has some
+/// tiles in advance, fewer towards the end of a pass, so that it need not wait for messages.
 class RankDealer : public TileDealer {
   public:
     explicit RankDealer(Ranks& ranks) : ranks_(ranks), workers_(ranks.size()) {}
 
-    /// Tells the other ranks that no more is wanted of them.
+    /// Tells the other ranks that there is no more work.
     ~RankDealer() override;
 
-    /// Begins to listen to the other ranks, which must render an image of this identity.
+    /// Starts to listen to the other ranks, which must render an image of this identity.
     void listen(const nlohmann::ordered_json& identity);
 
     void deal(const DealtPass& pass) override;
     bool has_failed() const override { return has_failed_; }
 
-    /// Why rendering had to stop, or nothing.
+    /// Returns why rendering had to stop, or an empty string.
     std::string error() const;
 
-    /// Numbers of processes and messages, for --stats.
+    /// Returns the numbers of processes and messages, for --stats.
     nlohmann::ordered_json stats() const;
 
   private:
-    /// What is known of a rank; of rank 0 itself the tiles alone.
+    /// State of a rank; for rank 0 itself only the tiles.
     struct Worker {
-        std::size_t threads = 0;  ///< 0: it is not ready yet
-        std::size_t dealt = 0;    ///< tiles it has that are not back
+        std::size_t threads = 0;  ///< 0 if it is not ready yet
+        std::size_t dealt = 0;    ///< number of its tiles that are not back
         std::size_t rendered = 0;
     };
 
@@ -56,15 +56,15 @@ class RankDealer : public TileDealer {
 
     Ranks& ranks_;
     nlohmann::ordered_json identity_;
-    mutable std::mutex mutex_;  ///< of all below but the atomics
+    mutable std::mutex mutex_;  ///< protects all below except atomics
     std::condition_variable has_results_;
     const DealtPass* pass_ = nullptr;
-    bool is_new_ = false;    ///< nobody has had a tile of the pass
+    bool is_new_ = false;    ///< no tile of the pass has been dealt
     std::size_t dealt_ = 0;  ///< tiles that other ranks have
     std::size_t all_threads_ = 0;
-    std::vector<Worker> workers_;  ///< by ranks
+    std::vector<Worker> workers_;  ///< by rank
     std::string error_;
-    std::atomic<std::size_t> next_ = 0;  ///< place of the next tile in the pass
+    std::atomic<std::size_t> next_ = 0;  ///< index of the next tile in the pass
     std::atomic<std::size_t> rendered_here_ = 0;
     std::atomic<bool> has_failed_ = false;
     std::optional<PollingThread> listener_;

@@ -9,40 +9,42 @@
 
 namespace etalon {
 
-/// What a process has sent and received.
+/// Numbers of messages and bytes that a process has sent and received.
 struct Traffic {
     std::uint64_t messages_sent = 0, bytes_sent = 0, messages_received = 0, bytes_received = 0;
 };
 
-/// The processes that an MPI launcher started together, and this one's place among them. MPI is
-/// loaded only where there are others. One thread at a time calls the members that send or receive.
+/// The processes that an MPI launcher started together, and this one's rank among them. MPI is
+/// loaded only if there are others. Only one thread at a time may call the members that send or
+/// receive.
 class Ranks {
   public:
     Ranks() = default;
     Ranks(const Ranks&) = delete;
     Ranks& operator=(const Ranks&) = delete;
 
-    /// Joins the other processes. Returns why that failed, or nothing.
+    /// Joins the other processes. Returns why that failed, or an empty string.
     std::string join();
 
     int rank() const { return rank_; }
-    int size() const { return size_; }  ///< 1: there are no others
+    int size() const { return size_; }  ///< 1 if there are no others
 
     /// Begins to send a message.
     void send(int to, std::string_view message);
 
-    /// Waits until no more than so many messages are still to be sent.
+    /// Waits until at most `most` messages are still to be sent.
     void wait_until_unsent(std::size_t most);
 
-    /// Gives a message to `take`, if one has come. Returns whether.
+    /// Passes a message to `take`, if one has arrived. Returns whether it did.
     bool receive(const std::function<void(int from, std::string_view message)>& take);
 
-    /// Why a message could not be sent or received, or nothing.
+    /// Returns why a message could not be sent or received, or an empty string.
     const std::string& error() const { return error_; }
 
     const Traffic& traffic() const { return traffic_; }
 
-    /// Waits for the others to leave, too, at most so many seconds. What they still send is lost.
+    /// Waits for the others to leave, too, at most `patience` seconds. What they still send is
+    /// lost.
     void leave(double patience);
 
   private:

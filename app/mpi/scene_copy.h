@@ -1,5 +1,5 @@
-// The files of a scene, sent from rank to rank: each gives them on to two others, so that the time
-// grows with the logarithm of the number of ranks.
+// Distribution of a scene's files from rank to rank: each passes them on to two others, so that the
+// time is logarithmic in the number of ranks.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,12 @@
 
 namespace etalon {
 
-/// Sends the files that rank 0 has read, by the paths by which it did; `standard_input` for "-".
+/// Sends the files that rank 0 has read, by the same paths; `standard_input` is the contents of
+/// "-".
 void send_scene(Ranks& ranks, const std::set<std::string>& paths, std::string_view standard_input);
 
-/// A copy of such files, in a temporary folder where each has the path that it has at rank 0. They
-/// are removed with this.
+/// A copy of such files in a temporary folder, in which each has the same path as at rank 0.
+/// Removed by the destructor.
 class SceneCopy {
   public:
     SceneCopy() = default;
@@ -22,14 +23,14 @@ class SceneCopy {
     SceneCopy(const SceneCopy&) = delete;
     SceneCopy& operator=(const SceneCopy&) = delete;
 
-    /// Receives the files, gives them on, and makes the copy of rank 0's folder the current one.
-    /// Returns why that failed, or nothing.
+    /// Receives the files, passes them on, and makes the copy of rank 0's folder the current one.
+    /// Returns why that failed, or an empty string.
     std::string receive(Ranks& ranks);
 
-    /// Whether rank 0 wants nothing instead.
+    /// Returns whether rank 0 has ended instead.
     bool is_over() const { return is_over_; }
 
-    /// Where the copy of a file is; "-" is what rank 0 had as standard input.
+    /// Returns the path of the copy of a file; "-" is rank 0's standard input.
     std::string place_of(const std::string& path) const;
 
   private:

@@ -1,5 +1,5 @@
 // Messages between the process that deals tiles, rank 0, and those that render them. The first byte
-// says what a message is; bytes are those of the processors, which are alike.
+// is the kind of message. Bytes are in the processors' order, which must be the same.
 #pragma once
 
 #include <cstring>
@@ -12,10 +12,10 @@ namespace etalon {
 
 enum class MessageKind : char {
     ready,     ///< to rank 0: the number of threads, and the image's identity as JSON
-    failure,   ///< to rank 0: why there is nothing to be expected of the sender, in words
+    failure,   ///< to rank 0: why the sender cannot work
     tasks,     ///< from rank 0: tiles to render
     results,   ///< to rank 0: tiles rendered
-    end,       ///< from rank 0: no more is wanted
+    end,       ///< from rank 0: there is no more work
     file,      ///< a piece of a file of the scene
     files_end  ///< all files of the scene have been sent
 };
@@ -24,7 +24,7 @@ inline std::string message_of(MessageKind kind, std::string_view content = {}) {
     return std::string(1, static_cast<char>(kind)).append(content);
 }
 
-/// Kind and content of a message.
+/// Return the kind and the content of a message.
 inline MessageKind kind_of(std::string_view message) {
     return static_cast<MessageKind>(message.front());
 }
@@ -32,15 +32,15 @@ inline std::string_view content_of(std::string_view message) {
     return message.substr(1);
 }
 
-/// Writes values behind a text.
+/// Returns a writer that appends to a text.
 inline StateWriter writer_to(std::string& text) {
     return StateWriter([&text](std::string_view bytes) { text += bytes; });
 }
 
-/// A message of tiles: of each its number, the number of its bytes, and these.
+/// A message of tiles: for each its number, its number of bytes, and the bytes.
 class TileMessage {
   public:
-    /// Size, in bytes, from which on a message takes no more tiles.
+    /// Size in bytes from which a message takes no more tiles.
     static constexpr std::size_t full = 1 << 20;
 
     explicit TileMessage(MessageKind kind) : text_(message_of(kind)) {}
@@ -60,7 +60,7 @@ class TileMessage {
     std::string text_;
 };
 
-/// Reads bytes, and takes those read off their front.
+/// Returns a reader of bytes, which removes what it reads from their front.
 inline StateReader reader_of(std::string_view& bytes) {
     return StateReader([&bytes](char* to, std::size_t size) {
         if (size > bytes.size()) return false;
@@ -70,7 +70,7 @@ inline StateReader reader_of(std::string_view& bytes) {
     });
 }
 
-/// Calls visit(tile, bytes) for the tiles of a message's content. False if that is cut short.
+/// Calls visit(tile, bytes) for the tiles of a message's content. Returns false if it is truncated.
 template <class Visit>
 bool for_each_tile_of(std::string_view content, const Visit& visit) {
     while (!content.empty()) {

@@ -19,11 +19,11 @@ class TileWorker {
   public:
     explicit TileWorker(Ranks& ranks) : ranks_(ranks) {}
 
-    /// Renders tiles of the image of this identity, on all threads, until rank 0 wants no more.
+    /// Renders tiles of the image of this identity, on all threads, until rank 0 ends the work.
     void run(const TileTask& task, const nlohmann::ordered_json& identity);
 
   private:
-    /// A tile's number and what is sent of it.
+    /// A tile's number and its bytes.
     using Tile = std::pair<std::size_t, std::string>;
 
     void render_tiles(const TileTask& task);
@@ -35,7 +35,7 @@ class TileWorker {
     void fail(const std::string& why);
 
     Ranks& ranks_;
-    std::mutex mutex_;  ///< of all below
+    std::mutex mutex_;  ///< protects all below
     std::condition_variable is_changed_;
     std::deque<Tile> tasks_, results_;
     std::string failure_;  ///< to be sent to rank 0

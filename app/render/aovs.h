@@ -12,17 +12,17 @@ namespace etalon {
 /// Returns why `name` is not an AOV; empty if it is one.
 std::string check_aov(const std::string& name);
 
-/// "albedo, N, ..."
+/// Returns "albedo, N, ..."
 std::string aov_names();
 
-/// Whether one of them needs the variances of the film.
+/// Returns whether one of them needs the variances of the film.
 bool need_variance(const std::vector<std::string>& names);
 
-/// Returns why the backend cannot give all of them; empty if it can.
+/// Returns why the backend cannot produce all of them; empty if it can.
 std::string check_aovs(const std::vector<std::string>& names, const Backend& backend);
 
-/// The channels of these, each once, with as many rays as that takes. What was stopped before it
-/// was made goes to `missing`.
+/// Returns the channels of these, without duplicates, with as few rays as possible. The names of
+/// those that a stop prevented are added to `missing`.
 std::vector<Channel> make_aovs(const std::vector<std::string>& names, const Scene& scene,
                                const Intersector& intersector, const Film& film,
                                const RenderSettings& settings, const std::atomic<bool>& stop,

@@ -35,7 +35,7 @@ std::string read_line(std::istream& file) {
     return {};
 }
 
-/// Whether the file's end is the hash of what comes before it.
+/// Returns whether the file's end is the hash of what comes before it.
 bool is_whole(std::istream& file, std::uint64_t size) {
     std::uint64_t stored = 0;
     if (size < sizeof stored) return false;

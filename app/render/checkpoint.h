@@ -1,5 +1,5 @@
-// A file that a rendering can be resumed from. It begins with two lines of text: what it is, and
-// the identity of the image as JSON; then come the state's bytes and a hash of all of this.
+// A file from which a rendering can be resumed. It has two lines of text, a title and the identity
+// of the image as JSON; then the state's bytes and a hash of all of this.
 #pragma once
 
 #include <atomic>
@@ -12,23 +12,23 @@
 
 namespace etalon {
 
-/// Writes the state to a file every so many seconds, and takes at most a fiftieth of the time for
-/// it. Where that fails there is a warning, the file stays as it was, and rendering goes on.
+/// Writes the state to a file at regular intervals, and takes at most a fiftieth of the time for
+/// it. If that fails there is a warning, the file stays unchanged, and rendering goes on.
 class CheckpointWriter : public StateKeeper {
   public:
-    using Clock = double (*)();  ///< seconds since any fixed moment, from any thread
+    using Clock = double (*)();  ///< seconds since any fixed moment; thread-safe
 
     CheckpointWriter(std::string path, double every, const nlohmann::ordered_json& identity,
                      Clock clock = wall_seconds);
 
-    /// Makes the first one due after so many seconds.
+    /// Sets the time of the first checkpoint.
     void begin_after(double seconds) { due_ = clock_() + seconds; }
 
     bool is_due() override;
     void keep(const std::function<void(StateWriter&)>& save) override;
 
     int written() const { return written_; }     ///< number of files written
-    double seconds() const { return seconds_; }  ///< that all this took
+    double seconds() const { return seconds_; }  ///< time that writing took
     static double wall_seconds();
 
   private:
@@ -38,8 +38,8 @@ class CheckpointWriter : public StateKeeper {
     std::string path_, identity_, error_;
     double every_;
     Clock clock_;
-    std::atomic<double> due_;        ///< when to write next
-    std::atomic<double> paused_{0};  ///< since when threads have been waiting; 0: they are not
+    std::atomic<double> due_;        ///< time of the next write
+    std::atomic<double> paused_{0};  ///< time since which threads have been waiting; 0 if none
     int written_ = 0;
     double seconds_ = 0;
 };
@@ -47,15 +47,16 @@ class CheckpointWriter : public StateKeeper {
 /// Reads such a file.
 class CheckpointReader {
   public:
-    /// Returns why nothing can be resumed from the file, beginning with its name, or nothing.
+    /// Returns why nothing can be resumed from the file, beginning with its name, or an empty
+    /// string.
     std::string open(const std::string& path, const nlohmann::ordered_json& identity);
 
-    /// The state. To be called once, after open().
+    /// Returns the state. May be called once, after open().
     StateReader state();
 
   private:
     std::ifstream file_;
-    std::uint64_t left_ = 0;  ///< bytes of the state
+    std::uint64_t left_ = 0;  ///< remaining bytes of the state
 };
 
 }  // namespace etalon

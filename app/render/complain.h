@@ -6,7 +6,7 @@
 
 namespace etalon {
 
-/// Says why something failed. Returns false, which is what the caller then is to say.
+/// Prints why something failed. Returns false, for the caller to return.
 inline bool complain(const std::string& message) {
     print_message("etalon: error: {}\n", message);
     return false;

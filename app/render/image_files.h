@@ -1,4 +1,4 @@
-// The files that an image is written to.
+// The output files of an image.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace etalon {
 
-/// Returns where an image of `scene` goes if nobody says it.
+/// Returns the default output of `scene`.
 std::string default_output(const std::string& scene);
 
-/// Returns the exit status for outputs that cannot be had, as far as can be told before, and says
-/// why.
+/// Returns the exit status if outputs cannot be written, as far as can be told in advance, and
+/// prints why.
 int check_image_files(const RenderArguments& a);
 
-/// Writes the image to one of the outputs, with what is kept of a part where the format has room
-/// for that. Returns false, and says why, if that failed.
+/// Writes the image to one of the outputs, with the film of a part if the format can hold it.
+/// Returns false, and prints why, if that failed.
 bool write_image_file(const RenderArguments& a, const std::string& path, const RenderedImage& image,
                       const KeptState& kept);
 

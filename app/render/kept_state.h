@@ -12,33 +12,33 @@
 
 namespace etalon {
 
-/// What outlives a rendering beside its images, where it is asked for: checkpoints to go on from,
-/// and the film of a part.
+/// State of a rendering that is kept beside its images, if requested: checkpoints, and the film of
+/// a part.
 class KeptState {
   public:
-    /// To be made before the scene is read, whose files identify the image; that is needed in any
-    /// case where the image `is_shared` by several processes.
+    /// Must be made before the scene is read, whose files identify the image. An image that
+    /// `is_shared` by several processes always needs an identity.
     KeptState(const RenderArguments& arguments, bool is_shared);
 
-    /// Tells the image's identity once its scene was read whole.
+    /// Computes the image's identity after its scene was read completely.
     void identify(const Scene& scene, const RenderSettings& settings);
 
-    /// Prepares for the image that was identified. Returns why the checkpoint to resume from is
-    /// unusable, beginning with its name, or nothing.
+    /// Prepares for the identified image. Returns why the checkpoint to resume from is unusable,
+    /// beginning with its name, or an empty string.
     std::string open();
 
-    /// Identity of the image, and the files of its scene; nothing where nobody needs them.
+    /// Return the identity of the image, and the files of its scene; empty if they are not needed.
     const nlohmann::ordered_json& identity() const { return identity_; }
     const std::set<std::string>& scene_files() const { return scene_files_; }
 
-    /// Lets a rendering keep its state, and go on from the one that was opened. The control must
-    /// not outlive this.
+    /// Makes a rendering save its state, and resume the one that was opened. The control must not
+    /// outlive this.
     void attach(RunControl& control);
 
-    /// Whether a state that was resumed from did not fit the image.
+    /// Returns whether the resumed state did not fit the image.
     bool failed() const { return resumed_ && resumed_->failed(); }
 
-    /// What stands behind the image in the EXR of a part; nothing for other images.
+    /// Returns the appendix of the EXR of a part; empty for other images.
     std::string appendix(const RenderedImage& image) const;
 
     void fill(RenderStats& stats, const Rendering& rendering) const;
@@ -54,7 +54,7 @@ class KeptState {
     std::optional<ReadLog> files_;  ///< until the scene is known
     nlohmann::ordered_json identity_;
     std::set<std::string> scene_files_;
-    std::string film_;  ///< of a part, as bytes
+    std::string film_;  ///< film of a part, as bytes
     std::optional<CheckpointWriter> writer_;
     CheckpointReader reader_;
     std::optional<StateReader> resumed_;

@@ -11,30 +11,31 @@
 
 namespace etalon {
 
-/// What shows an image while it is rendered, where that is asked for: a page, and tev.
+/// Live views of an image during its rendering, if requested: a web page, and tev.
 class LiveViews {
   public:
     /// The arguments must outlive this.
     explicit LiveViews(const RenderArguments& arguments) : a_(arguments) {}
 
-    /// Begins to serve the page, and prints its address. Returns why that failed, or nothing.
+    /// Starts to serve the page, and prints its address. Returns why that failed, or an empty
+    /// string.
     std::string open_page(const RenderSettings& settings);
 
-    /// Lets all of them watch a rendering.
+    /// Makes all views observe a rendering.
     void attach(const RenderSettings& settings, RunControl& control);
 
     void set_stage(ViewState::Stage stage) {
         if (page_) page_->set_stage(stage);
     }
 
-    /// Lets pages show the finished image; the one that is to stay, until `stopped`.
+    /// Lets pages show the finished image; a page that is to stay, until `stopped`.
     void show_end(const std::atomic<bool>& stopped);
 
   private:
     const RenderArguments& a_;
     std::optional<LivePage> page_;
     std::optional<LiveImage> image_;
-    std::optional<TevView> tev_;  ///< sends the last of the image when everything else is done
+    std::optional<TevView> tev_;  ///< declared last: sends the rest of the image at the end
 };
 
 }  // namespace etalon

@@ -6,8 +6,8 @@
 
 namespace etalon {
 
-/// Returns why the image cannot fit into this machine's memory, or into what the process may use;
-/// empty if it may fit. Without this, the system ends the program after a long time.
+/// Returns why the image cannot fit into this machine's memory, or into the process's limit; empty
+/// if it may fit. Otherwise the system would kill the program after a long time.
 std::string check_memory(const RenderSettings& settings);
 
 }  // namespace etalon

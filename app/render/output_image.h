@@ -6,7 +6,7 @@
 
 namespace etalon {
 
-/// Returns the image to write, and how it was made; its AOV channels are not added here.
+/// Returns the image to write, with metadata; its AOV channels are not added here.
 RenderedImage make_output_image(const Scene& scene, const RenderSettings& settings,
                                 const Rendering& rendering, const RenderStats& stats);
 

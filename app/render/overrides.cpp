@@ -104,7 +104,7 @@ std::string apply_integrator(const RenderArguments& a, const Scene& scene,
     return {};
 }
 
-/// Whether an output is of a format of which `test` holds.
+/// Returns whether an output is of a format of which `test` holds.
 template <class Test>
 bool any_output(const RenderArguments& a, const Test& test) {
     return std::ranges::any_of(

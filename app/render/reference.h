@@ -10,22 +10,22 @@
 
 namespace etalon {
 
-/// Error of an image against its reference over time.
+/// Error of an image relative to its reference, over time.
 class Reference {
   public:
-    /// See read_reference(). The reason why there is none, or nothing.
+    /// Reads the reference: see read_reference(). Returns why that failed, or an empty string.
     std::string open(const std::string& path, const RenderSettings& settings);
 
-    /// Rendering begins.
+    /// Starts the clock, when rendering begins.
     void start() { watch_.lap(); }
 
-    /// Notes the errors of an image, and the times since the start without those spent in here.
+    /// Records the errors of an image, and the time since the start without that spent in here.
     void note(const RenderedPass& pass);
 
-    /// All metrics of the finished image.
+    /// Returns all metrics of the finished image.
     Metrics metrics_of(const Film& film) const;
 
-    /// One entry for each note.
+    /// Returns one entry for each call of note().
     const nlohmann::ordered_json& history() const { return history_; }
 
   private:

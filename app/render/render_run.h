@@ -20,7 +20,7 @@
 
 namespace etalon {
 
-/// One run of the subcommand, in the order things happen.
+/// One run of the subcommand; members are in the order of the steps.
 class RenderRun {
   public:
     RenderRun(RenderArguments arguments, Ranks& ranks) : a_(std::move(arguments)), ranks_(ranks) {
@@ -30,16 +30,16 @@ class RenderRun {
     /// Renders the image and writes it. Returns the exit status.
     int run();
 
-    /// Renders tiles for rank 0, which does all the rest. Returns the exit status.
+    /// Renders tiles for rank 0, which does everything else. Returns the exit status.
     int work();
 
-    /// Whether a signal asked for the end.
+    /// Returns whether a signal requested the end.
     bool is_interrupted() const { return signals_.raised(); }
 
   private:
     int render_and_write();
 
-    /// Reads the scene and settles how it is to be rendered. Returns the exit status.
+    /// Reads the scene and determines the settings. Returns the exit status.
     int prepare();
 
     bool build();
@@ -48,7 +48,7 @@ class RenderRun {
     bool open_reference();
     Rendering render_image();
 
-    /// Says what the other ranks made of the rendering. False if one has failed.
+    /// Reports how the other ranks took part. Returns false if one has failed.
     bool report_ranks() const;
     void warn_of_dropped_samples(const Rendering& rendering) const;
 
@@ -73,7 +73,7 @@ class RenderRun {
     std::optional<PacketIntersector> packets_;
     std::unique_ptr<Integrator> integrator_;
     bool is_written_ = false;
-    LiveViews views_{a_};  ///< the last, which end first
+    LiveViews views_{a_};  ///< declared last, so that they end first
 };
 
 }  // namespace etalon

@@ -1,4 +1,4 @@
-// Where a rank has its scene from: the files themselves, or those that rank 0 sends.
+// Source of a rank's scene: the files themselves, or those that rank 0 sends.
 #pragma once
 
 #include <set>
@@ -17,15 +17,15 @@ class SceneSource {
     /// Both must outlive the source.
     SceneSource(RenderArguments& arguments, Ranks& ranks) : a_(arguments), ranks_(ranks) {}
 
-    /// Gets the scene from rank 0, if that sends it. Returns why that failed, or nothing.
+    /// Gets the scene from rank 0, if that sends it. Returns why that failed, or an empty string.
     std::string receive();
 
-    /// Whether rank 0 wants nothing of this rank.
+    /// Returns whether rank 0 needs nothing from this rank.
     bool is_over() const { return copy_.is_over(); }
 
     LoadedScene load();
 
-    /// Sends the others what was loaded here, from these files, if they are to have it so.
+    /// Sends the files of the loaded scene to the other ranks, if they get it this way.
     void send(const std::set<std::string>& files);
 
   private:
@@ -36,7 +36,7 @@ class SceneSource {
     RenderArguments& a_;
     Ranks& ranks_;
     SceneCopy copy_;
-    FileText standard_input_;  ///< where the scene is read from that, and sent
+    FileText standard_input_;  ///< its contents, if the scene is read from it and sent
 };
 
 }  // namespace etalon

@@ -10,8 +10,8 @@
 
 namespace etalon {
 
-/// Returns the line that ends a rendering on the terminal: what was rendered, how, for how long,
-/// how good it is and where it went. `reference` may be null.
+/// Returns the final line of a rendering on the terminal: what was rendered, how, for how long, its
+/// error and its files. `reference` may be null.
 std::string summary_of(const RenderArguments& arguments, const Scene& scene,
                        const Rendering& rendering, const RenderStats& stats,
                        const Reference* reference);

@@ -10,7 +10,7 @@
 
 namespace etalon {
 
-/// The numbers of a line. The time is a fraction of that between the shutter's opening and closing.
+/// Numbers of a line. The time is a fraction of the shutter interval.
 inline constexpr std::string_view ray_format = "ox oy oz dx dy dz [tmin tmax [time]]";
 
 /// Reads a file, or standard input if the path is "-": one ray per line of decimal or hexadecimal

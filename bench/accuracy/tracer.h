@@ -64,7 +64,7 @@ class Tracer {
     /// Answers all rays of the block; this is what is timed. Thread-safe.
     virtual void closest(const RayBlock& block, std::span<Answer> answers) const = 0;
 
-    /// Whether each ray hits anything; by default, whether closest() finds something.
+    /// Returns whether each ray hits anything; by default, whether closest() finds something.
     virtual void occluded(const RayBlock& block, std::span<char> answers) const;
 
   private:

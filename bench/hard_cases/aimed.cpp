@@ -153,7 +153,7 @@ bool has_tip(const Scene& scene) {
     return !scene.geometry.all<Cone>().empty() && scene.geometry.all<Cone>()[0].top_radius == 0;
 }
 
-/// Whether a ray may leave to the outside and come back.
+/// Returns whether a ray may leave to the outside and come back.
 bool is_concave(const Scene& scene) {
     if (scene.geometry.all<Quadric>().empty()) return false;
     const auto& form = scene.geometry.all<Quadric>()[0].coefficients;

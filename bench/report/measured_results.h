@@ -69,7 +69,7 @@ struct ForeignFigures {
     convergence::Curve own{};
     std::vector<convergence::ForeignCurve> foreign{};
     std::vector<convergence::CurveComparison> comparisons{};
-    /// Whether the means of the images say that both programs render the same.
+    /// True if the means of the images say that both programs render the same.
     bool is_same = false;
 };
 

@@ -4,7 +4,7 @@
 
 namespace etalon {
 
-/// How one point scatters light: see BsdfFrame, LobeList and BsdfFrom.
+/// Scattering at one point: see BsdfFrame, LobeList and BsdfFrom.
 class Bsdf {
   public:
     Bsdf(const Vec3& ng, const Vec3& ns, const Vec3& tangent) : frame_(ng, ns, tangent) {}

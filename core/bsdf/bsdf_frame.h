@@ -4,17 +4,17 @@
 
 namespace etalon {
 
-/// The frame of a surface's point in which lobes scatter: z is the shading normal. Whether light is
-/// reflected or transmitted is decided by the geometric normal.
+/// The local frame in which lobes scatter: z is the shading normal. The geometric normal decides
+/// whether light is reflected or transmitted.
 struct BsdfFrame {
-    /// With an arbitrary tangent.
+    /// Makes a frame with an arbitrary tangent.
     BsdfFrame(const Vec3& geometric, const Vec3& shading) : ng(geometric), ns(shading) {
         orthonormal_basis(ns, x, y);
     }
 
-    /// Unit normals, geometric and shading, not turned to the eye; what lies on their side is
-    /// above. `tangent`: x once made orthogonal to the shading normal; any of a length of 0 or
-    /// along that normal stands for an arbitrary one.
+    /// Makes a frame from unit normals, geometric and shading, not turned to the eye; the side to
+    /// which they point is above. `tangent` becomes x once made orthogonal to the shading normal.
+    /// If it is zero or parallel to that normal, x is arbitrary.
     BsdfFrame(const Vec3& geometric, const Vec3& shading, const Vec3& tangent)
         : ng(geometric), ns(shading) {
         const Vec3 across = tangent - ns.dot(tangent) * ns;
@@ -31,7 +31,7 @@ struct BsdfFrame {
 
     Vec3 to_world(const Vec3& w) const {
         const Vec3 sum = w.x * x + w.y * y + w.z * ns;
-        // A step of Newton's method towards unit length, off by the roundings of floats.
+        // A step of Newton's method towards unit length, up to the roundings of floats.
         return sum * (1.5 - 0.5 * sum.dot(sum));
     }
 

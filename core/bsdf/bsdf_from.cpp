@@ -12,7 +12,7 @@ constexpr bool is_diffuse = requires {
     SmoothLobe::is_diffuse;
 };
 
-/// Index on the other side over that on the side of `wo` where the lobe lets light through.
+/// Returns the index on the other side over that on the side of `wo` if the lobe transmits light.
 template <class SmoothLobe>
 float index_beyond(const SmoothLobe& lobe, const Vec3f& wo) {
     if constexpr (requires { lobe.eta; }) return wo.z > 0 ? lobe.eta : 1 / lobe.eta;
@@ -41,7 +41,7 @@ BsdfFrom::BsdfFrom(const BsdfFrame& frame, const LobeList& lobes, const Vec3& wo
     for (std::size_t k = 0; k < lobes.size(); ++k) picks_[k] *= scale;
 }
 
-/// The lobe for `choice` in [0, 1); one with a probability above 0 if there is any.
+/// Returns the lobe for `choice` in [0, 1), one with a probability above 0 if there is any.
 std::size_t BsdfFrom::chosen(float choice) const {
     std::size_t last = 0;
     for (std::size_t k = 0; k < lobes_.size(); ++k) {

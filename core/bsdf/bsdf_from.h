@@ -8,35 +8,35 @@
 
 namespace etalon {
 
-/// A direction chosen for `wo`. A path's throughput is multiplied by f |wi.ns| / pdf.
+/// A direction sampled for `wo`. A path's throughput is multiplied by f |wi.ns| / pdf.
 struct BsdfSample {
     Vec3 wi;  ///< unit
     Color f;
-    float pdf;      ///< density by solid angle; of a specular lobe the probability of the choice
-    bool specular;  ///< no other direction has a part in it, and `evaluate` knows nothing of it
+    float pdf;          ///< per solid angle; for a specular lobe the probability of the choice
+    bool specular;      ///< only this direction has a part in it, and `evaluate` ignores it
     bool transmission;  ///< through the surface
     bool turned;        ///< between the horizons of the geometric and the shading normal
     float eta;  ///< index on the side of `wi` over that on the side of `wo`; 1 for a reflection
 };
 
-/// How one point scatters light to one direction, `wo`, that to the eye: what depends on that alone
-/// is computed once. All directions are unit vectors of the world that point away from the surface;
+/// Scattering at one point for one direction `wo`, to the eye; what depends only on `wo` is
+/// computed once. All directions are unit vectors of the world that point away from the surface;
 /// cosines are to the shading normal. Frame and lobes must outlive it.
 class BsdfFrom {
   public:
     BsdfFrom(const BsdfFrame& frame, const LobeList& lobes, const Vec3& wo);
 
-    /// Value and density of the smooth lobes.
+    /// Returns value and density of the smooth lobes.
     Evaluation evaluate(const Vec3& wi) const;
 
-    /// Whether `wi` is on the other side of the surface.
+    /// Returns whether `wi` is on the other side of the surface.
     bool passes(const Vec3& wi) const { return side(wi) == LobeKind::transmission; }
 
-    /// Chooses a lobe by `lobe_choice` and of it a direction by `uv`, all in [0, 1). Nothing where
-    /// the choice carries no light.
+    /// Samples a lobe by `lobe_choice` and a direction of it by `uv`, all in [0, 1). Nothing if the
+    /// choice carries no light.
     std::optional<BsdfSample> sample(float lobe_choice, const Vec2& uv) const;
 
-    /// Estimate of the part of the light from `wo` that is scattered.
+    /// Returns an estimate of the fraction of the light from `wo` that is scattered.
     Color albedo() const;
 
   private:
@@ -53,7 +53,7 @@ class BsdfFrom {
     Vec3 exact_wo_;                                ///< local
     Vec3f wo_;                                     ///< local
     double above_;                                 ///< wo.ng
-    std::array<float, LobeList::capacity> picks_;  ///< probabilities with which lobes are chosen
+    std::array<float, LobeList::capacity> picks_;  ///< probabilities of choosing each lobe
 };
 
 }  // namespace etalon

@@ -6,7 +6,7 @@
 
 namespace etalon {
 
-/// Lambert's reflection: the same radiance to everywhere.
+/// Lambertian reflection: the same radiance in all directions.
 struct LambertReflection {
     static constexpr LobeKind kind = LobeKind::reflection;
     static constexpr bool is_diffuse = true;
@@ -22,7 +22,7 @@ struct LambertReflection {
     void scale(const Color& by) { reflectance *= by; }
 };
 
-/// Lambert's law for what comes out on the other side.
+/// Lambertian transmission to the other side.
 struct LambertTransmission {
     static constexpr LobeKind kind = LobeKind::transmission;
     static constexpr bool is_diffuse = true;

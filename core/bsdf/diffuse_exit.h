@@ -8,16 +8,17 @@
 
 namespace etalon {
 
-/// Where light comes in that was scattered below the surface until it had no direction: what a
-/// smooth border lets through, over its mean (Pharr, Jakob & Humphreys 2016, section 11.4.2). As
-/// radiance was divided by eta^2 where the eye's path went in, it is multiplied by it here.
+/// Direction in which light enters that is then scattered below the surface until it is isotropic:
+/// the transmittance of a smooth interface over its mean (Pharr, Jakob & Humphreys 2016, section
+/// 11.4.2). Radiance was divided by eta^2 where the eye's path entered, so it is multiplied by
+/// eta^2 here.
 struct DiffuseExit {
     static constexpr LobeKind kind = LobeKind::reflection;
     static constexpr bool is_diffuse = true;
     Color factor;
     float index;  ///< below over above
 
-    /// Of a border of that index; black for those too far from 1 for the mean's formula.
+    /// For an interface of that index; black for those too far from 1 for the mean's formula.
     explicit DiffuseExit(float below_over_above) : factor(0), index(below_over_above) {
         const float mean = 1 - 2 * fresnel_moment1(1 / index);
         if (mean > 0) factor = Color(index * index * inverse_pi / mean);

@@ -6,21 +6,22 @@
 namespace etalon {
 namespace {
 
-/// Cosine of the angle of either direction to the normal between them; none if they are opposite.
+/// Returns the cosine of the angle of either direction to the half vector; none if they are
+/// opposite.
 std::optional<float> cosine_to_half(const Vec3f& wo, const Vec3f& wi) {
     const Vec3f sum = wo + wi;
     if (sum == Vec3f(0)) return {};
     return wi.dot(normalized(sum));
 }
 
-/// Hanrahan and Krueger 1993, as Burley flattens what goes back to where it came from.
+/// Hanrahan and Krueger 1993, as Burley flattens the retroreflection.
 float flat_value(float from_o, float from_i, float cosines, float f90) {
     const float f = (1 + (f90 - 1) * from_o) * (1 + (f90 - 1) * from_i);
     return 1.25F * (f * (1 / cosines - 0.5F) + 0.5F);
 }
 
-/// The part of facets that two directions see if each hides its own, over that if what one sees is
-/// likelier to be seen by the other.
+/// Returns the fraction of facets visible from two directions with independent masking, over that
+/// with correlated masking.
 float independent_masking(const TrowbridgeReitz& facets, const Vec3f& wo, const Vec3f& wi) {
     const float both = 4 * facets.visibility(wo, wi);
     return both > 0 ? facets.visible_scale(wo) * facets.visible_scale(wi) / both : 0;
@@ -89,7 +90,7 @@ DisneyClearcoat::DisneyClearcoat(float weight, float gloss) : factor_(weight) {
     alpha2_ = alpha * alpha;
 }
 
-/// Burley's GTR1, per solid angle of the facets' normals over the surface's area.
+/// Returns Burley's GTR1, per solid angle of the facets' normals over the surface's area.
 float DisneyClearcoat::density(const Vec3f& m) const {
     const float spread = sine_squared(m) + alpha2_ * m.z * m.z;
     return (alpha2_ - 1) * inverse_pi / (std::log(alpha2_) * spread);

@@ -9,15 +9,15 @@
 
 namespace etalon {
 
-/// What the base reflects to everywhere: four formulas, each of which pbrt-v3 has as a lobe.
+/// The diffuse base: four formulas, each of which pbrt-v3 has as a lobe.
 struct DisneyBase {
     static constexpr LobeKind kind = LobeKind::reflection;
     static constexpr bool is_diffuse = true;
     Color color;
     float roughness;
-    float diffuse;  ///< part of the colour that is diffuse
-    float flat;     ///< part that is scattered below the surface, by Hanrahan and Krueger's law
-    float retro;    ///< part that goes back to where it came from
+    float diffuse;  ///< diffuse fraction of the colour
+    float flat;     ///< fraction scattered below the surface, by Hanrahan and Krueger's law
+    float retro;    ///< retroreflective fraction
     Color sheen;
 
     Evaluation evaluate(const Vec3f& wo, const Vec3f& wi) const;
@@ -31,7 +31,7 @@ struct DisneyBase {
     }
 };
 
-/// Facets that are mirrors, which hide each other to the eye and to the light independently.
+/// Mirroring microfacets that are masked from the eye and from the light independently.
 struct DisneyGloss {
     static constexpr LobeKind kind = LobeKind::reflection;
     Color factor;
@@ -44,7 +44,7 @@ struct DisneyGloss {
     void scale(const Color& by) { factor *= by; }
 };
 
-/// Facets that refract, which hide each other likewise.
+/// Refracting microfacets, masked likewise.
 struct DisneyTransmission {
     static constexpr LobeKind kind = LobeKind::transmission;
     Color transmittance;
@@ -57,7 +57,7 @@ struct DisneyTransmission {
     void scale(const Color& by) { transmittance *= by; }
 };
 
-/// A second gloss, whose facets have longer tails.
+/// A second gloss, whose microfacet distribution has longer tails.
 class DisneyClearcoat {
   public:
     static constexpr LobeKind kind = LobeKind::reflection;

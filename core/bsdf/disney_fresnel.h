@@ -4,14 +4,15 @@
 
 namespace etalon {
 
-/// The fifth power of 1 - cos, by which Schlick 1994 goes from a value seen from above to that at
-/// grazing angles.
+/// Returns the fifth power of 1 - cos, by which Schlick 1994 interpolates between the values at
+/// normal incidence and at grazing angles.
 inline float schlick_weight(float cos) {
     const float m = std::clamp(1 - cos, 0.0F, 1.0F);
     return m * m * (m * m) * m;
 }
 
-/// Reflectance between that of a dielectric and Schlick's approximation for a metal.
+/// Interpolates the reflectance between that of a dielectric and Schlick's approximation for a
+/// metal.
 struct DisneyFresnel {
     Color from_above;
     float metallic, eta;

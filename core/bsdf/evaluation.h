@@ -4,8 +4,8 @@
 
 namespace etalon {
 
-/// What scattering says of two directions: the BSDF's value (no cosine in it; per steradian), and
-/// the density, by solid angle, with which sampling for the one yields the other.
+/// Scattering for two directions: the BSDF's value (without a cosine; per steradian), and the
+/// density, per solid angle, with which sampling for the one yields the other.
 struct Evaluation {
     Color f{0};
     float pdf = 0;

@@ -10,10 +10,11 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The series between those of a table, by weights of cosines. One lives at a time on a thread.
+/// A series interpolated from those of a table, with weights for the cosines. At most one exists
+/// per thread.
 class Series {
   public:
-    /// Of the first `channels`.
+    /// Interpolates the first `channels`.
     Series(const FourierTable& table, const SplineWeights& o, const SplineWeights& i,
            int channels) {
         const std::size_t n = table.cosines.size();
@@ -39,12 +40,12 @@ class Series {
         });
     }
 
-    /// The coefficients of a channel.
+    /// Returns the coefficients of a channel.
     std::span<const float> channel(int c) const {
         return std::span(sums_).subspan(c * length_, length_);
     }
 
-    /// The value of a channel at an angle of this cosine.
+    /// Returns the value of a channel at an angle with this cosine.
     double at(int c, double cosine) const {
         double sum = 0, before = cosine, now = 1;  // of k times the angle
         for (const float coefficient : channel(c)) {
@@ -63,21 +64,21 @@ class Series {
 
 thread_local std::vector<float> Series::sums_;
 
-/// Cosine of the angle about the normal between two directions; 1 where there is none.
+/// Returns the cosine of the azimuth between two directions; 1 where there is none.
 double cosine_between(const Vec3f& a, const Vec3f& b) {
     const double lengths = std::hypot(a.x, a.y) * std::hypot(b.x, b.y);
     const double dot = double(a.x) * b.x + double(a.y) * b.y;
     return lengths > 0 ? std::clamp(dot / lengths, -1.0, 1.0) : 1;
 }
 
-/// Part of the light of a cosine that the table scatters, over 2 pi.
+/// Returns the fraction of light of a cosine that the table scatters, over 2 pi.
 float sum_of(const FourierTable& table, const SplineWeights& o) {
     const std::size_t n = table.cosines.size();
     return std::max(0.0F, o.sum([&](std::size_t k) { return table.sums[k * n + n - 1]; }));
 }
 
-/// Half a turn's angle at which the integral of a series is the part `u` of the whole: Newton's
-/// method, halving the interval where that leaves it.
+/// Returns the azimuth, within half a turn, at which the integral of a series is the fraction `u`
+/// of the whole, by Newton's method safeguarded with bisection.
 double sample_series(std::span<const float> a, double u) {
     double low = 0, high = pi, phi = u * pi;
     for (int steps = 0; steps < 64 && high - low > 1e-7; ++steps) {
@@ -108,7 +109,7 @@ Evaluation FourierScattering::evaluate(const Vec3f& wo, const Vec3f& wi) const {
     const Series series(table(), *o, *i, table().channels);
     const double cosine = cosine_between(-wi, wo);
     double scale = 1 / std::abs(static_cast<double>(wi.z));
-    // Radiance that passes the surface is spread over other angles.
+    // Transmitted radiance changes with the solid angle.
     if (wi.z * wo.z < 0)
         scale *= wi.z < 0 ? 1 / (table().eta * table().eta) : table().eta * table().eta;
     Evaluation e;

@@ -11,7 +11,7 @@
 
 namespace etalon {
 
-/// Scattering by a table, which must outlive it. Light to both sides comes from one table.
+/// Scattering by a table, which must outlive it. One table has reflection and transmission.
 class FourierScattering {
   public:
     static constexpr LobeKind kind = LobeKind::both;
@@ -24,7 +24,7 @@ class FourierScattering {
     void scale(const Color& by) { factor_ *= by; }
 
   private:
-    /// A pointer in words, aligned as the members of other lobes, which are no larger.
+    /// A pointer as words, aligned like the members of other lobes, so that the lobe is no larger.
     using Place = std::array<std::uint32_t, sizeof(void*) / sizeof(std::uint32_t)>;
 
     const FourierTable& table() const { return *std::bit_cast<const FourierTable*>(place_); }

@@ -15,7 +15,7 @@ float dielectric_reflectance(float cos_incident, float eta) {
 
 namespace {
 
-/// One channel, as Lagarde 2013 ("Memo on Fresnel equations") gathers the terms.
+/// Returns one channel, with the terms of Lagarde 2013 ("Memo on Fresnel equations").
 float conductor_channel(float cos_i, float eta, float k) {
     const float cos2 = cos_i * cos_i, sin2 = 1 - cos2;
     const float t0 = eta * eta - k * k - sin2;

@@ -1,4 +1,4 @@
-// Reflectance of smooth borders for unpolarised light.
+// Reflectance of smooth interfaces for unpolarised light.
 #pragma once
 
 #include <variant>
@@ -7,13 +7,13 @@
 
 namespace etalon {
 
-/// Fresnel's equations between two dielectrics. `eta` is the index below the surface over the one
-/// above; `cos_incident` is the cosine of the angle to the normal, below 0 for light from below. 1
-/// for total reflection.
+/// Returns the reflectance of an interface of dielectrics by Fresnel's equations. `eta` is the
+/// index below the surface over the one above; `cos_incident` is the cosine of the angle to the
+/// normal, negative for light from below. 1 for total internal reflection.
 float dielectric_reflectance(float cos_incident, float eta);
 
-/// Fresnel's equations for a conductor of the complex index eta + i k over that above it;
-/// `cos_incident` in [0, 1].
+/// Returns the reflectance of a conductor of the complex index eta + i k, relative to that above
+/// it, by Fresnel's equations; `cos_incident` in [0, 1].
 Color conductor_reflectance(float cos_incident, const Color& eta, const Color& k);
 
 /// Reflects everything.

@@ -12,12 +12,13 @@ Color schlick(const Color& from_above, float cos) {
     return from_above + fifth_power(1 - cos) * (Color(1) - from_above);
 }
 
-/// How much of the light at this angle comes through the coat.
+/// Returns the fraction of light at this angle that passes the coat.
 float through_coat(const Vec3f& w) {
     return 1 - fifth_power(1 - std::abs(w.z) / 2);
 }
 
-/// Albedo of the base alone: the model's 28/23 makes the integral over the other direction 1.
+/// Returns the albedo of the base alone: the model's 28/23 makes the integral over the other
+/// direction 1.
 Color diffuse_albedo(const FresnelBlend& lobe, const Vec3f& wo) {
     return lobe.diffuse * (Color(1) - lobe.glossy) * through_coat(wo);
 }
@@ -26,8 +27,7 @@ Color glossy_albedo(const FresnelBlend& lobe, const Vec3f& wo) {
     return schlick(lobe.glossy, std::abs(wo.z));
 }
 
-/// The part of the samples that is for the base: all of them never, as no coat is without gloss at
-/// every angle.
+/// Returns the fraction of samples for the base. It is below 1, as a coat is glossy at some angle.
 float diffuse_probability(const FresnelBlend& lobe, const Vec3f& wo) {
     constexpr float most = 0.9F;
     const float diffuse = mean(diffuse_albedo(lobe, wo)), glossy = mean(glossy_albedo(lobe, wo));

@@ -10,9 +10,9 @@ namespace etalon {
 /// BRDF Model", with the facets of Trowbridge and Reitz.
 struct FresnelBlend {
     static constexpr LobeKind kind = LobeKind::reflection;
-    Color diffuse, glossy;  ///< glossy: reflectance of the coat seen from above
+    Color diffuse, glossy;  ///< glossy: reflectance of the coat at normal incidence
     TrowbridgeReitz facets;
-    Color factor{1};  ///< of the whole
+    Color factor{1};  ///< factor of the whole lobe
 
     Evaluation evaluate(const Vec3f& wo, const Vec3f& wi) const;
     std::optional<Vec3f> sample(const Vec3f& wo, const Vec2& uv) const;

@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// The polynomial with these coefficients, the constant one first.
+/// Evaluates the polynomial with these coefficients, the constant one first.
 template <std::size_t count>
 float polynomial(const std::array<float, count>& coefficients, float x) {
     float value = 0;

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Paths are told apart by how often they cross the hair: 0 is reflected, and `rest` stands for all
-/// from three times on.
+/// Light paths by how often they cross the hair: 0 is reflected, and `rest` stands for all from
+/// three times on.
 constexpr int rest = 3;
 
 template <class T>
@@ -26,7 +26,7 @@ double safe_root(double x) {
     return std::sqrt(std::max(0.0, x));
 }
 
-/// Logarithm of the modified Bessel function of the first kind and order 0.
+/// Returns the logarithm of the modified Bessel function of the first kind and order 0.
 double log_bessel_i0(double x) {
     if (x > 20) {
         const double y = 1 / (8 * x);
@@ -38,7 +38,7 @@ double log_bessel_i0(double x) {
     return std::log(sum);
 }
 
-/// Angle to the plane across the hair.
+/// Returns the angle to the plane perpendicular to the hair.
 struct Inclination {
     double sine, cosine;
 };
@@ -52,8 +52,8 @@ double azimuth(const Vec3f& w) {
     return std::atan2(double(w.z), double(w.y));
 }
 
-/// Density along the hair, per radian and cosine: d'Eon et al. 2011, "An Energy-Conserving Hair
-/// Reflectance Model".
+/// Returns the longitudinal density, per radian and cosine: d'Eon et al. 2011, "An
+/// Energy-Conserving Hair Reflectance Model".
 double along(const Inclination& o, const Inclination& i, double variance) {
     const double a = o.cosine * i.cosine / variance, b = o.sine * i.sine / variance;
     // 1 / (2 v sinh(1 / v)), without its growth.
@@ -61,7 +61,7 @@ double along(const Inclination& o, const Inclination& i, double variance) {
     return scale * std::exp(log_bessel_i0(a) - b - 1 / variance);
 }
 
-/// A logistic distribution about 0, cut to a turn.
+/// A logistic distribution about 0, truncated to a turn.
 class TurnDensity {
   public:
     explicit TurnDensity(double spread)
@@ -89,7 +89,7 @@ struct CrossSection {
     }
 };
 
-/// The parts of light from one direction that go each way.
+/// Returns the fractions of light from one direction that take each path.
 struct Ways {
     CrossSection section;
     std::array<Color, rest + 1> parts;
@@ -123,7 +123,7 @@ Ways ways_of(const Inclination& o, float h, float eta, const Color& absorption) 
     return ways;
 }
 
-/// Turned along the hair by a multiple of the scales' tilt, as each way is by another.
+/// Rotates along the hair by a multiple of the scales' tilt that depends on the path.
 Inclination tilted(const Inclination& o, int crossings, double sine_of_tilt) {
     const double sine1 = sine_of_tilt, cosine1 = safe_root(1 - sine1 * sine1);
     const double sine2 = 2 * sine1 * cosine1, cosine2 = cosine1 * cosine1 - sine1 * sine1;
@@ -142,7 +142,7 @@ double variance_of(double reflected, int crossings) {
     return crossings == 1 ? reflected / 4 : 4 * reflected;
 }
 
-/// Two numbers of 26 bits in [0, 1) from one of 52.
+/// Splits a number of 52 bits into two numbers of 26 bits in [0, 1).
 Vec2 two_of(double u) {
     const auto bits = static_cast<std::uint64_t>(u * 0x1p52);
     std::uint64_t even = 0, odd = 0;
@@ -153,7 +153,7 @@ Vec2 two_of(double u) {
     return {static_cast<double>(odd) * 0x1p-26, static_cast<double>(even) * 0x1p-26};
 }
 
-/// Chooses a direction's angle to the plane across the hair, with the density of `along`.
+/// Samples a direction's angle to the plane perpendicular to the hair, with the density of `along`.
 double sample_sine(const Inclination& o, double variance, const Vec2& uv) {
     const double u = std::max(uv.x, 0x1p-30);
     const double cosine =

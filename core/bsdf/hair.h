@@ -6,9 +6,9 @@
 
 namespace etalon {
 
-/// What a hair is made of at a point.
+/// Parameters of a hair at a point.
 struct HairFibre {
-    float h;             ///< place across the width, from -1 to 1
+    float h;             ///< position across the width, from -1 to 1
     float eta;           ///< index inside over that outside
     Color absorption;    ///< per radius
     float along_width;   ///< roughness beta_m, 0 to 1
@@ -16,12 +16,12 @@ struct HairFibre {
     float tilt;          ///< alpha of the scales, in degrees
 };
 
-/// Scattering of a hair, seen as a cylinder that is met at one place across its width: Chiang,
+/// Scattering of a hair, as a cylinder that is hit at one position across its width: Chiang,
 /// Bitterli, Tappan and Burley 2016, "A Practical and Controllable Hair and Fur Model for
-/// Production Path Tracing". x is along the hair. Light to both sides comes from one formula.
+/// Production Path Tracing". x is along the hair. One formula covers both sides.
 ///
-/// Bessel's function is summed until it is exact, so that a hair that absorbs nothing scatters all
-/// light; pbrt-v3 takes ten terms, up to 2.5 % too little for arguments about 12.
+/// Bessel's function is summed until it is exact, so that a hair without absorption scatters all
+/// light. pbrt-v3 sums ten terms, which is up to 2.5 % too little for arguments about 12.
 class HairScattering {
   public:
     static constexpr LobeKind kind = LobeKind::both;
@@ -36,16 +36,16 @@ class HairScattering {
   private:
     float h_, index_;
     Color absorption_;
-    float variance_;  ///< along the hair, of light that is reflected
-    float spread_;    ///< across it: scale of the logistic distribution
+    float variance_;  ///< longitudinal, of reflected light
+    float spread_;    ///< azimuthal: scale of the logistic distribution
     float sine_of_tilt_;
-    Color factor_{1};  ///< of the whole
+    Color factor_{1};  ///< factor of the whole lobe
 };
 
-/// Absorption by concentrations of the two pigments of hair.
+/// Returns the absorption for concentrations of the two pigments of hair.
 Color hair_absorption(float eumelanin, float pheomelanin);
 
-/// Absorption of hair that looks this colour where there is much of it, with roughness beta_n.
+/// Returns the absorption for which dense hair has this colour, with roughness beta_n.
 Color hair_absorption_of(const Color& reflectance, float across_width);
 
 }  // namespace etalon

@@ -15,17 +15,17 @@
 
 namespace etalon {
 
-/// Lobes of single materials. They are a union in the union, so that the others are few enough to
-/// be told apart by a switch (of up to eleven, as the standard library of GCC has it).
+/// Lobes of single materials. They are a union within the union, so that the outer one has few
+/// enough alternatives for a switch (up to eleven in GCC's standard library).
 using RareLobe = std::variant<HairScattering, DisneyBase, DisneyGloss, DisneyTransmission,
                               DisneyClearcoat, DiffuseExit, FourierScattering>;
 
-/// One way in which a surface scatters light; lobe_kind.h says what each offers.
+/// One lobe of a BSDF; lobe_kind.h describes its interface.
 using Lobe = std::variant<LambertReflection, LambertTransmission, OrenNayarReflection,
                           SpecularReflection, SpecularTransmission, FresnelSpecular,
                           MicrofacetReflection, MicrofacetTransmission, FresnelBlend, RareLobe>;
 
-// A rare lobe makes no list of lobes longer.
+// A rare lobe does not enlarge lists of lobes.
 static_assert(sizeof(RareLobe) <= sizeof(MicrofacetReflection));
 
 /// Calls visitor(lobe) with the lobe's own type.

@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// Up to eight lobes, whose values are added.
+/// Up to eight lobes, which are summed.
 class LobeList {
   public:
     static constexpr std::size_t capacity = 8;
@@ -24,7 +24,7 @@ class LobeList {
     }
     ~LobeList() = default;
 
-    /// Adds a lobe; one beyond the capacity is left out.
+    /// Adds a lobe; lobes beyond the capacity are dropped.
     template <class Kind>
     void add(const Kind& lobe) {
         if (count_ == capacity) return;
@@ -36,17 +36,17 @@ class LobeList {
         visit_lobe([&](const auto& kind) { add(kind); }, lobe);
     }
 
-    /// Multiplies the lobes from number `first` on.
+    /// Scales the lobes from number `first` on.
     void scale(std::size_t first, const Color& by) {
         for (std::size_t k = first; k < count_; ++k) {
             visit_lobe([&](auto& lobe) { lobe.scale(by); }, lobes_[k]);
         }
     }
 
-    /// Whether any lobe is not specular.
+    /// Returns whether any lobe is not specular.
     bool has_smooth() const { return has_smooth_; }
 
-    /// Whether one of these scatters light through the surface.
+    /// Returns whether any smooth lobe transmits light through the surface.
     bool has_smooth_transmission() const { return has_smooth_transmission_; }
 
     std::size_t size() const { return count_; }

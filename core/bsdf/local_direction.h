@@ -1,4 +1,4 @@
-// Directions in the frame of a shading normal, which is z. All point away from the surface.
+// Directions in the local frame of a shading normal, which is z. All point away from the surface.
 #pragma once
 
 #include <numbers>
@@ -29,9 +29,9 @@ inline bool is_black(const Color& c) {
     return c.x == 0 && c.y == 0 && c.z == 0;
 }
 
-/// A direction on the side of `side` whose angle to the normal is cosine-distributed (density cos /
-/// pi), for `uv` evenly distributed in [0, 1)^2: a point of the unit disk, found by Shirley and
-/// Chiu's concentric map (1997), lifted to the hemisphere.
+/// Returns a direction on the side of `side` whose angle to the normal is cosine-distributed
+/// (density cos / pi), for `uv` uniformly distributed in [0, 1)^2: a point of the unit disk, by
+/// Shirley and Chiu's concentric map (1997), lifted to the hemisphere.
 Vec3f cosine_direction(const Vec3f& side, const Vec2& uv);
 
 }  // namespace etalon

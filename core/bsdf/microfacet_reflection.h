@@ -7,7 +7,7 @@
 
 namespace etalon {
 
-/// Reflection by facets that are mirrors: Torrance and Sparrow 1967, "Theory for Off-Specular
+/// Reflection by mirroring microfacets: Torrance and Sparrow 1967, "Theory for Off-Specular
 /// Reflection from Roughened Surfaces".
 struct MicrofacetReflection {
     static constexpr LobeKind kind = LobeKind::reflection;

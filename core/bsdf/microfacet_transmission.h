@@ -6,12 +6,12 @@
 
 namespace etalon {
 
-/// Refraction by facets between dielectrics: Walter et al. 2007, "Microfacet Models for Refraction
-/// through Rough Surfaces". Of radiance, which is divided by eta^2.
+/// Refraction by microfacets between dielectrics: Walter et al. 2007, "Microfacet Models for
+/// Refraction through Rough Surfaces". It transports radiance, which is divided by eta^2.
 ///
-/// Value and density are those of PBRT version 3, which leaves out Walter's rule that a facet whose
-/// back is turned to `wo` has no part. Such facets are never drawn, so that they show in light that
-/// is sampled at its source only, and by its weight against this density; its pictures have that.
+/// Value and density are those of PBRT version 3, which omits Walter's rule that microfacets facing
+/// away from `wo` do not contribute. Such facets are never sampled, so that they show only in light
+/// that is sampled at its source, with its MIS weight against this density, as in PBRT's images.
 struct MicrofacetTransmission {
     static constexpr LobeKind kind = LobeKind::transmission;
     Color transmittance;

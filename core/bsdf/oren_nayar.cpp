@@ -11,7 +11,7 @@ OrenNayarReflection::OrenNayarReflection(const Color& reflectance, float sigma)
 
 Evaluation OrenNayarReflection::evaluate(const Vec3f& wo, const Vec3f& wi) const {
     // max(0, cos(difference in phi)) sin(alpha) tan(beta), alpha the larger of the two angles to
-    // the normal: its sines are those of the difference's cosine, so that one division is left.
+    // the normal. Its sines cancel those of the difference's cosine, so that one division is left.
     const float across = std::max(0.0F, wo.x * wi.x + wo.y * wi.y);
     const float cos_beta = std::max(std::abs(wi.z), std::abs(wo.z));
     return {reflectance_ * ((a_ + b_ * across / cos_beta) * inverse_pi),

@@ -6,14 +6,14 @@
 
 namespace etalon {
 
-/// Reflection by facets that obey Lambert's law: Oren and Nayar 1994, "Generalization of Lambert's
+/// Reflection by Lambertian microfacets: Oren and Nayar 1994, "Generalization of Lambert's
 /// Reflectance Model", their qualitative model.
 class OrenNayarReflection {
   public:
     static constexpr LobeKind kind = LobeKind::reflection;
     static constexpr bool is_diffuse = true;
 
-    /// `sigma`: the standard deviation of the facets' angles, in degrees.
+    /// `sigma` is the standard deviation of the facets' angles, in degrees.
     OrenNayarReflection(const Color& reflectance, float sigma);
 
     Evaluation evaluate(const Vec3f& wo, const Vec3f& wi) const;

@@ -5,10 +5,10 @@
 
 namespace etalon {
 
-/// Estimate of the mean of Fresnel's terms over the facets visible from `wo`. Those are turned to
-/// the eye the more, the more the eye grazes the surface and the rougher that is; terms are taken
-/// on both sides of the mean cosine, as total reflection begins at once. Fitted by eye to integrals
-/// for alpha from 0.05 to 1.6, of which it is mostly within a third.
+/// Returns an estimate of the mean Fresnel term over the microfacets visible from `wo`. The more
+/// grazing `wo` and the rougher the surface, the more these are turned to the eye. Terms are
+/// evaluated on both sides of the mean cosine, as total reflection begins abruptly. Fitted by eye
+/// to integrals for alpha from 0.05 to 1.6; mostly within a third of them.
 Color mean_reflectance(const Fresnel& fresnel, const TrowbridgeReitz& facets, const Vec3f& wo);
 
 }  // namespace etalon

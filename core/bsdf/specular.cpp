@@ -7,8 +7,8 @@ Vec3 mirrored(const Vec3& wo) {
     return {-wo.x, -wo.y, wo.z};
 }
 
-/// Snell's law. `eta`: index beyond the surface over that on the side of `wo`. Nothing where light
-/// is totally reflected.
+/// Refracts by Snell's law. `eta` is the index beyond the surface over that on the side of `wo`.
+/// Nothing for total internal reflection.
 std::optional<Vec3> refracted(const Vec3& wo, double eta) {
     if (eta == 1) return -wo;
     const double sine_squared = (wo.x * wo.x + wo.y * wo.y) / (eta * eta);
@@ -16,7 +16,7 @@ std::optional<Vec3> refracted(const Vec3& wo, double eta) {
     return Vec3(-wo.x / eta, -wo.y / eta, -std::copysign(std::sqrt(1 - sine_squared), wo.z));
 }
 
-/// What goes through, which is `transmittance` of it.
+/// Returns the transmitted light, which is `transmittance` of it.
 std::optional<SpecularSample> transmitted(const Vec3& wo, float eta, const Color& transmittance,
                                           float probability) {
     const float beyond = wo.z > 0 ? eta : 1 / eta;

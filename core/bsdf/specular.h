@@ -6,11 +6,11 @@
 
 namespace etalon {
 
-/// The one direction that a specular lobe chose.
+/// The direction that a specular lobe chose.
 struct SpecularSample {
     Vec3 wi;            ///< local
-    Color weight;       ///< its part of the radiance: the BSDF's value times |cos|
-    float probability;  ///< of this choice among the lobe's
+    Color weight;       ///< the BSDF's value times |cos|, for this direction
+    float probability;  ///< probability of this choice among the lobe's
     bool transmission;
     float eta;  ///< index on the side of `wi` over that on the side of `wo`
 };
@@ -26,12 +26,12 @@ struct SpecularReflection {
     void scale(const Color& by) { reflectance *= by; }
 };
 
-/// What a smooth border of dielectrics does not reflect. Radiance is divided by eta^2 as the light
-/// is spread over other angles.
+/// Transmission through a smooth interface of dielectrics. Radiance is divided by eta^2 as the
+/// solid angle of the light changes.
 struct SpecularTransmission {
     static constexpr LobeKind kind = LobeKind::specular;
     Color transmittance;
-    float eta;  ///< index below over index above; 1: light goes straight on, and all of it
+    float eta;  ///< index below over index above; 1: all light passes straight through
 
     std::optional<SpecularSample> sample(const Vec3& wo, double choice) const;
     Color albedo(const Vec3f& wo) const {
@@ -40,7 +40,7 @@ struct SpecularTransmission {
     void scale(const Color& by) { transmittance *= by; }
 };
 
-/// A smooth border of dielectrics: reflects or transmits.
+/// A smooth interface of dielectrics: reflects or transmits.
 struct FresnelSpecular {
     static constexpr LobeKind kind = LobeKind::specular;
     Color reflectance, transmittance;

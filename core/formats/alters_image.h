@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// Returns whether the image is not that of the scene's file because of a diagnostic: a shape is
+/// Returns whether a diagnostic means that the image is not that of the scene's file: a shape is
 /// left out, something stands in for what is not rendered, or a motion is ignored.
 inline bool alters_image(const Diagnostic& diagnostic) {
     constexpr std::string_view kinds[] = {"stand-in", "motion", "shape"};

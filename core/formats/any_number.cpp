@@ -27,7 +27,7 @@ std::int64_t read_digits(const char*& p, const char* last, std::uint64_t& value)
     return p - first;
 }
 
-/// The exponent that ends a number; a huge one is 10^18, which is still far from overflow.
+/// Reads the exponent that ends a number; a huge one becomes 10^18, which is far from overflow.
 std::int64_t exponent_of(const char* first, const char* last) {
     const char* p = std::find_if(first, last, [](char c) { return (c | 0x20) == 'e'; });
     if (p == last) return 0;
@@ -39,8 +39,8 @@ std::int64_t exponent_of(const char* first, const char* last) {
     return negative ? -size : size;
 }
 
-/// Whether a number without a sign that no double is near is too small for one, not too large:
-/// whether its first digit that is not 0 stands behind the point once the exponent has moved it.
+/// Returns whether an unsigned number that is out of range is too small, not too large: whether its
+/// first digit that is not 0 is behind the point once the exponent has moved it.
 bool is_tiny(const char* first, const char* last) {
     const char* const point = std::find_if(first, last, [](char c) { return c < '0' || c > '9'; });
     const char* const digit =
@@ -53,7 +53,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// Whether [p, last) begins with a digit, perhaps behind a point.
+/// Returns whether [p, last) begins with a digit, possibly after a point.
 bool at_digits(const char* p, const char* last) {
     if (p != last && *p == '.') ++p;
     return p != last && is_digit(*p);

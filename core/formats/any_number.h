@@ -1,4 +1,4 @@
-// Numbers of every length, read with care rather than fast.
+// Reads numbers of any length, carefully rather than fast.
 #pragma once
 
 #include "core/formats/number.h"

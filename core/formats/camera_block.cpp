@@ -84,7 +84,7 @@ class BlockReader {
 
     bool& given(const Line& line) { return given_[static_cast<std::size_t>(&line - &lines_[0])]; }
 
-    /// The first line that has not come yet.
+    /// Returns the first line that has not been read yet.
     const Line* due() const {
         for (std::size_t k = 0; k < lines_.size(); ++k) {
             if (!given_[k]) return &lines_[k];
@@ -104,8 +104,8 @@ class BlockReader {
         in_.recover();
     }
 
-    /// Returns the line that the word just read opens. The programs of P3F's course take any word
-    /// for the one that is due; so does this, if the right number of numbers follows.
+    /// Returns the line that the word just read begins. The programs of P3F's course accept any
+    /// word for the next line; so does this, if the right number of numbers follows.
     const Line* line_of(std::string_view word, std::size_t offset) {
         if (const Line* const line = find(word)) {
             if (given(*line)) {
@@ -152,7 +152,7 @@ std::string check_camera(const CameraBlock& b) {
     return {};
 }
 
-/// A lens that is none becomes a pinhole.
+/// Replaces an unusable lens by a pinhole.
 void check_lens(Reader& in, Camera& c) {
     if (c.aperture < 0 || (c.aperture > 0 && !(c.focal > 0))) {
         in.warn("camera", "aperture {} with focal {} is not a lens; taken as a pinhole", c.aperture,

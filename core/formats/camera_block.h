@@ -8,17 +8,17 @@
 
 namespace etalon {
 
-/// A camera half read.
+/// A camera block that is being read.
 struct CameraBlock {
-    std::size_t start = 0;  ///< start of the statement that complaints are about
+    std::size_t start = 0;  ///< start of the statement, for diagnostics
     Camera camera{};
     std::int64_t width = 0, height = 0;
 };
 
 void read_resolution(Reader& in, CameraBlock& block);
 
-/// Makes the block the scene's camera, or says why nothing can be seen with it; `missing` names
-/// what it ought to have and has not.
+/// Makes the block the scene's camera, or reports why nothing can be seen with it. `missing` names
+/// the parts that it lacks.
 void finalize_camera(SceneLoader& loader, CameraBlock block, const std::string& missing);
 
 /// Dialects of the camera: NFF's is a block of lines that each start with a word of their own;

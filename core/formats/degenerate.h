@@ -8,12 +8,13 @@
 
 namespace etalon {
 
-/// Whether a vector has been normalised, as far as roundings let one see: a step of 2^-53 in each
-/// of its numbers, and those of the product.
+/// Returns whether a vector is of unit length up to roundings: a step of 2^-53 in each of its
+/// numbers, and those of the product.
 bool is_of_unit_length(const Vec3& v);
 
-/// Vector along the normal of a polygon, on the side from which the corners run counter-clockwise
-/// (Newell's sum of the fan of triangles about the first corner). Zero if they span no area.
+/// Returns a vector along the normal of a polygon, on the side from which the corners run
+/// counter-clockwise (Newell's sum over the fan of triangles about the first corner). Zero if they
+/// span no area.
 Vec3 area_normal(std::span<const Vec3> corners);
 
 }  // namespace etalon

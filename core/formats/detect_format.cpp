@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t bytes_read = std::size_t{1} << 16;
 constexpr std::size_t statements_read = 1000;
 
-/// Word that a statement starts with; `numbers`: how many must follow it, or -1 for any number.
+/// Word that starts a statement; `numbers` is how many must follow it, or -1 for any number.
 struct Signature {
     std::string_view word;
     int numbers = -1;
@@ -73,8 +73,8 @@ bool is_sce(const FormatProbe& o) {
     return shows(o, {{"sce1.0"}, {"eyepos", 3}, {"eyedir", 3}, {"fovy_deg", 1}});
 }
 
-/// Matches what version 3 has no meaning for. `"spectrum"` textures and `"point3"` parameters are
-/// more frequent in version 4, but legal in version 3.
+/// Matches words that have no meaning in version 3. `"spectrum"` textures and `"point3"` parameters
+/// are more frequent in version 4, but legal in version 3.
 bool is_pbrt_v4(const FormatProbe& o) {
     return is_pbrt(o) &&
            shows(o, {{"ColorSpace"}, {"Option"}, {"Attribute"}, {"\"rgb\""}, {"\"zsobol\""}});
@@ -88,7 +88,7 @@ bool is_obj(const FormatProbe& o) {
     return shows(o, {{"v", 3}, {"v", 4}, {"v", 6}, {"vn", 3}, {"vt", 2}, {"mtllib"}});
 }
 
-/// Whether more than one byte in fifty is one that no text has.
+/// Returns whether more than one byte in fifty does not occur in text.
 bool is_binary(const FormatProbe& o) {
     const auto strange = std::ranges::count_if(o.text, [](char c) {
         return (c >= '\0' && c < '\t') || (c > '\r' && c < ' ') || c == '\x7F';

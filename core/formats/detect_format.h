@@ -12,7 +12,7 @@ struct Statement {
     int numbers;
 };
 
-/// The start of a text, as far as is worth reading to tell what it is.
+/// The beginning of a text, as much as is needed to detect its format.
 struct FormatProbe {
     explicit FormatProbe(std::string_view text);
 

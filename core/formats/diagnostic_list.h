@@ -8,18 +8,18 @@
 
 namespace etalon {
 
-/// Diagnostics in the order in which they were found. What would never be shown is only counted,
-/// so that what is wrong in a million places costs neither time nor memory.
+/// Diagnostics in the order in which they were found. Those beyond the limit of a kind are only
+/// counted, so that a million of them cost neither time nor memory.
 class DiagnosticList {
   public:
     /// Returns a new diagnostic without place and message, or null if there are enough of the
     /// kind. It is valid until the next call.
     Diagnostic* admit(Severity severity, std::string_view kind);
 
-    /// Whether further ones of the kind are only counted.
+    /// Returns whether further ones of the kind are only counted.
     bool is_full(std::string_view kind) const;
 
-    /// Takes over another list.
+    /// Appends another list, leaving it empty.
     void append(DiagnosticList& other);
 
     bool has_errors() const { return has_errors_; }

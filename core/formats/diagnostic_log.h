@@ -12,7 +12,7 @@
 
 namespace etalon {
 
-/// Gathers the diagnostics about one text. Places are byte offsets.
+/// Collects the diagnostics about one text. Places are byte offsets.
 class DiagnosticLog {
   public:
     /// `text` must outlive the log. In a strict log warnings are errors.
@@ -32,10 +32,10 @@ class DiagnosticLog {
         add(Severity::error, offset, kind, text, std::forward<T>(arguments)...);
     }
 
-    /// Takes over what was found in another file, one that this one mentions.
+    /// Appends the diagnostics about another file that this one refers to.
     void append(DiagnosticLog& other) { list_.append(other.list_); }
 
-    /// Stands for an offset where the message is about the file as a whole.
+    /// Offset of messages about the file as a whole.
     static constexpr std::size_t whole_file = std::string_view::npos;
 
     DiagnosticList& list() { return list_; }
@@ -51,7 +51,7 @@ class DiagnosticLog {
         }
     }
 
-    /// A new diagnostic without its message, or nothing if there are enough of the kind.
+    /// Returns a new diagnostic without its message, or null if there are enough of the kind.
     Diagnostic* admit(Severity severity, std::size_t offset, std::string_view kind);
 
     std::string file_;
@@ -60,7 +60,7 @@ class DiagnosticLog {
     DiagnosticList list_;
 };
 
-/// A word of a file as a message can carry it: in quotes, without bytes that are not printable
+/// Returns a word of a file for use in a message: in quotes, without bytes that are not printable
 /// ASCII, and not too long.
 std::string in_quotes(std::string_view word);
 

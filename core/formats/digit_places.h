@@ -5,12 +5,12 @@
 
 namespace etalon {
 
-/// Which of sixteen characters go to which of sixteen places so that the digits of a number end at
-/// the last place, without its point. Places before them have none: 0x80.
+/// Shuffle that moves the digits of a number, without its point, to the end of sixteen places.
+/// Entry i is the character for place i; 0x80 for the unused places before the digits.
 using DigitPlaces = std::array<std::uint8_t, 16>;
 
-/// For a number of `end` characters, up to 15, that begins with a sign or not and has its point at
-/// point_at; at its end if it has none.
+/// Returns the shuffle for a number of `end` characters, up to 15. `sign` is whether it begins with
+/// a sign; `point_at` is the index of its point, or `end` if it has none.
 constexpr DigitPlaces make_digit_places(int sign, int point_at, int end) {
     DigitPlaces places{};
     places.fill(0x80);

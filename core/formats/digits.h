@@ -17,7 +17,7 @@ inline EightChars load_eight(const char* p) {
     return chars;
 }
 
-/// Value of eight digits, of which each is a byte from 0 to 9, or the character that stands for it.
+/// Returns the value of eight digits, each a byte from 0 to 9 or the character for it.
 inline std::uint32_t value_of_eight(EightChars digits) {
     digits = (digits & 0x0F0F0F0F0F0F0F0F) * (10 * 0x100 + 1) >> 8;  // in pairs 10 a + b
     digits = (digits & 0x00FF00FF00FF00FF) * (100 * 0x10000 + 1) >> 16;
@@ -25,7 +25,7 @@ inline std::uint32_t value_of_eight(EightChars digits) {
     return static_cast<std::uint32_t>(digits);
 }
 
-/// Number of digits before the first other character, 0 to 8.
+/// Returns the number of digits before the first other character, 0 to 8.
 inline int count_digits(EightChars chars) {
     // Both terms of a digit are below 0x80. What a sum carries can only disturb later characters.
     constexpr std::uint64_t from_nine = 0x4646464646464646, zeros = 0x3030303030303030;
@@ -33,9 +33,9 @@ inline int count_digits(EightChars chars) {
     return std::countr_zero(others) / 8;
 }
 
-/// Value of the first `count` characters, 1 to 8, which are digits.
+/// Returns the value of the first `count` characters, 1 to 8, which must be digits.
 inline std::uint32_t value_of_digits(EightChars chars, int count) {
-    return value_of_eight(chars << (64 - 8 * count));  // their last is then the last of eight
+    return value_of_eight(chars << (64 - 8 * count));  // puts their last at the last of eight
 }
 
 }  // namespace etalon

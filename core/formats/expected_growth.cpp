@@ -22,7 +22,7 @@ void make_room(PolygonList& v, double factor) {
     if (v.size() >= much) v.make_room(factor);
 }
 
-/// Nobody knows how many parts a curve has.
+/// Does nothing: the number of parts of a curve is not known in advance.
 void make_room(CurveList&, double) {}
 
 }  // namespace

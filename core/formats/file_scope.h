@@ -5,21 +5,21 @@
 
 namespace etalon {
 
-/// The files that a scene may open: all, or those in one directory, wherever symbolic links lead.
+/// The files that a scene may open: all, or those in one directory after resolving symbolic links.
 class FileScope {
   public:
-    /// An empty `root` confines nothing.
+    /// With an empty `root` all files may be opened.
     explicit FileScope(const std::string& root);
 
-    /// Returns why a file may not be opened, empty if it may: "'x' lies outside of 'DIR', ...".
-    /// Says the same of a file that exists and of one that does not.
+    /// Returns why a file may not be opened: "'x' lies outside of 'DIR', ..."; empty if it may. The
+    /// result is the same whether or not the file exists.
     std::string objection(const std::filesystem::path& file) const;
 
   private:
     bool holds(const std::filesystem::path& file) const;
 
     std::string root_;
-    std::filesystem::path real_root_;  ///< without links; empty if it cannot be found
+    std::filesystem::path real_root_;  ///< with links resolved; empty if it does not exist
 };
 
 }  // namespace etalon

@@ -28,7 +28,7 @@ FileText too_large() {
 
 /// Reads to the end of the stream; a file of `expected` bytes is read in one go.
 FileText read_all(std::FILE* stream, std::size_t expected) {
-    std::size_t capacity = std::max<std::size_t>(expected, 1 << 16) + 1;  // one more meets the end
+    std::size_t capacity = std::max<std::size_t>(expected, 1 << 16) + 1;  // one more finds the end
     FileText file{std::make_unique_for_overwrite<char[]>(capacity), 0, {}};
     while (true) {
         file.size += std::fread(&file.bytes[file.size], 1, capacity - file.size, stream);

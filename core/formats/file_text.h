@@ -16,11 +16,11 @@ struct FileText {
     std::string_view text() const { return {bytes.get(), size}; }
 };
 
-/// Size limit in bytes. Nothing in a scene takes less than 6 ("0 0 0 "), so what is in a file of
-/// this size can still be numbered by 32 bits.
+/// Size limit in bytes. Every item of a scene takes at least 6 ("0 0 0 "), so the items of a file
+/// of this size can still be numbered with 32 bits.
 inline constexpr std::size_t largest_file = std::size_t{1} << 34;
 
-/// Reads a whole file, but none larger than largest_file; "-" is standard input.
+/// Reads a whole file of at most largest_file bytes; "-" is standard input.
 FileText read_file(const std::string& path);
 
 }  // namespace etalon

@@ -28,13 +28,12 @@ struct Format {
     std::string_view name;       ///< value of --format; the extension is the same
     std::string_view described;  ///< name in messages: "this looks like ..."
     FormatMatcher matches;
-    Loader load;  ///< null: only recognised, so that it can be named
+    Loader load;  ///< null: only detected, so that a message can name it
     bool has_legacy = false;
 };
 
-// CONTRIBUTING.md lists what a new format takes.
-// The first line that recognises a text has it: those that show clear signs stand above those that
-// others could be mistaken for.
+// CONTRIBUTING.md lists the steps to add a format. The first line that detects a text wins: formats
+// with clear signs come before those with which others could be confused.
 constexpr std::array formats = {
     Format{"sce", "an SCE scene", is_sce, load_sce, true},
     Format{"pbrt-v4", "a PBRT scene of version 4", is_pbrt_v4, nullptr},
@@ -83,7 +82,7 @@ LoadResult refuse(const std::string& file, std::string_view kind, fmt::format_st
     return {std::nullopt, {}, log.take()};
 }
 
-/// Loads with a format's loader. A geometry that is whole needs no room to grow.
+/// Loads with a format's loader, then releases the spare capacity of the geometry.
 LoadResult load_with(const Format& format, std::string_view text, const std::string& path,
                      const LoadOptions& options) {
     LoadResult result = format.load(text, path, options);

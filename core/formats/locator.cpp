@@ -12,7 +12,7 @@ int saturated(std::size_t n) {
     return static_cast<int>(std::min<std::size_t>(n, std::numeric_limits<int>::max()));
 }
 
-/// Counts in bytes as long as they hold the counts, so that an instruction counts sixteen.
+/// Counts in bytes before they could overflow, so that one instruction counts sixteen characters.
 std::size_t line_feeds(std::string_view text) {
     constexpr std::size_t lanes = 32, most = 255;
     std::size_t sum = 0;

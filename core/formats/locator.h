@@ -5,13 +5,13 @@
 
 namespace etalon {
 
-/// A place in a text as people count: from 1, columns in bytes.
+/// A place in a text, counted from 1, with columns in bytes.
 struct TextPosition {
     int line, column;
 };
 
-/// Turns byte offsets into lines and columns. It remembers the place it was asked for last and
-/// counts from there, so that many questions in order cost one pass over the text.
+/// Converts byte offsets to lines and columns. It remembers the last place and counts from there,
+/// so that queries in increasing order cost one pass over the text.
 class Locator {
   public:
     explicit Locator(std::string_view text) : text_(text) {}
@@ -21,7 +21,7 @@ class Locator {
 
   private:
     std::string_view text_;
-    std::size_t offset_ = 0;      // the last place asked for,
+    std::size_t offset_ = 0;      // the last queried place,
     std::size_t line_start_ = 0;  // where its line starts
     std::size_t line_ = 1;        // and the number of that line
 };

@@ -1,4 +1,5 @@
-// A list of numbers of any length: its beginning on this thread, the rest of a long one on all.
+// Lists of numbers of any length: the beginning is read on this thread, the rest of a long one on
+// all.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -10,18 +11,18 @@
 namespace etalon {
 namespace {
 
-constexpr std::size_t most_at_once = 1 << 14;  ///< numbers that stay in the nearest cache
+constexpr std::size_t most_at_once = 1 << 14;  ///< numbers that fit the first-level cache
 constexpr std::size_t piece_size = 1 << 16;    ///< bytes of text
 constexpr std::size_t pieces_in_batch = 32;
-constexpr std::size_t shortest_shared = 1 << 20;  ///< bytes that are worth waking threads for
+constexpr std::size_t shortest_shared = 1 << 20;  ///< bytes for which waking threads pays
 
-/// Text of a list: what was read of it tells how much more there is.
+/// Text of a list. The part that was read predicts the size of the rest.
 struct ListText {
-    const char *first, *last;  ///< to its bracket, if there is one
-    std::size_t before;        ///< values that are not of this list
+    const char *first, *last;  ///< up to its bracket, if there is one
+    std::size_t before;        ///< number of values that are not of this list
 
-    /// Makes room for `more` values and, judging by the text up to p, all that follow it, but not
-    /// for many more than there are: a few may be shorter than the rest.
+    /// Reserves space for `more` values and for those expected after p, judging by the text so far,
+    /// but not for many more than there are: the first ones may be shorter than the rest.
     template <class T>
     void make_room(const char* p, std::size_t more, std::vector<T>& values) const {
         const std::size_t count = values.size();
@@ -41,8 +42,8 @@ struct ListText {
 template <class T>
 struct Piece {
     const char *first, *last;
-    const char* end;           ///< of what was read: `last`, or where something else stands
-    std::vector<T> numbers{};  ///< with room for all that the text may hold
+    const char* end;           ///< end of what was read: `last`, or the first other character
+    std::vector<T> numbers{};  ///< with space for all numbers that the text can hold
     std::size_t count = 0;
 
     void read() {
@@ -51,13 +52,13 @@ struct Piece {
         count = read_numbers(end, last, std::span<T>(numbers));
         const bool ends_line = last[-1] == '\n';
         if (ends_line || !std::memchr(first, '#', static_cast<std::size_t>(last - first))) return;
-        end = first;  // a comment may go on behind it
+        end = first;  // a comment may continue behind it
         count = 0;
     }
 };
 
-/// Where a piece that begins at p is cut off: behind a line, so that the next one does not begin in
-/// a comment; if there is none, at a blank. Null if there is neither.
+/// Returns the end of a piece that begins at p: after a line, so that the next piece does not begin
+/// in a comment; if there is none, at a blank. Null if there is neither.
 const char* cut(const char* p, const char* last) {
     if (static_cast<std::size_t>(last - p) <= piece_size) return last;
     const char* const least = p + piece_size / 2;
@@ -71,7 +72,7 @@ const char* cut(const char* p, const char* last) {
     return find_back([](char c) { return c == ' ' || c == '\t'; });
 }
 
-/// Pieces that follow each other.
+/// Consecutive pieces.
 template <class T>
 class Batch {
   public:
@@ -82,7 +83,7 @@ class Batch {
         for (size_ = 0; size_ < pieces_in_batch && p != last; ++size_) {
             const char* const end = cut(p, last);
             if (!end) {
-                p = last;  // no list of numbers
+                p = last;  // not a list of numbers
                 return;
             }
             pieces_[size_].first = p;
@@ -96,8 +97,8 @@ class Batch {
         });
     }
 
-    /// Appends what was read, up to the first piece that is not a list as a whole, and moves p
-    /// there. Returns whether there was none.
+    /// Appends the numbers of the pieces up to the first that is not a list as a whole, and moves p
+    /// there. Returns whether all were lists.
     bool append_to(const char*& p, const ListText& text, std::vector<T>& values) const {
         for (const Piece<T>& piece : std::span(pieces_).first(size_)) {
             text.make_room(piece.last, piece.count, values);
@@ -113,8 +114,8 @@ class Batch {
     std::size_t size_ = 0;
 };
 
-/// How many numbers to make room for at p: as many as may stand before a bracket that is near, so
-/// that a short list costs little, and one more, so that it is seen to end there.
+/// Returns the number of values to reserve space for at p: as many as may precede a nearby bracket,
+/// so that a short list costs little, plus one, so that its end is noticed.
 std::size_t most_ahead(const char* p, const char* last) {
     const std::size_t bytes = std::min(static_cast<std::size_t>(last - p), 2 * most_at_once);
     const void* const bracket = std::memchr(p, ']', bytes);
@@ -123,8 +124,8 @@ std::size_t most_ahead(const char* p, const char* last) {
     return (length + 1) / 2 + 1;  // a digit and a blank each
 }
 
-/// Reads on all threads up to the end of the text, or to what is hard to read in pieces: it is read
-/// again by one thread, which knows where a comment begins.
+/// Reads on all threads up to the end of the text, or to a part that cannot be read in pieces. That
+/// part is read again by one thread, which knows where comments begin.
 template <class T>
 void read_in_pieces(const char*& p, const ListText& text, std::vector<T>& values) {
     const char* next = p;

@@ -11,7 +11,7 @@ namespace etalon {
 namespace {
 
 #if defined(MAP_POPULATE)
-constexpr int mapping = MAP_PRIVATE | MAP_POPULATE;  // one call for all pages: each is wanted
+constexpr int mapping = MAP_PRIVATE | MAP_POPULATE;  // all pages at once, as all will be read
 #else
 constexpr int mapping = MAP_PRIVATE;
 #endif

@@ -9,11 +9,11 @@
 
 namespace etalon {
 
-/// The bytes of a file as pages of memory, or why there are none. Nothing is copied: the file must
-/// not be made shorter meanwhile. What cannot be mapped, as a pipe, is read.
+/// The bytes of a file, mapped into memory, or an error. Nothing is copied, so the file must not be
+/// truncated meanwhile. Files that cannot be mapped, such as pipes, are read.
 class MappedFile {
   public:
-    /// Maps a whole file, but none larger than largest_file.
+    /// Maps a whole file of at most largest_file bytes.
     explicit MappedFile(const std::string& path);
     ~MappedFile();
     MappedFile(MappedFile&& other) noexcept { *this = std::move(other); }
@@ -26,8 +26,8 @@ class MappedFile {
 
   private:
     std::size_t size_ = 0;
-    const char* mapped_ = nullptr;  ///< after the size, which mapping sets
-    FileText read_;                 ///< where nothing is mapped
+    const char* mapped_ = nullptr;  ///< declared after the size, which mapping sets
+    FileText read_;                 ///< used if nothing is mapped
 };
 
 }  // namespace etalon

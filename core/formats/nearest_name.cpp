@@ -12,7 +12,8 @@ char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Optimal string alignment distance (Damerau 1964), neither word longer than `longest`.
+/// Returns the optimal string alignment distance (Damerau 1964); neither word is longer than
+/// `longest`.
 std::size_t typing_errors(std::string_view a, std::string_view b) {
     using Row = std::array<std::size_t, longest + 1>;
     Row before{}, above{}, row{};
@@ -32,7 +33,7 @@ std::size_t typing_errors(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
-/// Number of letters with which both words begin.
+/// Returns the number of letters of the common prefix.
 std::size_t common_start(std::string_view a, std::string_view b) {
     std::size_t n = 0;
     while (n < a.size() && n < b.size() && lower(a[n]) == lower(b[n])) ++n;

@@ -6,10 +6,10 @@
 
 namespace etalon {
 
-/// The name that `word` was probably meant to be: the one fewest typing errors (letters added,
-/// lost, exchanged or swapped with their neighbour) away, upper and lower case being the same. On a
-/// tie the one that shares the longest beginning with the word, then the first; empty where none is
-/// close enough to be worth a suggestion.
+/// Returns the name that `word` was probably meant to be: the one with the fewest typing errors
+/// (letters added, lost, exchanged or swapped with their neighbour), ignoring case. On a tie, the
+/// one that shares the longest prefix with the word, then the first. Empty if none is close enough
+/// to be worth a suggestion.
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> names);
 
 /// Returns "; did you mean 'name'?", or nothing if no name is near.

@@ -29,7 +29,7 @@ namespace etalon {
 
 namespace {
 
-/// The sign is read already.
+/// The sign has been read already.
 ScannedNumber scan_long_integer(const char* p, const char* last, bool negative,
                                 std::int64_t& value) {
     const char* const digits = p;
@@ -49,8 +49,8 @@ ScannedNumber scan_long_integer(const char* p, const char* last, bool negative,
     return {p, NumberStatus::ok};
 }
 
-/// Makes Highway choose at once what it would choose at the first call, so that the function chosen
-/// may be kept: asking its library at every number shows in the time of reading.
+/// Makes Highway choose the function now instead of at the first call, so that the choice can be
+/// kept: asking its library for every number would show in the time of reading.
 void choose_target() {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }

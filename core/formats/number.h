@@ -8,12 +8,12 @@ namespace etalon {
 enum class NumberStatus : std::uint8_t { ok, malformed, out_of_range };
 
 struct ScannedNumber {
-    const char* end;  ///< behind the number; of no meaning if malformed
+    const char* end;  ///< behind the number; unspecified if it is malformed
     NumberStatus status;
 };
 
-/// Reads the longest number that [first, last) starts with, to the nearest one of the type; what is
-/// too small for any is zero. "inf", "nan" and hexadecimal numbers are malformed.
+/// Reads the longest number with which [first, last) starts, correctly rounded; a number too small
+/// for the type is zero. "inf", "nan" and hexadecimal numbers are malformed.
 ScannedNumber scan_number(const char* first, const char* last, double& value);
 ScannedNumber scan_number(const char* first, const char* last, float& value);
 

@@ -23,13 +23,13 @@ void for_each_line(std::string_view text, DiagnosticLog& log, F&& read) {
     }
 }
 
-/// Reads a point. A bad one still counts, so that the numbers of those after it are right.
+/// Reads a point. A bad one still counts, so that later numbers stay right.
 Vec3 read_point(Reader& in, std::string_view what) {
     const Vec3 p = in.vector(what);
     return in.ok() ? p : Vec3(nan_value);
 }
 
-/// Numbers at a corner of a face, 0 for one that is left out: "7", "7/2", "7//3" or "7/2/3".
+/// Reads the numbers at a corner of a face, 0 for an omitted one: "7", "7/2", "7//3" or "7/2/3".
 struct Numbers {
     std::int64_t vertex = 0, texture = 0, normal = 0;
 };
@@ -107,7 +107,7 @@ class FaceReader {
         return exists ? static_cast<std::uint32_t>(index) : no_index;
     }
 
-    /// Adds a triangle, unless it is only a line, as pieces of polygons that repeat a vertex are.
+    /// Adds a triangle, unless it is degenerate, as pieces of polygons that repeat a vertex are.
     void add(const Corner& a, const Corner& b, const Corner& c) {
         if (a.vertex == b.vertex || b.vertex == c.vertex || c.vertex == a.vertex) return;
         mesh_.triangles.push_back({a, b, c});
@@ -122,7 +122,7 @@ bool is_direction(const Vec3& v) {
     return is_finite(v) && v != Vec3(0);
 }
 
-/// Unit vector at each vertex: the sum of the normals of its faces, weighted by their areas.
+/// Returns the unit normal at each vertex: the sum of its faces' normals, weighted by their areas.
 std::vector<Vec3> vertex_normals(const ObjMesh& mesh) {
     Box3 box;
     for (const Vec3& v : mesh.vertices) {

@@ -1,4 +1,4 @@
-// Meshes in Wavefront's OBJ format, as far as it says where a surface is.
+// Meshes in Wavefront's OBJ format, only their geometry.
 #pragma once
 
 #include <array>
@@ -15,21 +15,22 @@ namespace etalon {
 struct ObjMesh {
     struct Corner {
         std::uint32_t vertex;
-        std::uint32_t normal = no_index;  ///< no_index: the file names none
+        std::uint32_t normal = no_index;  ///< no_index if the file names none
     };
 
-    std::vector<Vec3> vertices, normals;  ///< the normals of any length
+    std::vector<Vec3> vertices, normals;  ///< normals may have any length
     std::vector<std::array<Corner, 3>> triangles;
 };
 
-/// Reads `v`, `vn` and `f` and passes over everything else. A corner of a face is `v`, `v/t`,
-/// `v//n` or `v/t/n`, numbers from 1 or, from the last one so far, -1, -2, ... A face of more than
-/// three corners, concave or not, is cut into triangles. One that cannot be made is a warning.
+/// Reads `v`, `vn` and `f` and ignores everything else. A corner of a face is `v`, `v/t`, `v//n` or
+/// `v/t/n`, with numbers from 1, or -1, -2, ... counted back from the last one so far. A face of
+/// more than three corners, concave or not, is triangulated. A face that cannot be made is a
+/// warning.
 ObjMesh read_obj(std::string_view text, DiagnosticLog& log);
 
-/// Gives every corner a normal. Where no face of the file names any, the i-th is that of the i-th
-/// vertex. What is still missing, or zero, is the mean of the faces about the vertex, weighted by
-/// their areas; zero where they have none.
+/// Gives every corner a normal. If no face of the file names any, vertex i gets normal i. Normals
+/// that are still missing, or zero, become the mean of those of the faces around the vertex,
+/// weighted by area; zero if these have none.
 void complete_normals(ObjMesh& mesh);
 
 }  // namespace etalon

@@ -9,8 +9,8 @@
 namespace etalon {
 namespace {
 
-/// A vector that is of unit length already stays as it is, so that a scene can be written and read
-/// again.
+/// Normalizes a vector unless it is of unit length already, so that scenes that are written can be
+/// read back unchanged.
 Vec3 made_unit_vector(const Vec3& v) {
     return is_of_unit_length(v) ? v : unit_vector(v);
 }
@@ -25,7 +25,7 @@ void read_corners(SceneLoader& loader, std::size_t count, bool with_normals) {
     }
 }
 
-/// Whether the corners just read make a polygon.
+/// Returns whether the corners just read make a polygon.
 bool is_visible(SceneLoader& loader) {
     if (!loader.in.ok()) return false;
     const Vec3 normal = area_normal(loader.corners.positions);
@@ -34,7 +34,7 @@ bool is_visible(SceneLoader& loader) {
     return false;
 }
 
-/// Brings the normals to unit length. A zero one leaves the polygon without any.
+/// Normalizes the normals. If one is zero the polygon gets none.
 void normalize_normals(SceneLoader& loader) {
     std::vector<Vec3>& normals = loader.corners.normals;
     for (Vec3& n : normals) n = made_unit_vector(n);

@@ -10,16 +10,16 @@
 
 namespace etalon {
 
-/// Reads the values of a statement ("s 0 0 0 1") off a text, and says so when they are not what was
+/// Reads the values of a statement ("s 0 0 0 1") from a text, and reports those that are not as
 /// expected. Like a stream it remembers a failure: from then on every value is zero and no word is
-/// consumed, until recover(). So a loader reads all it wants and then asks once whether it is ok().
+/// consumed, until recover(). So a loader can read all values and then check ok() once.
 class Reader {
   public:
-    /// Reader of a whole text; `keywords` are the words that statements start with.
+    /// Reads a whole text; `keywords` are the words that start statements.
     Reader(std::string_view text, DiagnosticLog& log, std::span<const std::string_view> keywords)
         : tokens_(text), log_(log), keywords_(keywords) {}
 
-    /// Reader of one line, for a format in which the line ends a statement.
+    /// Reads one line, for a format in which the line ends a statement.
     Reader(const Tokenizer& line, DiagnosticLog& log)
         : tokens_(line), log_(log), end_("the end of the line") {}
 
@@ -29,7 +29,7 @@ class Reader {
 
     bool at_keyword() const;
 
-    /// Passes over everything up to the next keyword. Returns how many words that were.
+    /// Skips everything up to the next keyword. Returns how many words that were.
     std::size_t skip_to_keyword();
 
     bool ok() const { return ok_; }
@@ -38,7 +38,7 @@ class Reader {
     Tokenizer& tokens() { return tokens_; }
     const Tokenizer& tokens() const { return tokens_; }
 
-    /// Offset at which the statement starts.
+    /// Returns the offset at which the statement starts.
     std::size_t start() const { return start_; }
 
     /// Reads finite values. `what` is for messages: "expected a number for the `what` of 's'".
@@ -50,14 +50,16 @@ class Reader {
     Color color(std::string_view what);
     std::string_view word(std::string_view what);
 
-    /// A number of things that follow, each of at least `numbers` numbers. Fails where the rest of
-    /// the text is too short to hold them, so that nobody makes room for what cannot come.
+    /// Reads the number of items that follow, each of at least `numbers` numbers. Fails if the rest
+    /// of the text is too short for them, so that no space is reserved for items that cannot
+    /// follow.
     std::size_t count(std::string_view what, std::size_t numbers);
 
-    /// How many things of so many numbers the rest of the text could hold at most.
+    /// Returns the largest number of items of `numbers` numbers that the rest of the text could
+    /// hold.
     std::size_t room_for(std::size_t numbers) const;
 
-    /// A complaint about the place `offset`, or about the statement as a whole.
+    /// Warns about the place `offset`, or about the statement as a whole.
     template <class... T>
     void warn_at(std::size_t offset, std::string_view kind, fmt::format_string<T...> text,
                  T&&... arguments) {
@@ -68,13 +70,13 @@ class Reader {
         log_.warn(start_, kind, text, std::forward<T>(arguments)...);
     }
 
-    /// A complaint about the statement that makes the scene unusable.
+    /// Reports an error in the statement that makes the scene unusable.
     template <class... T>
     void error(std::string_view kind, fmt::format_string<T...> text, T&&... arguments) {
         log_.error(start_, kind, text, std::forward<T>(arguments)...);
     }
 
-    /// A complaint that fails the statement.
+    /// Reports an error and fails the statement.
     template <class... T>
     void fail_at(std::size_t offset, std::string_view kind, fmt::format_string<T...> text,
                  T&&... arguments) {

@@ -1,4 +1,4 @@
-// Spheres and cones. What cannot be seen is left out with a warning.
+// Spheres and cones. Those that cannot be seen are left out with a warning.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ void read_sphere(SceneLoader& loader) {
     loader.add(Sphere{centre, std::abs(radius)}, loader.sides_for(radius));
 }
 
-/// The side of a cone or cylinder between two circles about its axis; no caps.
+/// Reads the side of a cone or cylinder between two circles about its axis, without caps.
 void read_cone(SceneLoader& loader) {
     Reader& in = loader.in;
     const Vec3 base = in.vector("base");

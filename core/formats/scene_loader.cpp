@@ -19,7 +19,7 @@ void finalize_cameras(const SceneLoader& loader, DiagnosticLog& log) {
     }
 }
 
-/// Whether there is such a surface; if not, says why.
+/// Returns whether a material is possible; if not, reports why.
 bool is_possible(Reader& in, const Material& m) {
     if (m.transmission != Color(0.0F) && !(m.ior > 0)) {
         in.warn("material", "the index of refraction of glass is {}; expected more than 0", m.ior);
@@ -71,8 +71,8 @@ void SceneLoader::look_ahead() {
     const std::size_t read = in.tokens().offset();
     const double whole =
         1 + static_cast<double>(in.tokens().remaining()) / static_cast<double>(read);
-    constexpr std::size_t farthest = 32;  // a text may go on otherwise than it began
-    constexpr double margin = 0.02;       // lines are not all of one length
+    constexpr std::size_t farthest = 32;  // a text may not continue as it began
+    constexpr double margin = 0.02;       // lines differ in length
     if (whole > 2) {
         make_room_for_growth(scene.geometry, std::min<double>(whole, farthest) * (1 + margin));
     }

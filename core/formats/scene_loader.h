@@ -16,7 +16,7 @@ struct UnusableCamera {
     std::string why;
 };
 
-/// Material of objects before any material, where the format does not say.
+/// Returns the material of objects that precede all materials, unless the format specifies one.
 Material default_diffuse();
 
 /// Corners of the polygon being read, and their normals if it has some.
@@ -24,7 +24,7 @@ struct Corners {
     std::vector<Vec3> positions, normals;
 };
 
-/// A scene file being read: what the formats that grew from NFF have in common.
+/// State of loading a scene file: what the formats that derive from NFF share.
 struct SceneLoader {
     Reader in;
     const LoadOptions& options;
@@ -33,26 +33,26 @@ struct SceneLoader {
     Scene scene{};
     RenderSettings settings{};
     bool has_camera = false;
-    std::optional<UnusableCamera> unusable_camera{};  ///< the first; an error if no other is good
-    std::optional<std::uint32_t> material{};          ///< material of the objects to come
-    std::vector<std::size_t> uncolored_lights{};      ///< lights that the file gives no colour
-    Corners corners{};  ///< kept from one polygon to the next for their room
+    std::optional<UnusableCamera> unusable_camera{};  ///< the first; an error without a good one
+    std::optional<std::uint32_t> material{};          ///< material of subsequent objects
+    std::vector<std::size_t> uncolored_lights{};      ///< lights without a colour in the file
+    Corners corners{};  ///< kept between polygons to reuse their memory
     SmoothVertices smooth_vertices{};
     std::size_t looks_ahead_at = 1 << 18;  ///< bytes of text before look_ahead()
 
-    /// Sets the material of the objects to come, if such a surface can be; if not, says why.
-    /// Returns whether it can.
+    /// Sets the material of subsequent objects if it is valid; if not, reports why. Returns whether
+    /// it is valid.
     bool set_material(const Material& material);
 
-    /// A white point light that the file says no more about. So that an image does not grow
-    /// brighter with every one, n lights have an intensity of 1 / sqrt(n) (as PRT's program did).
+    /// Adds a white point light without further data. So that an image does not grow brighter with
+    /// every one, n such lights have an intensity of 1 / sqrt(n), as in PRT's program.
     void add_light(const Vec3& position);
 
-    /// The number of the current material. The first object may find none.
+    /// Returns the number of the current material, making the default one if there is none.
     std::uint32_t current_material();
 
-    /// Returns the visible sides of a shape of the current material. The documents show only the
-    /// front of opaque things; the formats' own programs show both sides.
+    /// Returns the visible sides of a shape of the current material. The formats' documents show
+    /// only the front of opaque surfaces; their programs show both sides.
     Sides sides();
 
     /// The same, but a negative radius shows only the inside of a shape.
@@ -64,20 +64,20 @@ struct SceneLoader {
         if (in.tokens().offset() >= looks_ahead_at) look_ahead();
     }
 
-    /// Makes room for what the rest of the text holds if it goes on as it began.
+    /// Reserves space for the rest of the text, assuming that it continues as it began.
     void look_ahead();
 
-    /// The current statement's shape cannot be seen.
+    /// Reports that the current statement's shape cannot be seen.
     void skip_degenerate(std::string_view why) {
         in.warn("degenerate", "'{}' left out: {}", in.keyword(), why);
     }
 
-    /// The end of reading. Without any camera nothing can be rendered; beside a good one a bad one
-    /// does no harm.
+    /// Finishes loading. Without any camera nothing can be rendered; an unusable camera beside a
+    /// good one does no harm.
     LoadResult finish(DiagnosticLog& log);
 };
 
-// Statements that several formats have, by whichever keyword.
+// Statements that several formats share, under different keywords.
 void read_background(SceneLoader&);  ///< colour
 void read_sphere(SceneLoader&);      ///< centre, radius
 void read_cone(SceneLoader&);        ///< base, base radius, apex, apex radius

@@ -1,5 +1,5 @@
-// Numbers as files are full of them, a few digits and a point, without a loop over the digits. To
-// be included for each instruction set, as Highway does.
+// Reads the most common numbers of files, a few digits and a point, without a loop over the digits.
+// To be included for each instruction set, as Highway does.
 #if defined(ETALON_SHORT_NUMBER_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_SHORT_NUMBER_INL
 #undef ETALON_SHORT_NUMBER_INL
@@ -25,9 +25,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using SixteenBytes = hn::FixedTag<std::uint8_t, 16>;
 
-/// Returns number * 10^exponent, for integers below 2^53 and exponents of up to 22 in size: both it
-/// and the power are doubles, so that one rounded operation gives the nearest one (Clinger 1990,
-/// "How to Read Floating Point Numbers Accurately").
+/// Returns number * 10^exponent, for integers below 2^53 and exponents of magnitude up to 22. Both
+/// the number and the power are doubles, so that one rounded operation gives the nearest one
+/// (Clinger 1990, "How to Read Floating Point Numbers Accurately").
 HWY_INLINE double in_one_operation(std::uint64_t number, int exponent) {
     static constexpr double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                         1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
@@ -36,7 +36,7 @@ HWY_INLINE double in_one_operation(std::uint64_t number, int exponent) {
     return exponent <= 0 ? exact / powers[-exponent] : exact * powers[exponent];
 }
 
-/// A bit for each byte of a mask, the first the lowest.
+/// Returns one bit for each byte of a mask, the first one lowest.
 template <class Mask>
 HWY_INLINE std::uint32_t bits_of(const Mask& mask) {
     std::uint8_t bytes[8];
@@ -44,11 +44,11 @@ HWY_INLINE std::uint32_t bits_of(const Mask& mask) {
     return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
 }
 
-/// Bytes from the beginning of a number that read_short() may look at.
+/// Number of bytes from the beginning of a number that read_short() may read.
 inline constexpr std::ptrdiff_t short_reach = 32;
 
-/// Reads up to three digits of an exponent, of which p is at the 'e', and moves past it; 1000 if
-/// there are more, and nothing if there are none, as the 'e' is then no part of the number.
+/// Reads up to three digits of an exponent, where p is at the 'e', and moves past it. Returns 1000
+/// if there are more digits, and 0 if there are none, as the 'e' is then no part of the number.
 HWY_INLINE int read_exponent(const char*& p) {
     const char* q = p + 1;
     const bool negative = *q == '-';
@@ -62,11 +62,11 @@ HWY_INLINE int read_exponent(const char*& p) {
 }
 
 /// Reads a number of at most 15 digits, in at most 15 characters before its exponent, to the
-/// nearest double. Returns its end; nothing if it is not of that kind, or too large or small.
+/// nearest double. Returns its end; null if it is not of that kind, or too large or small.
 HWY_INLINE const char* read_short(const char* p, double& value) {
-    // Where the next number begins depends on one load and on nothing that is computed from digits,
-    // so that the processor can be at several numbers at a time; and no branch depends on a sign,
-    // on the place of a point or on the number of digits, which cannot be predicted.
+    // The start of the next number depends on one load and on nothing that is computed from digits,
+    // so that the processor can work on several numbers at a time. No branch depends on a sign, the
+    // place of a point or the number of digits, which would be unpredictable.
     const SixteenBytes tag;
     const hn::FixedTag<std::uint64_t, 2> halves_tag;
     const std::uint32_t sign = *p == '-' || *p == '+';
@@ -97,7 +97,7 @@ HWY_INLINE const char* read_short(const char* p, double& value) {
 }
 
 /// The same to the nearest float. That is the float nearest to the nearest double, unless the
-/// double lies between two floats, so that the digits decide on which side of it the number is.
+/// double is halfway between two floats: then the digits decide.
 HWY_INLINE const char* read_short(const char* p, float& value) {
     double nearest = 0;
     const char* const end = read_short(p, nearest);

@@ -1,4 +1,4 @@
-// The statements of a scene file that is a stream of words: a keyword, then its values.
+// Statements of a scene file that is a stream of words: a keyword, then its values.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 
 namespace etalon {
 
-/// A keyword of a format. `read` takes what follows it; `Loader` has the Reader as its `in`.
+/// A keyword of a format. `read` reads its values; `Loader` has the Reader as its `in`.
 template <class Loader>
 struct Keyword {
     std::string_view name;
     void (*read)(Loader&);
-    bool suggested = true;  ///< whether a misspelt word may have been meant to be this one
+    bool suggested = true;  ///< whether to suggest it for misspelt words
 };
 
-/// Names of the keywords, for Reader, which stops there after an error.
+/// Returns the names of the keywords, for Reader, which continues there after an error.
 template <class Loader, std::size_t count>
 constexpr auto names_of(const std::array<Keyword<Loader>, count>& keywords) {
     std::array<std::string_view, count> names;
@@ -26,12 +26,13 @@ constexpr auto names_of(const std::array<Keyword<Loader>, count>& keywords) {
     return names;
 }
 
-/// Skips what stands where a keyword should, with one warning however long it goes on. `before` is
-/// the keyword of the statement before it, or empty.
+/// Skips words where a keyword is expected, with one warning for all. `before` is the keyword of
+/// the statement before them, or empty.
 void skip_stray_words(Reader& in, std::string_view before,
                       std::span<const std::string_view> suggestions);
 
-/// Reads the whole text. The keywords are searched in order: the most frequent come first.
+/// Reads the whole text. The keywords are searched in order, so the most frequent should come
+/// first.
 template <class Loader, std::size_t count>
 void read_statements(Loader& loader, const std::array<Keyword<Loader>, count>& keywords) {
     std::vector<std::string_view> suggestions;

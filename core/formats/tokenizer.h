@@ -9,18 +9,18 @@
 
 namespace etalon {
 
-/// A cursor over a text, which must outlive it. It stands before a word or at the end; nothing is
-/// copied, and copying a tokenizer is the way to look further ahead.
+/// A cursor over a text, which must outlive it. It is at the start of a word or at the end. Nothing
+/// is copied; to look further ahead, copy the tokenizer.
 class Tokenizer {
   public:
     explicit Tokenizer(std::string_view text);
 
     bool at_end() const { return cursor_ == last_; }
 
-    /// Whether the next word sets out to be a number. It need not be a well-formed one.
+    /// Returns whether the next word starts like a number. It need not be well-formed.
     bool at_number() const;
 
-    /// The next word; empty at the end.
+    /// Returns the next word; empty at the end.
     std::string_view peek() const;
     std::string_view next();
 
@@ -28,7 +28,7 @@ class Tokenizer {
     /// the line ends a statement.
     Tokenizer take_line();
 
-    /// Reads the next word as a number, and moves on only if it is one as a whole.
+    /// Reads the next word as a number, and moves on only if the whole word is one.
     template <class T>
     NumberStatus number(T& value) {
         const ScannedNumber scanned = scan_number(cursor_, last_, value);
@@ -38,7 +38,7 @@ class Tokenizer {
         return scanned.status;
     }
 
-    /// Bytes before, and from, the next word.
+    /// Returns the number of bytes before the next word, or of those from it on.
     std::size_t offset() const { return static_cast<std::size_t>(cursor_ - first_); }
     std::size_t remaining() const { return static_cast<std::size_t>(last_ - cursor_); }
 

@@ -9,7 +9,7 @@ namespace {
 
 using Corners = std::vector<std::uint32_t>;
 
-/// Cuts a polygon into a fan about its first corner if that covers it, else cuts ears off it
+/// Triangulates a polygon by a fan about its first corner if that covers it, else by ear clipping
 /// (Meisters 1975, "Polygons Have Ears").
 class Triangulator {
   public:
@@ -18,7 +18,7 @@ class Triangulator {
         for (std::uint32_t i = 0; i < left_.size(); ++i) left_[i] = i;
     }
 
-    /// Whether the whole polygon turns one way, seen from the first corner.
+    /// Returns whether the whole polygon turns one way, seen from the first corner.
     bool is_fan() const {
         for (std::uint32_t i = 2; i < points_.size(); ++i) {
             if (!(area(0, i - 1, i) >= 0)) return false;
@@ -48,12 +48,12 @@ class Triangulator {
     }
     std::uint32_t after(std::size_t i) const { return left_[(i + 1) % left_.size()]; }
 
-    /// Twice the area, positive if counter-clockwise.
+    /// Returns twice the area, positive if counter-clockwise.
     double area(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
         return (points_[b] - points_[a]).cross(points_[c] - points_[a]).dot(normal_);
     }
 
-    /// Finds an ear. If roundings or a polygon that crosses itself leave none, any corner will do.
+    /// Finds an ear. If roundings or a self-intersecting polygon leave none, returns any corner.
     std::size_t find_ear() const {
         for (std::size_t i = 0; i < left_.size(); ++i) {
             if (is_ear(i)) return i;
@@ -65,7 +65,7 @@ class Triangulator {
         const std::uint32_t a = before(tip), b = left_[tip], c = after(tip);
         if (!(area(a, b, c) > 0)) return false;
         return std::ranges::none_of(left_, [&](std::uint32_t p) {
-            const Vec3& q = points_[p];  // a cut to a hole has the same point twice
+            const Vec3& q = points_[p];  // a cut to a hole repeats a point
             const bool corner = q == points_[a] || q == points_[b] || q == points_[c];
             return !corner && area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0;
         });
@@ -79,7 +79,7 @@ class Triangulator {
 }  // namespace
 
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec3> corners) {
-    constexpr std::size_t bearable = 4096;  // the time grows with the square at best
+    constexpr std::size_t bearable = 4096;  // the time is at least quadratic
     Triangulator polygon(corners);
     return polygon.is_fan() || corners.size() > bearable ? polygon.fan() : polygon.cut_ears();
 }

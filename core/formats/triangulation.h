@@ -9,9 +9,9 @@
 
 namespace etalon {
 
-/// The numbers of the corners of count - 2 triangles that make up a polygon in a plane, concave or
-/// not, in its turning sense: a fan about the first corner where that will do. One that crosses
-/// itself, or is no fan and has more than 4096 corners, is only covered as well as can be.
+/// Returns the corners of the count - 2 triangles of a planar polygon, concave or not, in its
+/// winding order: a fan about the first corner if that is correct. A polygon that intersects
+/// itself, or that is no fan and has more than 4096 corners, is covered only approximately.
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec3> corners);
 
 }  // namespace etalon

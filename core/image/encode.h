@@ -1,4 +1,4 @@
-// Scene values to the bytes of an 8-bit image.
+// Conversion of scene values to the bytes of an 8-bit image.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace etalon {
 
-/// The byte that displays the linear value `gain * value`: sRGB's curve (IEC 61966-2-1), rounded to
-/// nearest. Out of [0, 1] is clamped; NaN is black.
+/// Returns the byte that displays the linear value `gain * value`: sRGB's curve (IEC 61966-2-1),
+/// rounded to nearest. Values outside of [0, 1] are clamped; NaN is black.
 std::uint8_t srgb_byte(float value, double gain = 1);
 
-/// The byte of a display value as the programs that define such images make it: no curve, 255.99
-/// times the value, truncated. Out of [0, 1] is clamped; NaN is black.
+/// Returns the byte of a display value as the programs that define such images compute it: no
+/// curve, 255.99 times the value, truncated. Values outside of [0, 1] are clamped; NaN is black.
 std::uint8_t display_byte(float value, double gain = 1);
 
 /// Returns R, G, B of each pixel of the image's window. `exposure` is in stops.

@@ -9,20 +9,20 @@
 
 namespace etalon {
 
-/// An integer attribute, 1 where the file has display values.
+/// Name of an integer attribute that is 1 if the file has display values.
 inline constexpr const char* display_colors_attribute = "displayColors";
 
-/// An OpenEXR file in memory: scan lines of 32-bit float R, G, B with ZIP compression, Rec. 709
-/// chromaticities, the image's window as data window inside its frame as display window, and its
-/// metadata as attributes of the same names and types. Where OpenEXR has a standard attribute of a
-/// name (worldToCamera, ...), the type must be the standard one. Its channels follow as FLOAT and
-/// UINT. Display values are decoded, unless the image keeps them. All threads make it, with the
-/// same bytes for any number of them. `image` has the pixels, and as many values in each channel,
-/// that its window asks for.
+/// Returns an OpenEXR file in memory: scan lines of 32-bit float R, G, B with ZIP compression, Rec.
+/// 709 chromaticities, the image's window as data window inside its frame as display window, and
+/// its metadata as attributes of the same names and types. Where OpenEXR has a standard attribute
+/// of a name (worldToCamera, ...), the type must be the standard one. The image's channels follow
+/// as FLOAT and UINT. Display values are decoded, unless the image keeps them. Uses all threads,
+/// with the same bytes for any number of them. The image and each channel must have as many values
+/// as the window has pixels.
 Result<std::string> encode_exr(const RenderedImage& image);
 
-/// The data window of the first part of a file, as floats: R, G, B (0 where one of them is missing)
-/// or Y alone. Scan lines or tiles, half, float or integer. Other layouts are refused, and so are
+/// Reads the data window of the first part of a file as floats: R, G, B (0 for a missing one) or Y
+/// alone, from scan lines or tiles of half, float or integer. Other layouts are refused, and so are
 /// sides above 65536 and files with missing pixels. A failure's reason does not name the file.
 Result<Image> read_exr(const std::string& path, Extent extent);
 

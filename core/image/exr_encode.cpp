@@ -34,7 +34,7 @@ const std::uint8_t* data(const Channel& channel) {
                       channel.values);
 }
 
-/// Stream in memory. OpenEXR goes back to fill in its table of blocks: writing may replace bytes.
+/// Output stream in memory. OpenEXR seeks back to fill in its table of blocks.
 class MemoryStream : public Imf::OStream {
   public:
     explicit MemoryStream(std::string& bytes) : OStream("picture"), bytes_(bytes) {}
@@ -56,7 +56,7 @@ bool has_display_values(const RenderedImage& image) {
     return image.display_colors && image.keep_display_values;
 }
 
-/// The colours that the file holds, in a copy where they are not those of the image.
+/// Returns the colours that the file stores, in a copy if they are not those of the image.
 class FileColors {
   public:
     explicit FileColors(const RenderedImage& image) : colors_(image.pixels) {
@@ -94,13 +94,13 @@ Imf::Header make_header(const RenderedImage& image) {
     return header;
 }
 
-/// A channel's 32-bit values, one for each pixel, and the bytes from one to the next.
+/// A channel's 32-bit values, one for each pixel, and the byte stride.
 struct Plane {
     const std::uint8_t* first;
     std::size_t stride;
 };
 
-/// The planes in the order in which a file has them: by name.
+/// Returns the planes in the order of the file: by name.
 std::map<std::string, Plane> planes_of(const RenderedImage& image, const FileColors& colors) {
     std::map<std::string, Plane> planes;
     for (int k = 0; k < 3; ++k) {
@@ -111,7 +111,8 @@ std::map<std::string, Plane> planes_of(const RenderedImage& image, const FileCol
     return planes;
 }
 
-/// Rows [begin, end) of the window as a file holds them: row by row, and in each the planes.
+/// Returns rows [begin, end) of the window as a file stores them: row by row, and in each the
+/// planes.
 Bytes gather(const std::map<std::string, Plane>& planes, std::size_t width, std::size_t begin,
              std::size_t end) {
     static_assert(std::endian::native == std::endian::little, "as in the file");
@@ -130,8 +131,8 @@ Bytes gather(const std::map<std::string, Plane>& planes, std::size_t width, std:
     return block;
 }
 
-/// The compressed blocks, made by all threads. OpenEXR has threads of its own, which would come on
-/// top of ours, and a slower compressor.
+/// Compresses the blocks on all threads. OpenEXR would start threads of its own in addition, and
+/// its compressor is slower.
 std::vector<Bytes> zipped_blocks(const RenderedImage& image) {
     const FileColors colors(image);
     const std::map<std::string, Plane> planes = planes_of(image, colors);
@@ -145,7 +146,7 @@ std::vector<Bytes> zipped_blocks(const RenderedImage& image) {
     return blocks;
 }
 
-/// The file up to its table of blocks, whose entries are 0.
+/// Returns the file up to its table of blocks, whose entries are 0.
 std::string start_of_file(const RenderedImage& image) {
     std::string bytes;
     MemoryStream stream(bytes);

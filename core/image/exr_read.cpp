@@ -18,12 +18,12 @@ namespace {
 
 constexpr int max_side = 65536;
 
-/// Thrown where a file is whole, but none that can be read; says why.
+/// Thrown if a file is complete but cannot be read; says why.
 struct Refused : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A sentence for a failure; OpenEXR's own words are about its steps.
+/// Returns a sentence for a failure, since OpenEXR's messages are about its internal steps.
 std::string reason(const std::exception& e, const std::string& path) {
     if (dynamic_cast<const std::bad_alloc*>(&e)) return lack_of_memory;
     if (dynamic_cast<const Refused*>(&e)) return e.what();
@@ -33,7 +33,7 @@ std::string reason(const std::exception& e, const std::string& path) {
     return "the EXR is damaged or cut short";
 }
 
-/// The file's channels that make the image.
+/// Returns the file's channels that make up the image.
 std::vector<std::string> image_channels(const Imf::ChannelList& stored) {
     const auto has = [&](const char* name) { return stored.findChannel(name) != nullptr; };
     if (has("R") || has("G") || has("B")) return {"R", "G", "B"};
@@ -43,7 +43,7 @@ std::vector<std::string> image_channels(const Imf::ChannelList& stored) {
     throw Refused("expected channels R G B, or Y alone; it has" + names);
 }
 
-/// A few rows at a time: memory grows with what the file really holds, whatever its header claims.
+/// Reads a few rows at a time, so that memory grows with the contents of the file, not its header.
 std::vector<float> read_rows(Imf::InputFile& file, const std::vector<std::string>& names) {
     constexpr int rows_at_once = 256;  // the most a compressed block has (DWAB)
     const Imath::Box2i window = file.header().dataWindow();

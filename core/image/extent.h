@@ -2,8 +2,8 @@
 
 namespace etalon {
 
-/// How much of an image file is read. What a file's header says of its size, channels and encoding
-/// is checked by both; an image read as `header` has no pixels, but holds the type that they have.
+/// Part of an image file that is read. Both check what a file's header says of its size, channels
+/// and encoding; an image read as `header` has no pixels, but the type that they have.
 enum class Extent { header, whole };
 
 }  // namespace etalon

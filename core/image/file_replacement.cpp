@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the bytes are written first: on the same file system, or rename would have to copy. The
-/// name is no longer than others, whatever the file's is.
+/// Returns the temporary path: on the same file system, or rename would have to copy. Its name is
+/// short, whatever the file's is.
 std::string name_beside(const fs::path& path) {
     const std::uint64_t name = hash64(path.filename().native());
     return path.parent_path() / fmt::format(".etalon-{:016x}.tmp", name);
@@ -59,8 +59,8 @@ void FileReplacement::open() {
     }
 }
 
-/// Takes the file for this process; false if another one writes it, or has just put it in place.
-/// File systems without locks are trusted.
+/// Locks the file for this process; returns false if another one is writing it, or has just
+/// replaced it. File systems without locks are trusted.
 bool FileReplacement::lock() {
     if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
     struct stat opened = {}, named = {};

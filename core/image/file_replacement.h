@@ -5,21 +5,21 @@
 
 namespace etalon {
 
-/// Bytes that come in pieces and take the place of a file when all of them are there. Until then,
-/// and where anything fails, the file stays what it was. Made for files that are replaced again and
-/// again: what a killed process leaves behind is written over by the next one.
+/// Writes a file in pieces and replaces the old one when it is complete. Until then, and after any
+/// failure, the old file stays unchanged. Meant for files that are replaced again and again: the
+/// next process overwrites what a killed one leaves behind.
 class FileReplacement {
   public:
     explicit FileReplacement(const std::string& path);
-    ~FileReplacement();  ///< gives up what was not put in place
+    ~FileReplacement();  ///< discards what was not put in place
     FileReplacement(const FileReplacement&) = delete;
     FileReplacement& operator=(const FileReplacement&) = delete;
 
-    /// Writes the next bytes, unless something failed before.
+    /// Writes the next bytes, unless an earlier call failed.
     void write(std::string_view bytes);
 
-    /// Puts what was written in place of the file, once it is on the disk. Returns the reason of
-    /// the first failure, beginning with the path, or nothing.
+    /// Replaces the file by what was written, once that is on the disk. Returns the reason of the
+    /// first failure, beginning with the path, or an empty string.
     std::string put_in_place();
 
   private:

@@ -11,35 +11,35 @@
 
 namespace etalon {
 
-/// Meaning of stored values: light; or light encoded by sRGB's curve; or display values of programs
-/// that know no light, which files of either kind hold as they are.
+/// Meaning of stored values: light; light encoded by sRGB's curve; or display values of programs
+/// without a notion of light, which files of either kind store unchanged.
 enum class Encoding { linear, srgb, display };
 
-/// Bytes of pixels, which readers fill.
+/// Bytes of pixels, left uninitialized for readers to fill.
 using PixelBytes = std::vector<std::uint8_t, UninitializedLargePages<std::uint8_t>>;
 
-/// Pixels by rows from the top, channels interleaved (R, G, B, ...). Eight-bit sources stay bytes:
-/// a skybox is six large images.
+/// Pixels in rows from the top, with interleaved channels (R, G, B, ...). Eight-bit sources are
+/// stored as bytes, since a skybox is six large images.
 struct Image {
     int width = 0, height = 0, channels = 0;
     std::variant<PixelBytes, std::vector<float>> pixels;
     Encoding encoding = Encoding::linear;
-    std::optional<Imath::V2i> origin;  ///< of the upper left pixel in its frame, where files say it
-    std::optional<Imath::V2i> frame{};  ///< size of the frame, where files say it
+    std::optional<Imath::V2i> origin;  ///< of the upper left pixel in its frame, if the file has it
+    std::optional<Imath::V2i> frame{};  ///< size of the frame, if the file has it
 
     bool empty() const { return width == 0; }
 
-    /// The first three channels as stored: bytes divided by 255, floats as they are. One channel,
-    /// or one with alpha, is grey. 0 <= x < width, 0 <= y < height.
+    /// Returns the first three channels as stored: bytes divided by 255, floats unchanged. An image
+    /// of one channel, or one with alpha, is grey. 0 <= x < width, 0 <= y < height.
     Color color(int x, int y) const;
 
-    /// Calls use(color), where color(x, y) is what color() gives: for several at a time, as what
-    /// the image stores is looked at once.
+    /// Calls use(color), where color(x, y) gives the same as the member. This is for several
+    /// pixels, as the type of the stored values is tested once.
     template <class Use>
     Color with_colors(const Use& use) const;
 
-    /// The first three channels by `convert`, which takes what is stored, a byte or a float, to a
-    /// number.
+    /// Returns the first three channels converted by `convert`, which takes a stored value, a byte
+    /// or a float, to a number.
     template <class Convert>
     Color converted(int x, int y, const Convert& convert) const;
 };
@@ -97,18 +97,19 @@ inline Color Image::color(int x, int y) const {
     return converted(x, y, [](auto value) { return detail::as_stored(value); });
 }
 
-/// The colours of all pixels, by rows from the top: as light, or as display values. sRGB's curve
-/// leads from one to the other; what is stored as sRGB may be either.
+/// Return the colours of all pixels, in rows from the top: as light, or as display values. sRGB's
+/// curve converts between them; values stored as sRGB may be either.
 std::vector<Color> linear_pixels(const Image& image);
 std::vector<Color> display_pixels(const Image& image);
 
-/// The light of the 256 bytes that sRGB's curve encodes.
+/// Returns the light of the 256 bytes that sRGB's curve encodes.
 const std::array<float, 256>& decoded_byte_values();
 
-/// The light that display values stand for: sRGB's curve, continued above 1. Below it is a line.
+/// Converts display values to the light for which they stand, by sRGB's curve, which is continued
+/// above 1 and is linear below 0.
 void decode(std::vector<Color>& display_values);
 
-/// The part of `pixels`, of rows `width` long, that lies in a window, inclusive on both ends.
+/// Returns the part of `pixels`, in rows of `width`, that lies in a window, inclusive on both ends.
 std::vector<Color> cut_out(const std::vector<Color>& pixels, int width, const Imath::Box2i& window);
 
 }  // namespace etalon

@@ -47,8 +47,8 @@ bool is_consistent(const RenderedImage& image) {
                        [&](const Channel& c) { return c.size() == size; });
 }
 
-/// A PNG's keywords, and the metadata that they stand for: what the pixels depend on, so that equal
-/// pictures are equal files.
+/// Keywords of a PNG, and the metadata that they stand for: only what the pixels depend on, so that
+/// equal images are equal files.
 constexpr std::pair<const char*, const char*> png_keywords[] = {
     {"Software", "software"},
     {"scene", "scene"},
@@ -73,7 +73,8 @@ PngFacts png_facts(const RenderedImage& image) {
     return facts;
 }
 
-/// Returns why no file can be read there, as far as the file system knows; libraries say it worse.
+/// Returns why no file can be read there, as far as the file system knows; libraries' messages are
+/// worse.
 std::string check_readable(const std::string& path) {
     if (::access(path.c_str(), R_OK) != 0) return std::generic_category().message(errno);
     std::error_code none;
@@ -85,7 +86,7 @@ struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// Reads a file that is told by its first bytes, or nothing.
+/// Reads a file whose first bytes tell its format, or nothing.
 std::optional<Result<Image>> read_known(const std::string& path, Extent extent) {
     const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
     if (!file) return std::nullopt;
@@ -105,7 +106,7 @@ Result<Image> read_by_kind(const std::string& path, Extent extent) {
     return read_oiio(path, extent);
 }
 
-/// Notes what the file holds for the scene that is made of it. A pipe could not be read again.
+/// Records the file's contents for the identity of the scene. A pipe could not be read again.
 void note_content(const std::string& path) {
     std::error_code none;
     if (!fs::is_regular_file(path, none)) return;

@@ -1,6 +1,6 @@
-// Images to files and files to images. Output appears whole or not at all: it is written beside
-// its place and then renamed. EXR, PNG and JPEG have libraries of their own; everything else goes
-// through OpenImageIO, whose module is loaded at the first call that needs it.
+// Reading and writing of image files. A file is written completely or not at all: beside its place
+// and then renamed. EXR, PNG and JPEG have libraries of their own; everything else goes through
+// OpenImageIO, whose module is loaded at the first call that needs it.
 #pragma once
 
 #include <string>
@@ -12,27 +12,27 @@
 
 namespace etalon {
 
-/// Writes .exr (float RGB, ZIP, data window, all metadata and channels) or .png (8 bit), told by
-/// the extension. A crop's PNG holds the crop and its offset. `exposure` in stops applies to PNG
+/// Writes .exr (float RGB, ZIP, data window, all metadata and channels) or .png (8 bit), chosen by
+/// the extension. The PNG of a crop has the crop and its offset. `exposure` in stops applies to PNG
 /// only. Returns the reason of a failure, beginning with the path, or an empty string.
 std::string write_image(const std::string& path, const RenderedImage& image, double exposure = 0);
 
-/// Returns the bytes of such a file; `name` tells its format.
+/// Returns the bytes of such a file; the extension of `name` chooses its format.
 Result<std::string> encode_image(const std::string& name, const RenderedImage& image,
                                  double exposure = 0);
 
-/// Whether write_image() knows the extension.
+/// Returns whether write_image() knows the extension.
 bool can_write(const std::string& path);
 
-/// Whether a file of this extension has a place for an image's channels.
+/// Returns whether files of this extension can store an image's channels.
 bool can_hold_channels(const std::string& path);
 
-/// Whether write_image() applies the exposure to a file of this extension.
+/// Returns whether write_image() applies the exposure to a file of this extension.
 bool has_exposure(const std::string& path);
 
-/// Reads an image file, told by its first bytes: EXR by OpenEXR, PNG by libpng, JPEG by libjpeg;
-/// anything else by OpenImageIO. A failure's reason begins with the path, and is in no library's
-/// words.
+/// Reads an image file of the type that its first bytes show: EXR by OpenEXR, PNG by libpng, JPEG
+/// by libjpeg; anything else by OpenImageIO. A failure's reason begins with the path and quotes no
+/// library.
 Result<Image> read_image(const std::string& path, Extent extent = Extent::whole);
 
 }  // namespace etalon

@@ -2,7 +2,7 @@
 
 namespace etalon {
 
-/// The reason of a failure that is not the file's fault: what reads an image ends with it.
+/// Reason of a failure that is not the file's fault. Readers of images end with it.
 inline constexpr const char* lack_of_memory = "not enough memory";
 
 }  // namespace etalon

@@ -14,8 +14,8 @@ std::string LazyImage::problem() const {
     return problem_;
 }
 
-/// What reads a file must not wait for tasks of the renderer's threads: such a wait may take up a
-/// task that asks for this image.
+/// Readers of files must not wait for tasks of the renderer's threads: such a wait may execute a
+/// task that needs this same image.
 const Image& LazyImage::read() const {
     const std::lock_guard lock(mutex_);
     if (!ready_.load(std::memory_order_relaxed)) {

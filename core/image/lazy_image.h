@@ -8,11 +8,11 @@
 
 namespace etalon {
 
-/// Image of a file that is read when it is first asked for, and once. Threads may call all
-/// functions but choose() at the same time.
+/// Image of a file that is read once, when it is first needed. All functions but choose() are
+/// thread-safe.
 class LazyImage {
   public:
-    /// Chooses the file, and the image that stands in for it if it cannot be read.
+    /// Chooses the file, and the image that replaces it if it cannot be read.
     void choose(std::string path, Image substitute);
 
     const Image& get() const {
@@ -20,7 +20,7 @@ class LazyImage {
         return ready ? *ready : read();
     }
 
-    /// Why get() returns the substitute, beginning with the path; empty as long as it does not.
+    /// Returns why get() returns the substitute, beginning with the path; empty if it does not.
     std::string problem() const;
 
   private:

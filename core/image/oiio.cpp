@@ -6,7 +6,7 @@
 namespace etalon {
 namespace {
 
-/// Collects what the module appends. It must let nothing be thrown into the module.
+/// Collects what the module appends. No exception may reach the module.
 struct Collector {
     Result<Image> result;
 

@@ -1,5 +1,5 @@
-// Interface of the OpenImageIO module to the rest of the program: C types only, so that
-// no exception and no type of a library crosses it. Texts are UTF-8 and end in a zero.
+// Interface between the OpenImageIO module and the rest of the program, in C types only, so that no
+// exception and no type of a library crosses it. Texts are UTF-8 and end in a zero.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@ extern "C" {
 
 struct EtalonImageFormat {
     int width, height, channels;
-    int is_float;  ///< else bytes
-    int is_srgb;   ///< encoded by its curve, else linear
+    int is_float;  ///< 0 for bytes
+    int is_srgb;   ///< encoded by sRGB's curve; 0 for linear
 };
 
 /// Receiver of an image. The first two functions return 0 on failure; their caller then gives up.

@@ -5,9 +5,9 @@
 
 namespace etalon {
 
-/// The functions of etalon_oiio.so, loaded at the first call: from the folder ETALON_MODULE_PATH if
-/// that is set, else from ../lib or ../lib/etalon beside the program's own folder. Threads may call
-/// it at the same time.
+/// Returns the functions of etalon_oiio.so, which is loaded at the first call: from the folder
+/// ETALON_MODULE_PATH if that is set, else from ../lib or ../lib/etalon beside the program's own
+/// folder. Thread-safe.
 const Result<const EtalonOiio*>& load_oiio();
 
 }  // namespace etalon

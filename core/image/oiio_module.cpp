@@ -24,7 +24,7 @@ struct Refused {};
     throw std::runtime_error(reason);
 }
 
-/// What files of a format begin with.
+/// First bytes of the files of a format.
 struct Signature {
     std::string_view start, name;
 };
@@ -33,8 +33,8 @@ constexpr Signature signatures[] = {{"#?", "HDR"},         {"PF\n", "PFM"},     
                                     {"RIFF", "WebP"},      {{"II*\0", 4}, "TIFF"}, {"8BPS", "PSD"},
                                     {{"MM\0*", 4}, "TIFF"}};
 
-/// Throws why OpenImageIO gives a file up, whose own words are about its steps: `otherwise` for a
-/// format that cannot be told.
+/// Throws the reason why OpenImageIO cannot read a file, as its own messages are about internal
+/// steps. `otherwise` is the reason if the format is unknown.
 [[noreturn]] void fail_by_content(const char* path, const char* otherwise) {
     char bytes[4] = {};
     std::ifstream file(path, std::ios::binary);
@@ -47,7 +47,7 @@ constexpr Signature signatures[] = {{"#?", "HDR"},         {"PF\n", "PFM"},     
     fail(otherwise);
 }
 
-/// Runs `task`; whatever it throws ends here.
+/// Runs `task` and catches whatever it throws.
 template <class Task>
 int guarded(const EtalonSink& sink, Task task) noexcept {
     try {
@@ -79,8 +79,8 @@ std::unique_ptr<OIIO::ImageInput> open(const char* path) {
     return input;
 }
 
-/// Reads rows of the image into `rows`, a few at a time: memory grows with what the file holds.
-/// False if some are missing.
+/// Reads rows of the image into `rows`, a few at a time, so that memory grows with the file's
+/// contents. Returns false if some are missing.
 bool read_rows(OIIO::ImageInput& input, const EtalonImageFormat& format, const EtalonSink& sink) {
     const OIIO::ImageSpec& spec = input.spec();
     const OIIO::TypeDesc type = format.is_float ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
@@ -98,7 +98,7 @@ bool read_rows(OIIO::ImageInput& input, const EtalonImageFormat& format, const E
         if (!read) return false;
         append(sink, rows.data(), row * static_cast<std::size_t>(count));
     }
-    // A JPEG that ends early is read as grey from there on, with no more than a remark.
+    // A JPEG that ends early is read as grey from there on, with only a warning.
     const std::string remark = input.geterror();
     return remark.find("Premature end") == std::string::npos;
 }

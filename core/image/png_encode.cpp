@@ -17,8 +17,8 @@ struct FreeCompressor {
     void operator()(libdeflate_compressor* c) const { libdeflate_free_compressor(c); }
 };
 
-/// The rows as PNG stores them: each a byte that says so, and the differences of its pixels from
-/// those on their left.
+/// Filters the rows as PNG stores them: a byte for the kind of filter, then the differences of the
+/// pixels from their left neighbours.
 Bytes filtered(std::span<const std::uint8_t> rgb, int width, int height) {
     const std::size_t row = 3 * static_cast<std::size_t>(width);
     Bytes rows((row + 1) * static_cast<std::size_t>(height));
@@ -33,8 +33,8 @@ Bytes filtered(std::span<const std::uint8_t> rgb, int width, int height) {
     return rows;
 }
 
-/// The same compressed. Of rendered images level 1 makes as little of such differences as higher
-/// ones make of pixels, in a third of the time.
+/// Compresses these. For rendered images, level 1 makes such differences as small as higher levels
+/// make pixels, in a third of the time.
 Bytes compressed(const Bytes& rows) {
     const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
         libdeflate_alloc_compressor(1));

@@ -15,7 +15,7 @@ namespace etalon {
     jump.leave();
 }
 
-/// libpng's warning function: what it can go on from is no matter for the user.
+/// libpng's warning function: warnings are not shown to the user.
 inline void ignore_png_warning(png_structp, png_const_charp) {}
 
 }  // namespace etalon

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int max_side = 65536;
 
-/// Decoder of one file. Its functions return false on failure, for which reason() has a sentence:
-/// libpng's own words are about its steps.
+/// Decoder of one file. Its functions return false on failure; then reason() has a sentence, since
+/// libpng's messages are about internal steps.
 class PngReader {
   public:
     explicit PngReader(std::FILE* file) {
@@ -57,7 +57,7 @@ class PngReader {
 
     int width() const { return static_cast<int>(png_get_image_width(png_, info_)); }
     int height() const { return static_cast<int>(png_get_image_height(png_, info_)); }
-    /// Place of the first pixel in a larger image, where the file says it.
+    /// Returns the position of the first pixel in a larger image, if the file has it.
     std::optional<Imath::V2i> origin() const {
         png_int_32 x = 0, y = 0;
         int unit = PNG_OFFSET_PIXEL;
@@ -93,7 +93,7 @@ bool read_bytes(PngReader& reader, PixelBytes& bytes) {
     return read_by_rows(reader.row_bytes(), reader.height(), read, bytes);
 }
 
-/// Values of 16 bits, the higher byte first, as parts of the largest.
+/// Converts values of 16 bits, the higher byte first, to fractions of the largest.
 std::vector<float> wide_values(const PixelBytes& bytes) {
     std::vector<float> values(bytes.size() / 2);
     for (std::size_t i = 0; i < values.size(); ++i) {

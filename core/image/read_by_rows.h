@@ -8,9 +8,9 @@
 
 namespace etalon {
 
-/// Fills `bytes`, empty before, with rows of `row` bytes by read(first, count), which returns false
-/// on failure, a few at a time: memory grows with what a file really holds, whatever its header
-/// claims. Returns whether all were read.
+/// Fills `bytes`, which must be empty, with rows of `row` bytes by read(first, count), a few at a
+/// time. read() returns false on failure. Memory grows with the contents of the file, whatever its
+/// header claims. Returns whether all rows were read.
 template <class Read>
 bool read_by_rows(std::size_t row, int height, const Read& read, PixelBytes& bytes) {
     constexpr int rows_at_once = 64;

@@ -10,9 +10,9 @@
 
 namespace etalon {
 
-/// Channel of something else than colour that is known of each pixel.
+/// Channel of values other than colour, one for each pixel.
 struct Channel {
-    std::string name;  ///< name, of which the part before the last dot is a layer: "albedo.R"
+    std::string name;  ///< the part before the last dot names a layer: "albedo.R"
     std::variant<std::vector<float>, std::vector<std::uint32_t>> values;
 
     std::size_t size() const {
@@ -26,14 +26,14 @@ struct RenderedImage {
     int width = 0, height = 0;    ///< size of the full frame (display window)
     Imath::Box2i window;          ///< pixels present, inclusive on both ends as in OpenEXR
     std::vector<Color> pixels;    ///< window.size() + 1 in each axis, rows from the top
-    bool display_colors = false;  ///< values are display values: PNG takes them without a curve
+    bool display_colors = false;  ///< values are display values, which PNG stores without a curve
 
     using Attribute = std::variant<int, float, std::string, Imath::M44f>;
     std::map<std::string, Attribute> metadata;
 
-    std::vector<Channel> channels{};  ///< each of as many values as there are pixels, in that order
+    std::vector<Channel> channels{};  ///< each has one value for each pixel, in the same order
 
-    /// An EXR holds display values as they are, not the light that they stand for.
+    /// Whether an EXR stores display values unchanged, not the light for which they stand.
     bool keep_display_values = false;
 };
 

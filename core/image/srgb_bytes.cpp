@@ -11,7 +11,7 @@ int byte_of(double linear) {
     return static_cast<int>(255 * srgb_encoded(linear) + 0.5);
 }
 
-/// The least value of the byte or one above: what the inverse of the curve says, put right.
+/// Returns the least value of a byte: the inverse of the curve, corrected for roundings.
 double least_of(int byte) {
     double x = srgb_decoded((byte - 0.5) / 255);
     while (byte_of(x) >= byte) x = std::nextafter(x, 0.0);

@@ -8,20 +8,21 @@
 
 namespace etalon {
 
-/// The nearest bytes to sRGB's curve, by the 255 places where they change instead of by powers.
+/// Computes the bytes nearest to sRGB's curve from the 255 values at which they change, not by
+/// powers.
 class SrgbBytes {
   public:
     SrgbBytes();
 
-    /// The byte of a linear value in [0, 1].
+    /// Returns the byte of a linear value in [0, 1].
     std::uint8_t operator()(double linear) const {
         const std::uint8_t byte = first_bytes_[cell(linear)];
         return static_cast<std::uint8_t>(byte + (linear >= least_[byte + 1]));
     }
 
   private:
-    /// Values are told apart by their leading bits: so finely that no cell has two changes in it.
-    /// All below 2^-13 are black.
+    /// Cells of values with the same leading bits, so small that no cell has two changes in it. All
+    /// values below 2^-13 are black.
     static constexpr int mantissa_bits = 7, shift = 52 - mantissa_bits;
     static constexpr std::uint64_t origin = std::bit_cast<std::uint64_t>(0x1p-13) >> shift;
     static constexpr std::uint64_t last = (std::bit_cast<std::uint64_t>(1.0) >> shift) - origin;
@@ -31,7 +32,7 @@ class SrgbBytes {
         return bits < origin ? 0 : bits - origin;
     }
 
-    std::array<double, 257> least_;  ///< value of each byte; none has the last
+    std::array<double, 257> least_;  ///< least value of each byte; the last is out of reach
     std::array<std::uint8_t, last + 1> first_bytes_;
 };
 

@@ -1,20 +1,20 @@
-// Roles that single backends have in the programs, so that their names stand here and in their
-// own tables alone.
+// Roles of single backends in the programs. A name of a backend stands only here and in the tables
+// of backends.
 #pragma once
 
 namespace etalon {
 
-/// Finds the hits where neither scene nor user names a backend; reports show it before others.
+/// Backend used where neither scene nor user names one; reports list it first.
 inline constexpr const char* default_backend = "bvh";
 
-/// Tests every primitive against every ray: exact with nothing that could be wrong, and slow.
+/// Tests every primitive against every ray: slow, but so simple that nothing in it can be wrong.
 inline constexpr const char* reference_backend = "none";
 
-/// Backend to compare the default one's hits with where the reference takes too long: exact, and
-/// without a tree in common.
+/// Exact backend to check the default one against where the reference takes too long. The two have
+/// no tree in common.
 inline constexpr const char* second_backend = "embree-user";
 
-/// Baseline that speeds are measured against; not exact.
+/// Baseline that speeds are measured against. It is not exact.
 inline constexpr const char* baseline_backend = "embree-builtin";
 
 }  // namespace etalon

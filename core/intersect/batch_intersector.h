@@ -7,7 +7,7 @@
 
 namespace etalon {
 
-/// Finds the hits of many rays in one call: all that integrators ask of a backend. Thread-safe.
+/// Finds the hits of many rays in one call: the interface that integrators see. Thread-safe.
 class BatchIntersector {
   public:
     BatchIntersector() = default;
@@ -22,8 +22,7 @@ class BatchIntersector {
     /// Sets `blocked`, one for each ray, to 1 where closest() finds a hit, else 0.
     virtual void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const = 0;
 
-    /// The same for rays with their components apart. Unless overridden, they are put together
-    /// first.
+    /// The same queries for rays in SoA layout. By default they are converted to single rays first.
     virtual void closest(const RayStream& rays, std::span<Hit> hits) const;
     virtual void occluded(const RayStream& rays, std::span<std::uint8_t> blocked) const;
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t chunk_size = 4096;
 
-/// Summary of a piece of the scene before there is a normalized space.
+/// Summary of a part of the scene before there is a normalized space.
 struct BoundsSummary {
     explicit BoundsSummary(double limit_of_reach = FurthestItems::no_limit)
         : limit(limit_of_reach) {}
@@ -41,11 +41,11 @@ struct BoundsSummary {
     }
 };
 
-/// A scene's items, sorted.
+/// A scene's items, sorted into bounded and unbounded ones.
 struct SortedItems {
     BoundsSummary all;
     InstanceBounds instances;
-    std::vector<std::size_t> offsets;  ///< of what is bounded in each chunk, and of the instances
+    std::vector<std::size_t> offsets;  ///< of each chunk's bounded primitives; last, of instances
 };
 
 SortedItems sort_items(const Geometry& geometry, const Chunks& chunks, double limit,
@@ -69,7 +69,7 @@ SortedItems sort_items(const Geometry& geometry, const Chunks& chunks, double li
     return sorted;
 }
 
-/// The boxes are asked for a second time: that costs less than to keep them in double.
+/// Computes the boxes a second time, which costs less than keeping them in double.
 void bound(const Geometry& geometry, const NormalizedSpace& space, double limit, std::size_t begin,
            std::size_t end, BoundedPrimitive* out) {
     for (std::size_t i = begin; i < end; ++i) {

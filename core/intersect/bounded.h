@@ -7,17 +7,18 @@
 
 namespace etalon {
 
-/// A primitive or an instance as an accelerator sees it. Each half is loaded as four floats side by
-/// side.
+/// A primitive or an instance as an accelerator sees it. Each corner is loaded together
+/// with the number behind it, as one vector of four floats.
 struct alignas(16) BoundedPrimitive {
-    /// Sets nothing, so that a large array is first written by the threads that fill it.
+    /// Leaves the members uninitialized, so that a large array is first touched by the threads that
+    /// fill it.
     BoundedPrimitive() {}
     BoundedPrimitive(const Box3f& box, std::uint32_t id_, ShapeKind kind_)
         : min(box.min), id(id_), max(box.max), kind(kind_) {}
 
     Box3f box() const { return {min, max}; }
 
-    Vec3f min;         ///< lower corner of the box in normalized space, with its padding
+    Vec3f min;         ///< lower corner of the padded box in normalized space
     std::uint32_t id;  ///< number among the geometry's items
     Vec3f max;
     std::uint32_t kind;
@@ -25,14 +26,14 @@ struct alignas(16) BoundedPrimitive {
 
 static_assert(sizeof(BoundedPrimitive) == 32);
 
-/// A scene's primitives and instances sorted by what an accelerator can do with them. Degenerate
-/// ones, which nothing can hit, are in neither list.
+/// A scene's primitives and instances, bounded and unbounded ones apart. Degenerate ones, which
+/// nothing can hit, are in neither list.
 struct SceneBounds {
-    /// Sorts a scene's primitives, on as many threads as allowed; both lists are in its order.
+    /// Computes the bounds with as many threads as allowed. Both lists are in the scene's order.
     static SceneBounds of(const Geometry& geometry, const InstancePadding& padding = full_padding);
 
-    /// Puts every primitive into the list of those that must always be tested; instances are in
-    /// neither list.
+    /// Puts every primitive into the list of unbounded ones, which are always tested. Instances are
+    /// left out.
     static SceneBounds none_bounded(const Geometry& geometry);
 
     NormalizedSpace space;

@@ -7,10 +7,11 @@
 
 namespace etalon {
 
-/// Boxes with their sides apart, as vector instructions load them.
+/// Boxes as a structure of arrays, one array for each of the six sides.
 class BoxColumns {
   public:
-    /// Rows are this much longer than there are boxes, as a vector may reach beyond the last.
+    /// Number of unused elements at the end of each array, so that a vector load may reach beyond
+    /// the last box.
     static constexpr std::size_t padding = 8;
 
     BoxColumns() { fit(); }

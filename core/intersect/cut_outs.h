@@ -1,4 +1,4 @@
-// Holes in surfaces, through which rays pass: where an alpha texture is 0.
+// Holes in surfaces, through which rays pass: the points where an alpha texture is 0.
 #pragma once
 
 #include "core/intersect/surface.h"
@@ -6,8 +6,8 @@
 
 namespace etalon {
 
-/// Tells where surfaces that are cut out have holes. The kernels ask it, so every backend has the
-/// same holes. Thread-safe.
+/// Tells where cut-out surfaces have holes. The kernels call it, so every backend sees the same
+/// holes. Thread-safe.
 class CutOuts {
   public:
     CutOuts() = default;
@@ -15,9 +15,9 @@ class CutOuts {
     CutOuts(const CutOuts&) = delete;
     CutOuts& operator=(const CutOuts&) = delete;
 
-    /// Whether a point of a surface is in a hole for a ray, which may be a shadow ray. `geometry`
-    /// holds the point's primitive, and the point is in its space: for an instance, in the space of
-    /// its object.
+    /// Returns whether a point of a surface is in a hole for a ray, which may be a shadow ray.
+    /// `geometry` holds the point's primitive, and the point is in its space: for an instance, in
+    /// the space of its object.
     virtual bool is_hole(const Geometry& geometry, const SurfacePoint& point,
                          bool for_shadow) const = 0;
 };

@@ -22,8 +22,8 @@ bool is_bounded(const Box3& box) {
     return is_finite(box.min) && is_finite(box.max);
 }
 
-/// An object by the boxes of what lies in the octants about its centre: turned into the world they
-/// reach less far than one box of all.
+/// An object as the boxes of what lies in the octants about its centre. Transformed to world space
+/// they are smaller than the box of a single one.
 struct Outline {
     struct Part {
         Vec3 centre, half;
@@ -70,7 +70,7 @@ std::vector<Outline> outlines_of(const std::vector<Geometry>& objects) {
     return outlines;
 }
 
-/// Extends a box by that of the image of a part; `magnitudes` are those of the map's axes.
+/// Extends a box by the box of a part's image; `magnitudes` are the magnitudes of the map's axes.
 void extend(Box3& box, const Affine& map, const Affine& magnitudes, const Outline::Part& part) {
     const Vec3 centre = map.point(part.centre), reach = magnitudes.vector(part.half);
     for (int k = 0; k < 3; ++k) {
@@ -79,7 +79,7 @@ void extend(Box3& box, const Affine& map, const Affine& magnitudes, const Outlin
     }
 }
 
-/// Returns the box of all that `add` adds to a box for each part of an outline.
+/// Returns the union of what `add` adds to a box for each part of an outline.
 template <class Add>
 Box3 box_of_places(const Outline& outline, const Add& add) {
     if (outline.is_unbounded) return everywhere();
@@ -106,10 +106,10 @@ Box3 unpadded(const Geometry& geometry, const Instance& instance, const Outline&
     });
 }
 
-/// What roundings of rays to an instance depend on.
+/// Quantities on which the roundings of rays to an instance depend.
 struct Roundings {
     Vec3 spread;      ///< see spread()
-    double distance;  ///< of the object's origin from the scene's centre
+    double distance;  ///< from the object's origin to the scene's centre
 };
 
 Roundings roundings_of(const Geometry& geometry, const Instance& instance, const Vec3& centre) {
@@ -120,15 +120,15 @@ Roundings roundings_of(const Geometry& geometry, const Instance& instance, const
     return {spread(instance), max_abs(instance.origin - centre)};
 }
 
-/// How far roundings of rays to the object move a hit: a ray's origin o and the place of the hit
-/// are within 2^24 S of the scene's centre, S half its size (NormalizedSpace::resolves), or, for
-/// boxes without padding, within 8 S; o' and t d' are good to 4 u |A| (|o - c| + t |d|), which the
-/// inverse spreads. The factors leave room for three times as much.
+/// Returns how far the roundings of rays to the object move a hit. A ray's origin o and the hit are
+/// within 2^24 S of the scene's centre, where S is half its size (NormalizedSpace::resolves), or,
+/// for boxes without padding, within 8 S. In object space o' and t d' are off by at most 4 u |A|
+/// (|o - c| + t |d|), which the inverse spreads. The factors leave room for three times as much.
 Vec3 margin_of(const Roundings& roundings, double half, const InstancePadding& padding) {
     return (padding.roundings * half + 0x1p-48 * roundings.distance) * roundings.spread;
 }
 
-/// Pads the boxes of the instances from the number `first` on, in a world as large as given.
+/// Pads the boxes of the instances from number `first` on, in a scene with the bounds `world`.
 /// Returns the largest spread of those that stay bounded.
 double pad(const Geometry& geometry, const Box3& world, const InstancePadding& padding,
            std::span<Box3> boxes, std::size_t first) {

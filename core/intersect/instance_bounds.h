@@ -9,22 +9,22 @@
 namespace etalon {
 
 struct InstanceBounds {
-    std::vector<Box3> boxes;  ///< of the world, one for each instance
-    double spread = 1;        ///< the largest component of spread() of all that are bounded
+    std::vector<Box3> boxes;  ///< boxes in world space, one for each instance
+    double spread = 1;        ///< largest component of spread() of all bounded instances
 };
 
-/// Returns a box of the world for each instance, which holds all that rays can hit of it at any
-/// time, the roundings on their way into the object included. `others` is the box of all else that
-/// is bounded. A box is empty where nothing can be hit, and infinite where the object is not
-/// bounded or the roundings are not small against the scene, of which instances that reach beyond
-/// `limit` are no part. With least_padding, rays from next to the scene are provided for; those
-/// from further hit what is outside of a box by up to 2^-50 of their distance times the largest
-/// spread.
+/// Returns a box in world space for each instance. It contains all points that rays can hit at any
+/// time, including the roundings of the transform into object space. `others` is the box of all
+/// bounded primitives. A box is empty where nothing can be hit. It is infinite where the object is
+/// unbounded, or where the roundings are not small against the scene; instances that reach beyond
+/// `limit` do not count as part of the scene. Boxes with least_padding are for rays that start next
+/// to the scene: a ray from further away may hit points outside of a box by up to 2^-50 of its
+/// distance times the largest spread.
 InstanceBounds instance_bounds(const Geometry& geometry, const Box3& others,
                                double limit = FurthestItems::no_limit,
                                const InstancePadding& padding = full_padding);
 
-/// Returns the box of all primitives and instances that are bounded.
+/// Returns the box of all bounded primitives and instances.
 Box3 finite_bounds(const Geometry& geometry);
 
 }  // namespace etalon

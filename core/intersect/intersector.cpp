@@ -23,10 +23,10 @@ void Intersector::offer_instance(std::uint32_t item, const RayQuery& query, Near
     const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time());
     Ray ray = to_object(*instance, query.ray);
     const Intersector& object = *objects_[instance->object];
-    const bool passes = surely_passes(object.bounds_.space, ray);
-    if (passes && object.bounds_.unbounded.empty()) return;
+    const bool misses = misses_bounds(object.bounds_.space, ray);
+    if (misses && object.bounds_.unbounded.empty()) return;
     ray.tmax = nearest.t;
-    const NearestHit hit = object.nearest_hit(ray, passes, cost);
+    const NearestHit hit = object.nearest_hit(ray, misses, cost);
     if (hit.found()) nearest.offer(hit.t, item, hit.item);
 }
 
@@ -34,8 +34,8 @@ bool Intersector::instance_occludes(std::uint32_t item, const RayQuery& query) c
     const InstanceAt instance(geometry_, geometry_.instance_number(item), query.ray.time());
     const Ray ray = to_object(*instance, query.ray);
     const Intersector& object = *objects_[instance->object];
-    const bool passes = surely_passes(object.bounds_.space, ray);
-    return !(passes && object.bounds_.unbounded.empty()) && object.is_occluded(ray, passes);
+    const bool misses = misses_bounds(object.bounds_.space, ray);
+    return !(misses && object.bounds_.unbounded.empty()) && object.is_occluded(ray, misses);
 }
 
 inline void Intersector::offer(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
@@ -64,7 +64,7 @@ NearestHit Intersector::nearest_unresolved(const Ray& ray, TraversalCost* cost) 
     return nearest;
 }
 
-NearestHit Intersector::nearest_hit(const Ray& ray, bool passes, TraversalCost* cost) const {
+NearestHit Intersector::nearest_hit(const Ray& ray, bool misses, TraversalCost* cost) const {
     NearestHit nearest(ray.tmax);
     if (!is_valid(ray)) return nearest;
     if (has_extreme_direction(ray)) {
@@ -74,7 +74,7 @@ NearestHit Intersector::nearest_hit(const Ray& ray, bool passes, TraversalCost* 
         return nearest;
     }
     if (!is_resolved(bounds_.space, ray)) return nearest_unresolved(ray, cost);
-    const auto local = passes ? std::nullopt : normalized_ray(bounds_.space, ray);
+    const auto local = misses ? std::nullopt : normalized_ray(bounds_.space, ray);
     if (!local && bounds_.unbounded.empty()) return nearest;
     const RayQuery query(ray);
     for (const std::uint32_t item : bounds_.unbounded) offer(item, query, nearest, cost);
@@ -98,11 +98,11 @@ bool Intersector::is_occluded_unresolved(const Ray& ray) const {
     return false;
 }
 
-bool Intersector::is_occluded(const Ray& ray, bool passes) const {
+bool Intersector::is_occluded(const Ray& ray, bool misses) const {
     if (!is_valid(ray)) return false;
     if (has_extreme_direction(ray)) return is_occluded(RescaledRay(ray).ray);
     if (!is_resolved(bounds_.space, ray)) return is_occluded_unresolved(ray);
-    const auto local = passes ? std::nullopt : normalized_ray(bounds_.space, ray);
+    const auto local = misses ? std::nullopt : normalized_ray(bounds_.space, ray);
     if (!local && bounds_.unbounded.empty()) return false;
     const RayQuery query(ray);
     for (const std::uint32_t item : bounds_.unbounded) {
@@ -120,7 +120,7 @@ void Intersector::answer_all(std::span<const Ray> rays, std::span<Answer> answer
         const std::size_t count = std::min(LocalRays::most, rays.size());
         chunk.set(bounds_.space, rays.first(count));
         for (std::size_t i = 0; i < count; ++i) {
-            const bool is_alone = chunk.way(i) == LocalRays::Way::by_itself;
+            const bool is_alone = chunk.kind(i) == LocalRays::Kind::slow_path;
             answers[i] = is_alone ? alone(rays[i]) : local(rays[i], chunk, i);
         }
         rays = rays.subspan(count);
@@ -130,7 +130,7 @@ void Intersector::answer_all(std::span<const Ray> rays, std::span<Answer> answer
 
 Hit Intersector::closest_local(const Ray& ray, const LocalRays& chunk, std::size_t i) const {
     NearestHit nearest(ray.tmax);
-    const bool enters = chunk.way(i) == LocalRays::Way::enters;
+    const bool enters = chunk.kind(i) == LocalRays::Kind::enters;
     if (enters || !bounds_.unbounded.empty()) {
         const RayQuery query(ray, chunk.dominant(i));
         for (const std::uint32_t item : bounds_.unbounded) offer(item, query, nearest, nullptr);
@@ -140,7 +140,7 @@ Hit Intersector::closest_local(const Ray& ray, const LocalRays& chunk, std::size
 }
 
 bool Intersector::is_occluded_local(const Ray& ray, const LocalRays& chunk, std::size_t i) const {
-    const bool enters = chunk.way(i) == LocalRays::Way::enters;
+    const bool enters = chunk.kind(i) == LocalRays::Kind::enters;
     if (!enters && bounds_.unbounded.empty()) return false;
     const RayQuery query(ray, chunk.dominant(i));
     for (const std::uint32_t item : bounds_.unbounded) {

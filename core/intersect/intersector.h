@@ -29,33 +29,33 @@ class Intersector : public BatchIntersector {
     /// with a zero or non-finite direction, or a non-finite origin, hits nothing.
     std::optional<Hit> closest(const Ray& ray) const;
 
-    /// Returns the same hit, and adds the tests that it took to `cost`, if Backend counts them.
+    /// Returns the same hit and adds the number of tests to `cost`, if Backend counts them.
     std::optional<Hit> closest(const Ray& ray, TraversalCost& cost) const;
 
-    /// Whether closest(ray) finds something.
+    /// Returns whether closest(ray) finds something.
     bool occluded(const Ray& ray) const;
 
     using BatchIntersector::closest, BatchIntersector::occluded;
     void closest(std::span<const Ray> rays, std::span<Hit> hits) const override;
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const override;
 
-    /// Offers `nearest` the nearest hit on an instance, given by its item number: the hit that the
-    /// intersector of its object finds for the ray in object space. Adds the tests that it took to
+    /// Offers `nearest` the nearest hit on an instance, given by its item number. The intersector
+    /// of its object finds that hit for the ray in object space. Adds the number of tests to
     /// `cost`, if not null.
     void offer_instance(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
                         TraversalCost* cost = nullptr) const;
 
-    /// Whether an instance is hit with t <= query.ray.tmax.
+    /// Returns whether an instance is hit with t <= query.ray.tmax.
     bool instance_occludes(std::uint32_t item, const RayQuery& query) const;
 
-    /// Bytes of the backend's structures, those of objects included.
+    /// Returns the bytes of the backend's structures, including those of objects.
     std::size_t memory_bytes() const;
 
-    /// The instruction set the traversal uses, e.g. "avx2".
+    /// Returns the instruction set that the traversal uses, e.g. "avx2".
     virtual std::string isa() const { return "baseline"; }
 
   protected:
-    /// Bytes of the backend's own structure, without those of objects.
+    /// Returns the bytes of the backend's own structure, without those of objects.
     virtual std::size_t own_bytes() const = 0;
 
     /// Builds an intersector of the backend's own class for each object of the geometry. Every
@@ -84,42 +84,43 @@ class Intersector : public BatchIntersector {
     virtual void closest_bounded(const RayQuery& query, const NormalizedRay& local,
                                  NearestHit& nearest) const = 0;
 
-    /// The same, but counts its tests in `cost`. Separate code, so that other queries do not pay.
+    /// The same, but counts its tests in `cost`. Separate code, so that other queries do not pay
+    /// for the counting.
     virtual void closest_counted(const RayQuery& query, const NormalizedRay& local,
                                  NearestHit& nearest, TraversalCost&) const {
         closest_bounded(query, local, nearest);
     }
 
-    /// Whether any bounded primitive is hit with t <= query.ray.tmax.
+    /// Returns whether any bounded primitive is hit with t <= query.ray.tmax.
     virtual bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const = 0;
 
     const Geometry& geometry() const { return geometry_; }
     const SceneBounds& scene_bounds() const { return bounds_; }
 
-    /// The bounded primitives, for building; the intersector does not keep them.
+    /// Returns the bounded primitives, for building. The intersector does not keep them.
     std::vector<BoundedPrimitive> take_bounded() { return std::move(bounds_.bounded); }
 
   private:
-    /// Returns the nearest hit of a ray for which the normalized space is too coarse: tests every
-    /// primitive, or only the unbounded ones if it surely misses the rest.
+    /// Returns the nearest hit of a ray for which the normalized space is too coarse. Tests every
+    /// primitive, or only the unbounded ones if the ray surely misses the rest.
     NearestHit nearest_unresolved(const Ray& ray, TraversalCost* cost) const;
     bool is_occluded_unresolved(const Ray& ray) const;
 
-    /// `passes`: whether the ray surely_passes() the bounded part of the scene.
-    NearestHit nearest_hit(const Ray& ray, bool passes, TraversalCost* cost) const;
+    /// `misses` is the result of misses_bounds().
+    NearestHit nearest_hit(const Ray& ray, bool misses, TraversalCost* cost) const;
     NearestHit nearest_hit(const Ray& ray, TraversalCost* cost = nullptr) const {
-        return nearest_hit(ray, surely_passes(bounds_.space, ray), cost);
+        return nearest_hit(ray, misses_bounds(bounds_.space, ray), cost);
     }
-    bool is_occluded(const Ray& ray, bool passes) const;
+    bool is_occluded(const Ray& ray, bool misses) const;
     bool is_occluded(const Ray& ray) const {
-        return is_occluded(ray, surely_passes(bounds_.space, ray));
+        return is_occluded(ray, misses_bounds(bounds_.space, ray));
     }
     void offer(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
                TraversalCost* cost) const;
     bool occludes(std::uint32_t item, const RayQuery& query) const;
 
-    /// Answers a batch of rays in chunks of LocalRays: those of LocalRays::Way::by_itself one by
-    /// one, the others with the data that their chunk has for them.
+    /// Answers a batch of rays in chunks of LocalRays. Rays of LocalRays::Kind::slow_path are
+    /// answered one by one, the others with the data that their chunk has for them.
     template <class Answer, class AnswerAlone, class AnswerLocal>
     void answer_all(std::span<const Ray> rays, std::span<Answer> answers, const AnswerAlone& alone,
                     const AnswerLocal& local) const;
@@ -142,8 +143,9 @@ struct Backend {
     bool counts_box_tests = false;  ///< in a TraversalCost
     bool counts_primitive_tests = false;
     int colour = 7;  ///< colour in reports, of bench/plot/style.h, from 1; 7 is grey
-    /// Whether a backend that is not exact has kernels of its own for any of the primitives. If it
-    /// has none, its hits are those of the exact backends.
+    /// Returns whether a backend that is not exact has kernels of its own for any of the
+    /// primitives. If it has none, its hits are those of the exact backends. Null is taken
+    /// as true.
     bool (*has_own_kernels)(const Geometry& geometry) = nullptr;
 };
 

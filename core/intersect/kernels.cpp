@@ -27,7 +27,7 @@ Box3 widened(const Box3& box) {
 
 namespace {
 
-/// Whether the faces of a shape's box are numbers of the shape.
+/// True if the faces of a shape's box are the shape's own numbers, not sums.
 template <class Shape>
 constexpr bool has_exact_bounds =
     std::is_same_v<Shape, Triangle> || std::is_same_v<Shape, Polygon> ||
@@ -45,15 +45,15 @@ Box3 whole_bounds(const Geometry& geometry, std::uint32_t primitive) {
 
 namespace {
 
-/// Calls a shape's kernel. Kept out of line, so that a kernel of few registers, a sphere's, does
-/// not pay for the frame of the largest.
+/// Calls a shape's kernel. Kept out of line, so that kernels of few registers, such as a sphere's,
+/// do not set up the stack frame of the largest.
 template <class Shape>
 [[gnu::noinline]] double first_hit_of(const Geometry& geometry, Primitive p,
                                       const RayQuery& query) {
     return first_hit(geometry, geometry.get<Shape>(p), p.sides, query);
 }
 
-/// A line meets a triangle once: behind a hole there is no more of it.
+/// Tests a cut-out triangle. A line meets a triangle once, so nothing of it is behind a hole.
 [[gnu::noinline]] double cut_out_first_hit(const Geometry& geometry, std::uint32_t primitive,
                                            const RayQuery& query) {
     const auto triangle = geometry.get<Triangle>(geometry.primitives[primitive]);
@@ -92,14 +92,14 @@ template double shape_first_hit(const Geometry&, const Sphere&, Sides, const Ray
 
 namespace {
 
-/// Whether rays that go into a shape from next to an edge may start beyond another of its faces.
+/// True if rays into a shape that leave from next to an edge may start beyond another of its faces.
 template <class Shape>
 concept HasEdges = requires(const Shape& shape, const Vec3& distance, SurfacePoint& p) {
     { move_off_edges(shape, distance, p) } -> std::same_as<bool>;
 };
 
-/// Moves a point of an object's shape with edges so far off them that a ray into the shape starts
-/// inside of its other faces, too: whether it was nearer. `point` is where `local` was placed.
+/// Moves a point of an object's shape away from its edges, so that a ray into the shape also starts
+/// inside its other faces. `point` is `local` in world space. Returns whether it was moved.
 bool move_off_edges(const Geometry& object, const Instance& instance, const SurfacePoint& point,
                     SurfacePoint& local) {
     const Primitive p = object.primitives[local.primitive];
@@ -113,7 +113,8 @@ bool move_off_edges(const Geometry& object, const Instance& instance, const Surf
     });
 }
 
-/// A point of an instance. Kept out of line, so that points of the scene itself do not pay for it.
+/// Returns a point of an instance. Kept out of line, so that points of the scene itself do not pay
+/// for it.
 [[gnu::noinline]] SurfacePoint surface_of_instance(const Geometry& geometry, const Ray& ray,
                                                    const Hit& hit) {
     if (has_extreme_direction(ray)) {

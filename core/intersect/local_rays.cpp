@@ -22,15 +22,15 @@ HWY_INLINE Doubles max_abs(const Vec3Lanes& v) {
     return hn::Max(hn::Abs(v.x), hn::Max(hn::Abs(v.y), hn::Abs(v.z)));
 }
 
-/// power_of_two_reciprocal() for x of [2^-1022, 2^1023).
+/// Computes power_of_two_reciprocal() for x in [2^-1022, 2^1023).
 HWY_INLINE Doubles power_of_two_reciprocal(Doubles x) {
     const auto field = hn::ShiftRight<52>(hn::BitCast(WordTag(), x));
     const auto mirrored = hn::Sub(hn::Set(WordTag(), 2 * 1023), field);
     return hn::BitCast(DoubleTag(), hn::ShiftLeft<52>(mirrored));
 }
 
-/// Whether lines pass the box by, or end before it: with a margin far above the roundings. Nothing
-/// is said of lines that are next to parallel to one of its sides.
+/// Returns whether rays miss the box or end before it, by a margin far above the roundings. False
+/// for directions nearly parallel to one of its sides.
 HWY_INLINE DoubleMask passes_by(const Vec3& reach, const Vec3Lanes& origin,
                                 const Vec3Lanes& direction) {
     const Doubles one = broadcast(1), least = broadcast(0x1p-100);
@@ -60,20 +60,20 @@ HWY_INLINE DoubleMask resolved(Doubles distance, Doubles speed) {
                    hn::And(speed > broadcast(1 / fastest), speed < broadcast(fastest)));
 }
 
-HWY_INLINE void store_ways(DoubleMask common, DoubleMask enters, std::uint64_t* to) {
+HWY_INLINE void store_kinds(DoubleMask common, DoubleMask enters, std::uint64_t* to) {
     const DoubleTag tag;
-    const auto number = [&](LocalRays::Way way) HWY_ATTR {
-        return hn::Set(WordTag(), static_cast<std::uint64_t>(way));
+    const auto number = [&](LocalRays::Kind kind) HWY_ATTR {
+        return hn::Set(WordTag(), static_cast<std::uint64_t>(kind));
     };
     const auto words = [&](DoubleMask mask)
                            HWY_ATTR { return hn::BitCast(WordTag(), hn::VecFromMask(tag, mask)); };
     const auto bounded =
-        hn::IfThenElse(hn::MaskFromVec(words(enters)), number(LocalRays::Way::enters),
-                       number(LocalRays::Way::passes_by));
+        hn::IfThenElse(hn::MaskFromVec(words(enters)), number(LocalRays::Kind::enters),
+                       number(LocalRays::Kind::misses));
     hn::StoreU(hn::And(words(common), bounded), WordTag(), to);
 }
 
-/// The steps of NormalizedSpace::ray().
+/// Performs the steps of NormalizedSpace::ray().
 void make_local(const NormalizedSpace& space, const RayColumns& c, LocalRayColumns to) {
     const DoubleTag tag;
     const Doubles scale = broadcast(space.scale());
@@ -101,7 +101,7 @@ void make_local(const NormalizedSpace& space, const RayColumns& c, LocalRayColum
         const DoubleMask is_here = max_abs(origin) <= largest_origin;
         const DoubleMask enters = hn::AndNot(passes_by(reach, origin, direction), is_here);
         const Doubles time = scale / shrink;
-        store_ways(hn::And(is_common, resolved(distance, largest * scale)), enters, to.ways + i);
+        store_kinds(hn::And(is_common, resolved(distance, largest * scale)), enters, to.kinds + i);
         store_floats(origin, to.origins + i);
         store_floats(direction, to.directions + i);
         hn::StoreU(shift / time, tag, to.shifts + i);
@@ -122,7 +122,7 @@ void LocalRays::set(const NormalizedSpace& space, std::span<const Ray> rays) {
     dominants_ = columns.dominants;
     HWY_DYNAMIC_DISPATCH(make_local)
     (space, columns,
-     {origins_.data(), directions_.data(), shifts_.data(), scales_.data(), ways_.data()});
+     {origins_.data(), directions_.data(), shifts_.data(), scales_.data(), kinds_.data()});
 }
 
 }  // namespace etalon

@@ -8,7 +8,7 @@
 namespace etalon {
 namespace {
 
-/// Root of the sum of the squares of three vectors' components.
+/// Returns the root of the sum of the squares of three vectors' components.
 double norm(const Vec3& a, const Vec3& b, const Vec3& c) {
     return std::sqrt(a.dot(a) + b.dot(b) + c.dot(c));
 }
@@ -21,10 +21,10 @@ Box3 image(const Affine& map, const Box3& box) {
     return {centre - reach, centre + reach};
 }
 
-/// A component of |A^-1| |A| v is at most the root of 3 times the norms of the two matrices, which
-/// are those of the stretch S and of its inverse. The smallest singular value of S is at least 1 /
-/// |S^-1|, where a slice ends, and from there changes by no more than S does in half a slice; the
-/// norm of the inverse is at most the root of 3 over it.
+/// Bounds the spread. A component of |A^-1| |A| v is at most sqrt(3) times the norms of the two
+/// matrices, which are those of the stretch S and of its inverse. At the end of a slice the
+/// smallest singular value of S is at least 1 / |S^-1|; from there it changes by no more than S
+/// does in half a slice. The norm of the inverse is at most sqrt(3) over it.
 MotionBounds::MotionBounds(const AnimatedTransform& motion) : motion_(motion) {
     const double first = motion.times().part(0), last = motion.times().part(last_shutter_time);
     length_ = std::abs(last - first) / slices;
@@ -49,7 +49,7 @@ Box3 MotionBounds::box(const Box3& box) const {
     return {all.min - margin, all.max + margin};
 }
 
-/// The origin goes straight on.
+/// The origin moves along a straight line, so one of its ends is the furthest.
 double MotionBounds::distance_from(const Vec3& point) const {
     return std::max(max_abs(maps_.front().origin - point), max_abs(maps_.back().origin - point));
 }

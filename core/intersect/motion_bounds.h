@@ -1,4 +1,4 @@
-// Where the instance of a motion goes while the shutter is open.
+// Bounds of a moving instance while the shutter is open.
 #pragma once
 
 #include <array>
@@ -8,34 +8,35 @@
 
 namespace etalon {
 
-/// Returns the box of the image of a box.
+/// Returns a box around the image of a box under the map.
 Box3 image(const Affine& map, const Box3& box);
 
-/// The way of a moving object in slices: where it is at their ends, and bounds on what it does in
-/// between.
+/// Bounds of a moving object. The motion is cut into time slices; positions at their ends are
+/// exact, and in between the departure from a straight line is bounded.
 class MotionBounds {
   public:
     explicit MotionBounds(const AnimatedTransform& motion);
 
-    /// Whether there are bounds: false where the map is singular or nearly so, or not finite, at
-    /// any time.
+    /// Returns whether the bounds exist. False where the map is singular or nearly so, or not
+    /// finite, at any time.
     bool exist() const { return spread_ < infinity; }
 
-    /// Returns the box of all places of the points of `box`.
+    /// Returns the box of all positions of the points of `box`.
     Box3 box(const Box3& box) const;
 
-    /// Bounds |A^-1| |A| v at all times, A the inverse of the map, v three components 1: for each
-    /// axis.
+    /// Returns a bound on |A^-1| |A| v at all times, for each axis: A is the inverse of the map,
+    /// and v has three components 1.
     double spread() const { return spread_; }
 
-    /// Returns how far from a point the object's origin gets, in the largest of three coordinates.
+    /// Returns the largest distance of the object's origin from a point, as the largest of the
+    /// three coordinates.
     double distance_from(const Vec3& point) const;
 
   private:
     static constexpr std::size_t slices = 32;
 
     const AnimatedTransform& motion_;
-    double length_;  ///< of a slice, as a part of the motion
+    double length_;  ///< of a slice, as a fraction of the motion
     std::array<Affine, slices + 1> maps_;
     double spread_ = infinity;
 };

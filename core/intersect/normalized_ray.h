@@ -1,5 +1,5 @@
-// What NormalizedSpace does with one ray, inline: an instance's object is entered so often that
-// calls, and what they would work out twice, count.
+// NormalizedSpace's operations on one ray, inline: rays enter the objects of instances so often
+// that calls, and values computed twice, would show.
 #pragma once
 
 #include <optional>
@@ -35,14 +35,14 @@ inline std::optional<NormalizedRay> normalized_ray(const NormalizedSpace& space,
     return NormalizedRay{Vec3f(origin), Vec3f(direction), shift / scale, scale};
 }
 
-/// What float slab tests need to know of a ray to be as good as its doubles.
+/// Additional data with which float slab tests are as accurate as the ray's doubles.
 struct FineRay {
-    Vec3f rest;   ///< what its exact origin has over the float one, in normalized space
-    float slack;  ///< how far outside of boxes with least_padding there may be what it hits
+    Vec3f rest;   ///< the exact origin minus the float origin, in normalized space
+    float slack;  ///< how far a hit may be outside of its box, if that has least_padding
 };
 
-/// Provides for roundings of coordinates in double and, where the ray comes from further, for what
-/// they move of what it hits of instances (see instance_bounds()), with room for much more.
+/// The slack covers the roundings of coordinates in double. If the ray comes from further away, it
+/// also covers how far they move hits on instances (see instance_bounds()), with ample room.
 inline FineRay fine_ray(const NormalizedSpace& space, double spread, const Ray& ray,
                         const NormalizedRay& local) {
     const Vec3 direction = ray.direction * power_of_two_reciprocal(max_abs(ray.direction));
@@ -53,12 +53,12 @@ inline FineRay fine_ray(const NormalizedSpace& space, double spread, const Ray& 
     return {Vec3f(origin - Vec3(local.origin)), static_cast<float>(slack)};
 }
 
-/// Whether the ray's line passes the box of all that is bounded, or leaves it behind, beyond all
-/// roundings, however far it comes from: by the separating axes across the line and the sides
-/// (Gottschalk, Lin & Manocha 1996, SIGGRAPH '96), without a division: most rays to instances need
-/// no more. Holds of what is decided for this ray, not of instances seen by rays that are not
-/// resolved.
-inline bool surely_passes(const NormalizedSpace& space, const Ray& ray) {
+/// Returns whether the ray's line misses the box of all that is bounded, or the ray starts behind
+/// it, beyond all roundings and from any distance. Tests the separating axes that are perpendicular
+/// to the line and to the box's sides (Gottschalk, Lin & Manocha 1996, SIGGRAPH '96). It needs no
+/// division, and most rays to instances need no other test. It does not hold for hits on
+/// instances if the ray is not resolved.
+inline bool misses_bounds(const NormalizedSpace& space, const Ray& ray) {
     const Vec3 o = ray.origin - space.centre(), &d = ray.direction, &reach = space.reach();
     for (int k = 0; k < 3; ++k) {
         if (std::abs(o[k]) > reach[k] * (1 + 0x1p-40) && o[k] * d[k] > 0) return true;

@@ -12,7 +12,7 @@ constexpr double furthest_origin = 0x1p1000;
 NormalizedSpace::NormalizedSpace(const Box3& world) {
     if (world.isEmpty()) return;
     centre_ = world.center();
-    // Far from the origin the centre is rounded: the faces are not equally far from it.
+    // Far from the origin the centre is rounded, so the two faces differ in distance from it.
     const Vec3 above = world.max - centre_, below = centre_ - world.min;
     const Vec3 half(std::max(above.x, below.x), std::max(above.y, below.y),
                     std::max(above.z, below.z));
@@ -34,12 +34,12 @@ bool NormalizedSpace::resolves(const Ray& ray) const {
     return is_resolved(*this, ray);
 }
 
-/// The point of the line next to the origin is good to 2^-49 of the distance, and an instance's ray
-/// to 2^-29 of it: see instance_bounds().
+/// The point of the line nearest to the origin is off by at most 2^-49 of the distance, and an
+/// instance's ray by 2^-29 of it: see instance_bounds().
 bool NormalizedSpace::surely_misses(const Ray& ray) const {
     const Vec3 direction = ray.direction * power_of_two_reciprocal(max_abs(ray.direction));
     const Vec3 origin = (ray.origin - centre_) * scale_;
-    if (!(max_abs(origin) < furthest_origin)) return false;  // its products may leave all numbers
+    if (!(max_abs(origin) < furthest_origin)) return false;  // products may overflow
     const Vec3 nearest = origin - origin.dot(direction) / direction.dot(direction) * direction;
     return max_abs(nearest) > 2 + 0x1p-20 * max_abs(origin);
 }

@@ -7,23 +7,22 @@
 
 namespace etalon {
 
-/// The largest coordinate of a box.
+/// Returns the largest magnitude of a box's coordinates.
 inline double reach_of(const Box3& box) {
     return std::max(max_abs(box.min), max_abs(box.max));
 }
 
-/// Whether there is a box, and no coordinate of it is beyond `limit`.
+/// Returns whether the box is not empty and no coordinate of it is beyond `limit`.
 inline bool is_bounded(const Box3& box, double limit) {
     return !box.isEmpty() && is_finite(box.min) && is_finite(box.max) && reach_of(box) <= limit;
 }
 
 /// The items of a scene that reach furthest. A few that reach far beyond all others, such as a
 /// triangle with a corner at 1e23, would leave the others no room in normalized space: their boxes
-/// would be nothing but padding. Those few are better tested always, like planes.
+/// would be nothing but padding. Such outliers are always tested, like planes.
 class FurthestItems {
   public:
-    /// No box of an item has a larger coordinate unless the item is an outlier; of a scene that has
-    /// none.
+    /// Limit of a scene without outliers.
     static constexpr double no_limit = std::numeric_limits<double>::max();
 
     void add(double reach) {
@@ -34,7 +33,7 @@ class FurthestItems {
         for (const double reach : others.reaches_) add(reach);
     }
 
-    /// What only outliers reach beyond.
+    /// Returns the largest coordinate of items that are not outliers.
     double limit() const {
         for (std::size_t i = most_outliers; i > 0; --i) {
             const double next = reaches_[i];
@@ -44,8 +43,8 @@ class FurthestItems {
     }
 
   private:
-    /// How much further than all others outliers reach: at this factor the padding of boxes is a
-    /// thirtieth of what all others reach.
+    /// Factor between the reach of an outlier and that of all others. At this factor the padding of
+    /// boxes is a thirtieth of the reach of the others.
     static constexpr double far_beyond = 0x1p14;
     static constexpr std::size_t most_outliers = 16;
 
@@ -55,7 +54,7 @@ class FurthestItems {
         reaches_[i] = reach;
     }
 
-    std::array<double, most_outliers + 1> reaches_{};  ///< falling
+    std::array<double, most_outliers + 1> reaches_{};  ///< in decreasing order
 };
 
 }  // namespace etalon

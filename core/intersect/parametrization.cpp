@@ -6,9 +6,9 @@
 namespace etalon {
 namespace {
 
-/// Whether the derivatives span a plane: false where they are parallel, zero or not finite.
+/// Returns whether the derivatives span a plane: false where they are parallel, zero or not finite.
 bool spans_plane(Vec3 dpdu, Vec3 dpdv) {
-    dpdu *= power_of_two_reciprocal(max_abs(dpdu));  // whose product may be out of range
+    dpdu *= power_of_two_reciprocal(max_abs(dpdu));  // else the product may overflow or underflow
     dpdv *= power_of_two_reciprocal(max_abs(dpdv));
     const Vec3 normal = dpdu.cross(dpdv);
     return is_finite(normal) && normal != Vec3(0);

@@ -5,15 +5,15 @@
 
 namespace etalon {
 
-/// Surface coordinates of a point, and how the point moves with them (world space).
+/// Surface coordinates (u, v) of a point and the derivatives of the point by them (world space).
 struct Parametrization {
     Vec2 uv;
     Vec3 dpdu, dpdv;
 };
 
-/// Surface coordinates of a point that surface_at() returned, in [0, 1] except on planes and
-/// polygons. The derivatives span the tangent plane: where the shape's own do not, as at poles,
-/// tips and centres, they are two unit vectors at right angles.
+/// Returns the surface coordinates of a point that surface_at() returned, in [0, 1] except on
+/// planes and polygons. The derivatives span the tangent plane. Where the shape's own do not, as at
+/// poles, tips and centres, they are two orthogonal unit vectors.
 Parametrization parametrization_at(const Geometry& geometry, const SurfacePoint& point);
 
 }  // namespace etalon

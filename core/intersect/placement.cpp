@@ -14,7 +14,7 @@ Vec3 transpose_times(const std::array<Vec3, 3>& rows, const Vec3& v) {
     return v.x * rows[0] + v.y * rows[1] + v.z * rows[2];
 }
 
-/// What the way of a point p back into the object's space may round: see placed().
+/// Returns a bound on the roundings of transforming a point p to object space: see placed().
 Vec3 roundings_from(const Instance& instance, const Vec3& p) {
     return 8 * unit_roundoff * times_magnitudes(instance.rows, abs(p) + abs(instance.origin));
 }
@@ -38,11 +38,11 @@ Vec3 spread(const Instance& instance) {
     return once.x * abs(x) + once.y * abs(y) + once.z * abs(z);
 }
 
-/// The point is corrected once; what then remains of it in the object's space is measured. A ray
-/// from there comes back with at most 8 roundings of |A| (|p| + |c|): one each for the point, the
-/// spawned origin and the difference p - c, and five for the product with A. All of this is
-/// projected on the object's normal n. A step along the world's normal A^T n / |A^T n| leads
-/// |A^T n| as far along n.
+/// The point is corrected once; its remaining error in object space is measured. A ray that leaves
+/// it returns to object space with at most 8 roundings of |A| (|p| + |c|): one each for the point,
+/// the spawned origin and the difference p - c, and five for the product with A. All of this is
+/// projected on the object's normal n. A step along the world's normal A^T n / |A^T n| moves by
+/// |A^T n| times its length along n.
 SurfacePoint placed(const Instance& instance, const SurfacePoint& local) {
     const Affine map = instance.to_world();
     SurfacePoint p = local;
@@ -55,13 +55,13 @@ SurfacePoint placed(const Instance& instance, const SurfacePoint& local) {
     p.shading_normal = normalized(transpose_times(instance.rows, local.shading_normal));
     const double clearance =
         abs(local.normal).dot(local.error + residual + roundings) / across.dot(p.normal);
-    p.error = clearance * abs(p.normal);  // whose product with the normal is the clearance
-    p.convexity = Convexity::any;         // no ray excludes a part of an instance
+    p.error = clearance * abs(p.normal);  // its product with the normal is the clearance
+    p.convexity = Convexity::any;         // rays do not exclude primitives of an instance
     return p;
 }
 
-/// The origin is moved by the error, along the normal: see spawn_origin(). Twice the sum has room
-/// for what another point next to `local` lacks.
+/// The origin is offset along the normal by the error: see spawn_origin(). Twice the sum leaves
+/// room for the different errors of another point next to `local`.
 Vec3 drift_of_origins(const Instance& instance, const SurfacePoint& local,
                       const SurfacePoint& world) {
     const Vec3 residual = abs(local.position - to_object(instance, world.position));

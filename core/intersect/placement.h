@@ -1,4 +1,4 @@
-// Transforms between world space and the object space of instances: all of them are here.
+// Transforms between world space and the object space of instances: all code for them is here.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace etalon {
 
-/// An instance at the time of a ray: a moving one is replaced by the still one that its animated
-/// transform gives for that time.
+/// An instance at the time of a ray. A moving instance is replaced by the still one that its
+/// animated transform gives for that time.
 class InstanceAt {
   public:
-    /// `number`: among the geometry's instances. The geometry must outlive it.
+    /// `number` is among the geometry's instances. The geometry must outlive this.
     InstanceAt(const Geometry& geometry, std::uint32_t number, ShutterTime time)
         : instance_(&geometry.instances[number]) {
         if (instance_->moves()) [[unlikely]]
@@ -42,9 +42,9 @@ inline Vec3 to_object(const Instance& instance, const Vec3& point) {
     return vector_to_object(instance, point - instance.origin);
 }
 
-/// Transforms a ray from world to object space. This defines what is hit of an instance: what the
-/// ray returned here hits of the object. Its direction is not normalized, so its t is that of the
-/// world. It excludes no primitive.
+/// Transforms a ray from world to object space. This defines what a ray hits of an instance: what
+/// the returned ray hits of the object. Its direction is not normalized, so that t is the same in
+/// both spaces. It excludes no primitive.
 inline Ray to_object(const Instance& instance, const Ray& ray) {
     Ray local{to_object(instance, ray.origin), vector_to_object(instance, ray.direction), ray.tmin,
               ray.tmax};
@@ -52,26 +52,29 @@ inline Ray to_object(const Instance& instance, const Ray& ray) {
     return local;
 }
 
-/// A bound on |A^-1| |A| v, where A is the instance's matrix and v has three components 1: how far
-/// a relative error of a point in the object's space moves it in the world, for each axis.
+/// Returns a bound on |A^-1| |A| v for each axis, where A is the instance's matrix and v has three
+/// components 1: the factor by which a relative error of a point in object space grows in world
+/// space.
 Vec3 spread(const Instance& instance);
 
-/// Transforms a point of the object's surface to world space. Its error bound is such that a ray
-/// which leaves it starts off the object's surface after all roundings on its way back there.
+/// Transforms a point of the object's surface to world space. Its error bound is so large that a
+/// ray which leaves it still starts off the object's surface after all roundings of its transform
+/// to object space.
 SurfacePoint placed(const Instance& instance, const SurfacePoint& local);
 
-/// Bounds how far, for each axis of the object's space, the origin of a ray that leaves `world` is
-/// from the point `local` that was placed there, once it is back in that space.
+/// Returns a bound, for each axis of object space, on the distance between the point `local` and
+/// the origin of a ray that leaves `world`, once that is transformed back. `world` is `local` in
+/// world space.
 Vec3 drift_of_origins(const Instance& instance, const SurfacePoint& local,
                       const SurfacePoint& world);
 
 /// Transforms a point of an instance to object space; the result has no error bound.
 SurfacePoint local_point(const Instance& instance, const SurfacePoint& point);
 
-/// Transforms coordinates of an object's surface to world space.
+/// Transforms the derivatives of a point of the object's surface to world space.
 Parametrization placed(const Instance& instance, const Parametrization& local);
 
-/// Calls the kernel of a primitive, or of one of an instance, for a ray in world space.
+/// Calls the kernel of a primitive, of the scene or of an instance, for a ray in world space.
 double first_hit(const Geometry& geometry, HitKey key, const Ray& ray);
 
 }  // namespace etalon

@@ -8,28 +8,29 @@
 
 namespace etalon {
 
-/// Points origin + t * direction with tmin < t <= tmax, and never t < 0. The direction need not be
-/// of unit length: t is in units of it.
+/// The points origin + t * direction with tmin < t <= tmax and t >= 0. The direction need not be a
+/// unit vector: t is in units of its length.
 struct Ray {
     Vec3 origin, direction;
     double tmin = 0;
     double tmax = infinity;
-    /// The number of a primitive that the ray has just left and cannot hit again, which need not be
+    /// Number of a primitive that the ray has just left and cannot hit again, and which need not be
     /// tested; no_index if there is none.
     std::uint32_t exclude = no_index;
-    /// Bits of coherent(), is_shadow() and time(), in one word so that one instruction copies them.
+    /// Bits of coherent(), is_shadow() and time(), in one word that is copied by one instruction.
     std::uint32_t traits_and_time = 0;
 
-    /// A hint, which changes no hit: the rays that the same thread traced just before took nearly
-    /// the same path through the scene.
+    /// Returns a hint, which changes no hit: whether the rays that the same thread traced just
+    /// before took nearly the same path through the scene.
     bool coherent() const { return (traits_and_time & coherent_trait) != 0; }
     void set_coherent() { traits_and_time |= coherent_trait; }
 
-    /// Whether it is a shadow ray, which passes holes that other rays do not (PBRT's shadowalpha).
+    /// Returns whether it is a shadow ray, which passes holes that other rays do not (PBRT's
+    /// shadowalpha).
     bool is_shadow() const { return (traits_and_time & shadow_trait) != 0; }
     void set_shadow() { traits_and_time |= shadow_trait; }
 
-    /// When the ray sees the scene.
+    /// Returns the time at which the ray sees the scene.
     ShutterTime time() const { return traits_and_time >> time_shift; }
     void set_time(ShutterTime time) {
         traits_and_time = time << time_shift | (traits_and_time & ((1U << time_shift) - 1));
@@ -41,7 +42,7 @@ struct Ray {
 
 static_assert(sizeof(Ray) == 72);
 
-/// Whether a ray can hit anything at all.
+/// Returns whether a ray can hit anything at all.
 inline bool is_valid(const Ray& ray) {
     return is_finite(ray.origin) && is_finite(ray.direction) && max_abs(ray.direction) > 0 &&
            ray.tmin < ray.tmax;
@@ -50,23 +51,23 @@ inline bool is_valid(const Ray& ray) {
 struct Hit {
     double t;
     std::uint32_t
-        primitive;  ///< its number among the geometry's, or those of the instance's object
-    std::uint32_t instance = no_index;  ///< its number among the geometry's, if one was hit
+        primitive;  ///< number among the primitives of the geometry, or of the instance's object
+    std::uint32_t instance = no_index;  ///< number among the geometry's; no_index if none was hit
 };
 
-/// Number of a primitive, or of one of an instance, in the order in which equally near ones win.
+/// Number of a primitive, of the scene or of an instance. Of equally near hits the lowest key wins.
 using HitKey = std::uint64_t;
 
 inline HitKey key_of(std::uint32_t primitive, std::uint32_t instance) {
     return static_cast<HitKey>(instance + 1) << 32 | primitive;  // no_index + 1 is 0
 }
 
-/// A ray and what every triangle and polygon test needs of it, computed once: the axes permuted
-/// so that z is the direction's dominant one (Woop, Benthin & Wald 2013, JCGT 2(1)).
+/// A ray with what every triangle and polygon test needs, computed once: the axes permuted so that
+/// z is the direction's dominant one (Woop, Benthin & Wald 2013, JCGT 2(1)).
 struct RayQuery {
     explicit RayQuery(const Ray& r) : RayQuery(r, dominant_axis(r.direction)) {}
 
-    /// `dominant`: the axis, which is known already.
+    /// `dominant` is the dominant axis of the direction, where that is known already.
     RayQuery(const Ray& r, int dominant) : ray(r), kz(dominant) {
         kx = (kz + 1) % 3;
         ky = (kz + 2) % 3;
@@ -81,8 +82,8 @@ struct RayQuery {
     double dx, dy, dz;
 
   private:
-    /// Returns a component, or 0 if it is below 2^-500 of the largest: that moves no point by even
-    /// a rounding, and products of smaller ones could leave the range in which signs are exact.
+    /// Returns a component, or 0 if it is below 2^-500 of the largest. That moves no point by even
+    /// one rounding, and keeps products in the range in which signs are exact.
     double flush_negligible(int k) {
         double& component = ray.direction[k];
         if (std::abs(component) < 0x1p-500 * std::abs(ray.direction[kz])) component = 0;
@@ -94,11 +95,11 @@ struct RayQuery {
 /// than this may be hit in the wrong order.
 inline constexpr double t_tolerance = 0x1p-36;
 
-/// Value that a kernel returns when the ray misses: compares false with everything.
+/// Value that a kernel returns when the ray misses: a NaN, so that `<` and `<=` are false.
 inline constexpr double no_hit = nan_value;
 
-/// The nearest hit so far, and the one rule by which all backends keep it: the smaller t, and at
-/// equal t the lower number among the geometry's items.
+/// The nearest hit so far, and the one rule by which all backends keep it: the smaller t wins, and
+/// at equal t the lower number among the geometry's items.
 struct NearestHit {
     explicit NearestHit(double tmax) : t(tmax) {}
 
@@ -113,7 +114,7 @@ struct NearestHit {
         }
     }
 
-    /// Offers an instance, for the hit on a primitive of its object.
+    /// Offers an instance with the hit on a primitive of its object.
     void offer(double candidate, std::uint32_t id, std::uint32_t primitive) {
         if (!is_beaten_by(candidate, id)) return;
         offer(candidate, id);
@@ -124,7 +125,7 @@ struct NearestHit {
 
     double t;
     std::uint32_t item = no_index;
-    std::uint32_t part = no_index;  ///< primitive of the object, where the item is an instance
+    std::uint32_t part = no_index;  ///< primitive of the object, if the item is an instance
 };
 
 }  // namespace etalon

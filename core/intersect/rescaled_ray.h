@@ -8,28 +8,27 @@
 
 namespace etalon {
 
-/// Directions between the reciprocal of this and this have products that are doubles.
+/// Products of the components of directions between 1 / this and this stay in the range of double.
 inline constexpr double largest_usual_direction = 0x1p90;
 
-/// Whether products of the direction's components could leave the range of double.
+/// Returns whether products of the direction's components could leave the range of double.
 inline bool has_extreme_direction(const Ray& ray) {
     const double size = max_abs(ray.direction);
     return size < 1 / largest_usual_direction || size > largest_usual_direction;
 }
 
-/// A ray with a direction of usual length in place of one that is extreme: by a power of two, which
-/// rounds nothing.
+/// A ray with its direction scaled by a power of two to usual length, which rounds nothing.
 struct RescaledRay {
     explicit RescaledRay(const Ray& r)
         : ray(r), unit(power_of_two_reciprocal(max_abs(r.direction))) {
         ray.direction *= unit;
         ray.tmin /= unit;
-        // What is hit beyond the range of double has no t.
+        // A hit beyond the range of double has no t.
         ray.tmax = std::min(r.tmax, std::numeric_limits<double>::max()) / unit;
     }
 
     Ray ray;
-    double unit;  ///< of the ray's t, in that of the one it stands for
+    double unit;  ///< t of the original ray per t of `ray`
 };
 
 }  // namespace etalon

@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Whether a RayQuery leaves the component of a direction as it is.
+/// Returns whether RayQuery leaves a component of the direction as it is.
 HWY_INLINE DoubleMask is_kept(Doubles size, Doubles least) {
     return hn::Or(size >= least, size == broadcast(0));
 }
@@ -40,7 +40,7 @@ HWY_INLINE Vec3Lanes gather(const Vec3Span& from, hn::Vec<NumberTag> numbers) {
             hn::GatherIndex(tag, from.z, numbers)};
 }
 
-/// The hits from number i of the group on: mostly of neighbours.
+/// Loads the hits from number i of the group on. They are mostly of neighbouring rays.
 HWY_INLINE HitRays hits_of(const SurfaceGroup& g, std::size_t i) {
     const DoubleTag tag;
     const std::uint32_t* numbers = g.numbers + i;
@@ -59,7 +59,7 @@ HWY_INLINE HitRays hits_of(const SurfaceGroup& g, std::size_t i) {
             hn::GatherIndex(tag, &g.hits[0].t, hn::Add(n, n))};
 }
 
-/// Sets the points to what surfaces() of the shape gives.
+/// Sets the points to the results of the shape's surfaces().
 template <class Shape>
 std::uint64_t find(const Shape& shape, const SurfacePoint& any, const SurfaceGroup& g) {
     const DoubleTag tag;

@@ -4,11 +4,11 @@
 
 namespace etalon {
 
-/// Work of finding the nearest hit of a ray: a measure of an accelerator that no machine and
-/// no other load on it changes.
+/// Work to find the nearest hit of a ray: a measure of an accelerator that depends neither on the
+/// machine nor on its load.
 struct TraversalCost {
-    std::uint64_t box_tests = 0;        ///< of boxes, and cells of grids gone through
-    std::uint64_t primitive_tests = 0;  ///< by a kernel, or by a filter in front of it
+    std::uint64_t box_tests = 0;        ///< tests of boxes, and grid cells visited
+    std::uint64_t primitive_tests = 0;  ///< calls of a kernel, or of a filter in front of it
 };
 
 }  // namespace etalon

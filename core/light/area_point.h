@@ -6,11 +6,11 @@
 
 namespace etalon {
 
-/// A point of a shape, chosen to be seen from another point.
+/// A point on a light's shape, sampled to be seen from another point.
 struct AreaPoint {
     Vec3 position;
     Vec3 normal;  ///< unit, as the shape defines it
-    double pdf;   ///< per steradian at the point it is seen from; 0: not seen
+    double pdf;   ///< per steradian at the point from which it is seen; 0: not visible
 };
 
 /// Sphere around a shape.
@@ -19,7 +19,7 @@ struct BoundingSphere {
     double radius;
 };
 
-/// Density per steradian, at `from`, of a point chosen with a density per area.
+/// Converts a density per area to one per steradian at `from`.
 inline double per_steradian(double per_area, const Vec3& from, const Vec3& position,
                             const Vec3& normal) {
     const Vec3 way = position - from;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Evenly distributed on the unit sphere.
+/// Returns a point uniformly distributed on the unit sphere.
 Vec3 on_unit_sphere(const Vec2& uv) {
     const double z = 1 - 2 * uv.x, r = std::sqrt(std::max(0.0, 1 - z * z)), phi = 2 * pi * uv.y;
     return {r * std::cos(phi), r * std::sin(phi), z};
@@ -24,8 +24,8 @@ double SphereArea::area() const {
 std::optional<double> SphereArea::cone(const Vec3& from) const {
     const Vec3 way = sphere_.centre - from;
     const double sine2 = sphere_.radius * sphere_.radius / way.dot(way);
-    // A point of the sphere itself is on either side of it by its roundings. Where the cone is as
-    // good as a hemisphere the area serves as well.
+    // A point of the sphere itself is on either side of it by roundings. If the cone is close to a
+    // hemisphere, sampling the area is as good.
     if (!(sine2 < 1 - 1e-9)) return std::nullopt;
     return sine2 / (1 + std::sqrt(1 - sine2));
 }
@@ -82,7 +82,7 @@ EllipsoidArea::EllipsoidArea(const Affine& to_world)
                  to_world.x.cross(to_world.y)} {
     const double outward = std::copysign(1.0, to_world.determinant());
     for (Vec3& column : cofactors_) column *= outward;
-    // Thomsen's formula, good to 1.1 % (only powers are made of it).
+    // Thomsen's formula, good to 1.1 %, which suffices for powers.
     constexpr double p = 1.6075;
     const double ab = std::pow(cofactors_[0].length(), p), bc = std::pow(cofactors_[1].length(), p),
                  ca = std::pow(cofactors_[2].length(), p);

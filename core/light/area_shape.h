@@ -1,4 +1,4 @@
-// Shapes that shine, as seen from a point: directions to them and the densities of these.
+// Shapes of area lights, as seen from a point: sampling of directions to them, and the densities.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace etalon {
 
-/// A sphere, sampled by the cone in which it is seen from outside, by its area from inside.
+/// A sphere, sampled by its cone of directions from outside, by its area from inside.
 class SphereArea {
   public:
     explicit SphereArea(const Sphere& sphere) : sphere_(sphere) {}
@@ -23,8 +23,8 @@ class SphereArea {
     std::optional<Vec3> flat_normal() const { return std::nullopt; }
 
   private:
-    /// 1 - cosine of the half angle of the cone in which the sphere is seen; nothing from inside
-    /// and from right above.
+    /// Returns 1 - cosine of the half angle of the cone that contains the sphere; nothing from
+    /// inside and from just above the surface.
     std::optional<double> cone(const Vec3& from) const;
 
     Sphere sphere_;
@@ -61,17 +61,17 @@ class EllipsoidArea {
     Vec3 stretched_normal(const Vec3& unit) const;
 
     Affine to_world_;
-    Vec3 cofactors_[3];  ///< columns of the matrix that takes areas of the sphere to the image's
+    Vec3 cofactors_[3];  ///< columns of the matrix that maps areas of the sphere to the image
     double area_;
 };
 
 using AreaShape =
     std::variant<TriangleArea, TwoTrianglesArea, SphereArea, RingArea, EllipsoidArea, RevolvedArea>;
 
-/// The primitive as a shape that shines; nothing for kinds that cannot be sampled.
+/// Returns the primitive as the shape of an area light; nothing for kinds that cannot be sampled.
 std::optional<AreaShape> area_shape(const Geometry& geometry, std::uint32_t primitive);
 
-/// A primitive and the one after it as one shape, where they are the halves of a quadrilateral.
+/// Returns a primitive and the next one as one shape, if they are the halves of a quadrilateral.
 std::optional<TwoTrianglesArea> quadrilateral(const Geometry& geometry, std::uint32_t primitive);
 
 }  // namespace etalon

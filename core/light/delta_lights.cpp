@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// From 0 at the border of a spot's cone smoothly to 1.
+/// Returns a smooth transition from 0 at the border of a spotlight's cone to 1.
 double spot_falloff(const SpotSource& s, const Vec3& direction) {
     const double cosine = s.axis.dot(direction);
     if (cosine < s.cos_total) return 0;
@@ -24,7 +24,7 @@ LightSample from_point(const Vec3& position, const Color& intensity, const Vec3&
     return s;
 }
 
-/// What the projection's image has in a direction of the light's own space.
+/// Returns the value of the projection's image in a direction of the light's own space.
 Color projected(const ProjectionSource& s, const SphericalImage& image, const Vec3& direction) {
     constexpr double nearest = 1e-3;  // of z in pbrt-v3: fields of view stay below 180 degrees
     if (direction.z < nearest) return Color(0.0F);

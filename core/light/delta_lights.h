@@ -1,5 +1,5 @@
-// Lights without extent: points that shine in all directions, in a cone, by an image, and light
-// from afar.
+// Lights without extent: point lights that shine in all directions, in a cone or through an image,
+// and directional lights.
 #pragma once
 
 #include "core/light/light_sample.h"
@@ -8,12 +8,12 @@
 
 namespace etalon {
 
-/// What such a light sends to a point; pdf 0 of other lights. `image` is its image, of those that
-/// have one.
+/// Returns what such a light sends to a point; pdf 0 for other lights. `image` is the light's
+/// image, if it has one.
 LightSample sample_delta_light(const PhysicalLight& light, const SphericalImage* image,
                                const Vec3& from);
 
-/// Half of the sides of a projection's window in the plane z = 1.
+/// Returns half of the sides of a projection's window in the plane z = 1.
 Vec2 half_window(const ProjectionSource& light, const SphericalImage& image);
 
 }  // namespace etalon

@@ -7,7 +7,7 @@ namespace etalon {
 Equiangular::Equiangular(const Vec3& light, const Vec3& origin, const Vec3& direction, double begin,
                          double end)
     : begin_(begin), end_(end), nearest_((light - origin).dot(direction)) {
-    // A ray through the light would see it under no angle but right ones.
+    // A ray through the light would see it only under right angles.
     constexpr double least = 1e-9;
     const Vec3 way = light - origin;
     gap_ = std::max((way - nearest_ * direction).length(), least * way.length());

@@ -11,30 +11,31 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Columns of the image by which directions to a skybox are chosen.
+/// Number of columns of the image from which directions to a skybox are sampled.
 constexpr int overview_width = 512;
 
-/// As many cells of a sky's table fit into a second level cache.
+/// Number of cells of a sky's table that fit a second-level cache.
 constexpr std::size_t enough_cells = 1 << 15;
 
-/// What larger ones may cost in noise, which media make much more of.
+/// Largest increase of noise by larger cells, which media amplify.
 constexpr double most_moment = 1.05;
 
-/// The inverse of a map whose columns are at right angles to each other, or any other.
+/// Returns the inverse of a map, fast if its columns are orthogonal.
 Affine inverse_directions(const Affine& m) {
     const double d = m.determinant();
     const Vec3 a = m.y.cross(m.z) / d, b = m.z.cross(m.x) / d, c = m.x.cross(m.y) / d;
     return {{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}, Vec3(0)};
 }
 
-/// Ninths of a row's luminances, from the column before the first to the one after the last.
+/// Returns ninths of a row's luminances, from the column before the first to the one after the
+/// last.
 std::vector<float> ninths_of_row(const SphericalImage& image, int y) {
     std::vector<float> ninths;
     for (int x = -1; x <= image.width(); ++x) ninths.push_back(luminance(image.texel(x, y)) / 9);
     return ninths;
 }
 
-/// The mean luminance of each texel and those about it.
+/// Returns the mean luminance of each texel and its neighbours.
 std::vector<double> blurred_luminances(const SphericalImage& image) {
     const auto width = static_cast<std::size_t>(image.width());
     std::vector<double> means(width * image.height());
@@ -70,7 +71,7 @@ Vec2 InfiniteLight::place_of(const Vec3& direction) const {
     return SphericalImage::place_of(normalized(source_.to_light.vector(direction)));
 }
 
-/// The light of a place that sample() has chosen.
+/// Returns the light at a point that sample() has chosen.
 Color InfiniteLight::lookup(const Vec2& place) const {
     if (skybox_) return skybox_->radiance(SphericalImage::direction_at(place));
     return image_.at(place) * source_.radiance;
@@ -81,8 +82,9 @@ Color InfiniteLight::radiance(const Vec3& direction) const {
     return image_.empty() ? source_.radiance : lookup(place_of(direction));
 }
 
-/// Densities: of each texel's cell the mean luminance of the texels about it, which a lookup in it
-/// may show, perhaps less the mean of all, times the sine that makes a square of the sphere.
+/// Returns the densities. That of a texel's cell is the mean luminance of the texels around it,
+/// which a look-up in the cell may use, optionally minus the mean of all, times the sine of the map
+/// from the square to the sphere.
 void InfiniteLight::prepare_sampling(SkySampling sampling) {
     const int width = image_.width(), height = image_.height();
     CellValues cells{width, height, blurred_luminances(image_)};

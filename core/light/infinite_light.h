@@ -11,38 +11,37 @@
 
 namespace etalon {
 
-/// By what directions to an image of all directions are chosen.
+/// Distribution by which directions to an image of all directions are sampled.
 enum class SkySampling : std::uint8_t {
-    /// By how much it is brighter than its mean (MIS compensation: Karlik et al. 2019); what is
-    /// darker is left to the directions that surfaces choose.
+    /// In proportion to how much brighter than its mean it is (MIS compensation: Karlik et al.
+    /// 2019). Darker parts are left to the directions that surfaces sample.
     above_mean,
-    /// By its brightness, in cells that may have many texels. Where media may end the rays of
-    /// chosen
-    /// directions, light that is asked for, and weakened, is less noisy.
+    /// In proportion to its brightness, in cells that may have many texels. If media may end the
+    /// rays of sampled directions, sampled and attenuated light is less noisy.
     whole,
 };
 
-/// Light from all around, from an image by latitude and longitude, a skybox or of one colour.
-/// A light of one colour is left to the directions that surfaces and media choose.
+/// Light from all directions: from an image by latitude and longitude, a skybox or of one colour. A
+/// light of one colour is left to the directions that surfaces and media sample.
 class InfiniteLight {
   public:
-    /// `problems` gets the reason where the image cannot be read; the light has no image then. A
+    /// `problems` gets the reason if the image cannot be read; the light has no image then. A
     /// source with a skybox must outlive the light.
     InfiniteLight(const InfiniteSource& source, std::vector<std::string>& problems,
                   SkySampling sampling = SkySampling::above_mean);
 
     Color radiance(const Vec3& direction) const;
 
-    /// A direction to the light, of density 0 where it is left to surfaces.
+    /// Samples a direction to the light; of density 0 if the light is left to surfaces.
     LightSample sample(const Vec2& uv) const;
 
-    /// Density of sample() per steradian.
+    /// Returns the density of sample() per steradian.
     double pdf(const Vec3& direction) const;
 
-    /// Mean over all directions.
+    /// Returns the mean over all directions.
     const Color& mean() const { return mean_; }
 
-    /// Whether sample() has any direction to offer.
+    /// Returns whether sample() can return any direction.
     bool can_be_sampled() const { return !places_.empty(); }
 
   private:
@@ -53,9 +52,9 @@ class InfiniteLight {
     InfiniteSource source_;
     Affine to_world_;
     std::unique_ptr<const SkyboxLight> skybox_;
-    SphericalImage image_;  ///< of a skybox an overview, by which directions are sampled
+    SphericalImage image_;  ///< for a skybox, an overview from which directions are sampled
     Color mean_{0.0F};
-    PiecewiseConstant2D places_;  ///< of directions
+    PiecewiseConstant2D places_;  ///< distribution of directions
 };
 
 }  // namespace etalon

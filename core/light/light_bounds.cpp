@@ -34,7 +34,7 @@ EmissionCone united(EmissionCone a, EmissionCone b) {
     return a;
 }
 
-/// Integral over directions of how far lights of the cone shine into them.
+/// Returns the integral over directions of how far lights of the cone shine into them.
 double measure(const EmissionCone& cone) {
     const double o = cone.spread, w = std::min(o + cone.emission, pi);
     return 2 * pi * (1 - std::cos(o)) +

@@ -1,15 +1,15 @@
-// Where lights are and where they shine: bounds for what may reach a point from several of them.
+// Bounds of positions and directions of lights, and of what several of them may send to a point.
 #pragma once
 
 #include "core/numerics/vec.h"
 
 namespace etalon {
 
-/// Directions in which lights shine: `emission` about all that are within `spread` of the axis.
+/// Directions in which lights shine: within `emission` of all normals within `spread` of the axis.
 /// Angles in radians, from 0 to pi.
 struct EmissionCone {
     Vec3 axis{0, 0, 1};  ///< unit
-    double spread = 0;   ///< of the normals
+    double spread = 0;   ///< largest angle of the normals to the axis
     double emission = 0;
     bool two_sided = false;  ///< shines about -axis as well
 };
@@ -17,14 +17,14 @@ struct EmissionCone {
 struct LightBounds {
     Box3 box;
     EmissionCone cone;
-    double intensity = 0;  ///< luminance of what is sent along the axis, per steradian
+    double intensity = 0;  ///< luminance sent along the axis, per steradian
 };
 
-/// The bounds of what both of two bound.
+/// Returns the bounds of the union.
 LightBounds united(const LightBounds& a, const LightBounds& b);
 
-/// What a cluster of lights costs those who choose among clusters: its intensity, times a measure
-/// of its directions and one of its size (Conty Estevez & Kulla 2018, section 4.4).
+/// Returns the cost of a cluster of lights for the choice of clusters: its intensity, times a
+/// measure of its directions and one of its size (Conty Estevez & Kulla 2018, section 4.4).
 double cluster_cost(const LightBounds& bounds);
 
 }  // namespace etalon

@@ -16,7 +16,7 @@ struct Angle {
     double cosine, sine;
 };
 
-/// The difference of two angles between 0 and pi, at least 0.
+/// Returns the difference of two angles between 0 and pi, at least 0.
 Angle difference(const Angle& a, const Angle& b) {
     if (a.cosine >= b.cosine) return {1, 0};
     return {a.cosine * b.cosine + a.sine * b.sine, a.sine * b.cosine - a.cosine * b.sine};
@@ -27,18 +27,18 @@ Angle of_cosine(double cosine) {
     return {c, std::sqrt(1 - c * c)};
 }
 
-/// What can still be added and divided: near a point light there is no bound.
+/// Clamps to values that can still be added and divided: near a point light there is no bound.
 double at_most_largest(double importance) {
     constexpr double largest = 1e150;
     return importance < largest ? importance : largest;
 }
 
-/// Room for the roundings of a float and of what is made of it.
+/// Relative room for the roundings of a float and of computations with it.
 constexpr double slack = 1e-6;
 
 }  // namespace
 
-/// Splits lights from above where the cost of the halves is least.
+/// Splits lights top-down where the cost of the halves is least.
 class LightTree::Builder {
   public:
     Builder(const std::vector<LightBounds>& bounds, LightTree& tree)
@@ -57,7 +57,7 @@ class LightTree::Builder {
 
   private:
     static constexpr int bins = 12;
-    static constexpr int deepest = 40;  ///< from there on halves are of equal numbers
+    static constexpr int deepest = 40;  ///< depth from which halves have equal numbers
 
     struct Bin {
         LightBounds bounds;

@@ -28,8 +28,8 @@ void extend(Box3& box, const Affine& map, const Box3& object) {
     if (is_finite(centre) && is_finite(reach)) box.extendBy({centre - reach, centre + reach});
 }
 
-/// Half the diagonal of a box of all that is bounded, where the shutter opens: a weight of lights
-/// from everywhere, which asks for no more.
+/// Returns half the diagonal of the box of everything bounded, when the shutter opens. It only
+/// weights lights at infinity, which needs no more precision.
 double radius_of(const Geometry& geometry) {
     Box3 box = box_of_primitives(geometry);
     std::vector<Box3> objects;
@@ -41,7 +41,7 @@ double radius_of(const Geometry& geometry) {
     return box.isEmpty() ? 1 : box.size().length() / 2;
 }
 
-/// Solid angle of a rectangle with such half sides at distance 1, about its middle.
+/// Returns the solid angle of a rectangle with these half sides at distance 1, about its middle.
 double solid_angle(const Vec2& half) {
     const double diagonal = std::sqrt(1 + half.length2());
     return 4 * std::atan(half.x * half.y / diagonal);
@@ -79,7 +79,7 @@ bool Lights::AreaLight::shines(const Vec3& normal, const Vec3& ray) const {
     return front.dot(ray) < 0;
 }
 
-/// Whether a flat light of one side shines to the other side of its plane only.
+/// Returns whether a one-sided flat light shines only to the other side of its plane.
 bool Lights::AreaLight::turns_from(const Vec3& point) const {
     return flat_front && !two_sided && flat_front->dot(point - bounds.centre) <= 0;
 }
@@ -120,7 +120,7 @@ void Lights::make_tree() {
     tree_.emplace(bounds);
 }
 
-/// Bounds of a light that is at a finite distance.
+/// Returns the bounds of a light at a finite distance.
 LightBounds Lights::bounds_of(const Source& source) const {
     if (std::holds_alternative<AreaSource>(*source.light)) {
         const AreaLight& light = area_lights_[source.index];
@@ -133,7 +133,7 @@ LightBounds Lights::bounds_of(const Source& source) const {
     return std::visit(PointBounds{}, *source.light);
 }
 
-/// Makes the light and the last one a quadrilateral, if they are one.
+/// Joins the light and the previous one to a quadrilateral, if they form one.
 bool Lights::add_half(const PhysicalLight& light) {
     const auto* const half = std::get_if<AreaSource>(&light);
     const auto* const other =

@@ -1,4 +1,4 @@
-// The lights of a physical look: which to ask at a point, and what reaches it from there.
+// The lights of a physical look: which one to sample at a point, and what it sends there.
 #pragma once
 
 #include <array>
@@ -18,67 +18,67 @@ namespace etalon {
 
 class Lights {
   public:
-    /// `scene` must outlive the lights. `problems`: see InfiniteLight; primitives of kinds that
-    /// cannot be sampled are lit up by no more than the rays that meet them.
+    /// `scene` must outlive the lights. For `problems` see InfiniteLight. Primitives of kinds that
+    /// cannot be sampled contribute only to the rays that hit them.
     Lights(const Scene& scene, std::vector<std::string>& problems,
            SkySampling sky_sampling = SkySampling::above_mean);
 
     bool empty() const { return sources_.empty(); }
 
-    /// Whether rays meet any of them.
+    /// Returns whether rays can hit any of them.
     bool can_be_seen() const { return !area_lights_.empty() || !infinite_.empty(); }
 
-    /// Radius of a sphere around the scene's bounds.
+    /// Returns the radius of a sphere around the scene's bounds.
     double scene_radius() const { return scene_radius_; }
 
-    /// How many there are to pick from: the halves of a quadrilateral are one.
+    /// Returns the number of lights to pick from; the halves of a quadrilateral are one.
     std::size_t size() const { return sources_.size(); }
 
-    /// The number among those of a light of the look.
+    /// Returns the number, among those, of a light of the look.
     std::uint32_t number_of(std::uint32_t light) const { return numbers_[light]; }
 
-    /// Chooses a light by what it would give the point if nothing were in the way: where they are
-    /// many, from a tree of bounds, beside which there are those at infinity. Nothing where none
-    /// can shine there.
+    /// Picks a light by its unoccluded contribution to the point: if there are many, from a tree of
+    /// bounds, beside which there are the lights at infinity. Nothing if none can shine there.
     std::optional<LightPick> pick(Receiver& at, double choice) const;
 
-    /// The probability with which pick() chose the light for the same receiver.
+    /// Returns the probability with which pick() picked the light for the same receiver.
     double pick_probability(const Receiver& at, std::uint32_t light) const;
 
-    /// Whether any light has a place but no extent.
+    /// Returns whether any light has a position but no extent.
     bool has_point_lights() const { return !point_lights_.empty(); }
 
-    /// The part of all lights' power that spots have.
+    /// Returns the share of spotlights in the power of all lights.
     double power_share_of_spots() const;
 
-    /// Chooses one of them by its power.
+    /// Picks a light without extent by its power.
     LightPick pick_point_light(double choice) const;
 
-    /// The probability of that: 0 of other lights.
+    /// Returns the probability with which pick_point_light() picks the light: 0 for other lights.
     double point_light_probability(std::uint32_t light) const;
 
-    /// The part of a ray that one of them shines on: see lit_range().
+    /// Returns the interval of a ray on which a light without extent shines: see lit_range().
     std::optional<Equiangular> lit_range(std::uint32_t light, const Vec3& origin,
                                          const Vec3& direction, double length) const {
         return etalon::lit_range(*sources_[light].light, origin, direction, length);
     }
 
-    /// How many samples a vertex takes of the light where it asks every one.
+    /// Returns how many samples a vertex takes of the light if all lights are sampled.
     int samples(std::uint32_t light) const { return sources_[light].samples; }
 
-    /// The same of all lights together.
+    /// Returns the sum of samples over all lights.
     std::size_t samples() const { return samples_; }
 
-    /// What the light may send to the point.
+    /// Samples what the light may send to the point.
     LightSample sample(std::uint32_t light, const Vec3& from, const Vec2& uv) const;
 
-    /// Density per steradian with which sample() gives a point of an area light, seen from `from`.
+    /// Returns the density per steradian with which sample() gives a point of an area light, seen
+    /// from `from`.
     double pdf(std::uint32_t light, const Vec3& from, const SurfacePoint& at) const;
 
-    /// What an area light sends back along a ray that met it.
+    /// Returns what an area light emits back along a ray that hit it.
     Color emitted(std::uint32_t light, const SurfacePoint& at, const Vec3& ray) const;
 
-    /// Numbers of the lights at infinity that rays meet.
+    /// Returns the numbers of the lights at infinity that rays can hit.
     const std::vector<std::uint32_t>& infinite() const { return infinite_; }
     const InfiniteLight& infinite_light(std::uint32_t light) const {
         return infinite_lights_[sources_[light].index];
@@ -89,10 +89,10 @@ class Lights {
         AreaShape shape;
         Color radiance;
         BoundingSphere bounds;
-        std::optional<Vec3> flat_front;  ///< normal of the side that shines, of a flat one
+        std::optional<Vec3> flat_front;  ///< normal of the emitting side, if the light is flat
         bool flipped, two_sided;
         double exitance;  ///< area times luminance
-        Box3 box{};       ///< of the shape
+        Box3 box{};       ///< box of the shape
 
         bool turns_from(const Vec3& point) const;
         bool shines(const Vec3& normal, const Vec3& ray) const;
@@ -126,9 +126,9 @@ class Lights {
     std::vector<InfiniteLight> infinite_lights_;
     std::vector<SphericalImage> images_;
     std::vector<std::uint32_t> infinite_;
-    std::optional<LightTree> tree_;            ///< where there are too many to compare all
-    std::vector<std::uint32_t> far_;           ///< those at infinity then
-    std::vector<std::uint32_t> point_lights_;  ///< those of a place but no extent
+    std::optional<LightTree> tree_;            ///< if there are too many lights to compare all
+    std::vector<std::uint32_t> far_;           ///< lights at infinity, if there is a tree
+    std::vector<std::uint32_t> point_lights_;  ///< lights with a position but no extent
     std::vector<double> point_power_sums_;
 };
 

@@ -9,8 +9,8 @@ struct Range {
     double begin, end;
 };
 
-/// The part of a line that is within a spot's cone, which is narrower than a half space: between
-/// the roots of ((p - apex).axis)^2 = cos^2 |p - apex|^2, or beyond one of them.
+/// Returns the part of a line within a spotlight's cone, which is narrower than a half space:
+/// between the roots of ((p - apex).axis)^2 = cos^2 |p - apex|^2, or beyond one of them.
 std::optional<Range> in_cone(const SpotSource& spot, const Vec3& origin, const Vec3& direction) {
     const Vec3 from = origin - spot.position;
     const double c2 = spot.cos_total * spot.cos_total;
@@ -44,7 +44,7 @@ struct LitPart {
     const Vec3 &origin, &direction;
 };
 
-/// Where a light is that lit_range() knows.
+/// Returns the position of a light that lit_range() handles.
 struct Place {
     template <class Source>
     Vec3 operator()(const Source& source) const {

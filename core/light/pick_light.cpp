@@ -1,4 +1,4 @@
-// Which light a point asks: by what each would give it if nothing were in the way.
+// Choice of the light to sample at a point, by the lights' unoccluded contributions.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The largest cosine, not below 0, between a unit vector and directions to a sphere.
+/// Returns the largest cosine, not below 0, between a unit vector and directions to a sphere.
 double largest_cosine(const Vec3& normal, const Vec3& to_centre, double radius) {
     const double distance2 = to_centre.dot(to_centre), radius2 = radius * radius;
     if (distance2 <= radius2) return 1;
@@ -26,8 +26,8 @@ double largest_cosine(const Vec3& normal, const Vec3& to_centre, double radius) 
 
 }  // namespace
 
-/// Bound on the cosine between the front's normal and directions to a point, `back` seen from the
-/// middle of the light.
+/// Returns a bound on the cosine between the front's normal and directions to a point; `back` is
+/// relative to the middle of the light.
 double Lights::AreaLight::facing(const Vec3& back) const {
     if (!flat_front) return 1;
     const double front = largest_cosine(*flat_front, back, bounds.radius);
@@ -35,7 +35,7 @@ double Lights::AreaLight::facing(const Vec3& back) const {
     return flat_front->dot(back) > 0 ? front : 0;
 }
 
-/// About the irradiance of a light on the point if nothing is in the way, never 0 where there is
+/// Returns approximately the unoccluded irradiance of a light at the point, never 0 where there is
 /// any.
 double Lights::importance(const Source& source, const Receiver& at) const {
     if (std::holds_alternative<InfiniteSource>(*source.light)) {
@@ -70,8 +70,9 @@ std::optional<LightPick> Lights::pick(Receiver& at, double choice) const {
     return LightPick{light, (sums[light] - (light == 0 ? 0 : sums[light - 1])) / sum};
 }
 
-/// First between the tree and the lights at infinity: half by importance, half so that neither is
-/// lost where the bound of the whole tree is far from what it gives; then in either.
+/// First chooses between the tree and the lights at infinity: half by importance, half uniformly,
+/// so that neither is lost where the bound of the whole tree is far from its contribution; then in
+/// either.
 std::optional<LightPick> Lights::pick_from_tree(Receiver& at, double choice) const {
     double far = 0;
     for (const std::uint32_t light : far_) far += importance(sources_[light], at);

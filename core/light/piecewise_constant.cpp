@@ -3,8 +3,8 @@
 namespace etalon {
 namespace {
 
-/// The cell of a row that has a share in [0, 1) of the row's sum, and how far the share is on the
-/// way there from the cell before.
+/// Returns the cell of a row at a share in [0, 1) of the row's sum, and how far the share is within
+/// that cell.
 std::pair<std::size_t, double> find_in(const SearchGuide& guide, std::size_t row,
                                        std::span<const double> sums, double share) {
     auto i = std::min(guide.first_above(row, sums, share), sums.size() - 1);
@@ -14,7 +14,7 @@ std::pair<std::size_t, double> find_in(const SearchGuide& guide, std::size_t row
     return {i, size > 0 ? std::clamp((value - before) / size, 0.0, 1 - 0x1p-53) : 0.5};
 }
 
-/// The grid with half the sides, whose cells are sums of four.
+/// Returns the grid with half the sides, whose cells are sums of four.
 CellValues joined_by_fours(const CellValues& from) {
     CellValues to{std::max(from.width / 2, 1), std::max(from.height / 2, 1), {}};
     to.values.resize(static_cast<std::size_t>(to.width) * to.height);
@@ -27,8 +27,8 @@ CellValues joined_by_fours(const CellValues& from) {
     return to;
 }
 
-/// Mean of the square of values over their density, if a cell's places are as likely as its sum is
-/// large; `squares` are the sums of the squares of `count` values in each.
+/// Returns the mean squared value over density if cells are sampled in proportion to their sums;
+/// `squares` are the sums of the squares of `count` values in each.
 double second_moment(const CellValues& sums, const CellValues& squares, double count) {
     double moment = 0, total = 0;
     for (std::size_t i = 0; i < sums.values.size(); ++i) {

@@ -29,7 +29,8 @@ RevolvedArea::RevolvedArea(const Revolved& surface)
     area_ *= surface.sector.angle * (end_ - begin_) / slices;
 }
 
-/// Of a unit of height and angle, before the map: half of the gradient's length. 0 below the curve.
+/// Returns the area of a unit of height and angle, before the map: half of the gradient's length. 0
+/// below the curve.
 double RevolvedArea::area_of_slice(double middle) const {
     const Profile& p = surface_->profile;
     if (p.is_flat()) return 1;
@@ -38,7 +39,7 @@ double RevolvedArea::area_of_slice(double middle) const {
     return 0.5 * gradient(p, {std::sqrt(square), 0, middle}).length();
 }
 
-/// The same after it, as a mean around the axis: only powers are made of it.
+/// The same after the map, as a mean around the axis: it is only used for powers.
 double RevolvedArea::image_of_slice(double middle) const {
     if (!surface_->profile.is_flat() && !(surface_->profile.square(middle) > 0)) return 0;
     constexpr int around = 32;
@@ -78,8 +79,8 @@ Vec3 RevolvedArea::point(double along, double around) const {
     return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
-/// The cross product of the derivatives by the angle and the height is half of the gradient; by the
-/// square of the radius, in the plane, half of the axis.
+/// The cross product of the derivatives by the angle and the height is half of the gradient; with
+/// the square of the radius, in the plane, half of the axis.
 Vec3 RevolvedArea::stretched_normal(const Vec3& local) const {
     const Vec3 g = 0.5 * gradient(surface_->profile, local);
     return g.x * cofactors_[0] + g.y * cofactors_[1] + g.z * cofactors_[2];

@@ -9,9 +9,10 @@
 
 namespace etalon {
 
-/// A surface of revolution, sampled by the area that it has before its map: evenly around the axis
-/// and in each of some slices of its height, which are chosen by their area. pbrt-v3 samples its
-/// cylinder like this, takes whole spheres and disks for their parts, and stops at the others.
+/// A surface of revolution, sampled by its area before its map is applied: uniformly around the
+/// axis and in each of some slices of its height, which are sampled by their area. pbrt-v3 samples
+/// its cylinder like this, whole spheres and disks instead of their parts, and aborts for the
+/// others.
 class RevolvedArea {
   public:
     explicit RevolvedArea(const Revolved& surface);
@@ -25,7 +26,7 @@ class RevolvedArea {
   private:
     static constexpr std::size_t slices = 64;
 
-    /// A height, or the square of a radius in the plane: what is chosen evenly in each slice.
+    /// A height, or the square of a radius in the plane: the uniformly sampled variable of a slice.
     struct Place {
         double along, density;
     };
@@ -40,17 +41,18 @@ class RevolvedArea {
 
     Vec3 point(double along, double around) const;
 
-    /// Normal, as long as the area there is stretched by the map and by the way the surface is
-    /// parametrized: by the angle and what is chosen evenly.
+    /// Returns the normal times the factor by which the map and the parametrization, by the angle
+    /// and the uniformly sampled variable, stretch areas there.
     Vec3 stretched_normal(const Vec3& local) const;
     double per_area(const Vec3& local, double density) const;
 
     using Shares = std::array<double, slices + 1>;
 
-    // Apart, so that the light of another shape, of which there may be millions, is small.
+    // Stored separately, so that area lights of other shapes, of which there may be millions, are
+    // small.
     std::shared_ptr<const Revolved> surface_;
     std::shared_ptr<const Shares> cumulative_;  ///< of the slices' areas, from 0 to 1
-    Vec3 cofactors_[3];  ///< columns of the matrix that takes areas before the map to the image's
+    Vec3 cofactors_[3];  ///< columns of the matrix that maps areas before the map to the image
     double begin_, end_;
     double area_ = 0;
 };

@@ -8,15 +8,16 @@
 
 namespace etalon {
 
-/// Where to search rows of rising sums for shares of their last: the bounds of the search are kept
-/// for equal steps of the share, so that one in a long row reads little of it (Chen & Asau 1974).
+/// Speeds up the search in rows of increasing sums for a share of the last sum. The bounds of the
+/// search are stored for equal steps of the share, so that a search in a long row reads little of
+/// it (Chen & Asau 1974).
 class SearchGuide {
   public:
     /// Adds a row. All have the same length.
     void add(std::span<const double> sums);
 
-    /// Number of the first sum of a row above `share` in [0, 1) of its last, that share rounded;
-    /// the row's length if there is none. `sums` are those that were added.
+    /// Returns the index of the first sum of a row above `share`, in [0, 1), times its last sum,
+    /// rounded; the row's length if there is none. `sums` must be those that were added.
     std::size_t first_above(std::size_t row, std::span<const double> sums, double share) const {
         const std::uint32_t* bounds = &bounds_[row * (steps + 1)];
         const auto step = static_cast<std::size_t>(share * steps);

@@ -13,13 +13,13 @@ namespace etalon {
 /// The light of a skybox.
 class SkyboxLight {
   public:
-    /// `decode_srgb`: its images and its background are display values. `problems`: see
+    /// `decode_srgb`: its images and its background are display values. For `problems` see
     /// EnvironmentMap. All faces are read.
     SkyboxLight(const Environment& skybox, bool decode_srgb, std::vector<std::string>& problems);
 
     Color radiance(const Vec3& direction) const;
 
-    /// An image of it whose texels are means over parts of their cells.
+    /// Returns an image of it whose texels are means over parts of their cells.
     SphericalImage overview(int width, int height) const;
 
   private:

@@ -8,13 +8,13 @@
 namespace etalon {
 
 /// An image of all directions: rows are angles from +z, columns angles about it from +x. Values are
-/// those of the file, as pbrt-v3 takes them, whatever they are encoded for.
+/// those of the file, whatever their encoding, as in pbrt-v3.
 class SphericalImage {
   public:
-    /// Empty without a file. `problems` gets the reason why a file cannot be read.
+    /// Empty without a file. `problems` gets the reason if the file cannot be read.
     SphericalImage(const std::string& file, std::vector<std::string>& problems);
 
-    /// An image of these texels, by rows from +z.
+    /// Makes an image of these texels, in rows from +z.
     SphericalImage(int width, int height, std::vector<Color> texels)
         : width_(width),
           height_(height),
@@ -25,25 +25,25 @@ class SphericalImage {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    /// Width over height of the file's image, which the texels may not have.
+    /// Returns width over height of the file's image, which may differ from that of the texels.
     double aspect() const { return aspect_; }
 
-    /// A texel; beyond a border the image begins again.
+    /// Returns a texel; beyond a border the image repeats.
     const Color& texel(int x, int y) const;
 
-    /// The image at a place of the unit square, bilinear.
+    /// Returns the bilinearly interpolated image at a point of the unit square.
     Color at(const Vec2& place) const;
 
-    /// Place of a unit vector.
+    /// Returns the point of the unit square for a unit vector.
     static Vec2 place_of(const Vec3& direction);
 
-    /// The unit vector whose place this is.
+    /// Returns the unit vector for a point of the unit square.
     static Vec3 direction_at(const Vec2& place);
 
   private:
     int width_ = 0, height_ = 0;
     double aspect_ = 1;
-    std::vector<Color> texels_;  ///< by rows from +z
+    std::vector<Color> texels_;  ///< in rows from +z
 };
 
 }  // namespace etalon

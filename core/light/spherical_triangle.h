@@ -17,14 +17,14 @@ struct SphericalTriangle {
 
     Vec3 a, b, c;
 
-    /// Van Oosterom and Strackee 1983.
+    /// Returns the solid angle (Van Oosterom and Strackee 1983).
     double solid_angle() const {
         const double base = 1 + a.dot(b) + b.dot(c) + c.dot(a);
         return 2 * std::atan2(std::abs(a.dot(b.cross(c))), base);
     }
 
-    /// The direction at uv, of a triangle of that solid angle (Arvo 1995): first a part next to a
-    /// of uv.x of the solid angle, then a point of the arc from b that bounds it.
+    /// Returns the direction at uv in a triangle of that solid angle (Arvo 1995): first a part next
+    /// to a of uv.x of the solid angle, then a point of the arc from b that bounds it.
     std::optional<Vec3> direction(double solid_angle, const Vec2& uv) const {
         const Vec3 at_a_b = normalized(a.cross(b)), at_a_c = normalized(a.cross(c));
         const double cos_alpha = at_a_b.dot(at_a_c);
@@ -45,7 +45,7 @@ struct SphericalTriangle {
         return is_finite(direction) ? std::optional(direction) : std::nullopt;
     }
 
-    /// The part of `v` across the unit vector `axis`, made a unit vector.
+    /// Returns the part of `v` perpendicular to the unit vector `axis`, normalized.
     static Vec3 across(const Vec3& v, const Vec3& axis) {
         return normalized(v - v.dot(axis) * axis);
     }

@@ -7,24 +7,25 @@
 namespace etalon {
 namespace {
 
-/// Whether a shape is so near for its size that sampling its solid angle instead of its area pays.
+/// Returns whether a shape is so near for its size that sampling its solid angle instead of its
+/// area pays.
 bool is_near(const Vec3& from, const BoundingSphere& bounds, double area) {
     return area > 0.1 * (bounds.centre - from).length2();
 }
 
-/// Whether the angles of spherical triangles of that solid angle are good to a few digits, as in
-/// pbrt-v4.
+/// Returns whether the angles of spherical triangles of that solid angle are good to a few digits,
+/// as in pbrt-v4.
 bool is_accurate(double solid_angle) {
     return solid_angle > 3e-4 && solid_angle < 6.22;
 }
 
-/// A point of a triangle, evenly distributed over its area.
+/// Returns a point uniformly distributed over a triangle.
 Vec3 point_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec2& uv) {
     const double root = std::sqrt(uv.x);
     return (1 - root) * a + root * (1 - uv.y) * b + root * uv.y * c;
 }
 
-/// The point of the plane through `a` in a direction, of a density by solid angle.
+/// Returns the point of the plane through `a` in a direction of given density per solid angle.
 AreaPoint point_towards(const std::optional<Vec3>& direction, const Vec3& from, const Vec3& a,
                         const Vec3& normal, double pdf) {
     const double approach = direction ? normal.dot(*direction) : 0;
@@ -59,8 +60,8 @@ struct SeenPair {
     double first_angle, angle;  ///< solid angles of the first, and of both
 };
 
-/// Chooses one of two parts by `x` in [0, 1), of which the first has `share`, and makes of `x` the
-/// place in it.
+/// Chooses one of two parts with `x` in [0, 1), where the first has `share`, and rescales `x`
+/// within it.
 bool takes_first(double& x, double share) {
     const bool first = x < share;
     x = first ? x / share : (x - share) / (1 - share);

@@ -6,7 +6,7 @@
 
 namespace etalon {
 
-/// A triangle, sampled by its solid angle where that is neither too small nor too large for the
+/// A triangle, sampled by its solid angle if that is neither too small nor too large for the
 /// arithmetic (Arvo 1995, "Stratified Sampling of Spherical Triangles"), else by its area.
 class TriangleArea {
   public:
@@ -24,7 +24,7 @@ class TriangleArea {
     BoundingSphere bounds_;
 };
 
-/// Two triangles a b c and a c d of one plane, sampled like one.
+/// Two triangles a b c and a c d in one plane, sampled like one shape.
 class TwoTrianglesArea {
   public:
     TwoTrianglesArea(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);

@@ -1,4 +1,4 @@
-// One function a material: adds the lobes that it has at a point.
+// One function for each material, which adds its lobes at a point.
 #pragma once
 
 #include "core/material/point_values.h"

@@ -4,8 +4,8 @@ namespace etalon {
 
 ShadingFrame bumped(const NumberSlot& bump, const TextureValues& textures,
                     const MaterialPoint& point) {
-    // Of u and v. pbrt-v3's is half a sample's footprint: less than any bump that is worth seeing,
-    // much more than the roundings of heights.
+    // Step in u and v. pbrt-v3's is half a sample's footprint. This one is below any visible bump,
+    // and far above the roundings of heights.
     constexpr double step = 0x1p-14;
     const auto height = [&](const Vec2& uv, const Vec3& position) {
         return double(textures.number(bump, {uv, position}));

@@ -9,9 +9,9 @@ struct ShadingFrame {
     Vec3 ns, tangent;
 };
 
-/// The frame at a point of the surface that lies as far above the given one along its shading
-/// normal as the texture `bump` says: Blinn 1978, "Simulation of Wrinkled Surfaces". The given
-/// frame where that of the raised surface is degenerate.
+/// Returns the frame of the surface that is displaced along the shading normal by the texture
+/// `bump`: Blinn 1978, "Simulation of Wrinkled Surfaces". Returns the given frame if that of the
+/// displaced surface is degenerate.
 ShadingFrame bumped(const NumberSlot& bump, const TextureValues& textures,
                     const MaterialPoint& point);
 

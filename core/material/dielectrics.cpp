@@ -1,4 +1,4 @@
-// Materials between which and the air there is a border of dielectrics, and nothing below it.
+// Materials with a dielectric interface to the air and nothing below it.
 #include "core/material/add_lobes.h"
 
 namespace etalon {

@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// The values at a point that several lobes ask for.
+/// Values at a point that several lobes need.
 struct DisneyPoint {
     const DisneyMaterial& material;
     const PointValues& values;
@@ -14,19 +14,19 @@ struct DisneyPoint {
     float eta = values.number(material.eta);
     float transmission = values.number(material.specular_transmission);
     float diffuse = (1 - metallic) * (1 - transmission);
-    float transmitted = values.number(material.diffuse_transmission) / 2;  ///< of diffuse light
+    float transmitted = values.number(material.diffuse_transmission) / 2;  ///< diffuse fraction
     float roughness = values.number(material.roughness);
-    /// That light goes below the surface, which replaces diffuse reflection where it is not 0.
+    /// Mean distance of light below the surface, which replaces diffuse reflection if it is not 0.
     Color scatter_distance =
         material.thin || !(diffuse > 0) ? Color(0) : values.part(material.scatter_distance);
 
-    /// From white to the colour's hue.
+    /// Interpolates from white to the colour's hue.
     Color tint(const NumberSlot& part) const {
         const float y = luminance(color), p = values.number(part);
         return Color(1 - p) + p * (y > 0 ? color / y : Color(1));
     }
 
-    /// Facets, longer along u by the anisotropy.
+    /// Returns the facets, elongated along u by the anisotropy.
     TrowbridgeReitz facets(float of_roughness) const {
         const float aspect = std::sqrt(1 - values.number(material.anisotropic) * 0.9F);
         const float alpha = of_roughness * of_roughness;
@@ -58,7 +58,7 @@ void add_gloss(const DisneyPoint& at, LobeList& lobes) {
 void add_transmission(const DisneyPoint& at, LobeList& lobes) {
     if (!is_black(at.scatter_distance)) lobes.add(SpecularTransmission{Color(1), at.eta});
     if (at.transmission > 0) {
-        // Light that comes through twice has the colour.
+        // Light that passes twice has the colour.
         const Color& c = at.color;
         const Color part = at.transmission * Color(std::sqrt(c.x), std::sqrt(c.y), std::sqrt(c.z));
         if (at.material.thin) {

@@ -8,35 +8,35 @@
 
 namespace etalon {
 
-/// What a material must know of a point of a surface. Normals are unit vectors, not turned to the
-/// eye. The derivatives are those of the shading geometry.
+/// Data of a surface point that a material needs. Normals are unit vectors, not turned to the eye.
+/// The derivatives are those of the shading geometry.
 struct MaterialPoint {
     Vec3 ng, ns;
     Vec3 dpdu, dpdv;
     Vec2 uv;
     Vec3 position;
-    Vec3 dndu{0}, dndv{0};  ///< of the shading normal
+    Vec3 dndu{0}, dndv{0};  ///< derivatives of the shading normal
 };
 
-/// Frame in which a material scatters at a point, which its bumps turn.
+/// Returns the frame in which a material scatters at a point, rotated by its bump map.
 BsdfFrame bsdf_frame(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all,
                      const TextureValues& textures, const MaterialPoint& point);
 
-/// Whether that frame depends on the point's coordinates.
+/// Returns whether that frame depends on the point's coordinates.
 bool is_bumpy(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all);
 
-/// Lobes at a point of a surface of `material`, one of `all`, as PBRT version 3 defines its
-/// materials. NoMaterial has none.
+/// Returns the lobes at a point of a surface of `material`, one of `all`, as PBRT version 3 defines
+/// its materials. NoMaterial has none.
 LobeList lobes_at(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all,
                   const TextureValues& textures, const TexturePoint& point);
 
-/// The lobes of a material that has the same at all points: one that asks no texture and
-/// no coordinate.
+/// Returns the lobes of a material that are the same at all points: of one without textures and
+/// coordinates. Nothing for others.
 std::optional<LobeList> constant_lobes(const PhysicalMaterial& material,
                                        const std::vector<PhysicalMaterial>& all,
                                        const TextureValues& textures);
 
-/// Frame and lobes together.
+/// Returns frame and lobes.
 Bsdf scattering(const PhysicalMaterial& material, const std::vector<PhysicalMaterial>& all,
                 const TextureValues& textures, const MaterialPoint& point);
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int most_nested = 8;
 
-/// Adds a part of a mix: the material's lobes, all multiplied by `part`.
+/// Adds a part of a mix: the material's lobes, scaled by `part`.
 void add_part(std::uint32_t material, const Color& part, const std::vector<PhysicalMaterial>& all,
               const PointValues& values, LobeList& lobes, int depth) {
     if (is_black(part)) return;

@@ -1,4 +1,4 @@
-// Materials that let no light through.
+// Materials that transmit no light.
 #include "core/material/add_lobes.h"
 
 namespace etalon {
@@ -16,7 +16,7 @@ void add_lobes(const MatteMaterial& material, const PointValues& values, LobeLis
 
 void add_lobes(const PlasticMaterial& material, const PointValues& values, LobeList& lobes) {
     // PBRT version 3 has the index above the surface and not below it: gloss is total from 42
-    // degrees on. Its pictures show that.
+    // degrees on, as its images show.
     constexpr float eta = 1 / 1.5F;
     const Color kd = values.part(material.kd), ks = values.part(material.ks);
     if (!is_black(kd)) lobes.add(LambertReflection{kd});

@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// The values of slots at one point, as materials take them.
+/// The values of slots at one point, as materials use them.
 class PointValues {
   public:
     PointValues(const TextureValues& textures, const TexturePoint& at)
@@ -20,7 +20,7 @@ class PointValues {
         return textures_.color(slot, at_);
     }
 
-    /// A reflectance or a transmittance: not below 0, though it may be above 1.
+    /// Returns a reflectance or a transmittance: not below 0, though it may be above 1.
     Color part(const ColorSlot& slot) const {
         const Color c = color(slot);
         return {std::max(c.x, 0.0F), std::max(c.y, 0.0F), std::max(c.z, 0.0F)};
@@ -28,13 +28,13 @@ class PointValues {
 
     TrowbridgeReitz facets(const Roughness& roughness) const;
 
-    /// The coordinate across the surface.
+    /// Returns the coordinate across the surface.
     double v() const {
         asked_point_ = true;
         return at_.uv.y;
     }
 
-    /// Whether any value asked so far is that of the point, as a texture's is.
+    /// Returns whether any value so far depends on the point, as a texture's does.
     bool asked_point() const { return asked_point_; }
 
   private:

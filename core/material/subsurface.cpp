@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// Whether a material is of one of the kinds that need a table.
+/// True if a material is of one of the kinds that need a table.
 template <class Kind>
 constexpr bool has_table =
     std::is_same_v<Kind, SubsurfaceMaterial> || std::is_same_v<Kind, KdSubsurfaceMaterial>;

@@ -1,4 +1,4 @@
-// What materials say of light that goes below a surface and comes out elsewhere.
+// Subsurface scattering of materials.
 #pragma once
 
 #include <map>
@@ -10,12 +10,12 @@
 
 namespace etalon {
 
-/// The tables that materials need, one for those of the same mean cosine and index.
+/// The diffusion tables of materials, one for each pair of mean cosine and index.
 class DiffusionTables {
   public:
     explicit DiffusionTables(const std::vector<PhysicalMaterial>& materials);
 
-    /// That of a material; its border has one index.
+    /// Returns that of a material, whose index must be constant.
     template <class Material>
     const DiffusionTable& of(const Material& material) const {
         return tables_.at({material.g, material.border.eta.value});
@@ -25,19 +25,20 @@ class DiffusionTables {
     std::map<std::pair<float, float>, DiffusionTable> tables_;
 };
 
-/// Whether light is scattered below surfaces of a material anywhere.
+/// Returns whether a material scatters light below its surface anywhere.
 bool may_scatter_below(const PhysicalMaterial& material);
 
-/// What is below a point of a surface; nothing where light goes through the surface or not at all.
+/// Returns the subsurface scattering at a point; nothing if there is none or if light passes
+/// through the surface.
 std::optional<Subsurface> subsurface_at(const PhysicalMaterial& material,
                                         const DiffusionTables& tables, const PointValues& values);
 
-/// What is below a material that has the same everywhere; nothing for others.
+/// Returns the subsurface scattering of a material that is the same everywhere; nothing for others.
 std::optional<Subsurface> constant_subsurface(const PhysicalMaterial& material,
                                               const DiffusionTables& tables,
                                               const TextureValues& textures);
 
-/// Burley's part of the above.
+/// Returns the part of subsurface_at() for Burley's material.
 std::optional<Subsurface> subsurface_of(const DisneyMaterial& material, const PointValues& values);
 
 }  // namespace etalon

@@ -4,7 +4,7 @@
 
 namespace etalon {
 
-/// The channel that `choice` in [0, 1) has of probabilities whose sum is 1.
+/// Returns the channel that `choice` in [0, 1) selects by probabilities whose sum is 1.
 inline int chosen_channel(const Color& probabilities, double choice) {
     if (choice < probabilities.x) return 0;
     return choice < probabilities.x + probabilities.y || probabilities.z == 0 ? 1 : 2;

@@ -3,7 +3,7 @@
 namespace etalon {
 namespace {
 
-/// Cells along each side of a box, by measurement, and the most boxes along an axis.
+/// Number of cells along each side of a box, chosen by measurement, and of boxes along an axis.
 constexpr int cells_in_box = 4, most_boxes = 128;
 
 }  // namespace
@@ -19,7 +19,7 @@ DensityBounds::DensityBounds(const DensityGrid& grid) {
     }
 }
 
-/// Bounds of the density in a box: of all cells whose middles its points are interpolated between.
+/// Returns bounds of the density in a box, from all cells that contribute to its points.
 DensityBounds::Range DensityBounds::range_of(const DensityGrid& grid,
                                              const std::array<int, 3>& box) const {
     std::array<int, 3> first{}, last{};
@@ -45,7 +45,7 @@ DensityBounds::Range DensityBounds::range_of(const DensityGrid& grid,
     return range;
 }
 
-/// The part of a segment that lies in the grid's box, perhaps none.
+/// Returns the part of a segment that lies in the grid's box, possibly none.
 DensityBounds::DistanceRange DensityBounds::part_in_box(const RaySegment& segment) {
     DistanceRange part{0, segment.length};
     for (int k = 0; k < 3; ++k) {
@@ -61,7 +61,7 @@ DensityBounds::DistanceRange DensityBounds::part_in_box(const RaySegment& segmen
     return part;
 }
 
-std::optional<DensityBounds::Step> DensityBounds::Walk::next() {
+std::optional<DensityBounds::Step> DensityBounds::Traversal::next() {
     const auto box = boxes_.next();
     if (!box) return std::nullopt;
     std::size_t number = 0;

@@ -2,13 +2,13 @@
 
 #include <vector>
 
-#include "core/medium/lattice_walk.h"
+#include "core/medium/lattice_traversal.h"
 #include "core/scene/physical_medium.h"
 
 namespace etalon {
 
-/// Bounds of a grid's densities in boxes of several cells each, so that a ray takes steps as long
-/// as the density near it allows.
+/// Bounds of a grid's densities in boxes of several cells, so that a ray's steps are as long as the
+/// density near it allows.
 class DensityBounds {
     struct DistanceRange {
         double begin, end;
@@ -18,33 +18,33 @@ class DensityBounds {
   public:
     explicit DensityBounds(const DensityGrid& grid);
 
-    /// Bounds of the density along a part of a ray.
+    /// Bounds of the density along an interval of a ray.
     struct Step {
         float least, most;
         double end;  ///< distance at which the step ends
     };
 
-    /// The boxes along a ray, in order.
-    class Walk {
+    /// Visits the boxes along a ray, in order.
+    class Traversal {
       public:
-        /// `segment` is in the space of the grid's box, its distances in the world.
-        Walk(const DensityBounds& bounds, const RaySegment& segment)
-            : Walk(bounds, segment, part_in_box(segment)) {}
+        /// `segment` is in the space of the grid's box, with distances in world units.
+        Traversal(const DensityBounds& bounds, const RaySegment& segment)
+            : Traversal(bounds, segment, part_in_box(segment)) {}
 
         double begin() const { return begin_; }  ///< where the ray enters the grid's box
 
-        /// The next box; nothing at the end of the segment or of the grid's box.
+        /// Returns the next box; nothing at the end of the segment or of the grid's box.
         std::optional<Step> next();
 
       private:
-        Walk(const DensityBounds& bounds, const RaySegment& segment, const DistanceRange& part)
+        Traversal(const DensityBounds& bounds, const RaySegment& segment, const DistanceRange& part)
             : bounds_(bounds),
               begin_(part.begin),
               boxes_(bounds.size_, 0, segment, part.begin, part.end) {}
 
         const DensityBounds& bounds_;
         double begin_;
-        LatticeWalk boxes_;
+        LatticeTraversal boxes_;
     };
 
   private:

@@ -1,7 +1,7 @@
 #include "core/medium/density_profile.h"
 
 #include "core/medium/grid_cell.h"
-#include "core/medium/lattice_walk.h"
+#include "core/medium/lattice_traversal.h"
 
 namespace etalon {
 namespace {
@@ -17,9 +17,9 @@ void DensityProfile::make(const DensityGrid& grid, const DensityBounds& bounds,
     grid_ = &grid;
     ray_ = ray;
     knots_.clear();
-    DensityBounds::Walk walk(bounds, ray);
-    double at = walk.begin();
-    while (const auto step = walk.next()) {
+    DensityBounds::Traversal traversal(bounds, ray);
+    double at = traversal.begin();
+    while (const auto step = traversal.next()) {
         if (step->most > 0) add_cells(at, step->end);
         if (total() >= enough) return;
         at = step->end;
@@ -28,11 +28,11 @@ void DensityProfile::make(const DensityGrid& grid, const DensityBounds& bounds,
 
 /// Adds the part of the ray that is in the cells between two distances.
 void DensityProfile::add_cells(double begin, double end) {
-    LatticeWalk walk(grid_->size, 0.5, ray_, begin, end);
+    LatticeTraversal traversal(grid_->size, 0.5, ray_, begin, end);
     const Vec3 size(grid_->size[0], grid_->size[1], grid_->size[2]);
     const Vec3 origin = size * ray_.origin - Vec3(0.5), direction = size * ray_.direction;
     double at = begin;
-    while (const auto next = walk.next()) {
+    while (const auto next = traversal.next()) {
         if (!(at < next->end)) continue;
         const GridCell cell(*grid_, next->index);
         const Vec3 corner(next->index[0], next->index[1], next->index[2]);

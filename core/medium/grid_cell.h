@@ -7,11 +7,11 @@
 
 namespace etalon {
 
-/// The densities between which those at points of a cell of the lattice through the middles of a
-/// grid's cells are interpolated.
+/// The eight densities from which those within a cell are interpolated. The cells are those of the
+/// lattice through the centres of the grid's cells.
 class GridCell {
   public:
-    /// `index`: numbers of the grid's cell at the lower corner.
+    /// `index` has the numbers of the grid's cell at the lower corner.
     GridCell(const DensityGrid& grid, const std::array<int, 3>& index) {
         const auto [nx, ny, nz] = grid.size;
         const auto [x, y, z] = index;
@@ -26,7 +26,7 @@ class GridCell {
         }
     }
 
-    /// The density at a place of the unit cube.
+    /// Returns the density at a point of the unit cube.
     float at(float x, float y, float z) const {
         const auto line = [&](std::size_t i) { return lerp(x, corners_[i], corners_[i + 1]); };
         return lerp(z, lerp(y, line(0), line(2)), lerp(y, line(4), line(6)));
@@ -38,7 +38,7 @@ class GridCell {
     std::array<float, 8> corners_;
 };
 
-/// Density at a point of the grid's box.
+/// Returns the density at a point of the grid's box.
 inline float density_at(const DensityGrid& grid, const Vec3& point) {
     const double x = point.x * grid.size[0] - 0.5, y = point.y * grid.size[1] - 0.5,
                  z = point.z * grid.size[2] - 0.5;

@@ -6,20 +6,23 @@
 namespace etalon {
 namespace {
 
-/// Thickness of which light that passes is no more than a rounding of what is scattered.
+/// Optical thickness beyond which transmitted light is no more than a rounding of the scattered
+/// light.
 constexpr float all_but_a_rounding = 17;
 
 float largest_of(const Color& c) {
     return std::max({c.x, c.y, c.z});
 }
 
-/// What of the throughput's channels on average has a property that each has by that part.
+/// Returns the average of a property over the throughput's channels, weighted by each channel's
+/// part.
 double average(const Color& throughput, const Color& parts) {
     const double sum = static_cast<double>(throughput.x) + throughput.y + throughput.z;
     return sum > 0 ? throughput.dot(parts) / sum : (parts.x + parts.y + parts.z) / 3;
 }
 
-/// Ends most estimates that have become small. Returns whether this one goes on.
+/// Ends most estimates that have become small, by Russian roulette. Returns whether this one goes
+/// on.
 bool survives(Color& estimate, RandomSequence& numbers) {
     constexpr float small = 0.1F;
     const float most = largest_of(estimate);
@@ -52,10 +55,10 @@ RaySegment GridMedium::in_box(const RaySegment& segment) const {
 FreeFlight GridMedium::sample(const RaySegment& segment, const Color& throughput, double first,
                               RandomSequence& numbers) const {
     const RaySegment in_grid = in_box(segment);
-    DensityBounds::Walk walk(bounds_, in_grid);
+    DensityBounds::Traversal traversal(bounds_, in_grid);
     Color weight(1.0F);
-    double at = walk.begin(), left = optical_distance(first);
-    while (const auto step = walk.next()) {
+    double at = traversal.begin(), left = optical_distance(first);
+    while (const auto step = traversal.next()) {
         const double majorant = static_cast<double>(step->most) * largest_;
         for (;;) {
             const double rest = majorant * (step->end - at);
@@ -86,7 +89,7 @@ DividedLight GridMedium::divide(const RaySegment& segment, DensityProfile& profi
     return {etalon::transmittance(extinction_, profile.total()), removed(profile) * albedo_};
 }
 
-/// The part of the light that does not pass.
+/// Returns the fraction of the light that does not pass.
 Color GridMedium::removed(const DensityProfile& profile) const {
     Color result;
     for (int c = 0; c < 3; ++c) {
@@ -113,11 +116,11 @@ FreeFlight GridMedium::sample(const DensityProfile& profile, const Color& throug
 
 Color GridMedium::transmittance(const RaySegment& segment, RandomSequence& numbers) const {
     const RaySegment in_grid = in_box(segment);
-    DensityBounds::Walk walk(bounds_, in_grid);
+    DensityBounds::Traversal traversal(bounds_, in_grid);
     Color estimate(1.0F);
-    double at = walk.begin(), known = 0;  // known: the integral of the least densities
+    double at = traversal.begin(), known = 0;  // known: the integral of the least densities
     double left = optical_distance(numbers.next());
-    while (const auto step = walk.next()) {
+    while (const auto step = traversal.next()) {
         const float range = step->most - step->least;
         const double majorant = static_cast<double>(range) * largest_;
         known += step->least * (step->end - at);

@@ -11,7 +11,7 @@ float HenyeyGreenstein::value(double cosine) const {
     return static_cast<float>((1 - g_ * g_) / (4 * std::numbers::pi * root2 * std::sqrt(root2)));
 }
 
-/// The cosine below which the share u of all directions has theirs.
+/// Returns the cosine below which the fraction u of all directions lies.
 double HenyeyGreenstein::cosine_at(double u) const {
     constexpr double isotropic = 1e-4;  // below it the quotient cancels, and is no better than this
     if (std::abs(g_) < isotropic) return 2 * u - 1;

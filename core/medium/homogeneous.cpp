@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// Probabilities of the channels: their parts of the throughput.
+/// Returns the probabilities of the channels: their fractions of the throughput.
 Color channel_probabilities(const Color& throughput) {
     const float sum = throughput.x + throughput.y + throughput.z;
     return sum > 0 && std::isfinite(sum) ? throughput / sum : Color(1.0F / 3);

@@ -1,4 +1,4 @@
-// The media of a physical look: how rays go through them.
+// The media of a physical look, and the propagation of rays in them.
 #pragma once
 
 #include "core/medium/grid_medium.h"
@@ -7,10 +7,10 @@
 
 namespace etalon {
 
-/// By what a ray's free flight is chosen.
+/// Random numbers for the free flight of a ray.
 struct FlightChoices {
     Vec2 first;              ///< in [0, 1)^2
-    RandomSequence numbers;  ///< of collisions after the first
+    RandomSequence numbers;  ///< for collisions after the first
 };
 
 class Media {
@@ -18,20 +18,20 @@ class Media {
     /// `media` must outlive it.
     explicit Media(const std::vector<PhysicalMedium>& media);
 
-    /// How far a ray of that throughput goes in a medium before it is scattered.
+    /// Samples how far a ray of that throughput goes in a medium before it is scattered.
     FreeFlight sample(std::uint32_t medium, const RaySegment& segment, const Color& throughput,
                       FlightChoices choices) const;
 
-    /// The medium if it has a grid, else null.
+    /// Returns the medium if it has a grid, else null.
     const GridMedium* grid(std::uint32_t medium) const {
         return grids_[medium] ? &*grids_[medium] : nullptr;
     }
 
-    /// The part of the light that a segment of a medium lets pass, or an estimate of it.
+    /// Returns the transmittance of a segment of a medium, or an estimate of it.
     Color transmittance(std::uint32_t medium, const RaySegment& segment,
                         RandomSequence& numbers) const;
 
-    /// Whether the densities of flights in the medium are known, and there are any.
+    /// Returns whether the densities of flights in the medium are known, and there are any.
     bool knows_densities(std::uint32_t medium) const {
         return !grids_[medium] && media_[medium].scattering != Color(0.0F);
     }
@@ -41,7 +41,7 @@ class Media {
   private:
     const std::vector<PhysicalMedium>& media_;
     std::vector<HenyeyGreenstein> phases_;
-    std::vector<std::optional<GridMedium>> grids_;  ///< of those that have one
+    std::vector<std::optional<GridMedium>> grids_;  ///< for those that have one
 };
 
 }  // namespace etalon

@@ -15,11 +15,12 @@ struct Affine {
     Vec3 vector(const Vec3& v) const { return v.x * x + v.y * y + v.z * z; }
     Vec3 point(const Vec3& p) const { return vector(p) + origin; }
 
-    /// How it scales volumes; negative for one that mirrors.
+    /// Returns the factor by which it scales volumes; negative for a mirroring map.
     double determinant() const { return x.dot(y.cross(z)); }
 };
 
-/// How far lengths grow, where they grow alike in all directions, up to what floats leave of it.
+/// Returns the factor by which it scales lengths, if that is the same in all directions up to float
+/// precision.
 inline std::optional<double> scale_of(const Affine& map) {
     const auto& [x, y, z, origin] = map;
     const double xx = x.dot(x), tolerance = 1e-5 * xx;
@@ -34,7 +35,7 @@ inline bool is_finite(const Affine& map) {
     return is_finite(map.x) && is_finite(map.y) && is_finite(map.z) && is_finite(map.origin);
 }
 
-/// Composition: first b, then a.
+/// Composes two maps: first b, then a.
 inline Affine operator*(const Affine& a, const Affine& b) {
     return {a.vector(b.x), a.vector(b.y), a.vector(b.z), a.point(b.origin)};
 }

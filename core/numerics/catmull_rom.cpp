@@ -8,8 +8,8 @@ namespace {
 
 constexpr double tolerance = 1e-9;  ///< of t
 
-/// Where an increasing function is 0 between 0 and 1: Newton's method, halving the interval where
-/// that leaves it.
+/// Returns the zero of an increasing function between 0 and 1, by Newton's method safeguarded with
+/// bisection.
 template <class Function, class Derivative>
 double root(const Function& f, const Derivative& derivative, double t) {
     double a = 0, b = 1;
@@ -43,7 +43,7 @@ double SplineSegment::integral(double t) const {
 }
 
 double SplineSegment::t_of_integral(double sum) const {
-    // First that of a straight line.
+    // Start from the root of a straight line.
     const double rise = f1 - f0;
     const double start =
         rise != 0 ? (std::sqrt(std::max(0.0, f0 * f0 + 2 * sum * rise)) - f0) / rise : sum / f0;
@@ -62,7 +62,7 @@ std::optional<SplineWeights> spline_weights(std::span<const float> nodes, float 
         spline_interval(nodes.size(), [&](std::size_t k) { return nodes[k] <= x; });
     const float x0 = nodes[i], x1 = nodes[i + 1], width = x1 - x0;
     const float t = (x - x0) / width, t2 = t * t, t3 = t2 * t;
-    // By value and derivative at both ends; the derivatives are differences of values.
+    // From value and derivative at both ends; the derivatives are differences of values.
     const float slope0 = t3 - 2 * t2 + t, slope1 = t3 - t2;
     SplineWeights w{i, {0, 2 * t3 - 3 * t2 + 1, 3 * t2 - 2 * t3, 0}};
     const float before = i > 0 ? slope0 * width / (x1 - nodes[i - 1]) : slope0;

@@ -1,5 +1,5 @@
-// Cubic splines through values at nodes that need not be evenly spaced, whose derivatives are those
-// of Catmull & Rom 1974: differences of the neighbours' values. At the ends they are one-sided.
+// Cubic splines through values at unevenly spaced nodes, with the derivatives of Catmull & Rom
+// 1974: differences of the neighbours' values. At the ends they are one-sided.
 #pragma once
 
 #include <array>
@@ -9,22 +9,22 @@
 
 namespace etalon {
 
-/// One segment of a spline, by t from 0 to 1.
+/// One segment of a spline, parametrized by t from 0 to 1.
 struct SplineSegment {
-    double begin, width;            ///< where it lies
+    double begin, width;            ///< position of the segment
     double f0, f1, slope0, slope1;  ///< values and derivatives by t at its ends
 
     double value(double t) const;
     double derivative(double t) const;  ///< by t
     double integral(double t) const;    ///< from 0 to t
-    /// The t of a part `sum` of the integral, of a segment without values below 0.
+    /// Returns t for a part `sum` of the integral, for a segment without negative values.
     double t_of_integral(double sum) const;
-    /// The t of a value between those of the ends, of a segment that only rises.
+    /// Returns t for a value between those of the ends, for an increasing segment.
     double t_of_value(double value) const;
 };
 
-/// Number of the segment in which the first of increasing numbers above a given one ends: at least
-/// 0, at most count - 2. `is_reached(i)`: the number of index i is not above it.
+/// Returns the number of the segment that contains a value, from 0 to count - 2, where the nodes
+/// increase. `is_reached(i)`: node i is not above the value.
 template <class Reached>
 std::size_t spline_interval(std::size_t count, const Reached& is_reached) {
     std::size_t first = 0, last = count - 1;
@@ -35,7 +35,7 @@ std::size_t spline_interval(std::size_t count, const Reached& is_reached) {
     return first;
 }
 
-/// Segment number `i` of the spline with the values `f(k)`.
+/// Returns segment number `i` of the spline with the values `f(k)`.
 template <class Values>
 SplineSegment spline_segment(std::span<const float> nodes, const Values& f, std::size_t i) {
     const double x0 = nodes[i], x1 = nodes[i + 1], width = x1 - x0;
@@ -45,12 +45,12 @@ SplineSegment spline_segment(std::span<const float> nodes, const Values& f, std:
     return s;
 }
 
-/// A place chosen in proportion to a spline's value, and that value.
+/// A position sampled in proportion to a spline's value, and that value.
 struct SplineSample {
     double x, value;
 };
 
-/// Chooses by `u` in [0, 1). `sum(k)` is the integral up to node k.
+/// Samples a position with `u` in [0, 1). `sum(k)` is the integral up to node k.
 template <class Values, class Sums>
 SplineSample sample_spline(std::span<const float> nodes, const Values& f, const Sums& sum,
                            double u) {
@@ -62,12 +62,12 @@ SplineSample sample_spline(std::span<const float> nodes, const Values& f, const 
     return {segment.begin + segment.width * t, segment.value(t)};
 }
 
-/// What the nodes around a place have in the value there.
+/// Weights of the nodes around a position for the spline's value there.
 struct SplineWeights {
-    std::size_t first;             ///< node of the second weight; that of the first is before it
-    std::array<float, 4> weights;  /// 0 for a node that there is not
+    std::size_t first;  ///< node of the second weight; the first belongs to the one before
+    std::array<float, 4> weights;  ///< 0 for a node that does not exist
 
-    /// The weighted sum of `f(k)` over the nodes.
+    /// Returns the weighted sum of `f(k)` over the nodes.
     template <class Values>
     float sum(const Values& f) const {
         float total = 0;
@@ -78,14 +78,15 @@ struct SplineWeights {
     }
 };
 
-/// Nothing outside the nodes.
+/// Returns the weights at x; nothing outside the nodes.
 std::optional<SplineWeights> spline_weights(std::span<const float> nodes, float x);
 
-/// Sets `sums[k]` to the integral up to node k, and returns that of the whole.
+/// Sets `sums[k]` to the integral up to node k, and returns the total.
 float integrate_spline(std::span<const float> nodes, std::span<const float> values,
                        std::span<float> sums);
 
-/// The place at which a spline of increasing values has a value; the nearer end if there is none.
+/// Returns the position at which a spline of increasing values has a value; the nearer end if there
+/// is none.
 float invert_spline(std::span<const float> nodes, std::span<const float> values, float value);
 
 }  // namespace etalon

@@ -16,14 +16,14 @@ constexpr std::array<double, 23> make_powers() {
 
 constexpr std::array<double, 23> powers = make_powers();
 
-/// The largest e with |x| 10^e below the mantissa's end, or one more.
+/// Returns the largest e with |x| 10^e below the mantissa's end, or one more.
 int exponent_for(double x) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     const int exponent = static_cast<int>(bits >> 52 & 0x7FF) - 1023;  // 2^exponent <= |x|
     return std::clamp((26 - exponent) * 77 / 256, 0, static_cast<int>(powers.size()) - 1);
 }
 
-/// The nearest whole number, of |x| < 2^51: what is below 1 is rounded away from the sum.
+/// Returns the nearest integer, for |x| < 2^51: adding and subtracting `magic` rounds the fraction.
 double rounded(double x) {
     constexpr double magic = 0x1.8p52;
     return (x + magic) - magic;
@@ -31,8 +31,8 @@ double rounded(double x) {
 
 }  // namespace
 
-/// A mantissa of as many digits as there is room for: a shorter one times a power of ten is the
-/// same number.
+/// Chooses a mantissa of as many digits as there is room for: a shorter one times a power of ten is
+/// the same number.
 std::optional<Decimal> Decimal::from(double x) {
     if (!(std::abs(x) < mantissa_end) || (x == 0 && std::signbit(x))) return std::nullopt;
     int e = exponent_for(x);

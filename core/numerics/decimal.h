@@ -1,4 +1,4 @@
-// Numbers of at most seven or eight digits, as text files have them, in 32 bits instead of 64.
+// Numbers of at most seven or eight digits, as in text files, in 32 bits instead of 64.
 #pragma once
 
 #include <array>
@@ -8,16 +8,16 @@
 
 namespace etalon {
 
-/// The double nearest to m 10^-e, |m| < 2^26 and 0 <= e <= 22: what reading the digits gives, to
-/// the bit. Negative zero is not among them.
+/// The double nearest to m 10^-e, |m| < 2^26 and 0 <= e <= 22: the same bits as from parsing the
+/// digits. Excludes negative zero.
 class Decimal {
   public:
     /// Converts a number; nothing for one that is not of this form.
     static std::optional<Decimal> from(double x);
 
-    /// The product with 10^-e, which two doubles hold to 79 bits: the first half's is exact, so the
-    /// sum rounds as the quotient does, but for quotients within 2^-78 of a tie. from() refuses
-    /// those, as it compares.
+    /// Returns m times 10^-e, which two doubles hold to 79 bits. The product with the first half is
+    /// exact, so the sum rounds as the quotient does, except for quotients within 2^-78 of a tie.
+    /// from() compares, and so refuses those.
     double value() const {
         const double m = static_cast<std::int32_t>(bits_) >> 5;
         const InversePower& power = inverse_powers[bits_ & 31];
@@ -25,13 +25,13 @@ class Decimal {
     }
 
   private:
-    static constexpr int last_power = 22;  ///< 10^22 is the last that a double holds exactly
+    static constexpr int last_power = 22;  ///< 10^22 is the largest that a double holds exactly
 
     struct InversePower {
         double high, low;  ///< 26 bits, and the 53 after them
     };
 
-    /// A number's upper 26 bits (Veltkamp's splitting).
+    /// Returns a number's upper 26 bits (Veltkamp's splitting).
     static constexpr double upper_half(double x) {
         const double c = 0x1p27 * x + x;
         return c - (c - x);

@@ -1,4 +1,4 @@
-// Exactness needs denormals: they are the errors of products of small numbers.
+// Exact arithmetic needs denormals: they are the errors of products of small numbers.
 #pragma once
 
 #if defined(__SSE2__)
@@ -7,8 +7,8 @@
 
 namespace etalon {
 
-/// Makes denormals count while it lives, even if the caller's thread has been set to take them for
-/// zeros, as Embree recommends. Nearly free where it has not.
+/// Enables denormals during its lifetime, even if the calling thread flushes them to zero, as
+/// Embree recommends. Nearly free if it does not.
 class DenormalsCount {
   public:
 #if defined(__SSE2__)

@@ -33,7 +33,7 @@ WideDouble square_root(const WideDouble& x) {
     return {std::sqrt(std::ldexp(x.mantissa, odd)), (x.exponent - odd) / 2};
 }
 
-/// The mantissa is made odd, so that whole numbers and their products take few limbs.
+/// Makes the mantissa odd, so that integers and their products take few limbs.
 Dyadic::Dyadic(double finite) : negative_(finite < 0) {
     if (finite == 0) return;
     constexpr int fraction_bits = 52, least_exponent = -1074;
@@ -65,8 +65,8 @@ Dyadic Dyadic::operator-() const {
     return result;
 }
 
-/// The magnitude's leading 64 bits, with what is below them in the last one, so that the
-/// conversion to double rounds as if it saw all.
+/// Returns the magnitude's leading 64 bits, with a sticky bit for those below, so that the
+/// conversion to double rounds correctly.
 WideDouble Dyadic::magnitude() const {
     if (size_ == 0) return {};
     const Limb top = limbs_[size_ - 1], next = size_ > 1 ? limbs_[size_ - 2] : 0;
@@ -76,7 +76,7 @@ WideDouble Dyadic::magnitude() const {
     return {static_cast<double>(leading), (high() - 1) * limb_bits - zeros};
 }
 
-/// Copies a, with zeros about it, and then adds b to it in place.
+/// Copies a, with zeros around it, and then adds b to it in place.
 Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, bool b_negative) {
     if (b.size_ == 0) return a;
     Dyadic sum;

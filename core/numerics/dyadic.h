@@ -1,5 +1,5 @@
-// Exact sums and products of doubles, whatever their range: for decisions that a floating-point
-// filter cannot take and whose degree is too high for an Expansion (core/numerics/exact.h).
+// Exact sums and products of doubles of any range, for decisions that a floating-point filter
+// cannot make and whose degree is too high for an Expansion (core/numerics/exact.h).
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// mantissa 2^exponent: a double that no product carries out of range. Zero has the least exponent.
+/// mantissa 2^exponent: a double whose products stay in range. Zero has the least exponent.
 struct WideDouble {
     explicit operator double() const;
 
@@ -20,8 +20,8 @@ WideDouble operator+(const WideDouble& a, const WideDouble& b);
 WideDouble operator/(const WideDouble& a, const WideDouble& b);
 WideDouble square_root(const WideDouble& x);
 
-/// An integer times a power of 2^64, in sign and magnitude. Room for the product of
-/// thirty-six differences of any finite doubles, and for the sums of such: nothing is ever
+/// An integer times a power of 2^64, in sign and magnitude. It has room for the product of
+/// thirty-six differences of any finite doubles, and for sums of such products: nothing is ever
 /// allocated, and nothing overflows, underflows or is rounded.
 class Dyadic {
   public:
@@ -30,13 +30,13 @@ class Dyadic {
     Dyadic(const Dyadic& other) { *this = other; }
     Dyadic& operator=(const Dyadic& other);
 
-    /// -1, 0 or 1.
+    /// Returns -1, 0 or 1.
     int sign() const { return size_ == 0 ? 0 : negative_ ? -1 : 1; }
 
-    /// The magnitude, correctly rounded.
+    /// Returns the magnitude, correctly rounded.
     WideDouble magnitude() const;
 
-    /// The nearest double: infinite, denormal or zero where it is beyond the range of normal ones.
+    /// Returns the nearest double: infinite, denormal or zero beyond the range of normal ones.
     double rounded() const { return sign() * static_cast<double>(magnitude()); }
 
     Dyadic operator-() const;
@@ -47,7 +47,7 @@ class Dyadic {
   private:
     using Limb = std::uint64_t;
 
-    /// A difference of doubles reaches from 2^-1088 to 2^1025: 34 limbs.
+    /// Number of limbs: a difference of doubles reaches from 2^-1088 to 2^1025, 34 limbs.
     static constexpr int capacity = 36 * 34;
 
     static Dyadic sum(const Dyadic& a, const Dyadic& b, bool b_negative);
@@ -59,7 +59,7 @@ class Dyadic {
     void trim();
 
     bool negative_ = false;
-    int low_ = 0, size_ = 0;            ///< the place of the lowest limb, in units of 64 bits
+    int low_ = 0, size_ = 0;            ///< index of the lowest limb, in units of 64 bits
     std::array<Limb, capacity> limbs_;  ///< limbs by increasing weight; neither end is zero
 };
 

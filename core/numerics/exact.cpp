@@ -16,12 +16,12 @@ Difference exact_difference(double a, double b) {
     return Difference(two_difference(a, b));
 }
 
-/// a - b, exactly.
+/// Returns a - b, exactly.
 Vec3TwoTerm in_two_terms(const Vec3& a, const Vec3& b) {
     return {two_difference(a.x, b.x), two_difference(a.y, b.y), two_difference(a.z, b.z)};
 }
 
-/// d . (p x q), exactly.
+/// Returns d . (p x q), exactly.
 double exact_triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p, const Vec3TwoTerm& q) {
     const auto minor = [&](int i, int j) {
         const Difference pi(p[i]), pj(p[j]), qi(q[i]), qj(q[j]);
@@ -32,8 +32,8 @@ double exact_triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p, const Ve
     return volume.estimate();
 }
 
-/// Whether two vectors of single terms are parallel: rays that are aimed at a corner often pass
-/// through it exactly.
+/// Returns whether two vectors of single terms are parallel. Early out: rays that are aimed at a
+/// corner often pass through it exactly.
 bool are_parallel(const Vec3TwoTerm& d, const Vec3TwoTerm& p) {
     for (int k = 0; k < 3; ++k) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
@@ -45,7 +45,8 @@ bool are_parallel(const Vec3TwoTerm& d, const Vec3TwoTerm& p) {
     return true;
 }
 
-/// Whether products whose magnitudes sum up to so much, and what they round to, are doubles.
+/// Returns whether products whose magnitudes sum up to `terms`, and their rounding errors, are in
+/// the range of double.
 bool is_in_range(double terms) {
     return terms > 0x1p-800 && terms < infinity;
 }
@@ -55,17 +56,17 @@ bool are_finite(const Numbers&... x) {
     return (std::isfinite(x) && ...);
 }
 
-/// The nearest double of that sign; `least` in magnitude.
+/// Returns the nearest finite double of that sign, at least `least` in magnitude; 0 for zero.
 double finite(const Dyadic& x, double least = std::numeric_limits<double>::min()) {
     if (x.sign() == 0) return 0;
     return x.sign() * std::clamp(std::abs(x.rounded()), least, std::numeric_limits<double>::max());
 }
 
-/// Bound on the error of a triple product in double-double, in units of its terms.
+/// Bound on the error of a triple product in double-double, relative to its terms.
 constexpr double triple_product_error_bound = 0x1p-101;
 
-/// The same by double-double, where that is off by no more than `tolerance` of itself. Nothing
-/// where products leave the range of double.
+/// Returns the triple product in double-double if its relative error is at most `tolerance`.
+/// Nothing if products leave the range of double.
 std::optional<double> triple_product(const Vec3TwoTerm& d, const Vec3TwoTerm& p,
                                      const Vec3TwoTerm& q, double tolerance) {
     TwoTerm volume{0, 0};
@@ -91,7 +92,7 @@ constexpr double value_tolerance = 0x1p-38, sign_tolerance = 0.5;
 constexpr double least_volume = 0x1p-900;  // its product with a direction is not 0
 
 double edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b, double tolerance) {
-    // Products of what is not finite could leave no terms at all, and so a zero.
+    // Products of non-finite numbers could leave no terms at all, and so a zero.
     for (const Vec3& v : {o, d, a, b}) {
         if (!is_finite(v)) return nan_value;
     }

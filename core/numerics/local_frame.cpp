@@ -6,7 +6,7 @@
 namespace etalon {
 namespace {
 
-/// A matrix by its rows or columns.
+/// A matrix as its rows or columns.
 using Matrix = std::array<Vec3TwoTerm, 3>;
 
 /// A rotation in a plane, good to 2^-100.
@@ -14,8 +14,8 @@ struct Rotation {
     TwoTerm cosine{1, 0}, sine{0, 0};
 };
 
-/// Rotation that brings two vectors to right angles (Jacobi's, as Hestenes 1958 applies it to a
-/// matrix from one side), or none where they nearly are.
+/// Returns the rotation that makes two vectors orthogonal (Jacobi's, applied to one side of a
+/// matrix as by Hestenes 1958), or the identity if they nearly are.
 Rotation rotation_to_right_angles(Vec3 a, Vec3 b) {
     const double scale = power_of_two_reciprocal(std::max(max_abs(a), max_abs(b)));
     a *= scale, b *= scale;
@@ -38,7 +38,7 @@ void rotate(const Rotation& r, Vec3TwoTerm& a, Vec3TwoTerm& b) {
     }
 }
 
-/// Turns the unit shape until the rows of the inverse are at right angles; returns if it had to.
+/// Rotates the unit shape until the rows of the inverse are orthogonal. Returns whether it had to.
 bool turn(Matrix& rows, Matrix& columns, int i, int j) {
     const Rotation r = rotation_to_right_angles(rounded(rows[i]), rounded(rows[j]));
     rotate(r, rows[i], rows[j]);
@@ -77,7 +77,7 @@ double length_above(const Vec3& v) {
 
 }  // namespace
 
-/// The inverse by Cramer's rule.
+/// Computes the inverse by Cramer's rule.
 LocalFrame::LocalFrame(const Affine& map, Symmetry symmetry) : to_world_(map) {
     if (!is_finite(map)) return;
     const DyadicVec a = exactly(map.x), b = exactly(map.y), c = exactly(map.z);

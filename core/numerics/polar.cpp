@@ -7,8 +7,8 @@
 namespace etalon {
 namespace {
 
-/// Iterations that suffice for any condition: each halves the exponent of the largest ratio of two
-/// stretches, and the last ones double the number of correct bits.
+/// Number of iterations that suffices for any condition: each halves the exponent of the largest
+/// ratio of two stretches, and the last ones double the number of correct bits.
 constexpr int most_iterations = 64;
 
 Affine scaled(const Affine& m, double factor) {
@@ -27,7 +27,7 @@ Affine transposed_times(const Affine& a, const Affine& b) {
 
 }  // namespace
 
-/// Newton's iteration, the mean of a matrix and its transposed inverse.
+/// Uses Newton's iteration: the mean of a matrix and its transposed inverse.
 PolarParts polar_parts(const Affine& map) {
     const double largest = std::max({max_abs(map.x), max_abs(map.y), max_abs(map.z)});
     Affine r = scaled(map, power_of_two_reciprocal(largest));

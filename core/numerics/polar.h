@@ -4,15 +4,15 @@
 
 namespace etalon {
 
-/// A linear map as a rotation after a stretch. The stretch is symmetric but for roundings; it
-/// mirrors where the map does.
+/// A linear map as a stretch followed by a rotation. The stretch is symmetric up to roundings; it
+/// mirrors if the map does.
 struct PolarParts {
     Affine rotation, stretch;
 };
 
-/// Returns the rotation that is nearest to the linear part of a map that is not singular, and what
-/// the map does before it (Shoemake & Duff 1992, "Matrix Animation and Polar Decomposition"). Not
-/// finite for a map that is singular or not finite. The origin is left out.
+/// Returns the rotation nearest to the linear part of a map, and the stretch before it (Shoemake &
+/// Duff 1992, "Matrix Animation and Polar Decomposition"). Not finite for a map that is singular or
+/// not finite. The origin is left out.
 PolarParts polar_parts(const Affine& map);
 
 }  // namespace etalon

@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// The largest of the four numbers comes from the diagonal, the others from sums and differences
+/// Computes the largest of the four numbers from the diagonal, the others from sums and differences
 /// across it (Shoemake 1985, "Animating Rotation with Quaternion Curves").
 Quaternion quaternion_of(const Affine& m) {
     const Affine columns = m;

@@ -4,7 +4,7 @@
 
 namespace etalon {
 
-/// A quaternion; one of unit length is a rotation, and so is its negative.
+/// A quaternion. One of unit length is a rotation, the same one as its negative.
 struct Quaternion {
     Vec3 v{0, 0, 0};
     double w = 1;

@@ -1,4 +1,4 @@
-// Directed rounding, and the unit roundoffs that every error bound is written in.
+// Directed rounding, and the unit roundoffs in which all error bounds are expressed.
 #pragma once
 
 #include <bit>
@@ -14,12 +14,13 @@ namespace etalon {
 inline constexpr double unit_roundoff = 0x1p-53;
 inline constexpr float unit_roundoff_f = 0x1p-24F;
 
-/// Bound on the relative error of n rounded operations in sequence (Higham 2002, lemma 3.1).
+/// Returns a bound on the relative error of n rounded operations in sequence (Higham 2002, lemma
+/// 3.1).
 constexpr double gamma(int n) {
     return n * unit_roundoff / (1 - n * unit_roundoff);
 }
 
-/// The neighbours of a float that is not NaN nor at that end of the line.
+/// Return the neighbours of a float, which must not be NaN nor the largest on that side.
 inline float next_above(float x) {
     if (x == 0) return std::numeric_limits<float>::denorm_min();
     const auto bits = std::bit_cast<std::int32_t>(x);
@@ -29,8 +30,9 @@ inline float next_below(float x) {
     return -next_above(-x);
 }
 
-/// The neighbour of a double on the side where `direction`, which is not zero, points; an infinity,
-/// or NaN, is itself. As std::nextafter() finds it, which is a call of a library.
+/// Returns the neighbour of a double on the side to which `direction`, which is not zero, points;
+/// infinities and NaN are returned as they are. The same as std::nextafter(), which is a library
+/// call.
 inline double next_towards(double x, double direction) {
     if (x == 0) return std::copysign(std::numeric_limits<double>::denorm_min(), direction);
     if (!std::isfinite(x)) return x;
@@ -43,19 +45,20 @@ inline std::int32_t in_order(std::int32_t bits) {
     return bits ^ ((bits >> 31) & std::numeric_limits<std::int32_t>::max());
 }
 
-/// `x` moved by so many floats. Zeros count as two.
+/// Returns `x` moved by `by` floats. The two zeros count separately.
 inline float moved(float x, int by) {
     return std::bit_cast<float>(in_order(in_order(std::bit_cast<std::int32_t>(x)) + by));
 }
 
-/// The largest float <= x; x may be infinite. Without a branch on which way x was rounded, which
-/// nobody could predict. No zero is moved to the other one: what is negative is rounded to -0.
+/// Returns the largest float <= x; x may be infinite. Without a branch on the direction in which x
+/// was rounded, which is not predictable. A zero is not moved to the other one: negative numbers
+/// round to -0.
 inline float float_down(double x) {
     const auto f = static_cast<float>(x);
     return moved(f, f > x ? -1 : 0);
 }
 
-/// The smallest float >= x; x may be infinite.
+/// Returns the smallest float >= x; x may be infinite.
 inline float float_up(double x) {
     const auto f = static_cast<float>(x);
     return moved(f, f < x ? 1 : 0);
@@ -68,15 +71,15 @@ inline Vec3f float_up(const Vec3& v) {
     return {float_up(v.x), float_up(v.y), float_up(v.z)};
 }
 
-/// The smallest float box that contains `box`.
+/// Returns the smallest float box that contains `box`.
 inline Box3f round_outward(const Box3& box) {
     return {float_down(box.min), float_up(box.max)};
 }
 
-/// The power of two 2^-e with 2^e <= x < 2^(e+1): multiplying by it is exact and brings x to [1,
-/// 2). The largest there is, 2^1023, where that would be infinite; 1 for zero, infinities and NaN.
+/// Returns the power of two 2^-e with 2^e <= x < 2^(e+1): multiplying by it is exact and brings x
+/// to [1, 2). Returns 2^1023 where the result would be infinite; 1 for zero, infinities and NaN.
 inline double power_of_two_reciprocal(double x) {
-    // The exponent's field of x is e + 1023, that of the result 1023 - e: the C library's functions
+    // The exponent field of x is e + 1023, that of the result 1023 - e. The C library's functions
     // for this cost as much as the rest of a ray's set-up.
     constexpr std::uint64_t one = 1023, largest = 2046, exponent = 52;
     const std::uint64_t field = std::bit_cast<std::uint64_t>(x) >> exponent;
@@ -85,13 +88,13 @@ inline double power_of_two_reciprocal(double x) {
     return std::ldexp(1.0, std::min(-std::ilogb(x), 1023));
 }
 
-/// `v` times the power of two that makes its largest component one of [1, 2), so that no square
-/// leaves the range of doubles. Zero stays zero.
+/// Returns `v` times the power of two that puts its largest component in [1, 2), so that no square
+/// leaves the range of double. Zero stays zero.
 inline Vec3 to_unit_magnitude(const Vec3& v) {
     return v * power_of_two_reciprocal(max_abs(v));
 }
 
-/// `v` divided by its length, whose square may be out of range; `v` is not zero.
+/// Returns `v` divided by its length, whose square may be out of range; `v` must not be zero.
 inline Vec3 unit_vector(const Vec3& v) {
     return normalized(to_unit_magnitude(v));
 }

@@ -12,7 +12,8 @@ struct Turn {
     double sine, cosine;
 };
 
-/// Sine and cosine. The rest after whole quarters is at most an eighth of a turn, and is exact.
+/// Returns sine and cosine. The angle left after whole quarters is at most an eighth of a turn, and
+/// exact.
 Turn turn_of(double degrees) {
     int quarters = 0;
     const double rest = std::remquo(degrees, 90.0, &quarters) * (std::numbers::pi / 180);
@@ -29,7 +30,8 @@ Turn turn_of(double degrees) {
     }
 }
 
-/// Each column times the power of two that makes its largest number one of [1, 2).
+/// Returns the map with each column scaled by the power of two that puts its largest number in [1,
+/// 2).
 Affine with_scaled_columns(const Affine& m) {
     return {to_unit_magnitude(m.x), to_unit_magnitude(m.y), to_unit_magnitude(m.z)};
 }
@@ -46,7 +48,7 @@ Affine scaling(const Vec3& factors) {
     return {{factors.x, 0, 0}, {0, factors.y, 0}, {0, 0, factors.z}};
 }
 
-/// Rodrigues' formula, column by column.
+/// Uses Rodrigues' formula, column by column.
 Affine rotation(double degrees, const Vec3& axis) {
     const auto [s, c] = turn_of(degrees);
     const Vec3 n = unit_vector(axis);
@@ -79,8 +81,8 @@ bool mirrors(const Affine& map) {
     return with_scaled_columns(map).determinant() < 0;
 }
 
-/// The cofactors of the columns. Those are scaled, so that no product overflows; what a cofactor
-/// lacks then is its own column's scale.
+/// Computes the cofactors of the columns, which are scaled so that no product overflows. What a
+/// cofactor then lacks is the scale of its own column.
 NormalMap::NormalMap(const Affine& map) {
     const Affine m = with_scaled_columns(map);
     const double side = mirrors(map) ? -1 : 1;

@@ -26,7 +26,7 @@ inline double max_abs(const Vec3& v) {
     return std::max(std::abs(v.x), std::max(std::abs(v.y), std::abs(v.z)));
 }
 
-/// Sum of magnitudes: no less than the length, and no more than sqrt(3) times that.
+/// Returns the sum of magnitudes: between the length and sqrt(3) times the length.
 inline double sum_abs(const Vec3& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
@@ -43,20 +43,20 @@ inline bool is_finite(const Color& c) {
     return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
 }
 
-/// `v` divided by its length, whose square must be in the range of doubles and not zero.
+/// Returns `v` divided by its length, whose square must be in the range of double and not zero.
 inline Vec3 normalized(const Vec3& v) {
     return v / std::sqrt(v.dot(v));
 }
 
-/// The index (0, 1, 2) of the component of largest magnitude; the lower index on a tie.
+/// Returns the index (0, 1, 2) of the component of largest magnitude; the lower index on a tie.
 inline int dominant_axis(const Vec3& v) {
     const Vec3 a = abs(v);
     if (a.x >= a.y && a.x >= a.z) return 0;
     return a.y >= a.z ? 1 : 2;
 }
 
-/// Two unit vectors that make a right-handed orthonormal frame (u, v, n) with the unit vector `n`.
-/// Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
+/// Sets u and v such that (u, v, n) is a right-handed orthonormal basis for the unit vector `n`
+/// (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
 inline void orthonormal_basis(const Vec3& n, Vec3& u, Vec3& v) {
     const double sign = std::copysign(1.0, n.z);
     const double a = -1.0 / (sign + n.z);

@@ -9,12 +9,11 @@
 
 namespace etalon {
 
-/// Columns have room for so many values more than they hold, which vector instructions may read and
-/// write: the most lanes that any instruction set has.
+/// Padding of columns, which vector instructions may read and write: the most lanes that any
+/// instruction set has.
 inline constexpr std::size_t padded_doubles = 8;
 
-/// A view of vectors with their components apart, as vector instructions load them without
-/// shuffling.
+/// A view of vectors in SoA layout, from which vector instructions load without shuffling.
 struct Vec3Span {
     Vec3 operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
     Vec3Span from(std::size_t first) const { return {x + first, y + first, z + first}; }
@@ -22,7 +21,7 @@ struct Vec3Span {
     const double *x, *y, *z;
 };
 
-/// The same of vectors that may be changed.
+/// The same for vectors that may be changed.
 struct MutableVec3Span {
     void set(std::size_t i, const Vec3& v) const {
         x[i] = v.x;
@@ -35,7 +34,7 @@ struct MutableVec3Span {
     double *x, *y, *z;
 };
 
-/// So many vectors with their components apart.
+/// A fixed number of vectors in SoA layout.
 template <std::size_t most>
 struct Vec3Columns {
     void set(std::size_t i, const Vec3& v) { span().set(i, v); }
@@ -51,10 +50,10 @@ struct Vec3Columns {
     std::array<double, most> x, y, z;
 };
 
-/// A column of values, with padding. It is to be filled again and again: only its room grows.
+/// A padded column of values. It is meant to be refilled: its capacity only grows.
 template <class T>
 struct PaddedColumn {
-    /// Makes room for `count` values. Those that there were stay, the new ones are zeros.
+    /// Makes room for `count` values. Existing values are kept, new ones are zero.
     void make_room(std::size_t count) {
         const std::size_t room = count + padded_doubles;
         if (values.size() < room) values.resize(std::max(room, 2 * values.size()));
@@ -68,7 +67,7 @@ struct PaddedColumn {
     std::vector<T> values;
 };
 
-/// Vectors with their components apart in such columns.
+/// Vectors in SoA layout in such columns.
 struct Vec3Buffer {
     void make_room(std::size_t count) {
         for (auto* column : {&x, &y, &z}) column->make_room(count);

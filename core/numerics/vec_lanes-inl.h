@@ -1,6 +1,6 @@
-// Vectors of doubles, as many as an instruction takes, to be written like one. Sums are in the
-// order in which Vec3 has them, so that each lane has the bits of the same formula for a Vec3.
-// Compiled for each instruction set.
+// Vectors of doubles with as many lanes as an instruction takes, and operators like those of single
+// numbers. Sums are in the order of Vec3, so that each lane has the bits of the same formula for a
+// Vec3. Compiled for each instruction set.
 #if defined(ETALON_VEC_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_VEC_LANES_INL_H
 #undef ETALON_VEC_LANES_INL_H
@@ -19,7 +19,7 @@
 #define ETALON_VEC_LANES_ONCE
 namespace etalon {
 
-/// The numbers of the bits that are set in each byte, the lowest first; zeros follow.
+/// The numbers of the bits that are set in each byte, the lowest first, followed by zeros.
 inline constexpr auto set_bits = [] {
     std::array<std::array<std::int64_t, 8>, 256> numbers{};
     for (unsigned byte = 0; byte < 256; ++byte) {
@@ -39,7 +39,7 @@ namespace etalon::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The most lanes of this one.
+/// Largest number of lanes of this instruction set.
 #if HWY_TARGET == HWY_AVX3
 inline constexpr std::size_t most_doubles = 8;
 #else
@@ -85,7 +85,7 @@ HWY_INLINE Vec3Lanes broadcast(const Vec3& v) {
     return {broadcast(v.x), broadcast(v.y), broadcast(v.z)};
 }
 
-/// The vectors that begin at `from`.
+/// Loads the vectors that begin at `from`.
 HWY_INLINE Vec2Lanes load(const Vec2* from) {
     Vec2Lanes v;
     hn::LoadInterleaved2(DoubleTag(), &from->x, v.x, v.y);
@@ -108,8 +108,8 @@ HWY_INLINE void store(const Vec3Lanes& v, const MutableVec3Span& to, std::size_t
     hn::StoreU(v.z, tag, to.z + first);
 }
 
-/// Stores chosen values of several columns, one next to the other: the order of the lanes is found
-/// once for all. As much as a whole vector is written.
+/// Stores selected lanes of several columns compactly. The order of the lanes is computed once for
+/// all columns. A whole vector is written.
 class ChosenLanes {
   public:
     HWY_INLINE explicit ChosenLanes(DoubleMask mask)
@@ -126,7 +126,7 @@ class ChosenLanes {
         store(v.z, to.z + first);
     }
 
-    /// Stores the numbers of the lanes, of which the first has that one.
+    /// Stores the numbers of the selected lanes, counted from `first_number` for the first lane.
     HWY_INLINE void store_numbers(std::size_t first_number, std::int64_t* to) const {
         const hn::RebindToSigned<DoubleTag> tag;
         const auto lanes = hn::LoadU(tag, set_bits[bits_].data());
@@ -162,7 +162,7 @@ HWY_INLINE Vec3Lanes normalized(const Vec3Lanes& v) {
     return v / hn::Sqrt(v.dot(v));
 }
 
-/// next_towards() of core/numerics/rounding.h; x itself where `direction` is zero.
+/// Computes next_towards() of core/numerics/rounding.h; x itself where `direction` is zero.
 HWY_INLINE Doubles next_towards(Doubles x, Doubles direction) {
     using Bits = hn::RebindToSigned<DoubleTag>;
     const Doubles zero = hn::Zero(DoubleTag());

@@ -11,15 +11,15 @@ namespace {
 /// Number of samples of every pixel before any pixel is preferred.
 constexpr std::uint32_t fewest = 4;
 
-/// The expected error is no better known than that.
+/// Relative accuracy of the expected error.
 constexpr double tolerance = 0.03;
 
-/// A pass adds at most this part of the samples there are, and goes at most this part of the way
-/// to the error asked for: then it is time to look again.
+/// A pass adds at most this fraction of the existing samples, and goes at most this fraction of the
+/// way to the target error; then the errors are estimated anew.
 constexpr double most_samples = 0.5, most_of_the_way = 0.7;
 
-/// No pixel has less than this part of the samples of another: what a few samples missed, a small
-/// light or a thin thing, is found in the end, whatever they said of the error.
+/// Largest ratio of the numbers of samples of two pixels. So what a few samples missed, such as a
+/// small light or a thin object, is found in the end, whatever they said of the error.
 constexpr std::uint32_t most_to_fewest = 64;
 
 }  // namespace
@@ -40,7 +40,7 @@ std::optional<SamplingGoal> AdaptivePasses::plan(const Film& film) {
     if (is_enough()) return std::nullopt;
     if (knows_too_little()) return SamplingGoal{of_all_ = std::max(1U, 2 * of_all_)};
     SamplingGoal goal = worthwhile(film);
-    if (goal.of_pixel == film.counts()) return std::nullopt;  // all have as many as they may
+    if (goal.of_pixel == film.counts()) return std::nullopt;  // all have the largest number
     return goal;
 }
 
@@ -52,13 +52,14 @@ bool AdaptivePasses::is_enough() const {
     return errors_.estimate().exists() && expected_ <= (1 + tolerance) * error_;
 }
 
-/// Whether too little is known; not if twice the samples for all were more than was asked for.
+/// Returns whether too little is known to choose pixels. False if twice the samples for all would
+/// be more than was asked for.
 bool AdaptivePasses::knows_too_little() const {
     if (2 * of_all_ > samples_) return false;
     return of_all_ < 2 || (of_all_ < fewest && expected_ / 2 > error_);
 }
 
-/// The best ones first.
+/// Returns the candidates, the best first.
 std::vector<AdaptivePasses::Candidate> AdaptivePasses::candidates(const Film& film) const {
     const ErrorEstimate& estimate = errors_.estimate();
     std::vector<Candidate> result(film.size());

@@ -23,7 +23,7 @@ class AdaptivePasses : public SamplingPasses {
   private:
     /// A pixel whose samples might be doubled.
     struct Candidate {
-        double gain;  ///< fall of the sum of the pixels' errors, for each sample
+        double gain;  ///< decrease of the sum of the pixels' errors, for each sample
         std::uint32_t pixel;
     };
 

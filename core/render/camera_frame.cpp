@@ -6,7 +6,7 @@
 namespace etalon {
 namespace {
 
-/// The matrix, for row vectors, whose columns take the dot product of a point's offset from
+/// Returns the matrix, for row vectors, that maps a point to the dot products of its offset from
 /// `origin` with x, y and z.
 Imath::M44d to_coordinates(const Vec3& x, const Vec3& y, const Vec3& z, const Vec3& origin) {
     return {x.x,
@@ -39,7 +39,7 @@ CameraFrame pinhole_frame(const Camera& c, const Vec2& size) {
     to_eye = distance * n;
     const Vec3 right = c.up.cross(n);
     const double length = std::sqrt(right.dot(right));
-    orthonormal_basis(n, u, v);  // for an `up` along the view direction: any will do
+    orthonormal_basis(n, u, v);  // any basis will do for an `up` along the view direction
     if (length > 0) u = right / length;
     v = n.cross(u);
     const double half_angle = c.fov_degrees / 2 * (std::numbers::pi / 180);
@@ -57,8 +57,8 @@ CameraFrame pinhole_frame(const Camera& c, const Vec2& size) {
     return frame;
 }
 
-/// The projection of camera space, with z backwards, to [-1,1]^2 over the window. A point's third
-/// coordinate becomes 1.
+/// Returns the projection of camera space, with z backwards, to [-1,1]^2 over the window. A point's
+/// third coordinate becomes 1.
 Imath::M44d projection_matrix(const ProjectiveCamera& c) {
     const Vec2 scale = Vec2(2) / c.window.size();
     const Vec2 offset = (c.window.min + c.window.max) / c.window.size();
@@ -74,8 +74,8 @@ Imath::M44d projection_matrix(const ProjectiveCamera& c) {
             0,        0,        0,  0};
 }
 
-/// The frame of a camera by its own space. Lengths are those of that space; a point's distance
-/// along the view is measured in the world.
+/// Returns the frame of a camera with a space of its own. Lengths are those of that space; a
+/// point's distance along the view is measured in world space.
 CameraFrame projective_frame(const ProjectiveCamera& c, const Vec2& size) {
     const Affine& m = c.to_world;
     const Vec3 yz = m.y.cross(m.z), zx = m.z.cross(m.x), xy = m.x.cross(m.y);

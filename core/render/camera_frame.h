@@ -6,8 +6,8 @@
 
 namespace etalon {
 
-/// What a camera's rays are made from. A place of the image is the point axis + (x, -y) /
-/// pixel_size, and in space eye + x u + y v - to_eye on the image plane.
+/// Data from which a camera's rays are made. A place on the image is the point axis + (x, -y) /
+/// pixel_size; in space it is eye + x u + y v - to_eye, on the image plane.
 struct CameraFrame {
     Projection projection = Projection::perspective;
     Vec3 eye;
@@ -22,7 +22,7 @@ struct CameraFrame {
     Imath::M44d world_to_camera;
     std::optional<Imath::M44d> world_to_ndc;
 
-    /// Moves what rays are made from to where a projective camera's own space is now.
+    /// Moves the data for rays to the current position of a projective camera's own space.
     void move_rays(const Affine& to_world) {
         eye = to_world.origin;
         u = to_world.x, v = to_world.y;
@@ -30,7 +30,7 @@ struct CameraFrame {
     }
 };
 
-/// The frame of `camera`; `resolution` is width and height of the image in pixels.
+/// Returns the frame of `camera`; `resolution` is the width and height of the image in pixels.
 CameraFrame camera_frame(const Camera& camera, const Imath::V2i& resolution);
 
 }  // namespace etalon

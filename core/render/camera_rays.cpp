@@ -20,13 +20,13 @@
 #define ETALON_CAMERA_RAYS_ONCE
 namespace etalon {
 
-/// Rays in the making: so many that they stay in the fastest cache.
+/// A chunk of rays that are being generated: so few that they stay in the first-level cache.
 struct RayChunk {
     static constexpr std::size_t most = 64;
 
     std::size_t count;
     std::array<Vec2, most> pixels, on_lens;  ///< the latter on a disk of the lens' radius
-    MutableVec3Span origins, directions;     ///< where they go; padded
+    MutableVec3Span origins, directions;     ///< outputs; padded
 };
 
 }  // namespace etalon
@@ -72,7 +72,7 @@ HWY_EXPORT(make_rays);
 
 namespace {
 
-/// Area-preserving map of the unit square to the unit disk (Shirley & Chiu 1997, "A Low Distortion
+/// Maps the unit square to the unit disk, preserving areas (Shirley & Chiu 1997, "A Low Distortion
 /// Map Between Disk and Square").
 Vec2 concentric_disk(const Vec2& p) {
     const double a = 2 * p.x - 1, b = 2 * p.y - 1;
@@ -84,8 +84,8 @@ Vec2 concentric_disk(const Vec2& p) {
     return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-/// Sets rays to all directions: rows are angles from the camera's y axis, columns those about it,
-/// from x by z.
+/// Generates rays in all directions: rows are angles from the camera's y axis, columns angles about
+/// it, from x towards z.
 void make_environment_rays(const CameraFrame& c, const RayChunk& rays) {
     for (std::size_t i = 0; i < rays.count; ++i) {
         const Vec2 part = rays.pixels[i] * c.pixel_size;
@@ -97,8 +97,7 @@ void make_environment_rays(const CameraFrame& c, const RayChunk& rays) {
     }
 }
 
-/// Makes rays of a camera that stands where `frame` says; `to_origins` and `to_directions` are
-/// padded.
+/// Generates rays of a camera with the given frame; `to_origins` and `to_directions` are padded.
 void make_all(const CameraFrame& frame, std::span<const Vec2> pixels, std::span<const Vec2> lens,
               const MutableVec3Span& to_origins, const MutableVec3Span& to_directions) {
     RayChunk chunk;

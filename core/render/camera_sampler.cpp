@@ -38,7 +38,7 @@ void CameraBatch::make_samples() {
     make_rays(on_lens_.make());
 }
 
-/// Makes the rays of all places: one by one if they are of many times.
+/// Generates the rays of all places; one by one if their times differ.
 void CameraBatch::make_rays(std::span<const Vec2> on_lens) {
     const CameraRays& camera = sampler_.camera_;
     if (camera.has_weights()) {

@@ -7,15 +7,16 @@
 
 namespace etalon {
 
-/// The rays from the eye that make an image: one for each sample of a pixel.
+/// Generates the camera rays of an image: one for each sample of a pixel.
 class CameraSampler {
   public:
     CameraSampler(const Camera& camera, const RenderSettings& settings);
 
-    /// Whether each ray counts for the four pixels about its corner.
+    /// Returns whether each ray counts for the four pixels around its corner.
     bool shares_corners() const { return shares_corners_; }
 
-    /// Returns the points with rays of their own: a window's pixels, or the corners about them.
+    /// Returns the points that have rays of their own: a window's pixels, or the corners around
+    /// them.
     Imath::Box2i sampled(Imath::Box2i window) const;
 
   private:
@@ -26,10 +27,10 @@ class CameraSampler {
     Sampler sampler_;
     bool has_samples_, shares_corners_;
     bool samples_time_;
-    Vec2 in_pixel_;  ///< place of the one ray of an image without samples
+    Vec2 in_pixel_;  ///< position of the single ray of a pixel without samples
 };
 
-/// Samples whose rays are made together. For one thread.
+/// Samples whose rays are generated together. For one thread.
 class CameraBatch {
   public:
     /// The sampler must outlive the batch.
@@ -40,13 +41,14 @@ class CameraBatch {
 
     std::size_t size() const { return pixels_.size(); }
 
-    /// The pixel of each sample, in the order in which they were added.
+    /// Returns the pixel of each sample, in the order in which they were added.
     const std::vector<Imath::V2i>& pixels() const { return pixels_; }
 
-    /// Where each sample lies, in pixels, in that order; as long as what make() returns.
+    /// Returns the position of each sample, in pixels, in that order; valid as long as make()'s
+    /// result.
     const std::vector<Vec2>& places() const { return places_; }
 
-    /// Makes the rays. What is returned is valid until the next call of a member.
+    /// Generates the rays. The result is valid until the next call of a member.
     CameraSamples make();
 
     void clear();
@@ -61,7 +63,7 @@ class CameraBatch {
     PointBatch in_pixel_, on_lens_, in_time_;
     std::vector<Vec2> places_;
     RayBuffer rays_;
-    std::vector<ShutterTime> times_;  ///< of the rays; none: all see the scene at one
+    std::vector<ShutterTime> times_;  ///< times of the rays; empty if all are the same
     std::vector<float> weights_;      ///< see CameraSamples
 };
 

@@ -5,16 +5,16 @@
 
 namespace etalon {
 
-/// A number of seconds on the wall, from now on. Without a limit it never comes.
+/// A limit in seconds of wall clock time, from its construction. Without a limit it never expires.
 class Deadline {
   public:
-    using Clock = double (*)();  ///< seconds since any fixed moment, from any thread
+    using Clock = double (*)();  ///< seconds since any fixed moment; thread-safe
 
     Deadline() = default;
     explicit Deadline(double seconds, Clock clock = wall_seconds)
         : seconds_(seconds), clock_(clock), start_(clock()) {}
 
-    /// Fraction of the time that has passed, in [0, 1]; always 0 without a limit.
+    /// Returns the fraction of the time that has passed, in [0, 1]; always 0 without a limit.
     double elapsed_fraction() const {
         if (seconds_ <= 0) return 0;
         return std::min((clock_() - start_) / seconds_, 1.0);

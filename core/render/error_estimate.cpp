@@ -9,15 +9,15 @@
 namespace etalon {
 namespace {
 
-/// Number of pixels on a side of a block. Smaller ones know less of their rate, larger ones mix
-/// what falls fast, open surfaces, with what falls slowly, edges and shadows.
+/// Number of pixels on a side of a block. Smaller ones know less of their rate; larger ones mix
+/// what converges fast, open surfaces, with what converges slowly, edges and shadows.
 constexpr int block_size = 32;
 
-/// How far away a pixel's neighbours are at most. Fewer of them know too little to choose by: what
-/// was seen too small by chance would be left as it is.
+/// Largest distance of a pixel's neighbours. With fewer neighbours the estimate is too noisy to
+/// choose pixels: those whose error was underestimated by chance would get no more samples.
 constexpr int reach = 2;
 
-/// Weights by the distance along a row and along a column: powers of 2 of half its square.
+/// Weights by the distance along a row and along a column: 2^-(distance^2 / 2).
 constexpr double fall_off[reach + 1] = {1, 0.70710678118654752, 0.25};
 
 /// Rate as long as nothing is known.
@@ -31,8 +31,8 @@ double relative_square(const Vec3& difference, const Vec3& value) {
     return sum / 3;
 }
 
-/// The same for the light that display values stand for: a small difference grows by the slope of
-/// the curve.
+/// The same for the light for which display values stand: a small difference is multiplied by the
+/// slope of the curve.
 double decoded_relative_square(const Vec3& difference, const Vec3& value) {
     Vec3 light, change;
     for (int k = 0; k < 3; ++k) {
@@ -42,16 +42,16 @@ double decoded_relative_square(const Vec3& difference, const Vec3& value) {
     return relative_square(change, light);
 }
 
-/// The exponent of a power law for V where one change is `ratio` times the next. V is a sum of
-/// parts that fall as 1 / n, where the samples might as well be random, and of faster ones; what
-/// counts in the long run are the slow ones. As a / n + b / n^2 it is (5 - ratio) / 3 of the last
-/// change. No more is made of it than that it falls by two to four.
+/// Returns the exponent of a power law for V where one change is `ratio` times the next. V is a sum
+/// of parts that fall as 1 / n, where the samples might as well be random, and of faster ones; the
+/// slow ones matter in the long run. Modelled as a / n + b / n^2, V is (5 - ratio) / 3 of the last
+/// change. The ratio is only used within a fall by two to four.
 double rate_of(double ratio) {
     const double left = std::clamp((5 - ratio) / 3, 1.0 / 3, 1.0);
     return std::log2(1 + 1 / left);
 }
 
-/// V(n) as a part of V(n/2) - V(n).
+/// Returns V(n) as a fraction of V(n/2) - V(n).
 double left_after(double rate) {
     return 1 / (std::exp2(rate) - 1);
 }
@@ -88,8 +88,8 @@ void ErrorEstimate::look(const Film& film, const FilteredErrors* filtered) {
     compare_neighbours();
 }
 
-/// Scales the changes of the pixels that were doubled so that together they are the image's.
-/// Samples that are well distributed over a pixel are less so under a part of a filter, by how much
+/// Scales the changes of the pixels that were doubled so that their sum is the image's. Samples
+/// that are well distributed over a pixel are less so under a part of a filter, by an amount that
 /// depends on the scene.
 void ErrorEstimate::match(double change, const std::vector<std::uint8_t>& doubled) {
     double sum = 0;
@@ -122,7 +122,7 @@ void ErrorEstimate::learn_rates() {
     std::vector<double> before(rates_.size(), 0), after(rates_.size(), 0);
     for (int y = 0; y < height_; ++y) {
         for (int x = 0; x < width_; ++x) {
-            if (counts_[index(x, y)] < 4) continue;  // doubled but once
+            if (counts_[index(x, y)] < 4) continue;  // doubled only once
             before[block(x, y)] += changes_before_[index(x, y)];
             after[block(x, y)] += changes_[index(x, y)];
         }
@@ -140,7 +140,8 @@ double ErrorEstimate::total() const {
     return sum / static_cast<double>(changes_.size());
 }
 
-/// Compares neighbours, those with unlike numbers of samples by what they were after one.
+/// Compares neighbours. Those with different numbers of samples are compared by their errors after
+/// one sample.
 void ErrorEstimate::compare_neighbours() {
     parallel_for(static_cast<std::size_t>(height_), 1, [&](std::size_t begin, std::size_t end) {
         for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
@@ -154,7 +155,7 @@ void ErrorEstimate::compare_neighbours() {
     });
 }
 
-/// The farther away, the less they count.
+/// Weights neighbours by their distance.
 double ErrorEstimate::by_neighbours(int x, int y) const {
     double sum = 0, weights = 0;
     for (int v = std::max(0, y - reach); v <= std::min(height_ - 1, y + reach); ++v) {
@@ -165,7 +166,7 @@ double ErrorEstimate::by_neighbours(int x, int y) const {
             weights += weight;
         }
     }
-    const double after_one = weights > 0 ? sum / weights : after_one_[0];  // or a single pixel's
+    const double after_one = weights > 0 ? sum / weights : after_one_[0];  // of a single pixel
     return after_one * std::pow(counts_[index(x, y)], -rate(x, y));
 }
 

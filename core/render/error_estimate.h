@@ -6,45 +6,45 @@
 
 namespace etalon {
 
-/// What errors of pixels are to an image whose filter spreads samples over several.
+/// Contributions of pixel errors to an image whose filter spreads samples over several pixels.
 struct FilteredErrors {
-    /// What a squared error of a pixel's mean adds to the image's relMSE, by channels; their mean
-    /// over the pixels is that of the image.
+    /// Contribution of a squared error of each pixel's mean to the image's relMSE, by channel;
+    /// their mean over the pixels is that of the image.
     std::vector<Vec3> factors;
-    /// relMSE of the image as it was when last looked at, had it come to be what it is now.
+    /// relMSE of the previous image relative to the current one.
     double change;
 };
 
-/// How far each pixel of a film still is from its limit, told from how much it changed when its
-/// samples were doubled.
+/// Estimates how far each pixel of a film still is from its limit, from how much it changed when
+/// its samples were doubled.
 ///
 /// Let V(n) be the expected squared error of a pixel after n samples of an Owen-scrambled sequence,
-/// both halves of which are as well distributed as each other. A quarter of the squared difference
-/// of their means has the expectation V(n/2) - V(n), be they independent or not. How V goes on
-/// falls out of two such changes in a row, taken together over a block of pixels.
+/// whose two halves are equally well distributed. A quarter of the squared difference of their
+/// means has the expectation V(n/2) - V(n), whether they are independent or not. Two such changes
+/// in a row, summed over a block of pixels, tell how V continues.
 class ErrorEstimate {
   public:
-    /// `decodes`: the error is that of the light for which the film's display values stand.
+    /// If `decodes`, the error is that of the light for which the film's display values stand.
     ErrorEstimate(int width, int height, bool decodes);
 
-    /// Looks at a film each of whose pixels has as many samples as when last looked at, or twice as
-    /// many; others tell nothing. With `filtered`, it is the error of the filtered image that is
-    /// estimated.
+    /// Looks at a film. Only pixels whose samples have doubled since the last call contribute; all
+    /// others must have as many samples as then. With `filtered`, estimates the error of the
+    /// filtered image.
     void look(const Film& film, const FilteredErrors* filtered = nullptr);
 
-    /// Whether there is an estimate: some pixels were doubled.
+    /// Returns whether there is an estimate, which needs pixels whose samples were doubled.
     bool exists() const { return exists_; }
 
-    /// relMSE of the image: the mean over pixels and channels of (error / value)^2, with 0.01
-    /// added to the squared value.
+    /// Returns the relMSE of the image: the mean over pixels and channels of (error / value)^2,
+    /// with 0.01 added to the squared value.
     double total() const;
 
-    /// The same of one pixel, as its neighbours have it. What a single pixel changed says little;
-    /// and as long as its own samples do not decide how many more it gets, that biases neither its
-    /// mean nor its part of the total.
+    /// Returns the relMSE of one pixel, estimated from its neighbours. The change of a single pixel
+    /// says little. Moreover, as long as a pixel's own samples do not decide how many more it gets,
+    /// neither its mean nor its part of the total is biased.
     double by_neighbours(int x, int y) const;
 
-    /// Rate p: by doubling a pixel's samples its error falls to 2^-p.
+    /// Returns the rate p: doubling a pixel's samples multiplies its error by 2^-p.
     double rate(int x, int y) const { return rates_[block(x, y)]; }
 
     template <class Bytes>
@@ -71,8 +71,8 @@ class ErrorEstimate {
     bool exists_ = false;
     std::vector<Vec3> sums_;
     std::vector<std::uint32_t> counts_;
-    std::vector<double> changes_, changes_before_;  ///< two last relative changes of V per pixel
-    std::vector<double> after_one_;                 ///< the error of each pixel, had it one sample
+    std::vector<double> changes_, changes_before_;  ///< last two relative changes of V per pixel
+    std::vector<double> after_one_;                 ///< error of each pixel if it had one sample
     std::vector<double> rates_;                     ///< rates of blocks
 };
 

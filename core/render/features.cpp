@@ -14,7 +14,7 @@ namespace {
 
 constexpr int most_samples = 16;
 
-/// Calls visit(x, y, its number by rows) for every pixel, on all threads. False if stopped.
+/// Calls visit(x, y, number in rows) for every pixel, on all threads. Returns false if stopped.
 template <class Visit>
 bool visit_pixels(const Imath::Box2i& window, const std::atomic<bool>* stop, const Visit& visit) {
     const auto stopped = [&] { return stop != nullptr && stop->load(); };
@@ -32,7 +32,7 @@ std::size_t pixels_of(const Imath::Box2i& window) {
     return (last.x + std::size_t{1}) * (last.y + std::size_t{1});
 }
 
-/// Ray through the centre of a pixel and of the lens.
+/// Returns the ray through the centre of a pixel and of the lens.
 Ray centre_ray(const CameraRays& camera, int x, int y) {
     return camera.ray(Vec2(x + 0.5, y + 0.5), Vec2(0.5));
 }
@@ -43,11 +43,11 @@ Color albedo_of(const Material& m) {
     return {share(sum.x), share(sum.y), share(sum.z)};
 }
 
-/// The albedo of surfaces by either look.
+/// The albedo of surfaces of either look.
 class Albedo {
   public:
     explicit Albedo(const Scene& scene) : scene_(scene) {
-        std::vector<std::string> problems;  // told of the image itself
+        std::vector<std::string> problems;  // reported when the image itself is rendered
         if (scene.is_physical()) physical_.emplace(scene, problems);
     }
 

@@ -74,7 +74,7 @@ std::vector<Color> Film::variances() const {
     for (std::size_t i = 0; i < size(); ++i) {
         if (counts_[i] < 2) continue;
         const Vec3 about_mean = squares_[i] - sample_mean(i) * sums_[i];
-        for (int k = 0; k < 3; ++k) {  // rounding may leave less than nothing
+        for (int k = 0; k < 3; ++k) {  // rounding may make it negative
             result[i][k] = static_cast<float>(std::max(0.0, about_mean[k]) / (counts_[i] - 1.0));
         }
     }

@@ -21,8 +21,8 @@ class Film {
     /// Adds samples, each to its pixel.
     void add(std::span<const Imath::V2i> pixels, std::span<const Color> samples);
 
-    /// Adds the samples of another film of the same window. What is lost where sums are rounded is
-    /// kept apart, so that the order in which films are added does not matter.
+    /// Adds the samples of another film of the same window. The rounding errors of the sums are
+    /// stored separately, so that the order in which films are added does not matter.
     void add(const Film& other);
 
     const Imath::Box2i& window() const { return window_; }
@@ -36,25 +36,26 @@ class Film {
     const std::vector<std::uint32_t>& counts() const { return counts_; }
     std::uint64_t total_count() const;
 
-    /// Mean of the samples, or what a filter makes of those about the pixel; black where there is
-    /// none yet.
+    /// Returns the mean of the samples, or the filtered value if there is one; black where there is
+    /// no sample yet.
     Vec3 mean(std::size_t pixel) const {
         return filtered_means_.empty() ? sample_mean(pixel) : filtered_means_[pixel];
     }
 
-    /// The means of all pixels.
+    /// Returns the means of all pixels.
     std::vector<Color> pixels() const;
 
-    /// The variance of each pixel's samples, without bias (Bessel); 0 below two samples. Not that
-    /// of their mean, which well distributed samples bring below a share of it. Needs squares.
+    /// Returns the unbiased variance of each pixel's samples (Bessel); 0 below two samples. It is
+    /// not the variance of their mean, which for well distributed samples is smaller than a share
+    /// of it. Needs squares.
     std::vector<Color> variances() const;
 
-    /// Turns a film of a grid's corners into one of its cells, each with the samples of its four
-    /// corners. The result is smaller by one both ways.
+    /// Converts a film of a grid's corners to one of its cells, each with the samples of its four
+    /// corners. The result is smaller by one in both directions.
     Film cells() const;
 
-    /// The part of the film in a window, with the means that a filter made of all samples. Counts
-    /// and variances are still those of each pixel's own.
+    /// Returns the part of the film in a window, with the filtered means of all samples. Counts and
+    /// variances remain those of each pixel's own samples.
     Film filtered(const Imath::Box2i& window, std::vector<Vec3> means) const;
 
     template <class Bytes>
@@ -67,7 +68,7 @@ class Film {
         bytes.expect(errors_.empty() || errors_.size() == sums_.size());
     }
 
-    /// The same of the pixels of a tile alone, of a film to which no other was added.
+    /// Transfers only the pixels of a tile, of a film to which no other was added.
     template <class Bytes>
     void transfer(Bytes& bytes, const Imath::Box2i& tile) {
         for (int y = tile.min.y; y <= tile.max.y; ++y) {
@@ -88,10 +89,11 @@ class Film {
 
     Imath::Box2i window_;
     int width_;
-    std::vector<Vec3, LargePages<Vec3>> sums_, squares_;  ///< squares: empty where nobody asked
-    std::vector<Vec3, LargePages<Vec3>> errors_;  ///< what the sums lack; empty: of a single film
+    std::vector<Vec3, LargePages<Vec3>> sums_, squares_;  ///< squares: empty unless requested
+    std::vector<Vec3, LargePages<Vec3>> errors_;  ///< rounding errors of the sums; empty unless
+    ///< films were added
     std::vector<std::uint32_t> counts_;
-    std::vector<Vec3> filtered_means_;  ///< empty: they are those of the pixels' own samples
+    std::vector<Vec3> filtered_means_;  ///< empty if the image is not filtered
 };
 
 }  // namespace etalon

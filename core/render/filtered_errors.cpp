@@ -9,7 +9,7 @@
 namespace etalon {
 namespace {
 
-/// Numbers of the pixels of a window, by rows.
+/// One value for each pixel of a window, in rows.
 struct Plane {
     Imath::Box2i window;
     std::vector<Vec3> values;
@@ -25,8 +25,8 @@ struct Plane {
     }
 };
 
-/// What the square of a small error of a value adds to its relMSE, or that of the light for which
-/// it stands.
+/// Returns the contribution of a squared small error of a value to its relMSE, or to that of the
+/// light for which it stands.
 Vec3 relative_factor(const Vec3& value, bool decodes) {
     Vec3 factor;
     for (int k = 0; k < 3; ++k) {
@@ -37,7 +37,7 @@ Vec3 relative_factor(const Vec3& value, bool decodes) {
     return factor;
 }
 
-/// Sums of what pixels have, within `squares` of an axis, for those of another window.
+/// Convolves the values of pixels with `squares` along one axis, for the pixels of another window.
 Plane spread(const Plane& from, const Imath::Box2i& window, const std::vector<double>& squares,
              int axis) {
     Plane result(window);

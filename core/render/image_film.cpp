@@ -15,7 +15,7 @@ Film sample_film(const Imath::Box2i& window, const RenderSettings& settings) {
     return Film(sampled_window(window, settings.filter), settings.variance);
 }
 
-/// Side of the pixels that always have the same number of samples.
+/// Returns the side of the cells of pixels that always have the same number of samples.
 int cell_side(const RenderSettings& settings) {
     return settings.target_error > 0 ? 1 : tile_side;
 }

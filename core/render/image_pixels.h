@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// The means of a film's pixels in the values that an EXR of the image has.
+/// Returns the means of a film's pixels, in the values that an EXR of the image has.
 inline std::vector<Color> image_pixels(const Film& film, const RenderSettings& settings) {
     std::vector<Color> pixels = film.pixels();
     if (settings.decodes()) decode(pixels);

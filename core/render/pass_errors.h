@@ -5,10 +5,10 @@
 
 namespace etalon {
 
-/// The expected error of an image, told from how it changes from pass to pass.
+/// Estimates the error of an image from how it changes from pass to pass.
 class PassErrors {
   public:
-    /// For images like this one, which must outlive this.
+    /// Estimates for images like this one, which must outlive this.
     PassErrors(const ImageFilm& image, const RenderSettings& settings);
 
     /// Looks at the image after a pass.
@@ -16,7 +16,7 @@ class PassErrors {
 
     const ErrorEstimate& estimate() const { return estimate_; }
 
-    /// relMSE of the image; nothing before samples were doubled.
+    /// Returns the relMSE of the image; nothing before samples were doubled.
     std::optional<double> expected() const;
 
     template <class Bytes>
@@ -29,7 +29,7 @@ class PassErrors {
     const ImageFilm& image_;
     const RenderSettings& settings_;
     ErrorEstimate estimate_;
-    std::vector<Vec3> filtered_before_;  ///< filtered values when last looked at
+    std::vector<Vec3> filtered_before_;  ///< filtered values at the last call
 };
 
 }  // namespace etalon

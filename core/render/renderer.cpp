@@ -18,14 +18,14 @@
 namespace etalon {
 namespace {
 
-/// Seconds of processor time that this thread has had.
+/// Returns the processor time of this thread in seconds.
 double thread_seconds() {
     timespec time = {};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// What came of rendering a tile, beside its film.
+/// Result of rendering a tile, beside its film.
 struct TileResult {
     RayCounts counts;
     std::uint64_t samples = 0, dropped = 0;
@@ -74,20 +74,20 @@ class Renderer {
             render_pass(*passes);
             is_image_ = is_image_ || !in_pass_;
         }
-        show(*passes);  // where it was stopped: what there is of the last pass
+        show(*passes);  // if it was stopped: what there is of the last pass
         if (!passes->is_complete(samples_done_)) keep(*passes);
         return finished(*passes);
     }
 
   private:
-    /// Whether to stop. However short the time is, an image has one sample of each pixel.
+    /// Returns whether to stop. However short the time is, an image has one sample of each pixel.
     bool stopped() const {
         return (control_.stop != nullptr && control_.stop->load()) ||
                (control_.dealer != nullptr && control_.dealer->has_failed()) ||
                (is_image_ && control_.deadline.is_over());
     }
 
-    /// What is done in the pass is told by the film's counts: a pixel has all samples of it or
+    /// The film's counts tell what is done in the pass: a pixel has all samples of the pass or
     /// none.
     template <class Bytes>
     void transfer(Bytes& bytes) {
@@ -126,7 +126,7 @@ class Renderer {
         return sum;
     }
 
-    /// The film, if there is anything new in it.
+    /// Passes the film to the observers, if there is anything new in it.
     void show(const SamplingPasses& passes) {
         if (is_observed(&RenderObserver::after_pass) && shown_ < samples_done_) {
             if (errors_) errors_->look();
@@ -189,7 +189,7 @@ class Renderer {
         return rays_.shares_corners() ? film_.samples().cells() : film_.take_samples();
     }
 
-    /// Renders the pass, as far as there is no stop; the state is kept meanwhile when it is due.
+    /// Renders the pass until a stop; meanwhile the state is saved when it is due.
     void render_pass(SamplingPasses& passes) {
         in_pass_ = true;
         while (in_pass_ && !stopped()) {
@@ -204,7 +204,7 @@ class Renderer {
         }
     }
 
-    /// The numbers of the tiles that lack samples.
+    /// Returns the numbers of the tiles that lack samples.
     std::vector<std::size_t> unfinished_tiles() const {
         std::vector<std::size_t> unfinished;
         for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
@@ -243,8 +243,8 @@ class Renderer {
                 [&] { return stopped(); }};
     }
 
-    /// What another process needs to render a tile: how many samples its pixels are to have, and
-    /// all that those before gave.
+    /// Transfers what another process needs to render a tile: the goals of its pixels, and the
+    /// contents of its film.
     template <class Bytes>
     void transfer_task(std::size_t tile, Bytes& bytes) {
         for_each_pixel(tiles_[tile], [&](int x, int y) {
@@ -287,13 +287,13 @@ class Renderer {
         tell(&RenderObserver::progress, passes.progress(total));
     }
 
-    /// Number of the pixel's first sample in this part of the image.
+    /// Returns the number of the pixel's first sample in this part of the image.
     std::uint32_t first_sample(std::size_t pixel) const {
         const SampleRates& rates = film_.rates();
         return settings_.sample_range().first * (rates.empty() ? 1U : rates[pixel]);
     }
 
-    /// Gives the batch the samples that the pixel lacks.
+    /// Adds the samples that the pixel lacks to the batch.
     void add_pixel(int x, int y, SampleBatch& batch) const {
         const std::size_t pixel = film_.samples().index(x, y);
         const std::uint32_t first = first_sample(pixel);
@@ -312,12 +312,12 @@ class Renderer {
     ImageFilm film_;
     Spares<SampleBatch> batches_;
     std::vector<Imath::Box2i> tiles_;
-    std::vector<RayCounts> counts_;  ///< of as many tiles, which one thread at a time adds to
+    std::vector<RayCounts> counts_;  ///< for each tile; one thread at a time adds to it
     RayCounts resumed_counts_;
     SamplingGoal goal_;
     bool in_pass_ = false;              ///< the goal is not reached
-    bool is_image_ = false;             ///< the first pass is over
-    std::optional<PassErrors> errors_;  ///< where no passes estimate them
+    bool is_image_ = false;             ///< the first pass is complete
+    std::optional<PassErrors> errors_;  ///< if the passes do not estimate them
     std::atomic<std::uint64_t> samples_done_ = 0;
     std::atomic<std::uint64_t> samples_dropped_ = 0;
     std::uint64_t samples_resumed_ = 0, shown_ = 0;

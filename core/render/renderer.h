@@ -1,4 +1,4 @@
-// From camera and integrator to a film: tiles over threads, passes of samples.
+// Renders from camera and integrator to a film: tiles over threads, passes of samples.
 #pragma once
 
 #include <atomic>
@@ -16,46 +16,46 @@
 
 namespace etalon {
 
-/// Keeps the state of a rendering from time to time.
+/// Saves the state of a rendering from time to time.
 class StateKeeper {
   public:
     virtual ~StateKeeper() = default;
 
-    /// Whether it is time to keep it. Called often, from any thread.
+    /// Returns whether it is time to save it. Called often, from any thread.
     virtual bool is_due() = 0;
 
-    /// Keeps the state that `save` writes. Nothing is rendered meanwhile.
+    /// Saves the state that `save` writes. Nothing is rendered meanwhile.
     virtual void keep(const std::function<void(StateWriter&)>& save) = 0;
 };
 
-/// How to watch, limit and stop a rendering while it runs. Changes no pixel but by ending early.
+/// Observers, limits and stop flag of a running rendering. They affect pixels only by ending early.
 struct RunControl {
     Deadline deadline{};
-    const std::atomic<bool>* stop = nullptr;  ///< set: give up soon and return what there is
+    const std::atomic<bool>* stop = nullptr;  ///< if set, stop soon and return what there is
     std::vector<RenderObserver> observers{};
-    /// Gets what writes the film of the finished image, an ImageFilm.
+    /// Called with a function that writes the film of the finished image, an ImageFilm.
     std::function<void(const std::function<void(StateWriter&)>&)> take_film{};
-    StateKeeper* keeper = nullptr;   ///< gets the state when it is due, and when a stop ends all
-    StateReader* resumed = nullptr;  ///< the state of the same rendering from which to go on
+    StateKeeper* keeper = nullptr;   ///< saves the state when it is due, and at a stop
+    StateReader* resumed = nullptr;  ///< state of the same rendering from which to resume
     TileDealer* dealer = nullptr;    ///< deals the tiles to this process and others
-    bool estimates_error = false;    ///< passes tell an error also where no target asks for it
+    bool estimates_error = false;    ///< estimate the error of passes even without a target
 };
 
 struct Rendering {
     Film film;
-    RayCounts counts;                        ///< of the whole image, and of these
-    RayCounts resumed_counts;                ///< those before the state from which it went on
-    double samples = 0;                      ///< per pixel, the mean
-    std::uint64_t dropped_samples = 0;       ///< not finite, and taken as black
-    std::optional<double> expected_error{};  ///< relMSE, where it was estimated
-    double resumed_samples = 0;              ///< per pixel, those before that state
-    bool complete = false;  ///< what was asked for: neither stopped nor out of time
+    RayCounts counts;                        ///< of the whole image
+    RayCounts resumed_counts;                ///< of these, those before the resumed state
+    double samples = 0;                      ///< mean per pixel
+    std::uint64_t dropped_samples = 0;       ///< samples that were not finite, taken as black
+    std::optional<double> expected_error{};  ///< relMSE, if it was estimated
+    double resumed_samples = 0;              ///< mean per pixel, before the resumed state
+    bool complete = false;                   ///< neither stopped nor out of time
 };
 
-/// Renders the window of the settings. The integrator was made with the same settings. The pixels
-/// depend on scene and settings alone, and on the clock where there is a deadline: not on when it
-/// was stopped and resumed. A stop leaves a whole if noisy image. A state to resume from that does
-/// not fit the image leaves one without samples.
+/// Renders the window of the settings. The integrator must have been made with the same settings.
+/// The pixels depend only on scene and settings, and on the clock if there is a deadline, but not
+/// on stops and resumptions. A stop leaves a whole but noisier image. If the state to resume from
+/// does not fit the image, the result has no samples.
 Rendering render(const Camera& camera, const Integrator& integrator, const RenderSettings& settings,
                  const RunControl& control = {});
 

@@ -35,7 +35,7 @@ void SampleBatch::finish() {
     samples_.clear();
 }
 
-/// Renders the samples that count; the others are black.
+/// Renders the samples with a weight above 0; the others are black.
 void SampleBatch::render_weighted(const CameraSamples& samples, std::span<Color> colors) {
     weighted_sources_.clear();
     weighted_times_.clear();

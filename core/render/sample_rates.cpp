@@ -10,19 +10,19 @@
 namespace etalon {
 namespace {
 
-/// The least number of samples of a pixel for which lights are looked for.
+/// Least number of samples per pixel for which lights are searched.
 constexpr int fewest_samples = 8;
 
 constexpr int highest_rate = 16;
 
-/// A pixel's rate is the step of emission about it, over so many times the mean of what is lit up.
-/// Between 1 and 16 the product of error and time hardly depends on it.
+/// A pixel's rate is the step of emission around it, divided by this many times the mean of the
+/// scattered light. Between 1 and 16 the product of error and time hardly depends on it.
 constexpr double step_to_rate = 16;
 
-/// About how many samples tell what lights light up.
+/// Approximate number of samples that measure the scattered light.
 constexpr int probes = 1024;
 
-/// Luminances of the emission that the centres of the pixels of a window show, by rows.
+/// Returns the luminance of the emission at the centres of the pixels of a window, in rows.
 std::vector<float> emission(const Camera& camera, const Integrator& integrator,
                             RenderSettings settings, const Imath::Box2i& window) {
     settings.samples_per_pixel = 0;
@@ -45,8 +45,8 @@ std::vector<float> emission(const Camera& camera, const Integrator& integrator,
     return result;
 }
 
-/// A mean of the luminance that surfaces scatter to the eye: the square of the mean root, which
-/// few bright samples do not rule.
+/// Returns a mean of the luminance that surfaces scatter to the eye: the square of the mean root,
+/// which few bright samples do not dominate.
 double scattered_light(const Camera& camera, const Integrator& integrator,
                        RenderSettings settings) {
     settings.seed = ~settings.seed;  // other samples than those of the image
@@ -71,15 +71,15 @@ double scattered_light(const Camera& camera, const Integrator& integrator,
     return mean * mean;
 }
 
-/// The largest power of two that is not above `rate`, within the limits.
+/// Returns the largest power of two that is not above `rate`, within the limits.
 std::uint8_t rounded_rate(double rate) {
     int result = 1;
     while (result < highest_rate && 2 * result <= rate) result *= 2;
     return static_cast<std::uint8_t>(result);
 }
 
-/// The largest value minus the least about each pixel of a window, of those of a window larger by
-/// one on all sides.
+/// Calls `use` with the difference of the largest and the least value around each pixel of a
+/// window, from values of a window that is larger by one on all sides.
 template <class Use>
 void for_each_step(const std::vector<float>& values, const Imath::V2i& size, const Use& use) {
     const std::size_t stride = size.x + 2;

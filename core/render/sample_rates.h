@@ -9,15 +9,15 @@
 
 namespace etalon {
 
-/// How many times the usual number of samples each pixel of a window has, by rows: powers of two.
-/// Empty: all have the usual number.
+/// Factor of the number of samples of each pixel of a window, in rows: powers of two. Empty if all
+/// have the usual number.
 using SampleRates = std::vector<std::uint8_t>;
 
-/// More samples for the pixels at the outlines of lights that are much brighter than what they
-/// light up: few in an image, and with all its noise where a light is seen. The rates depend on
-/// rays of their own, not on the image's samples, which would bias its mean, and those of a pixel
-/// neither on the window. Empty where no lights are seen and for images of few samples, whose time
-/// is not worth a look.
+/// Returns higher rates for the pixels at the outlines of lights that are much brighter than the
+/// surfaces they illuminate. Such pixels are few, and have nearly all the noise of an image in
+/// which lights are visible. The rates depend on separate rays, since the image's own samples would
+/// bias its mean; the rate of a pixel does not depend on the window. Empty if no lights are
+/// visible, and for images of few samples, for which the search would not pay.
 SampleRates sample_rates(const Camera& camera, const Integrator& integrator,
                          const RenderSettings& settings, const Imath::Box2i& window);
 

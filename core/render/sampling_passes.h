@@ -1,4 +1,4 @@
-// Order in which samples are taken. An image is rendered in passes; after each one it is whole.
+// Order in which samples are taken. An image is rendered in passes; after each pass it is complete.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace etalon {
 
-/// How many samples pixels have at the end of a pass.
+/// Number of samples of pixels at the end of a pass.
 struct SamplingGoal {
-    std::uint32_t all = 0;                  ///< samples of every pixel, unless
-    std::vector<std::uint32_t> of_pixel{};  ///< each one has its own
+    std::uint32_t all = 0;                  ///< samples of every pixel, if of_pixel is empty
+    std::vector<std::uint32_t> of_pixel{};  ///< samples of each pixel
 
     std::uint32_t of(std::size_t pixel) const { return of_pixel.empty() ? all : of_pixel[pixel]; }
 
@@ -30,18 +30,19 @@ class SamplingPasses {
     /// Returns the goal of the next pass; nothing when the image is done.
     virtual std::optional<SamplingGoal> next(const Film& film) = 0;
 
-    /// Whether the image is what was asked for after so many samples; next() also ends the passes
-    /// where there is no time for more.
+    /// Returns whether the image is complete after so many samples. next() also ends the passes if
+    /// there is no time for more.
     virtual bool is_complete(std::uint64_t samples) const = 0;
 
-    /// The image's expected relMSE after the last whole pass; nothing where it was not estimated.
+    /// Returns the image's expected relMSE after the last whole pass; nothing if it was not
+    /// estimated.
     virtual std::optional<double> expected_error() const { return std::nullopt; }
 
-    /// Write and read what next() and expected_error() depend on beside the film.
+    /// Write and read the state of next() and expected_error() beside the film.
     virtual void save(StateWriter& bytes) = 0;
     virtual void restore(StateReader& bytes) = 0;
 
-    /// Fraction of the work that is done after so many samples, in [0, 1].
+    /// Returns the fraction of the work that is done after so many samples, in [0, 1].
     virtual double progress(std::uint64_t samples) const = 0;
 };
 

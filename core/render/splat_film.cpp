@@ -14,7 +14,7 @@ int divided_up(int a, int b) {
     return (a + b - 1) / b;
 }
 
-/// The multiple of `side` that is at most `place`.
+/// Returns the largest multiple of `side` that is at most `place`.
 int aligned(int place, int side) {
     const int beyond = place % side;
     return place - (beyond < 0 ? beyond + side : beyond);
@@ -33,7 +33,7 @@ Imath::V2i block_size(int side, const FilterAxis& across, const FilterAxis& down
            Imath::V2i(1);
 }
 
-/// Weights of one sample for consecutive pixels of one axis.
+/// Weights of one sample for consecutive pixels along one axis.
 struct Weights {
     static constexpr std::size_t most = 2 * static_cast<int>(max_filter_radius) + 2;
 
@@ -46,7 +46,7 @@ struct Weights {
     }
 };
 
-/// Adds `factor` times the values to sums, and what rounding takes from these to `errors`.
+/// Adds `factor` times the values to sums, and the rounding errors of these to `errors`.
 void add_with_errors(const double* values, double factor, int count, double* __restrict sums,
                      double* __restrict errors) {
     for (int i = 0; i < count; ++i) {
@@ -82,8 +82,8 @@ std::size_t SplatFilm::cell_of(const Imath::V2i& pixel) const {
     return static_cast<std::size_t>(offset.y / side_) * cells_.x + offset.x / side_;
 }
 
-/// Distances are those from the cell's corner: rounded alike, they stay within the block. The sums
-/// of a row lie one after the other, so that several are added to at a time.
+/// Distances are measured from the cell's corner, so that all are rounded alike and stay within the
+/// block. The sums of a row are adjacent, so that several are added to at a time.
 void SplatFilm::add(const Imath::V2i& pixel, const Vec2& place, const Color& sample,
                     double weight) {
     const Imath::V2i offset = pixel - corner_;
@@ -140,7 +140,8 @@ std::vector<double> SplatFilm::counts(const Film& samples, const SampleRates& ra
     return counts;
 }
 
-/// One over the number of samples that each pixel of a cell counts as; 0 where there is none.
+/// Returns the reciprocal of the number of samples that each pixel of a cell counts as; 0 if there
+/// is none.
 std::vector<double> SplatFilm::cell_weights(const Film& samples, const SampleRates& rates) const {
     std::vector<double> weights = counts(samples, rates);
     std::vector<std::uint64_t> pixels(weights.size(), 0);
@@ -153,14 +154,14 @@ std::vector<double> SplatFilm::cell_weights(const Film& samples, const SampleRat
     return weights;
 }
 
-/// The cells whose blocks have the pixel.
+/// Returns the cells whose blocks contain the pixel.
 SplatFilm::Range SplatFilm::cells_about(int pixel, int axis) const {
     const int from_block = pixel - corner_[axis] + before_[axis];  // of the first cell
     return {std::max(0, divided_up(from_block - block_[axis] + 1, side_)),
             std::min(cells_[axis] - 1, from_block / side_)};
 }
 
-/// Adds to the row `y` of the window what all cells have for it.
+/// Adds to row `y` of the window the contributions of all cells.
 void SplatFilm::add_row(int y, const Imath::Box2i& window, const std::vector<double>& cell_weights,
                         std::vector<Splat>& row) const {
     const Range rows = cells_about(y, 1);

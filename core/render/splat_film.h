@@ -11,38 +11,38 @@
 
 namespace etalon {
 
-/// Samples that count for all pixels near them, by the weights of a filter. The image's pixels are
-/// divided into square cells; what the samples of a cell give, to its own pixels and to those
-/// around, is summed up apart from other cells. So threads may add samples to different cells at
-/// the same time, and an image does not depend on their order.
+/// Film whose samples contribute to all pixels near them, with the weights of a filter. The image's
+/// pixels are divided into square cells. The contributions of a cell's samples, to its own pixels
+/// and to those around, are summed separately from other cells. So threads may add samples to
+/// different cells at the same time, and the image does not depend on their order.
 class SplatFilm {
   public:
-    /// Film for samples of the pixels of `window`, inclusive on both ends. The cells have
-    /// `cell_side` pixels a side; they are the same whatever the window, so that a part of an image
-    /// has the same bits as the whole.
+    /// Makes a film for samples of the pixels of `window`, inclusive on both ends. Cells are
+    /// `cell_side` pixels wide; they are the same for any window, so that a part of an image has
+    /// the same bits as the whole.
     SplatFilm(const Imath::Box2i& window, int cell_side, const PixelFilter& filter);
 
     /// Adds a sample at `place`, in pixels, of the pixel in which it lies. It counts as `weight`
-    /// samples: one over how many times the usual number of samples the pixel has.
+    /// samples: the reciprocal of the pixel's rate.
     void add(const Imath::V2i& pixel, const Vec2& place, const Color& sample, double weight = 1);
 
-    /// The pixels of `window` by rows: means of the samples near them, not below 0, black where
-    /// there is none. A cell's samples count as much as if there were one of each pixel;
-    /// `samples` has their true number, and `rates` how many of a pixel count as one.
+    /// Returns the pixels of `window` in rows: weighted means of the samples near them, not below
+    /// 0, and black where there is none. A cell's samples count as if there were one of each pixel;
+    /// `samples` has their true number, and `rates` how many samples of a pixel count as one.
     std::vector<Vec3> means(const Imath::Box2i& window, const Film& samples,
                             const SampleRates& rates = {}) const;
 
-    /// Adds the samples of another film of the same window and filter, which has so many in its
-    /// cells. The order in which films are added does not matter.
+    /// Adds the samples of another film of the same window and filter; `counts` are the numbers of
+    /// samples of its cells. The order in which films are added does not matter.
     void add(const SplatFilm& other, const std::vector<double>& counts);
 
-    /// Returns the number of samples of each cell, of pixels with a rate as many as they count as.
+    /// Returns the number of samples of each cell, where samples of pixels with a rate count less.
     std::vector<double> counts(const Film& samples, const SampleRates& rates) const;
 
-    /// The corner of the first cell, in the window's or before.
+    /// Returns the corner of the first cell, which is at the window's corner or before it.
     const Imath::V2i& corner() const { return corner_; }
 
-    /// Bytes of memory for each pixel.
+    /// Returns the bytes of memory for each pixel.
     static double bytes_per_pixel(int cell_side, const PixelFilter& filter);
 
     template <class Bytes>
@@ -53,7 +53,7 @@ class SplatFilm {
         bytes.expect(errors_.empty() || errors_.size() == splats_.size());
     }
 
-    /// The same of the cells of a tile alone, of a film to which no other was added.
+    /// Transfers only the cells of a tile, of a film to which no other was added.
     template <class Bytes>
     void transfer(Bytes& bytes, const Imath::Box2i& tile) {
         for (int y = tile.min.y; y <= tile.max.y; ++y) {
@@ -64,7 +64,7 @@ class SplatFilm {
     }
 
   private:
-    /// Sums of weighted samples, by channels, and of their weights.
+    /// Sums of weighted samples, by channel, and of their weights.
     struct Splat {
         static constexpr int size = 4;
         std::array<double, size> values{};
@@ -75,7 +75,7 @@ class SplatFilm {
         int first, last;
     };
 
-    /// The sums of a pixel of a block.
+    /// Returns the sums of a pixel of a block.
     std::array<double, Splat::size> value(std::size_t splat) const {
         std::array<double, Splat::size> sum = splats_[splat].values;
         if (errors_.empty()) return sum;
@@ -85,7 +85,7 @@ class SplatFilm {
 
     std::size_t cell_of(const Imath::V2i& pixel) const;
 
-    /// Whether the pixel is the first one of its cell that is in the tile.
+    /// Returns whether the pixel is the first one of its cell that is in the tile.
     bool is_first_of_cell(const Imath::V2i& pixel, const Imath::Box2i& tile) const {
         const Imath::V2i offset = pixel - corner_;
         return (offset.x % side_ == 0 || pixel.x == tile.min.x) &&
@@ -111,13 +111,13 @@ class SplatFilm {
     Imath::V2i corner_;
     FilterAxis across_, down_;
     Imath::V2i cells_;   ///< number of cells along both axes
-    Imath::V2i before_;  ///< how many pixels before its cell a block begins
-    Imath::V2i block_;   ///< size of the pixels that a cell's samples reach
-    std::vector<Splat, LargePages<Splat>> splats_;  ///< blocks, one after the other, by rows
-    /// What rounding took from these, so that the order of samples does not matter; empty for
-    /// cells of one pixel, which would take twice as much memory again.
+    Imath::V2i before_;  ///< number of pixels by which a block begins before its cell
+    Imath::V2i block_;   ///< size in pixels of the area that a cell's samples affect
+    std::vector<Splat, LargePages<Splat>> splats_;  ///< blocks, one after the other, in rows
+    /// Rounding errors of these sums, so that the order of samples does not matter. Empty for cells
+    /// of one pixel, for which they would double the memory.
     std::vector<Splat, LargePages<Splat>> errors_;
-    std::vector<double> counts_;  ///< samples of the cells of several films; empty: of a single one
+    std::vector<double> counts_;  ///< samples of the cells of several films; empty for a single one
 };
 
 }  // namespace etalon

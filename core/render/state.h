@@ -1,5 +1,5 @@
-// The state of a rendering as bytes: what another process needs to go on from there. Objects that
-// have some say what it is once, for both ways, in a `template <class Bytes> void
+// The state of a rendering as bytes, from which another process can continue it. Objects with a
+// state define it once, for reading and writing, in a `template <class Bytes> void
 // transfer(Bytes&)`.
 #pragma once
 
@@ -12,16 +12,16 @@
 
 namespace etalon {
 
-/// Whether all that a value is lies in its own bytes; vectors have constructors, but no more.
+/// True if all of a value is in its own bytes. Vectors qualify, though they have constructors.
 template <class T>
 inline constexpr bool is_plain = std::is_standard_layout_v<T>&& std::is_trivially_destructible_v<T>;
 
-/// Writes values as they are in memory, vectors after their lengths.
+/// Writes values as they are in memory, and vectors after their lengths.
 class StateWriter {
   public:
     using Sink = std::function<void(std::string_view)>;
 
-    /// The sink is called with one piece of the bytes after the other.
+    /// The sink is called with consecutive pieces of the bytes.
     explicit StateWriter(Sink sink) : sink_(std::move(sink)) {}
 
     template <class T>
@@ -37,17 +37,17 @@ class StateWriter {
         sink_({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
     }
 
-    /// Says what must hold of the values so far, for whoever reads them.
+    /// States a condition that a reader checks. A writer need not.
     void expect(bool) {}
 
   private:
     Sink sink_;
 };
 
-/// Reads them again, in the same order, into objects made by the same settings.
+/// Reads the values in the same order, into objects made with the same settings.
 class StateReader {
   public:
-    /// Fills a piece of memory with the next bytes; returns whether there are so many.
+    /// Fills a piece of memory with the next bytes; returns false if there are not enough.
     using Source = std::function<bool(char*, std::size_t)>;
 
     explicit StateReader(Source source) : source_(std::move(source)) {}
@@ -58,14 +58,14 @@ class StateReader {
         read(&value, sizeof value);
     }
 
-    /// A vector that has elements keeps their number: bytes that say another one do not fit.
+    /// Reads a vector. If it has elements, bytes with another number of elements do not fit.
     template <class T, class Allocator>
     void operator()(std::vector<T, Allocator>& values) {
         static_assert(is_plain<T>);
         std::uint64_t size = 0;
         read(&size, sizeof size);
         if (size != values.size() && (!values.empty() || size > largest)) failed_ = true;
-        constexpr std::uint64_t step = 1 << 16;  // memory grows with what there really is
+        constexpr std::uint64_t step = 1 << 16;  // memory grows only with the bytes that exist
         for (std::uint64_t done = 0; done < size && !failed_; done += step) {
             const std::uint64_t count = std::min(size - done, step);
             if (values.size() < done + count) values.resize(done + count);
@@ -73,7 +73,7 @@ class StateReader {
         }
     }
 
-    /// Of a byte that is neither 0 nor 1 no truth value can be made.
+    /// Reads a truth value; bytes other than 0 and 1 are errors.
     void operator()(bool& value) {
         std::uint8_t byte = 0;
         (*this)(byte);
@@ -81,14 +81,14 @@ class StateReader {
         value = byte == 1;
     }
 
-    /// Fails unless the values so far are those of such objects.
+    /// Fails unless the condition holds for the values so far.
     void expect(bool holds) { failed_ = failed_ || !holds; }
 
-    /// Whether the bytes were not those of such objects.
+    /// Returns whether the bytes did not fit the objects.
     bool failed() const { return failed_; }
 
   private:
-    /// Pixels of the largest image.
+    /// Largest number of elements of a vector: the pixels of the largest image.
     static constexpr std::uint64_t largest = std::uint64_t{1} << 32;
 
     void read(void* to, std::size_t size) {

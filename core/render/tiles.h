@@ -1,4 +1,4 @@
-// A window of pixels cut into tiles, and the one loop that gives tiles to threads.
+// A window of pixels divided into tiles, and the one loop that distributes tiles to threads.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace etalon {
 /// Number of pixels on a side of a tile.
 inline constexpr int tile_side = 16;
 
-/// A window of pixels, inclusive on both ends, cut into what threads take at a time: squares, by
-/// rows. The first begins at `corner`, which is not within the window but at its corner or before.
+/// Divides a window of pixels, inclusive on both ends, into square tiles, in rows. The first begins
+/// at `corner`, which is at the window's corner or before it.
 inline std::vector<Imath::Box2i> tiles_of(const Imath::Box2i& window, const Imath::V2i& corner) {
     constexpr int side = tile_side;
     std::vector<Imath::Box2i> tiles;

@@ -4,7 +4,7 @@
 
 namespace etalon {
 
-/// How many samples there will be at the deadline if they go on taking as long as those before.
+/// Returns how many samples there will be at the deadline if they take as long as those before.
 std::uint32_t UniformPasses::affordable() const {
     const double part = deadline_.elapsed_fraction();
     if (!(part > 0)) return samples_;

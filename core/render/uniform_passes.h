@@ -8,9 +8,9 @@
 
 namespace etalon {
 
-/// The same number of samples for every pixel, or as many times that as its rate says, doubled
-/// round by round: what there is at any time is well distributed. The last pass before a deadline
-/// is as large as there is time for.
+/// Takes the same number of samples for every pixel, times the pixel's rate. The number is doubled
+/// from pass to pass, so that the samples are well distributed at any time. The last pass before a
+/// deadline is as large as the time allows.
 class UniformPasses : public SamplingPasses {
   public:
     /// Plans `samples` samples of each of `pixels` pixels, at least 1, times their `rates`.
@@ -36,8 +36,8 @@ class UniformPasses : public SamplingPasses {
     std::uint64_t all_samples() const { return samples_ * samples_of_one_; }
 
     std::uint32_t samples_, goal_ = 0;
-    std::uint32_t goal_before_ = 0;  ///< when the deadline's time began
-    std::uint64_t samples_of_one_;   ///< of all pixels, for each one of a pixel without a rate
+    std::uint32_t goal_before_ = 0;  ///< goal when the deadline's time began
+    std::uint64_t samples_of_one_;   ///< samples of all pixels if a pixel of rate 1 has one
     SampleRates rates_;
     const Deadline& deadline_;
 };

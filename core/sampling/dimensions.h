@@ -1,5 +1,5 @@
-// The dimensions of a sample, named by what they decide. A dimension that is missing here does not
-// exist: whoever needs one adds it, so that no two choices of a path share their numbers.
+// The dimensions of a sample, named by their use. Every dimension is listed here, so that no two
+// choices of a path share their numbers.
 #pragma once
 
 #include <cstdint>
@@ -8,29 +8,29 @@
 
 namespace etalon {
 
-/// The choices of a camera, which are dimensions as they stand.
+/// Dimensions of a camera's choices, which are used as they are.
 enum CameraDimension : std::uint32_t {
     pixel_dimension = 0,
     lens_dimension = 1,
-    time_dimension = 2,  ///< of which the first number counts
+    time_dimension = 2,  ///< only the first number is used
 };
 
-/// The choices at a vertex of a path. A tree of rays names each of its rays by a hash of the ray
-/// before it and the way it went; a hash of that name and a choice is the choice's dimension. The
-/// name itself is that of the choices that are made together: vertex_points.h.
+/// Choices at a vertex of a path. Each ray of a tree of rays has a name: a hash of the name of the
+/// ray before it and the way it went. The dimension of a choice is a hash of the ray's name and the
+/// choice. Choices that are made together use the name itself: see vertex_points.h.
 enum PathDimension : std::uint32_t {
-    same_side_ray = 0,               ///< name of the next ray, on the side where the last came from
+    same_side_ray = 0,               ///< name of the next ray, on the side of the incoming one
     other_side_ray = 1,              ///< name of the next ray, through the surface
     first_light = 2,                 ///< point on a light; light i has first_light + i
     occlusion_direction = 1U << 31,  ///< above all lights
     medium_collisions,               ///< of a ray in a medium, after the first
     shadow_collisions,               ///< of the shadow rays of a vertex
-    along_ray_collisions,            ///< of a shadow ray from anywhere along a ray
-    exit_vertex,                     ///< name of the vertex of light from below a surface
+    along_ray_collisions,            ///< of a shadow ray from a point along a ray
+    exit_vertex,                     ///< name of the vertex where subsurface light entered
     passing_ray,                     ///< name of the part of a ray that passes a medium
 };
 
-/// The name of a camera's ray.
+/// Name of a camera ray.
 inline constexpr std::uint32_t camera_ray_name = 1;
 
 inline std::uint32_t ray_name(std::uint32_t parent, bool crosses) {
@@ -49,7 +49,7 @@ inline std::uint32_t collision_dimension(std::uint32_t ray) {
     return hash(ray, medium_collisions);
 }
 
-/// Of shadow ray number `k` of the vertex.
+/// Returns the dimension of shadow ray number `k` of the vertex.
 inline std::uint32_t shadow_collision_dimension(std::uint32_t ray, std::size_t k) {
     return hash(hash(ray, shadow_collisions), static_cast<std::uint32_t>(k));
 }
@@ -58,17 +58,18 @@ inline std::uint32_t along_ray_collision_dimension(std::uint32_t ray) {
     return hash(ray, along_ray_collisions);
 }
 
-/// Name of the vertex at which light comes in that is scattered below the surface of vertex `ray`.
+/// Returns the name of the vertex at which light enters that is scattered below the surface of
+/// vertex `ray`.
 inline std::uint32_t exit_name(std::uint32_t ray) {
     return hash(ray, exit_vertex);
 }
 
-/// Name of the part of ray `ray` that passes the medium by which the rest is scattered.
+/// Returns the name of the part of ray `ray` that passes the medium, the rest being scattered.
 inline std::uint32_t passing_name(std::uint32_t ray) {
     return hash(ray, passing_ray);
 }
 
-/// The choices of a ray set, which are dimensions of samples of its own.
+/// Dimensions of a ray set's choices, for samples of its own.
 enum RaySetDimension : std::uint32_t { bounce_dimension = 0, shadow_dimension = 1 };
 
 }  // namespace etalon

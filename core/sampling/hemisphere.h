@@ -7,9 +7,9 @@
 
 namespace etalon {
 
-/// A unit vector whose angle to the unit vector `normal` is cosine-distributed (density cos / pi),
-/// for `uv` evenly distributed in [0, 1)^2: a point of the unit disk lifted to the hemisphere
-/// (Malley's method).
+/// Returns a unit vector whose angle to the unit vector `normal` is cosine-distributed (density cos
+/// / pi), for `uv` uniformly distributed in [0, 1)^2: a point of the unit disk lifted to the
+/// hemisphere (Malley's method).
 inline Vec3 cosine_direction(const Vec3& normal, const Vec2& uv) {
     Vec3 u, v;
     orthonormal_basis(normal, u, v);

@@ -4,8 +4,8 @@
 
 namespace etalon {
 
-/// Independent numbers in [0, 1) for a decision that takes any number of them, named by a seed and
-/// the number of the sample.
+/// Independent numbers in [0, 1) for a decision that needs any number of them, identified by a seed
+/// and the number of the sample.
 class RandomSequence {
   public:
     RandomSequence(std::uint32_t seed, std::uint32_t index)

@@ -1,4 +1,4 @@
-// The sample points of an image, each named by its pixel, sample, dimension and seed.
+// The sample points of an image, each identified by its pixel, sample, dimension and seed.
 #pragma once
 
 #include "core/sampling/random_sequence.h"
@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// The points of one dimension of a pixel, for all samples of it.
+/// The points of one dimension for all samples of a pixel.
 class PointSet {
   public:
     PointSet(Sampler sampler, std::uint32_t seed)
@@ -26,7 +26,7 @@ class PointSet {
     bool is_sobol_;
 };
 
-/// Points of many point sets of one sampler, made together.
+/// Points of many point sets of one sampler, generated together.
 class PointBatch {
   public:
     void add(const PointSet& set, std::uint32_t index) { add(set, index, index + 1); }
@@ -40,7 +40,7 @@ class PointBatch {
         }
     }
 
-    /// Makes the points; in the order in which they were added. They are valid until clear().
+    /// Returns the points, in the order in which they were added. They are valid until clear().
     std::span<const Vec2> make() {
         sobol_.move_to(points_);
         return points_;
@@ -64,12 +64,12 @@ class PixelSamples {
 
     PointSet points(std::uint32_t dimension) const { return {sampler_, seed(dimension)}; }
 
-    /// Seed of the sets of a dimension.
+    /// Returns the seed of the sets of a dimension.
     std::uint32_t seed(std::uint32_t dimension) const { return hash(pixel_, dimension); }
 
   private:
-    /// Mixes the seed's upper half into the pixel's name last, and only if there is one: seeds
-    /// below 2^32 have the points that they had when seeds ended there.
+    /// Mixes the seed's upper half into the pixel's name last, and only if it is not zero, so that
+    /// seeds below 2^32 keep the points that they had when seeds were of 32 bits.
     static std::uint32_t name_of(int x, int y, std::uint64_t seed) {
         const std::uint32_t row =
             hash(static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(x));
@@ -82,7 +82,7 @@ class PixelSamples {
     Sampler sampler_;
 };
 
-/// One sample of one pixel: a source of points, one for each dimension asked.
+/// One sample of one pixel: a source of points, one for each dimension.
 class SampleSource {
   public:
     /// Sample number `index` of the pixel.
@@ -90,30 +90,30 @@ class SampleSource {
 
     Vec2 point(std::uint32_t dimension) const { return stratified(dimension, 0, 1); }
 
-    /// Point number `k` of `parts`, where a dimension wants several points of each sample. Over all
-    /// samples of the pixel they make one well distributed set.
+    /// Returns point number `k` of `parts`, for dimensions with several points per sample. Over all
+    /// samples of the pixel they form one well distributed set.
     Vec2 stratified(std::uint32_t dimension, std::uint32_t k, std::uint32_t parts) const {
         return pixel_.points(dimension)(index_ * parts + k);
     }
 
-    /// Adds that point to those that will be made together.
+    /// Adds that point to those that will be generated together.
     void add_stratified(std::uint32_t dimension, std::uint32_t k, std::uint32_t parts,
                         PointBatch& to) const {
         to.add(pixel_.points(dimension), index_ * parts + k);
     }
 
-    /// Adds the choices at the vertex of that name to those that will be made together.
+    /// Adds the choices at the vertex of that name to those that will be generated together.
     void add_vertex(std::uint32_t name, VertexPoints& to) const {
         to.add(pixel_.seed(name), index_);
     }
 
-    /// The numbers of a dimension that takes any number of them.
+    /// Returns the numbers of a dimension that needs any number of them.
     RandomSequence sequence(std::uint32_t dimension) const {
         return {pixel_.seed(dimension), index_};
     }
 
-    /// Sample number `k` of the `parts` into which this one splits. Over all samples of the pixel
-    /// the points of all parts make one well distributed set.
+    /// Returns sample number `k` of the `parts` into which this one splits. Over all samples of the
+    /// pixel the points of all parts form one well distributed set.
     SampleSource part(std::uint32_t k, std::uint32_t parts) const {
         return {pixel_, index_ * parts + k};
     }

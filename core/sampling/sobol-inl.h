@@ -1,4 +1,4 @@
-// Points of the scrambled Sobol' sequence, several at a time; included once for each instruction
+// Points of the scrambled Sobol' sequence, several at a time. Included once for each instruction
 // set.
 #include <hwy/highway.h>
 
@@ -16,7 +16,7 @@ namespace etalon::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// As many 32-bit words as an instruction takes, to be written like one.
+/// A vector of 32-bit words that can be used like a single one.
 struct Words {
     using Tag = hn::CappedTag<std::uint32_t, SobolBatch::lanes>;
 
@@ -58,7 +58,7 @@ HWY_INLINE Word reverse_bits(Word x) {
     return left<1>(x & 0x55555555U) | (right<1>(x) & 0x55555555U);
 }
 
-/// A permutation in which a bit is changed only by those below it (Laine & Karras 2011, "Stratified
+/// Permutes x such that a bit is changed only by those below it (Laine & Karras 2011, "Stratified
 /// Sampling for Stochastic Transparency"); constants after Vegdahl 2021, "Building a Better LK
 /// Hash".
 template <class Word>
@@ -71,8 +71,8 @@ HWY_INLINE Word low_to_high_permutation(Word x, Word seed) {
 }
 
 /// Applies the second generator matrix of Sobol' with its rows reversed. The matrix is Pascal's
-/// triangle modulo 2, in which C(k, j) is odd where all bits of j are bits of k (Lucas): bit j of
-/// the result is the sum of the bits k above it, which five steps give, one for each bit of k.
+/// triangle modulo 2, in which C(k, j) is odd where all bits of j are bits of k (Lucas). So bit j
+/// of the result is the sum of the bits k above it, computed in five steps, one for each bit of k.
 template <class Word>
 HWY_INLINE Word reversed_sobol_second(Word index) {
     index = index ^ (right<16>(index) & 0x0000ffffU);
@@ -88,9 +88,10 @@ struct Coordinates {
     Word x, y;
 };
 
-/// A nested uniform scramble, by which half an interval's points go to depends on the interval
-/// only, is low_to_high_permutation between two reversals of bits. The first of each coordinate
-/// undoes the one that the van der Corput sequence begins with, so neither is done.
+/// Returns a point after a nested uniform scramble, in which the half to which an interval's points
+/// go depends only on the interval. It is low_to_high_permutation between two reversals of bits.
+/// The first reversal of each coordinate cancels the one with which the van der Corput sequence
+/// begins, so neither is done.
 template <class Word>
 HWY_INLINE Coordinates<Word> scrambled_point(Word index, Word order, Word x, Word y) {
     const Word shuffled = reverse_bits(low_to_high_permutation(reverse_bits(index), order));
@@ -98,8 +99,8 @@ HWY_INLINE Coordinates<Word> scrambled_point(Word index, Word order, Word x, Wor
             reverse_bits(low_to_high_permutation(reversed_sobol_second(shuffled), y))};
 }
 
-/// Sets points to coordinates of [0, 1). There is a conversion for signed words only: half of the
-/// range is taken off and put back, which is exact.
+/// Converts coordinates to [0, 1). Only signed words can be converted, so half of the range is
+/// subtracted before and added after, which is exact.
 HWY_INLINE void store_unit_interval(const Coordinates<Words>& words, Vec2* points) {
     const Words::Tag tag;
     const hn::CappedTag<double, SobolBatch::lanes / 2> doubles;

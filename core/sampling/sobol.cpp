@@ -14,7 +14,7 @@
 #define ETALON_SOBOL_ONCE
 namespace etalon {
 
-/// What names points, side by side: `count` of each, a multiple of SobolBatch::lanes.
+/// Names of points in SoA layout: `count` of each, a multiple of SobolBatch::lanes.
 struct SobolNames {
     const std::uint32_t *index, *order, *x, *y;
     std::size_t count;
@@ -47,7 +47,7 @@ HWY_EXPORT(make_points);
 
 namespace {
 
-/// Maps to [0, 1): all 32 bits fit a double.
+/// Maps to [0, 1); all 32 bits fit a double.
 double unit_interval(std::uint32_t x) {
     return x * 0x1p-32;
 }

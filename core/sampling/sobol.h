@@ -1,5 +1,5 @@
-// Points that depend on nothing but their number and a seed. No state, so any order, tiling or
-// machine gives the same one.
+// Points that depend only on their number and a seed. There is no state, so that any order, tiling
+// or machine gives the same ones.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace etalon {
 
-/// A 32-bit mix of two words; the basis of all names of dimensions.
+/// Mixes two words into 32 bits; the basis of all names of dimensions.
 inline std::uint32_t hash(std::uint32_t a, std::uint32_t b) {
     // Finalizer of MurmurHash3 (Appleby) over both words; the multipliers are odd, so it is a
     // bijection of the 64 bits before they are folded.
@@ -20,15 +20,15 @@ inline std::uint32_t hash(std::uint32_t a, std::uint32_t b) {
     return static_cast<std::uint32_t>(h ^ (h >> 33));
 }
 
-/// The two-dimensional Sobol' sequence, Owen-scrambled, its order shuffled by a scramble of the
-/// index (Burley 2020, "Practical Hash-based Owen Scrambling", JCGT 9(4)). Every seed gives an
+/// The two-dimensional Sobol' sequence, Owen-scrambled, with its order shuffled by a scramble of
+/// the index (Burley 2020, "Practical Hash-based Owen Scrambling", JCGT 9(4)). Every seed gives an
 /// independent randomisation.
 class ScrambledSobol {
   public:
     explicit ScrambledSobol(std::uint32_t seed)
         : order_(hash(seed, 0)), x_(hash(seed, 1)), y_(hash(seed, 2)) {}
 
-    /// Point number `index`, in [0, 1)^2.
+    /// Returns point number `index`, in [0, 1)^2.
     Vec2 operator()(std::uint32_t index) const;
 
   private:
@@ -37,7 +37,7 @@ class ScrambledSobol {
     std::uint32_t order_, x_, y_;  ///< seeds of the three scrambles
 };
 
-/// Points of many sequences, made together: eight or sixteen at a time take little longer than one.
+/// Points of many sequences, generated together: eight or sixteen take little longer than one.
 class SobolBatch {
   public:
     static constexpr std::size_t lanes = 16;
@@ -45,19 +45,19 @@ class SobolBatch {
     /// Adds the points [first, last) of a sequence.
     void add(const ScrambledSobol& sequence, std::uint32_t first, std::uint32_t last);
 
-    /// Forgets the points that were added.
+    /// Discards the points that were added.
     void clear() { size_ = 0; }
 
-    /// Appends the points, in the order in which they were added, and forgets them.
+    /// Appends the points, in the order in which they were added, and clears the batch.
     void move_to(std::vector<Vec2>& points);
 
   private:
     std::size_t size_ = 0;
-    /// Of each point, up to a multiple of `lanes`.
+    /// Data of each point, padded to a multiple of `lanes`.
     std::vector<std::uint32_t> index_, order_, x_, y_;
 };
 
-/// Point `index` of a sequence of independent, evenly distributed points in [0, 1)^2.
+/// Returns point `index` of a sequence of independent, uniformly distributed points in [0, 1)^2.
 Vec2 uniform_random(std::uint32_t index, std::uint32_t seed);
 
 }  // namespace etalon

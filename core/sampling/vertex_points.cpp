@@ -14,7 +14,7 @@
 #define ETALON_VERTEX_POINTS_ONCE
 namespace etalon {
 
-/// Vertices side by side: `count` of each, a multiple of SobolBatch::lanes.
+/// Vertices in SoA layout: `count` of each, a multiple of SobolBatch::lanes.
 struct VertexNames {
     const std::uint32_t *seed, *index;
     std::size_t count;
@@ -26,7 +26,7 @@ struct VertexNames {
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// A bijection of 32 bits (Wellons 2018, "Prospecting for Hash Functions": lowbias32).
+/// Returns a bijective mix of 32 bits (Wellons 2018, "Prospecting for Hash Functions": lowbias32).
 HWY_INLINE Words mixed(Words x) {
     x = (x ^ right<16>(x)) * 0x7feb352dU;
     x = (x ^ right<15>(x)) * 0x846ca68bU;
@@ -34,7 +34,7 @@ HWY_INLINE Words mixed(Words x) {
 }
 
 /// Makes the points of set number `set` of all vertices. Each scramble of each set has a seed of
-/// its own: a mix of the vertex's, moved by multiples of an odd number.
+/// its own: a mix of the vertex's seed plus multiples of an odd number.
 void make_set(const VertexNames& names, std::uint32_t set, Vec2* points) {
     const Words::Tag tag;
     const auto moved = [](Words seed, std::uint32_t times)

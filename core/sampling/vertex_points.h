@@ -10,29 +10,30 @@
 
 namespace etalon {
 
-/// What a vertex of a path decides by a place and up to two choices, all in [0, 1).
+/// A decision at a vertex of a path. Each takes a place in [0, 1)^2 and up to two choices in [0,
+/// 1).
 enum class Decision : std::uint32_t {
-    light,   ///< a light by the first choice, and the place on it
-    way,     ///< a lobe and survival by the choices, and the place among the lobe's directions
-    flight,  ///< how far a ray goes in a medium, by the place, and where on it a light is asked
-    probe,   ///< where light comes in that is scattered below a surface
+    light,   ///< the first choice selects a light, the place a point on it
+    way,     ///< the choices select a lobe and survival, the place a direction of the lobe
+    flight,  ///< the place selects a distance in a medium, and a point of the ray to connect
+    probe,   ///< where subsurface light enters
 };
 
-/// The points by which vertices take one of their decisions, made together. Those of the samples of
-/// a pixel at vertices of one name make well distributed sets, one of places and one of choices.
+/// The points for one kind of decision at many vertices, generated together. Those of the samples
+/// of a pixel at vertices of one name form well distributed sets, one of places and one of choices.
 class VertexPoints {
   public:
     explicit VertexPoints(Decision decision) : decision_(decision) {}
 
     void clear();
 
-    /// Adds sample number `index` of the vertices that `seed` names.
+    /// Adds sample number `index` of the vertices that `seed` identifies.
     void add(std::uint32_t seed, std::uint32_t index);
 
-    /// Makes all that were added since clear().
+    /// Generates the points of all vertices that were added since clear().
     void make(Sampler sampler);
 
-    /// The place and the choices of the i-th that was added.
+    /// Returns the place, or the choices, of the i-th vertex that was added.
     const Vec2& place(std::size_t i) const { return points_[0][i]; }
     const Vec2& choices(std::size_t i) const { return points_[1][i]; }
 

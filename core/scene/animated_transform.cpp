@@ -8,7 +8,7 @@
 namespace etalon {
 namespace {
 
-/// Above this cosine of their angle quaternions are interpolated along their chord, as in pbrt-v3.
+/// Cosine of their angle above which quaternions are interpolated along their chord, as in pbrt-v3.
 constexpr double nearly_equal = 0.9995;
 
 Vec3 between(double part, const Vec3& a, const Vec3& b) {
@@ -19,7 +19,7 @@ Affine product(const Affine& rotation, const Affine& stretch) {
     return {rotation.vector(stretch.x), rotation.vector(stretch.y), rotation.vector(stretch.z)};
 }
 
-/// Returns what is to be done before a rotation to give a map, its origin left out.
+/// Returns the stretch that gives a map if a rotation follows it. The origin is left out.
 Affine stretch_before(const Affine& rotation, const Affine& map) {
     const auto back = [&](const Vec3& v) {
         return Vec3(rotation.x.dot(v), rotation.y.dot(v), rotation.z.dot(v));
@@ -80,11 +80,11 @@ Affine AnimatedTransform::rotation_at_part(double part) const {
     return rotation_of(std::cos(angle) * from_ + std::sin(angle) * across_);
 }
 
-/// A point x is at o + R S x, where o and S change linearly. Its distance from the chord is at most
-/// length^2 / 8 times the largest second derivative, R'' S x + 2 R' S' x. With a rotation by the
-/// angle a in all, |R'| <= a and |R''| <= a^2; along the chord of quaternions, where a < 0.064, by
-/// less than a tenth more. |S x| is largest at a corner of the box and at an end. The last term has
-/// room for the roundings of the numbers, most of which come from R and S.
+/// A point x moves along o + R S x, where o and S change linearly. Its distance from the chord is
+/// at most length^2 / 8 times the largest second derivative, R'' S x + 2 R' S' x. For a rotation by
+/// the angle a in total, |R'| <= a and |R''| <= a^2; along the chord of quaternions, where a <
+/// 0.064, less than a tenth more. |S x| is largest at a corner of the box and at an end. The last
+/// term covers the roundings, most of which come from R and S.
 double AnimatedTransform::deviation(const Box3& box, double length) const {
     double reach = 0, change = 0;
     for_each_corner(box, [&](const Vec3& corner) {

@@ -10,37 +10,37 @@ namespace etalon {
 
 enum class Projection : std::uint8_t { perspective, orthographic, environment, lens_system };
 
-/// A surface of a lens: a spherical cap about the axis, or a stop. Lengths in metres.
+/// A surface of a lens: a spherical cap about the axis, or an aperture stop. Lengths are in metres.
 struct LensSurface {
-    double curvature_radius;  ///< positive where the centre is towards the film; 0: a stop
+    double curvature_radius;  ///< positive if the centre is towards the film; 0 for a stop
     double thickness;         ///< distance to the next surface towards the film, or to the film
-    double eta;               ///< index of refraction up to that surface; 0: that of air
+    double eta;               ///< index of refraction up to that surface; 0 for that of air
     double aperture_radius;
 };
 
-/// A lens of several surfaces before a film (Kolb et al. 1995, "A Realistic Camera Model for
+/// A lens of several surfaces in front of a film (Kolb et al. 1995, "A Realistic Camera Model for
 /// Computer Graphics"). Its space is the camera's, with the film at z = 0.
 struct LensSystem {
     std::vector<LensSurface> surfaces;  ///< from the scene to the film
     double film_diagonal;               ///< metres
     /// Rectangles in the plane of the last surface that contain all points through which light
-    /// reaches a point of the film. They are for equal intervals of the film's x axis, from its
-    /// centre to the distance of its corner.
+    /// reaches a point of the film. There is one for each of equal intervals of the film's x axis,
+    /// from its centre to the distance of a corner.
     std::vector<Imath::Box2d> exit_pupils;
     /// Exposure at the centre of the film, per unit of radiance and area of its exit pupil.
     double exposure;
 };
 
-/// A camera in a space of its own: x to the right, y up, looking along z. Any affine map, mirrored
-/// or not, takes it to the world.
+/// A camera in a space of its own: x to the right, y up, looking along z. Any affine map, mirroring
+/// or not, takes it to world space.
 struct ProjectiveCamera {
     Projection projection = Projection::perspective;
-    Affine to_world;      ///< of a moving camera: as the shutter opens
+    Affine to_world;      ///< for a moving camera: at the time at which the shutter opens
     Imath::Box2d window;  ///< the image in the plane z = 1; unused by Projection::environment
     double lens_radius = 0;
     double focal_distance = 1;                  ///< z of the plane in focus
     std::optional<AnimatedTransform> motion{};  ///< set if the camera moves
-    std::optional<LensSystem> lens{};           ///< if it has one; `window` is then approximate
+    std::optional<LensSystem> lens{};           ///< if set, `window` is approximate
 };
 
 /// A pinhole or thin-lens camera. The view plane passes through `at`.
@@ -49,10 +49,10 @@ struct Camera {
     double fov_degrees = 45;   ///< full vertical field of view
     double aperture = 0;       ///< lens diameter in pixel heights on the view plane; 0 is a pinhole
     double focal = 1;          ///< distance of the plane in focus, in units of |at - eye|
-    bool stretched = false;    ///< the field of view is also the horizontal one: pixels need not be
-                               ///< square, as they are otherwise
-    bool sees_motion = false;  ///< it or the scene moves: rays have many times
-    /// If set, it generates the rays, and of the above only `eye`, `at` and `up` mean anything.
+    bool stretched = false;    ///< the field of view is also the horizontal one, so that pixels
+                               ///< need not be square
+    bool sees_motion = false;  ///< the camera or the scene moves: rays have different times
+    /// If set, it generates the rays; then only `eye`, `at` and `up` of the above are used.
     std::optional<ProjectiveCamera> projective{};
 };
 

@@ -16,10 +16,10 @@ bool same(const Affine& a, const Affine& b) {
 }  // namespace
 
 CurvePlace::CurvePlace(const Affine& map) : to_world(map), rows(Instance(map, 0).rows) {
-    if (!exists()) rows.fill(Vec3(nan_value));  // so that no ray in the curve's space meets it
+    if (!exists()) rows.fill(Vec3(nan_value));  // so that no ray hits it
 }
 
-/// An inverse that is little but roundings would take points anywhere.
+/// An inverse that consists mostly of roundings would map points anywhere, so it does not count.
 bool CurvePlace::exists() const {
     constexpr double largest_condition = 0x1p30, largest_stretch = 0x1p50;
     return is_finite(to_world) && condition_of(to_world, rows) < largest_condition &&
@@ -40,9 +40,9 @@ void CurveList::push_back(const Curve& c) {
 }
 
 void CurveList::shrink_to_fit() {
-    give_back_room(parts_);
-    give_back_room(curves_);
-    give_back_room(places_);
+    release_spare_capacity(parts_);
+    release_spare_capacity(curves_);
+    release_spare_capacity(places_);
 }
 
 std::size_t CurveList::memory_bytes() const {

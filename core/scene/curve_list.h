@@ -11,8 +11,8 @@
 
 namespace etalon {
 
-/// What a curve looks like across: a band that faces every ray, one with a normal of its own, or a
-/// band with the normals of a tube.
+/// Cross section of a curve: a ribbon that faces every ray (flat), one with a normal of its own
+/// (ribbon), or one that faces every ray and has the normals of a tube (cylinder).
 enum class CurveType : std::uint8_t { flat, ribbon, cylinder };
 
 /// A cubic Bezier curve with a width, in a space of its own.
@@ -33,17 +33,18 @@ struct CurvePart {
     double end() const { return static_cast<double>(number + 1) / count; }
 };
 
-/// A curve's space and the world.
+/// Transforms between a curve's space and world space.
 struct CurvePlace {
     explicit CurvePlace(const Affine& map);
 
-    /// Whether the map is finite and not singular, as far as doubles show it.
+    /// Returns whether the map is finite and not singular, as far as doubles show it.
     bool exists() const;
 
     Affine to_world;
-    std::array<Vec3, 3> rows;  ///< of the inverse of the map's matrix
+    std::array<Vec3, 3> rows;  ///< rows of the inverse of the map's matrix
 
-    /// Takes a direction of the world, or a point less the map's origin, into the curve's space.
+    /// Transforms a direction, or a point minus the map's origin, from world space to the curve's
+    /// space.
     Vec3 vector(const Vec3& v) const { return {rows[0].dot(v), rows[1].dot(v), rows[2].dot(v)}; }
 };
 
@@ -54,8 +55,8 @@ struct StoredCurve {
     CurvePart part;
 };
 
-/// A part of a curve where `to_world` puts it: the points within half the width of the part's
-/// points, in a plane across the ray that sees them.
+/// A part of a curve, placed by `to_world`: the points within half the width of the part's points,
+/// in a plane perpendicular to the ray that sees them.
 struct Curve {
     static constexpr std::string_view name = "curve";
     static constexpr Convexity convexity = Convexity::any;
@@ -69,8 +70,8 @@ struct Curve {
     CurvePart part;
 };
 
-/// Many parts of curves: a curve is stored once for parts that follow each other, a map once for
-/// curves that do.
+/// Many parts of curves. A curve is stored once for consecutive parts, and a map once for
+/// consecutive curves.
 class CurveList {
   public:
     using value_type = Curve;
@@ -99,7 +100,7 @@ class CurveList {
     void shrink_to_fit();
     std::size_t memory_bytes() const;
 
-    /// The largest number of parts that a curve may have.
+    /// Maximum number of parts of a curve.
     static constexpr std::uint32_t most_parts = 1U << 10;
 
   private:
@@ -109,7 +110,7 @@ class CurveList {
     };
     struct Part {
         std::uint32_t curve;
-        std::uint32_t number;  ///< the upper half is the logarithm of how many there are
+        std::uint32_t number;  ///< the upper half is the logarithm of the number of parts
     };
 
     LargeVector<Part> parts_;

@@ -8,8 +8,8 @@
 
 namespace etalon {
 
-/// Six square images around the scene. Seen from inside, +X is *left*, +Y top, +Z front (the
-/// convention of Humus' cube maps): face k belongs to -X, +X, +Y, -Y, +Z, -Z.
+/// Six square images around the scene. Seen from inside, +X is *left*, +Y top and +Z front (the
+/// convention of Humus' cube maps). Face k belongs to -X, +X, +Y, -Y, +Z, -Z.
 struct Skybox {
     std::array<std::string, 6> faces;  ///< files: right, left, top, bottom, front, back
     bool nearest = false;              ///< nearest texel instead of bilinear

@@ -5,23 +5,23 @@
 
 namespace etalon {
 
-/// How a surface scatters light that is the same turned about its normal: for pairs of angles to
-/// the normal, the BSDF times the cosine of light's direction as a Fourier series in the angle
-/// between the two about the normal. Between the pairs it is a spline (Jakob, d'Eon, Jakob &
-/// Marschner 2014, "A Comprehensive Framework for Rendering Layered Materials").
+/// Tabulated isotropic BSDF. For pairs of angles to the normal it has the BSDF times the cosine of
+/// light's direction, as a Fourier series in the azimuth between the two directions. Between the
+/// pairs it is a spline (Jakob, d'Eon, Jakob & Marschner 2014, "A Comprehensive Framework for
+/// Rendering Layered Materials").
 struct FourierTable {
-    /// The coefficients of one pair, of one channel after the other.
+    /// Coefficients of one pair of angles, channel by channel.
     struct Series {
-        std::uint32_t first, length;  ///< the length is that of one channel
+        std::uint32_t first, length;  ///< `length` is that of one channel
     };
 
     float eta = 1;     ///< index below the surface over that above
     int channels = 1;  ///< 1, or 3 for luminance, red and blue
-    /// Cosines of the directions to the normal, increasing. Light's direction is the one in which
-    /// it goes.
+    /// Cosines of the directions to the normal, increasing. Light's direction is that of its
+    /// propagation.
     std::vector<float> cosines;
     std::vector<float> sums;  ///< integrals over light's cosine of the first coefficient, up to it
-    std::vector<Series> series;  ///< likewise of pair (o, i) of cosines, at o * cosines.size() + i
+    std::vector<Series> series;  ///< pair (o, i) of cosines is at o * cosines.size() + i
     std::vector<float> coefficients;
 };
 

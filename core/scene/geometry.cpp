@@ -79,7 +79,7 @@ class Appender {
     void renumber(Shape&) const {}
 
     Geometry& to_;
-    std::uint32_t vertices_, decimal_vertices_, normals_;  ///< numbers of the first ones
+    std::uint32_t vertices_, decimal_vertices_, normals_;  ///< numbers of the first appended ones
 };
 
 template <class T>
@@ -110,28 +110,28 @@ void append(Geometry& geometry, const Geometry& other) {
 
 namespace {
 
-void give_back_room(TriangleList& triangles) {
+void release_spare_capacity(TriangleList& triangles) {
     triangles.shrink_to_fit();
 }
 
-void give_back_room(PolygonList& polygons) {
+void release_spare_capacity(PolygonList& polygons) {
     polygons.shrink_to_fit();
 }
 
-void give_back_room(CurveList& curves) {
+void release_spare_capacity(CurveList& curves) {
     curves.shrink_to_fit();
 }
 
 }  // namespace
 
 void shrink_to_fit(Geometry& g) {
-    std::apply([](auto&... list) { (give_back_room(list), ...); }, g.shapes);
+    std::apply([](auto&... list) { (release_spare_capacity(list), ...); }, g.shapes);
     g.primitives.shrink_to_fit();
-    give_back_room(g.vertices);
-    give_back_room(g.normals);
-    give_back_room(g.decimal_vertices);
-    give_back_room(g.uvs);
-    give_back_room(g.instances);
+    release_spare_capacity(g.vertices);
+    release_spare_capacity(g.normals);
+    release_spare_capacity(g.decimal_vertices);
+    release_spare_capacity(g.uvs);
+    release_spare_capacity(g.instances);
     g.motions.shrink_to_fit();
     for (Geometry& object : g.objects) shrink_to_fit(object);
 }

@@ -1,4 +1,4 @@
-// Geometry: plain data, filled by a loader, then only read, by kernels and backends.
+// Geometry: plain data that a loader fills. Kernels and backends only read it.
 #pragma once
 
 #include <array>
@@ -21,10 +21,10 @@ class CutOuts;
 /// A point whose coordinates have few decimal digits.
 using DecimalVertex = std::array<Decimal, 3>;
 
-/// Bit that is set in the number of a vertex that is among the decimal ones.
+/// Bit that marks the number of a vertex with decimal coordinates.
 inline constexpr std::uint32_t decimal_vertex = 0x80000000U;
 
-/// Kind of an instance, where kinds of primitives and instances are told apart.
+/// Kind of instances, in the numbering of the kinds of primitives.
 inline constexpr ShapeKind instance_kind = shape_kinds;
 inline constexpr std::size_t item_kinds = shape_kinds + 1;
 
@@ -38,10 +38,10 @@ struct Geometry {
     LargeVector<Vec3> vertices, normals;
     LargeVector<DecimalVertex> decimal_vertices;
     LargeVector<std::array<float, 2>> uvs;   ///< texture coordinates of vertices of triangles
-    std::vector<Geometry> objects;           ///< seen only as instances; they have none themselves
-    LargeVector<Instance> instances;         ///< of the objects
+    std::vector<Geometry> objects;           ///< only seen as instances; they have none themselves
+    LargeVector<Instance> instances;         ///< instances of the objects
     std::vector<AnimatedTransform> motions;  ///< of instances
-    /// The holes of primitives that are cut out; null: these have no holes.
+    /// Holes of cut-out primitives; null if there are none.
     std::shared_ptr<const CutOuts> cut_outs;
 
     std::uint32_t item_count() const {
@@ -72,21 +72,21 @@ struct Geometry {
         return t.vertices[corner] - t.normal_offset;
     }
 
-    /// Appends an instance of an object that moves.
+    /// Appends a moving instance of an object.
     void add_moving_instance(const AnimatedTransform& motion, std::uint32_t object);
 
     /// Appends a vertex for triangles. Returns its number.
     std::uint32_t add_vertex(const Vec3& position);
 
-    /// Appends a vertex for the triangles of a large mesh, in as few bytes as hold it. Kernels take
-    /// longer to read it. Returns its number.
+    /// Appends a vertex for the triangles of a large mesh, in as few bytes as possible. Kernels
+    /// take longer to read it. Returns its number.
     std::uint32_t add_compact_vertex(const Vec3& position);
 
     /// Appends a vertex with a normal. Returns its number; the number of the normal is that minus
     /// normal_offset(), as it is after the call.
     std::uint32_t add_vertex(const Vec3& position, const Vec3& normal);
 
-    /// Returns how many vertices have no normal.
+    /// Returns the number of vertices without a normal.
     std::uint32_t normal_offset() const {
         return static_cast<std::uint32_t>(vertices.size() - normals.size());
     }
@@ -128,10 +128,10 @@ struct Geometry {
 /// Materials keep their numbers.
 void append(Geometry& geometry, const Geometry& other);
 
-/// Releases the unused capacity of the arrays: for a geometry that is complete.
+/// Releases the unused capacity of the arrays, once a geometry is complete.
 void shrink_to_fit(Geometry& geometry);
 
-/// Bytes held by the arrays.
+/// Returns the bytes held by the arrays.
 std::size_t memory_bytes(const Geometry& geometry);
 
 }  // namespace etalon

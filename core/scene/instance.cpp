@@ -20,8 +20,8 @@ double quotient(const TwoTerm& a, const TwoTerm& b) {
     return value + rest.value / b.value;
 }
 
-/// Rows of the inverse of the matrix with columns x, y and z, by Cramer's rule. The columns are
-/// first scaled, exactly, so that no product leaves the range of double.
+/// Returns the rows of the inverse of the matrix with columns x, y and z, by Cramer's rule. The
+/// columns are first scaled, exactly, so that no product leaves the range of double.
 std::array<Vec3, 3> inverse_rows(const Vec3& x, const Vec3& y, const Vec3& z) {
     const double scale = power_of_two_reciprocal(std::max({max_abs(x), max_abs(y), max_abs(z)}));
     const Vec3 a = x * scale, b = y * scale, c = z * scale;
@@ -48,8 +48,7 @@ Instance::Instance(const Affine& to_world, std::uint32_t object_number)
     if (!exists()) rows.fill(Vec3(nan_value));  // so that no ray in the object's space is valid
 }
 
-/// By Cramer's rule in double: what that lacks for an ill-conditioned map is measured where it
-/// matters.
+/// Uses Cramer's rule in double. Its error for an ill-conditioned map is measured where it matters.
 Affine Instance::to_world() const {
     const double scale =
         power_of_two_reciprocal(std::max({max_abs(rows[0]), max_abs(rows[1]), max_abs(rows[2])}));

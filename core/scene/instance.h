@@ -10,9 +10,9 @@ namespace etalon {
 /// An object placed by an affine map. The object's primitives are stored once, however many
 /// instances it has.
 ///
-/// The instance is defined by the numbers below, not by the map they were made from: a point p in
-/// world space is A (p - origin) in object space, where A has the rows `rows`. In this form nothing
-/// cancels far from the world's origin.
+/// An instance is defined by the numbers below, not by the map from which they were computed: a
+/// point p in world space is A (p - origin) in object space, where A has the rows `rows`. In this
+/// form nothing cancels far from the world's origin.
 struct Instance {
     Instance(const Affine& to_world, std::uint32_t object_number);
 
@@ -20,8 +20,8 @@ struct Instance {
     /// singular.
     Affine to_world() const;
 
-    /// Whether rays can be transformed to object space: false for a map that is singular or not
-    /// finite, whose instance is never hit.
+    /// Returns whether rays can be transformed to object space. False for a map that is singular or
+    /// not finite; its instance is never hit.
     bool exists() const;
 
     /// Value of `motion` for an instance that does not move.
@@ -29,11 +29,11 @@ struct Instance {
 
     bool moves() const { return motion != still; }
 
-    std::array<Vec3, 3> rows;  ///< of the inverse of the map's matrix, each number rounded once
+    std::array<Vec3, 3> rows;  ///< rows of the map's inverse matrix, each number rounded once
     Vec3 origin;               ///< the object's origin in world space
     std::uint32_t object;      ///< number among Geometry::objects
-    /// Number among Geometry::motions; the members above are then for the time at which the shutter
-    /// opens.
+    /// Number among Geometry::motions; then the members above are those at the time at which the
+    /// shutter opens.
     std::uint32_t motion = still;
 };
 

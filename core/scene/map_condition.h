@@ -7,10 +7,9 @@
 
 namespace etalon {
 
-/// How many times larger than those of its own numbers the roundings of a point can be that is
-/// taken through the inverse of a map and back: the largest sum of a row of |M| |R|, M the map's
-/// matrix, R its inverse of these rows. Lengths of the axes do not count, only how far they lean
-/// towards each other.
+/// Returns how much a map and its inverse amplify the roundings of a point that is transformed by
+/// both: the largest row sum of |M| |R|, where M is the map's matrix and R its inverse. The lengths
+/// of the axes do not matter, only how far they lean towards each other.
 inline double condition_of(const Affine& map, const std::array<Vec3, 3>& inverse) {
     Vec3 sums(0);
     for (int k = 0; k < 3; ++k) {
@@ -21,8 +20,8 @@ inline double condition_of(const Affine& map, const std::array<Vec3, 3>& inverse
     return max_abs(sums);
 }
 
-/// How many times longer an axis of a map is than another, at most: roundings in the space of its
-/// inverse grow so much where they are turned there, from a short axis into a long one.
+/// Returns the largest ratio of the lengths of a map's axes. Roundings in the space of its inverse
+/// grow by that factor if they are rotated there from a short axis into a long one.
 inline double stretch_of(const Affine& map, const std::array<Vec3, 3>& inverse) {
     const auto largest = [](const Vec3& a, const Vec3& b, const Vec3& c) {
         return std::max(std::max(max_abs(a), max_abs(b)), max_abs(c));

@@ -1,4 +1,4 @@
-// Sources of light by physical rules. Plain data; core/light samples them.
+// Physical light sources. Plain data; core/light samples them.
 #pragma once
 
 #include <optional>
@@ -13,18 +13,18 @@ namespace etalon {
 
 struct PointSource {
     Vec3 position;
-    Color intensity;  ///< in all directions, per steradian
+    Color intensity;  ///< per steradian, the same in all directions
 };
 
-/// A point that shines into a cone, with a smooth border.
+/// A spotlight: a point that shines into a cone with a smooth edge.
 struct SpotSource {
     Vec3 position, axis;  ///< axis of unit length
     Color intensity;
-    double cos_total, cos_falloff;  ///< nothing beyond the first angle, all within the second
+    double cos_total, cos_falloff;  ///< dark beyond the first angle, full within the second
 };
 
-/// A point whose intensity varies with the direction as an image says: see InfiniteSource, but with
-/// y and z of the light's space exchanged.
+/// A point whose intensity is given for each direction by an image: see InfiniteSource, but with y
+/// and z of the light's space exchanged.
 struct GoniometricSource {
     Vec3 position;
     Color intensity;
@@ -32,40 +32,40 @@ struct GoniometricSource {
     Affine to_light;  ///< from the world's directions to the light's
 };
 
-/// A point that throws an image, as a slide projector does, along z of its own space: on a
-/// window of the plane z = 1 about the axis, with the image's aspect and its first row at the least
-/// y. Without an image a square is lit evenly.
+/// A point that projects an image along z of its own space: onto a window of the plane z = 1 about
+/// the axis, with the image's aspect ratio and its first row at the least y. Without an image a
+/// square is lit evenly.
 struct ProjectionSource {
     Vec3 position;
     Color intensity;
     std::string image;
-    Affine to_light;      ///< from the world's directions to the light's
+    Affine to_light;      ///< maps directions of the world to the light's space
     double half_tangent;  ///< half of the shorter side of the window
 };
 
-/// Light from one direction at infinity.
+/// A directional light at infinity.
 struct DistantSource {
     Vec3 direction;  ///< unit vector towards the light
     Color radiance;
 };
 
-/// Light from all around. With an image: its rows are the angles from +z of the light's own space,
-/// its columns the angles about it.
+/// Light from all directions. With an image: its rows are the angles from +z of the light's own
+/// space, its columns the angles about it.
 struct InfiniteSource {
     Color radiance;
     std::string image{};
     Affine to_light{};                    ///< from the world's directions to the light's
-    int samples = 1;                      ///< how many a vertex takes where every light is asked
-    std::optional<Environment> skybox{};  ///< what is seen instead of all the above
-    bool decode_srgb = false;             ///< the skybox is of display values
+    int samples = 1;                      ///< samples of a vertex at which all lights are sampled
+    std::optional<Environment> skybox{};  ///< if set, it replaces all the above
+    bool decode_srgb = false;             ///< the skybox has display values
 };
 
-/// A primitive that shines from its front, or from both sides.
+/// A primitive that emits light from its front, or from both sides.
 struct AreaSource {
     std::uint32_t primitive;
     Color radiance;
     bool two_sided;
-    int samples = 1;  ///< how many a vertex takes where every light is asked
+    int samples = 1;  ///< samples of a vertex at which all lights are sampled
 };
 
 using PhysicalLight = std::variant<PointSource, SpotSource, GoniometricSource, ProjectionSource,

@@ -1,4 +1,4 @@
-// How a scene looks by physical rules: what a path tracer needs to know beside the geometry.
+// The physical look of a scene: what a path tracer needs to know beside the geometry.
 #pragma once
 
 #include <array>
@@ -14,22 +14,22 @@
 
 namespace etalon {
 
-/// What consecutive primitives of one statement have in common beside their shape. A primitive's
+/// Data that consecutive primitives of one statement share, beside their shape. A primitive's
 /// `material` is the number of its binding.
 struct SurfaceBinding {
     std::uint32_t material = 0;      ///< number among the look's materials
     bool flipped = false;            ///< the format's normals are opposite to the shape's
     bool corner_normals = false;     ///< the front is the side of the normals at the corners
-    std::uint32_t light = no_index;  ///< number of the light that the first primitive is
-    std::uint32_t first = 0;         ///< number of the first primitive, where they are lights
-    /// Offset of the coordinates of triangles that have some at their corners: those of vertex v
-    /// are number v - uv_offset of the geometry's. Else no_index.
+    std::uint32_t light = no_index;  ///< number of the first primitive's light
+    std::uint32_t first = 0;         ///< number of the first primitive, if they are lights
+    /// Offset of the texture coordinates of triangles that have some at their corners: those of
+    /// vertex v have the number v - uv_offset in the geometry. Otherwise no_index.
     std::uint32_t uv_offset = no_index;
-    NumberSlot alpha{1.0F};         ///< a ray passes where it is 0
-    NumberSlot shadow_alpha{1.0F};  ///< a shadow ray passes where it, or alpha, is 0
+    NumberSlot alpha{1.0F};         ///< rays pass where it is 0
+    NumberSlot shadow_alpha{1.0F};  ///< shadow rays pass where it or `alpha` is 0
     MediumInterface media{};
 
-    /// Whether any ray passes the surface anywhere.
+    /// Returns whether any ray passes the surface anywhere.
     bool is_cut_out() const { return can_be_zero(alpha) || can_be_zero(shadow_alpha); }
 
   private:
@@ -38,11 +38,11 @@ struct SurfaceBinding {
     }
 };
 
-/// The statement that names an image file, for the message if the file cannot be read.
+/// Source of the name of an image file, for the message if the file cannot be read.
 struct NamedImage {
     std::string file;
     std::string where;          ///< FILE:LINE:COLUMN
-    std::string_view stand_in;  ///< what is shown then
+    std::string_view stand_in;  ///< what is shown instead
 };
 
 struct PhysicalLook {
@@ -50,7 +50,7 @@ struct PhysicalLook {
     std::vector<PhysicalMaterial> materials;
     std::vector<PhysicalLight> lights;
     std::vector<PhysicalMedium> media;
-    std::uint32_t camera_medium = no_index;  ///< in which the camera is
+    std::uint32_t camera_medium = no_index;  ///< medium around the camera
     Textures textures;
     std::vector<NamedImage> named_images;
 };

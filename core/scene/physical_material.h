@@ -1,5 +1,5 @@
-// Materials by physical rules, as PBRT's scenes name them. Plain data; core/material turns one into
-// the scattering of a point.
+// Physical materials, as PBRT's scenes name them. Plain data; core/material turns one into the BSDF
+// of a point.
 #pragma once
 
 #include <memory>
@@ -10,14 +10,14 @@
 
 namespace etalon {
 
-/// Lambert's reflection, or Oren and Nayar's (1994) where `sigma`, in degrees, is above 0.
+/// Lambertian reflection, or Oren and Nayar's (1994) if `sigma`, in degrees, is above 0.
 struct MatteMaterial {
     ColorSlot kd;
     NumberSlot sigma;
 };
 
-/// Roughness of a microfacet surface along u and v. `remap`: the numbers are from 0 to 1 in even
-/// steps of appearance, not Trowbridge and Reitz's alpha.
+/// Roughness of a microfacet surface along u and v. With `remap` the numbers are perceptually even
+/// from 0 to 1, not Trowbridge and Reitz's alpha.
 struct Roughness {
     NumberSlot u, v;
     bool remap = true;
@@ -33,7 +33,7 @@ struct MirrorMaterial {
     ColorSlot kr;
 };
 
-/// A boundary between dielectrics; smooth where both roughnesses are 0.
+/// A dielectric interface; smooth if both roughnesses are 0.
 struct GlassMaterial {
     ColorSlot kr, kt;
     NumberSlot eta;
@@ -45,14 +45,14 @@ struct MetalMaterial {
     Roughness roughness;
 };
 
-/// Diffuse, glossy, mirrored and transmitted light, each by a colour of its own.
+/// Diffuse, glossy, mirrored and transmitted light, each with a colour of its own.
 struct UberMaterial {
     ColorSlot kd, ks, kr, kt, opacity;
     NumberSlot eta;
     Roughness roughness;
 };
 
-/// Diffuse and glossy light to both sides.
+/// Diffuse and glossy scattering to both sides.
 struct TranslucentMaterial {
     ColorSlot kd, ks, reflect, transmit;
     Roughness roughness;
@@ -64,43 +64,42 @@ struct SubstrateMaterial {
     Roughness roughness;
 };
 
-/// Burley's material (2012, 2015). `thin`: a sheet without inside, which lets diffuse light
-/// through.
+/// Burley's material (2012, 2015). `thin` is a sheet without volume that transmits diffuse light.
 struct DisneyMaterial {
     ColorSlot color;
     NumberSlot metallic, eta, roughness, specular_tint, anisotropic, sheen, sheen_tint, clearcoat,
         clearcoat_gloss, specular_transmission, flatness, diffuse_transmission;
     bool thin = false;
-    ColorSlot scatter_distance{Color(0)};  ///< that light goes below the surface; 0: none does
-    float unit = 1;                        ///< of that distance, as a length of the world
+    ColorSlot scatter_distance{Color(0)};  ///< mean distance below the surface; 0 for none
+    float unit = 1;                        ///< length of its unit in the world
 };
 
-/// A border below which light is scattered by a medium, until it comes out elsewhere.
+/// A surface below which a medium scatters light until it leaves at another point.
 struct SubsurfaceMaterial {
-    GlassMaterial border;              ///< with the same index everywhere
+    GlassMaterial border;              ///< its index is constant
     ColorSlot absorption, scattering;  ///< coefficients
     float g = 0;                       ///< mean cosine of scattering, between -1 and 1
-    float factor = 1;                  ///< of the coefficients
+    float factor = 1;                  ///< factor of the coefficients
 };
 
-/// The same by what is seen of it.
+/// Subsurface scattering given by what is observed of it.
 struct KdSubsurfaceMaterial {
-    GlassMaterial border;  ///< with the same index everywhere
-    ColorSlot albedo;      ///< part of what entered that comes out
-    ColorSlot free_path;   ///< mean one
+    GlassMaterial border;  ///< its index is constant
+    ColorSlot albedo;      ///< fraction of the light that entered which leaves
+    ColorSlot free_path;   ///< mean free path
     float g = 0;           ///< mean cosine of scattering, between -1 and 1
-    float unit = 1;        ///< of the free path, as a length of the world
+    float unit = 1;        ///< length of the free path's unit in the world
 };
 
 /// Scattering by a table.
 struct FourierMaterial {
-    std::shared_ptr<const FourierTable> table;  ///< null: nothing is scattered
+    std::shared_ptr<const FourierTable> table;  ///< null if nothing is scattered
 };
 
-/// What a hair's colour is told by.
+/// Quantity that determines a hair's colour.
 enum class HairPigment : std::uint8_t { absorption, reflectance, melanin };
 
-/// A fibre (Chiang et al. 2016), across which the surface's v goes.
+/// A fibre (Chiang et al. 2016). The surface's v runs across it.
 struct HairMaterial {
     HairPigment pigment = HairPigment::melanin;
     ColorSlot color{Color(0)};  ///< absorption per radius, or reflectance
@@ -109,13 +108,14 @@ struct HairMaterial {
     NumberSlot alpha;                ///< tilt of its scales in degrees
 };
 
-/// `amount` of the first material and the rest of the second; numbers among the look's materials.
+/// A mixture: `amount` of the first material and the rest of the second. Numbers are those among
+/// the look's materials.
 struct MixedMaterial {
     std::uint32_t first, second;
     ColorSlot amount;
 };
 
-/// No surface: a ray passes on.
+/// No surface: rays pass through.
 struct NoMaterial {};
 
 struct PhysicalMaterial {
@@ -124,7 +124,7 @@ struct PhysicalMaterial {
                  SubsurfaceMaterial, KdSubsurfaceMaterial, FourierMaterial, MixedMaterial,
                  NoMaterial>
         kind;
-    NumberSlot bump{};  ///< height of the surface above itself; of no effect without a texture
+    NumberSlot bump{};  ///< height of the displaced surface; no effect unless it is a texture
 };
 
 }  // namespace etalon

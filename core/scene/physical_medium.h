@@ -1,4 +1,4 @@
-// Participating media by physical rules. Plain data; core/medium follows rays through them.
+// Physical participating media. Plain data; core/medium follows rays through them.
 #pragma once
 
 #include <array>
@@ -10,16 +10,15 @@
 
 namespace etalon {
 
-/// Numbers at the middles of the cells of a box, interpolated linearly between them, 0 outside the
-/// box. A medium has its coefficients times that number.
+/// Densities at the centres of the cells of a box, interpolated linearly between them, 0 outside
+/// the box. They scale the coefficients of a medium.
 struct DensityGrid {
     std::array<int, 3> size;       ///< cells along x, y and z
-    std::vector<float> densities;  ///< not below 0; along x first, then along y
-    Affine to_box;                 ///< from the world to the cube [0, 1]^3 that is the box
+    std::vector<float> densities;  ///< not below 0; x varies fastest, then y
+    Affine to_box;                 ///< maps the world to the cube [0, 1]^3, which is the box
 };
 
-/// What fills space between surfaces. Coefficients are not below 0, per unit of length of the
-/// world.
+/// A participating medium. Coefficients are not below 0, per unit of length of the world.
 struct PhysicalMedium {
     Color absorption, scattering;
     float g = 0;  ///< mean cosine of scattering, between -1 and 1
@@ -28,11 +27,11 @@ struct PhysicalMedium {
     Color extinction() const { return absorption + scattering; }
 };
 
-/// The media on the two sides of a surface, as numbers among the look's. A surface with the same on
-/// both sides leaves a ray in the medium that it comes through.
+/// The media on the two sides of a surface, as numbers among the look's. A surface with the same
+/// medium on both sides leaves a ray in the medium from which it comes.
 struct MediumInterface {
     std::uint32_t inside = no_index;   ///< behind the side that the format calls the front
-    std::uint32_t outside = no_index;  ///< no_index: nothing is there
+    std::uint32_t outside = no_index;  ///< no_index for a vacuum
 
     bool is_transition() const { return inside != outside; }
     bool operator==(const MediumInterface&) const = default;

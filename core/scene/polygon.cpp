@@ -11,7 +11,7 @@ bool is_degenerate(const PolygonPlane& plane) {
     return !is_finite(plane.normal) || !is_finite(plane.mean) || plane.normal == Vec3(0);
 }
 
-/// Newell's normal of corners so nearly in a line that its terms cancel among doubles.
+/// Returns Newell's normal of corners so nearly collinear that its terms cancel in double.
 Vec3 exact_normal(std::span<const Vec3> corners) {
     if (corners.empty() ||
         !std::ranges::all_of(corners, [](const Vec3& c) { return is_finite(c); })) {

@@ -1,4 +1,4 @@
-// Polygons: their corners, and what kernels need to know of all of them together.
+// Polygons: their corners, and properties of all corners that kernels need.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 namespace etalon {
 
 /// A planar polygon with at least 4 corners, concave or not. The front is where the corners run
-/// counter-clockwise. What it shows belongs to another: a geometry keeps a copy.
+/// counter-clockwise. It does not own the spans; a geometry keeps copies.
 struct Polygon {
     static constexpr std::string_view name = "polygon";
     static constexpr Convexity convexity = Convexity::any;  // corners may lie off their plane
@@ -18,29 +18,29 @@ struct Polygon {
     std::span<const Vec3> normals = {};  ///< one for each corner, or none
 };
 
-/// The plane that a polygon is taken to lie in, even if its corners are a little off: through their
-/// mean, across Newell's normal (twice the area, counter-clockwise; summed from the first corner,
-/// as close to the plane as any).
+/// The plane in which a polygon is taken to lie, even if its corners are slightly off it: through
+/// their mean and perpendicular to Newell's normal (twice the area, counter-clockwise; summed from
+/// the first corner, which is as close to the plane as any).
 struct PolygonPlane {
-    Vec3 mean{0};  ///< seen from the first corner
+    Vec3 mean{0};  ///< relative to the first corner
     Vec3 normal{0};
-    Vec3 terms{0};  ///< the magnitudes that the normal is a sum of
+    Vec3 terms{0};  ///< sums of the magnitudes of the normal's terms
 };
 
 PolygonPlane plane_of(std::span<const Vec3> corners);
 
-/// What is summed over all corners once, instead of at every hit.
+/// Sums over all corners, computed once instead of at every hit.
 struct PolygonFacts {
     PolygonFacts() = default;
     explicit PolygonFacts(std::span<const Vec3> corners);
 
     PolygonPlane plane;
-    Box3 box;  ///< of the corners; empty for a degenerate polygon, which has no plane
+    Box3 box;  ///< box of the corners; empty for a degenerate polygon, which has no plane
 };
 
-/// The corners by coordinate: those along one axis are consecutive. First the last corner, so that
-/// every edge is from one number to the next, then all of them, and copies of the last up to a
-/// multiple of `lanes`.
+/// The corners in SoA layout, one column for each axis. A column begins with the last corner, so
+/// that every edge goes from one number to the next; then come all corners, and copies of the last
+/// up to a multiple of `lanes`.
 struct CornerColumns {
     static constexpr std::size_t lanes = 4;
 

@@ -7,7 +7,7 @@
 namespace etalon {
 namespace {
 
-/// Polygons of fewer corners have no columns: kernels gain nothing by them.
+/// Least number of corners of a polygon with columns: for fewer, kernels gain nothing from them.
 constexpr std::size_t least_corners_for_columns = 8;
 
 template <class T>
@@ -54,10 +54,10 @@ void PolygonList::work_out(Entry& entry) {
 }
 
 void PolygonList::shrink_to_fit() {
-    give_back_room(entries_);
-    give_back_room(corners_);
-    give_back_room(normals_);
-    give_back_room(columns_);
+    release_spare_capacity(entries_);
+    release_spare_capacity(corners_);
+    release_spare_capacity(normals_);
+    release_spare_capacity(columns_);
 }
 
 std::size_t PolygonList::memory_bytes() const {

@@ -8,8 +8,8 @@
 
 namespace etalon {
 
-/// Many polygons with copies of their corners, which nothing else can reach: what is known of a
-/// polygon is worked out whenever they change, and so never stale.
+/// Many polygons with private copies of their corners. What is derived from the corners is
+/// recomputed whenever they change, and so never stale.
 class PolygonList {
   public:
     using value_type = Polygon;
@@ -18,7 +18,7 @@ class PolygonList {
     bool empty() const { return entries_.empty(); }
     void push_back(const Polygon& polygon);
 
-    /// Makes room for `factor` times as many polygons, if they are like these.
+    /// Reserves space for `factor` times as many polygons of this kind.
     void make_room(double factor);
 
     StoredPolygon operator[](std::size_t i) const {
@@ -29,7 +29,7 @@ class PolygonList {
     ValueIterator<PolygonList> begin() const { return {*this, 0}; }
     ValueIterator<PolygonList> end() const { return {*this, size()}; }
 
-    /// The corners of all polygons, one after the other.
+    /// Returns the corners of all polygons, one after the other.
     std::span<const Vec3> corners() const { return corners_; }
     bool have_normals() const { return !normals_.empty(); }
 
@@ -49,8 +49,8 @@ class PolygonList {
     struct Entry {
         PolygonFacts facts;
         std::uint32_t first, count;    ///< among all corners
-        std::uint32_t normals = none;  ///< number of the first
-        std::uint32_t columns = none;  ///< number of the first one's first coordinate
+        std::uint32_t normals = none;  ///< number of the first normal
+        std::uint32_t columns = none;  ///< index of the first coordinate in the first column
     };
 
     std::span<const Vec3> corners_of(const Entry& e) const {
@@ -69,7 +69,7 @@ class PolygonList {
         return {columns_.data() + e.columns, column_length(e)};
     }
 
-    /// Works out what follows from the corners.
+    /// Recomputes what is derived from the corners.
     void work_out(Entry& entry);
 
     LargeVector<Entry> entries_;

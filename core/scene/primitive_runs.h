@@ -1,4 +1,4 @@
-// Primitives by statements: what neighbours have in common is stored once.
+// Primitives by statements: data that neighbouring primitives share is stored once.
 #pragma once
 
 #include <cstdint>
@@ -15,21 +15,21 @@ enum class Sides : std::uint8_t {
     both,
     front,
     back,
-    cut_out  ///< both, except in holes; of triangles alone: see core/intersect/cut_outs.h
+    cut_out  ///< both, except in holes; only for triangles: see core/intersect/cut_outs.h
 };
 
-/// One primitive: what there is to know of it beside its shape's own data.
+/// Everything about one primitive beside its shape's own data.
 struct Primitive {
     ShapeKind kind;
     Sides sides;
-    std::uint32_t index;     ///< into the array of its kind
+    std::uint32_t index;     ///< in the array of its kind
     std::uint32_t material;  ///< number in the scene's look
-    /// Offset of the normals of a triangle that has some at its corners: that of vertex v is number
-    /// v - normal_offset. Else no_index.
+    /// Offset of the normals of a triangle that has some at its corners: that of vertex v has the
+    /// number v - normal_offset. Otherwise no_index.
     std::uint32_t normal_offset = no_index;
 };
 
-/// Consecutive primitives that differ in their index alone, which counts up.
+/// Consecutive primitives that differ only in their index, which counts up.
 struct Run {
     std::uint32_t first;  ///< number of the first primitive
     Primitive start;      ///< the first primitive
@@ -54,7 +54,7 @@ class PrimitiveRuns {
         ++size_;
     }
 
-    /// Finds the primitive without a search: this is done for every hit.
+    /// Returns a primitive without a search, as this is done for every hit.
     Primitive operator[](std::size_t primitive) const {
         const std::uint32_t entry = of_strides_[primitive / stride];
         if ((entry & is_run) == 0) return listed_[entry + primitive % stride];
@@ -63,7 +63,7 @@ class PrimitiveRuns {
 
     Primitive front() const { return (*this)[0]; }
 
-    /// Lists all primitives, one by one.
+    /// Returns all primitives, one by one.
     std::vector<Primitive> list() const {
         std::vector<Primitive> all;
         for (const Primitive p : *this) all.push_back(p);
@@ -101,7 +101,7 @@ class PrimitiveRuns {
         return p;
     }
 
-    /// Notes where the next primitive is found, which belongs to the last run.
+    /// Records where the next primitive is found, which belongs to the last run.
     void index(const Primitive& primitive, std::uint32_t run) {
         const std::size_t place = size_ % stride;
         if (place == 0) of_strides_.push_back(is_run | run);
@@ -112,8 +112,8 @@ class PrimitiveRuns {
         if ((entry & is_run) == 0) listed_[entry + place] = primitive;
     }
 
-    /// Lists one by one the primitives of the last stride, of which there are `count`, all in
-    /// `run`. Returns the place of the first.
+    /// Stores one by one the `count` primitives of the last stride, all of which are in `run`.
+    /// Returns the index of the first.
     std::uint32_t list_stride(std::uint32_t run, std::size_t count) {
         const std::size_t first = listed_.size();
         listed_.resize(first + stride);
@@ -122,9 +122,10 @@ class PrimitiveRuns {
     }
 
     LargeVector<Run> runs_;
-    /// For each 64 primitives is_run and the run of all, or the place of the first in listed_.
+    /// For each stride of 64 primitives: is_run and the number of the run of all, or the index of
+    /// the first in listed_.
     LargeVector<std::uint32_t> of_strides_;
-    LargeVector<Primitive> listed_;  ///< those of the strides of several runs
+    LargeVector<Primitive> listed_;  ///< primitives of the strides with several runs
     std::size_t size_ = 0;
 };
 

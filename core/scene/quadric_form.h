@@ -1,4 +1,4 @@
-// The form that vanishes on a quadric, in whatever numbers.
+// The quadratic form that vanishes on a quadric, for any number type.
 #pragma once
 
 #include <algorithm>
@@ -7,21 +7,21 @@
 
 namespace etalon {
 
-/// Coefficients of the form that bounds the sum of the magnitudes of another form's terms.
+/// Returns coefficients of a form that bounds the sum of the magnitudes of another form's terms.
 inline std::array<double, 10> magnitudes_of(std::array<double, 10> coefficients) {
     std::transform(coefficients.begin(), coefficients.end(), coefficients.begin(),
                    [](double x) { return std::abs(x); });
     return coefficients;
 }
 
-/// Coefficients of the same surface, `factor` times as large about its centre.
+/// Returns coefficients of the same surface, scaled by `factor` about its centre.
 inline std::array<double, 10> scaled(std::array<double, 10> coefficients, double factor) {
     for (const std::size_t linear : {3U, 6U, 8U}) coefficients[linear] *= factor;
     coefficients[9] *= factor * factor;
     return coefficients;
 }
 
-/// v.Mv + 2 l.v + j at v, and A t^2 + 2 B t + C on the line w + t d.
+/// Values of the form: v.Mv + 2 l.v + j at a point v, and A t^2 + 2 B t + C on the line w + t d.
 template <class Number, class Vector>
 struct QuadricLine {
     Vector Md;

@@ -6,7 +6,7 @@
 namespace etalon {
 namespace {
 
-/// Cosine and sine; exact for quarters of a turn.
+/// Returns cosine and sine; exact for multiples of a quarter turn.
 Vec2 direction_at(double degrees) {
     const std::array<Vec2, 4> quarters = {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)};
     const double quarter = degrees / 90;
@@ -27,8 +27,8 @@ bool is_finite(const TurningDirection& d) {
     return is_finite(d.at) && is_finite(d.per_height);
 }
 
-/// A rounding of local coordinates moves a point by one of its distance times this or less; 3 where
-/// the images of the axes are at right angles.
+/// Returns a bound on how much a rounding of local coordinates moves a point, in roundings of its
+/// distance; 3 if the images of the axes are orthogonal.
 double condition(const Affine& map, const LocalFrame& frame) {
     return map.x.length() * frame.length(0) + map.y.length() * frame.length(1) +
            map.z.length() * frame.length(2);

@@ -16,8 +16,8 @@
 
 namespace etalon {
 
-/// Materials and lights of the Whitted-style formats, whose light falls off neither with distance
-/// nor with the cosine at the light.
+/// Materials and lights of the Whitted-style formats. Their light depends neither on the distance
+/// from the light nor on the cosine at the light.
 struct WhittedLook {
     std::vector<Material> materials;
     std::vector<Light> lights;
@@ -30,18 +30,18 @@ struct Scene {
     Geometry geometry;
     std::variant<WhittedLook, PhysicalLook> look;
 
-    /// The look of a scene of a Whitted-style format, one that is not is_physical().
+    /// Returns the look of a scene of a Whitted-style format, which is not is_physical().
     WhittedLook& whitted() { return std::get<WhittedLook>(look); }
     const WhittedLook& whitted() const { return std::get<WhittedLook>(look); }
 
     bool is_physical() const { return std::holds_alternative<PhysicalLook>(look); }
 
-    /// The look of a scene that is_physical().
+    /// Returns the look of a scene that is_physical().
     PhysicalLook& physical() { return std::get<PhysicalLook>(look); }
     const PhysicalLook& physical() const { return std::get<PhysicalLook>(look); }
 };
 
-/// Bytes held by the scene's arrays.
+/// Returns the bytes held by the scene's arrays.
 std::size_t memory_bytes(const Scene& scene);
 
 }  // namespace etalon

@@ -1,5 +1,5 @@
-// The shapes a scene file can ask for: plain data, in world coordinates.
-// CONTRIBUTING.md lists what a new shape takes; most of it the compiler asks for.
+// The shapes of scenes: plain data, in world coordinates. CONTRIBUTING.md lists the steps to add a
+// shape; the compiler reports most that are missing.
 #pragma once
 
 #include <array>
@@ -24,11 +24,11 @@ struct Sphere {
     static constexpr std::string_view name = "sphere";
     static constexpr Convexity convexity = Convexity::convex;
     Vec3 centre;
-    double radius;  ///< > 0; an inside-only sphere is a matter of Sides
+    double radius;  ///< > 0; spheres visible only from inside have Sides::back
 };
 
-/// Triangle by the numbers of its corners among the vertices of the geometry. The front is where
-/// the corners run counter-clockwise.
+/// Triangle, as the numbers of its corners among the geometry's vertices. The front is where the
+/// corners run counter-clockwise.
 struct Triangle {
     static constexpr std::string_view name = "triangle";
     static constexpr Convexity convexity = Convexity::flat;
@@ -50,8 +50,8 @@ struct Plane {
     Vec3 point, normal;
 };
 
-/// The lateral surface between two circles about the line base-top: a cylinder where the radii
-/// agree, a cone where one is zero. No caps.
+/// The lateral surface between two circles about the line base-top: a cylinder if the radii are
+/// equal, a cone if one is zero. Without caps.
 struct Cone {
     static constexpr std::string_view name = "cone";
     static constexpr Convexity convexity = Convexity::convex;
@@ -69,14 +69,13 @@ struct Ring {
 };
 
 /// The points with a x^2 + 2b xy + 2c xz + 2d x + e y^2 + 2f yz + 2g y + h z^2 + 2i z + j = 0 for
-/// (x, y, z) = p - centre, as far as they are in the box `clip`. Its faces belong to the box: a
-/// surface that just touches them is whole, and of two boxes that share a face both have the
-/// surface there, at the same points, so no ray slips through between them. The front is where the
-/// form is positive.
+/// (x, y, z) = p - centre that are in the box `clip`. The faces belong to the box: a surface that
+/// just touches them is whole, and two boxes that share a face both have the surface there, at the
+/// same points, so no ray slips through between them. The front is where the form is positive.
 ///
-/// A form whose square terms are a square, as (x - 1)^2, is met where it vanishes, like its plane,
-/// and x^2 + y^2 by lines that pass exactly through the axis. A line all of whose points are on the
-/// surface meets it nowhere.
+/// A form whose quadratic part is a square, such as (x - 1)^2, is hit where it vanishes, like its
+/// plane; x^2 + y^2 is hit by lines that pass exactly through the axis. A line that lies in the
+/// surface does not hit it.
 struct Quadric {
     static constexpr std::string_view name = "quadric";
     static constexpr Convexity convexity = Convexity::any;
@@ -153,7 +152,7 @@ decltype(auto) with_shape(ShapeKind kind, F&& f) {
     }
 }
 
-/// Name of a kind: "sphere", "triangle", ...
+/// Returns the name of a kind: "sphere", "triangle", ...
 inline std::string_view kind_name(ShapeKind kind) {
     return with_shape(kind, []<class Shape>() { return Shape::name; });
 }

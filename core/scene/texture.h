@@ -11,7 +11,7 @@
 
 namespace etalon {
 
-/// A value, or the number of a texture of that type, which then counts instead.
+/// A value, or the number of a texture of that type, which replaces the value.
 template <class T>
 struct Slot {
     T value{};
@@ -21,22 +21,22 @@ struct Slot {
 using ColorSlot = Slot<Color>;
 using NumberSlot = Slot<float>;
 
-/// Place in a texture: (u_scale u + u_offset, v_scale v + v_offset) of the surface's coordinates.
+/// Maps the surface's (u, v) to (u_scale u + u_offset, v_scale v + v_offset).
 struct UvMapping {
     float u_scale = 1, v_scale = 1, u_offset = 0, v_offset = 0;
 };
 
-/// The angles (theta / pi, phi / 2 pi) of the point's place seen from the texture's origin.
+/// Maps a point, relative to the texture's origin, to its angles (theta / pi, phi / 2 pi).
 struct SphericalMapping {
     Affine to_texture;
 };
 
-/// The angle about z, and z.
+/// Maps a point to its angle about z, and z.
 struct CylindricalMapping {
     Affine to_texture;
 };
 
-/// (u_offset + p.u_axis, v_offset + p.v_axis) for the point p in the world.
+/// Maps a point p in world space to (u_offset + p.u_axis, v_offset + p.v_axis).
 struct PlanarMapping {
     Vec3 u_axis{1, 0, 0}, v_axis{0, 1, 0};
     float u_offset = 0, v_offset = 0;
@@ -57,7 +57,7 @@ struct ScaleTexture {
 template <class T>
 struct MixTexture {
     Slot<T> a, b;
-    NumberSlot amount;  ///< 0: a, 1: b
+    NumberSlot amount;  ///< 0 gives a, 1 gives b
 };
 
 template <class T>
@@ -66,14 +66,14 @@ struct BilinearTexture {
     T v00{}, v01{}, v10{}, v11{};
 };
 
-/// What lies beyond the borders of an image.
+/// Values beyond the borders of an image.
 enum class Wrap : std::uint8_t { repeat, black, clamp };
 
-/// An image that textures show. A texture of numbers shows its luminance.
+/// An image of image textures. A texture of numbers has its luminance.
 struct TextureImage {
     std::string file;
     Wrap wrap = Wrap::repeat;
-    bool decode_srgb = false;  ///< its values are encoded for display
+    bool decode_srgb = false;  ///< its values are sRGB-encoded
     float scale = 1;           ///< factor of its values, after decoding
 };
 
@@ -95,7 +95,7 @@ struct Checkerboard3 {
     Slot<T> even, odd;
 };
 
-/// Dots of about a third of the texture's area; as pbrt-v3's.
+/// Dots that cover about a third of the texture's area, like pbrt-v3's.
 template <class T>
 struct DotsTexture {
     Mapping mapping;
@@ -105,7 +105,7 @@ struct DotsTexture {
 /// A sum of octaves of noise, each of about twice the frequency of the one before.
 struct FractalNoise {
     int octaves = 8;
-    float roughness = 0.5F;  ///< amplitude of an octave divided by that of the one before
+    float roughness = 0.5F;  ///< ratio of an octave's amplitude to that of the one before
 };
 
 /// Fractional Brownian motion: noise about 0.
@@ -120,7 +120,7 @@ struct WrinkledTexture {
     FractalNoise noise;
 };
 
-/// Waves of water where a wind blows that is not the same everywhere.
+/// Waves of water under a wind that varies from place to place.
 struct WindyTexture {
     Affine to_texture;
 };
@@ -130,10 +130,10 @@ struct MarbleTexture {
     Affine to_texture;
     FractalNoise noise;
     float scale = 1;         ///< factor of the point's coordinates
-    float variation = 0.2F;  ///< factor of the noise, which moves the veins
+    float variation = 0.2F;  ///< factor of the noise, which displaces the veins
 };
 
-/// Red is u, green is v, both modulo 1.
+/// Shows u as red and v as green, both modulo 1.
 struct UvTexture {
     Mapping mapping;
 };
@@ -143,7 +143,7 @@ using Texture = std::variant<ConstantTexture<T>, ScaleTexture<T>, MixTexture<T>,
                              ImageTexture<T>, Checkerboard2<T>, Checkerboard3<T>, DotsTexture<T>,
                              FbmTexture, WrinkledTexture, WindyTexture, MarbleTexture, UvTexture>;
 
-/// All textures of a scene. One may refer to those before it only.
+/// All textures of a scene. A texture may refer only to earlier ones.
 struct Textures {
     std::vector<Texture<float>> numbers;
     std::vector<Texture<Color>> colors;

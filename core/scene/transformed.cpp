@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// Turns decimal vertices into doubles: what is moved or scaled has all the digits of a double.
+/// Converts decimal vertices to doubles: coordinates that were moved or scaled have all digits.
 void decode_vertices(Geometry& g) {
     const auto first = static_cast<std::uint32_t>(g.vertices.size());
     for (std::uint32_t i = 0; i < g.decimal_vertices.size(); ++i) {
@@ -27,7 +27,7 @@ class Similarity {
     Similarity(double factor, const Vec3& offset) : factor_(factor), offset_(offset) {}
 
     void operator()(Sphere& s) const { move(s.centre), scale(s.radius); }
-    void operator()(TriangleList&) const {}  // corners are moved by themselves
+    void operator()(TriangleList&) const {}  // its vertices are moved elsewhere
     void operator()(PolygonList& polygons) const {
         polygons.change_corners([this](Vec3& corner) { move(corner); });
     }
@@ -114,7 +114,7 @@ class Similarity {
     template <class Material>
     void operator()(Material&) const {}  // nothing in it is a length
 
-    /// As thick as before over a distance that is `factor` times as long.
+    /// Keeps the optical thickness over a distance that is `factor` times as long.
     void operator()(PhysicalMedium& medium) const {
         medium.absorption /= static_cast<float>(factor_);
         medium.scattering /= static_cast<float>(factor_);
@@ -126,7 +126,7 @@ class Similarity {
         for (T& item : list) (*this)(item);
     }
 
-    /// Whether all points so far are within the range of double.
+    /// Returns whether all points so far are within the range of double.
     bool stayed_finite() const { return finite_; }
 
   private:
@@ -135,13 +135,13 @@ class Similarity {
         finite_ = is_finite(p) && finite_;
     }
     void scale(double& length) const { length *= factor_; }
-    /// As bright as before at places that are `factor` times as far away.
+    /// Keeps the brightness at places that are `factor` times as far away.
     void brighten(Color& intensity) const { intensity *= static_cast<float>(factor_ * factor_); }
     Affine after(const Affine& map) const {
         return {factor_ * map.x, factor_ * map.y, factor_ * map.z, factor_ * map.origin + offset_};
     }
 
-    /// The map of a point as it was, after what was moved back.
+    /// Returns the map of a point as it was before the transformation.
     Affine before(const Affine& map) const {
         const double f = 1 / factor_;
         return map * Affine{{f, 0, 0}, {0, f, 0}, {0, 0, f}, -f * offset_};

@@ -6,12 +6,12 @@
 
 namespace etalon {
 
-/// The same shapes, moved; nothing where that leads beyond all numbers.
+/// Returns the same shapes, moved; nothing if a coordinate overflows.
 std::optional<Geometry> moved(Geometry geometry, const Vec3& offset);
 
-/// The scene with every length times `factor` > 0, and then every point moved by `offset`: shapes,
-/// lights and the camera, but not how glass absorbs light. Holes that have been made stay where
-/// they were made.
+/// Returns the scene with every length multiplied by `factor` > 0, and then every point moved by
+/// `offset`: shapes, lights and the camera, but not how glass absorbs light. Cut-outs that have
+/// been made already are not transformed.
 Scene transformed(Scene scene, double factor, const Vec3& offset = Vec3(0));
 
 }  // namespace etalon

@@ -47,9 +47,9 @@ void TriangleList::close_block() {
 }
 
 void TriangleList::shrink_to_fit() {
-    give_back_room(blocks_);
-    give_back_room(narrow_);
-    give_back_room(wide_);
+    release_spare_capacity(blocks_);
+    release_spare_capacity(narrow_);
+    release_spare_capacity(wide_);
     open_.shrink_to_fit();
 }
 

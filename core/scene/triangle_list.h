@@ -9,18 +9,18 @@
 
 namespace etalon {
 
-/// The numbers of a triangle's corners.
+/// Vertex numbers of a triangle's corners.
 using TriangleIndices = std::array<std::uint32_t, 3>;
 
-/// Many triples of vertex numbers, in blocks that hold differences to the smallest number among
-/// them: 16 bits each where that is enough, as in a mesh of up to 65 536 vertices.
+/// Many triples of vertex numbers, in blocks that store differences to their smallest number: in 16
+/// bits each where that suffices, as in a mesh of up to 65 536 vertices.
 class TriangleList {
   public:
     using value_type = TriangleIndices;
 
     std::size_t size() const { return closed_ + open_.size(); }
     bool empty() const { return size() == 0; }
-    /// Makes room for so many more, if they need 16 bits a number.
+    /// Reserves space for `more` triangles, if they need 16 bits for each number.
     void reserve(std::size_t more);
     void push_back(const TriangleIndices& triangle);
 
@@ -42,7 +42,7 @@ class TriangleList {
 
     struct Block {
         std::uint32_t base;   ///< the smallest number
-        std::uint32_t first;  ///< block of `narrow_` or `wide_`
+        std::uint32_t first;  ///< number of the block in `narrow_` or `wide_`
         bool is_wide;
     };
 
@@ -58,8 +58,8 @@ class TriangleList {
     LargeVector<Block> blocks_;
     LargeVector<std::array<std::uint16_t, 3>> narrow_;
     LargeVector<std::array<std::uint32_t, 3>> wide_;
-    std::size_t closed_ = 0;             ///< how many triangles are in blocks
-    std::vector<TriangleIndices> open_;  ///< triangles of the last block, as long as it is not full
+    std::size_t closed_ = 0;             ///< number of triangles in blocks
+    std::vector<TriangleIndices> open_;  ///< triangles of the last block while it is not full
 };
 
 }  // namespace etalon

@@ -4,7 +4,7 @@
 
 namespace etalon {
 
-/// Goes through a container whose elements are made when they are asked for.
+/// Iterates over a container that computes its elements on access.
 template <class Container>
 class ValueIterator {
   public:

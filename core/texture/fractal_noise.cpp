@@ -7,7 +7,7 @@
 namespace etalon {
 namespace {
 
-/// Adds up `part` of the noise of each octave, with the octave's weight.
+/// Sums `part` of the noise of each octave, with the octave's weight.
 template <class Part>
 double sum_of_octaves(const FractalNoise& noise, const Vec3& p, Part part) {
     constexpr double lacunarity = 1.99;      // not 2: the octaves' zeros must not coincide

@@ -5,12 +5,12 @@
 
 namespace etalon {
 
-/// Returns a sum of octaves of gradient noise, the values of pbrt-v3 for a footprint so small that
+/// Returns a sum of octaves of gradient noise: the values of pbrt-v3 for a footprint so small that
 /// all octaves count.
 double fractional_brownian_motion(const FractalNoise& noise, const Vec3& p);
 
-/// Returns the same sum of absolute values. As in pbrt-v3 one octave more is in it with its mean,
-/// which is taken for 0.2.
+/// Returns the same sum of absolute values. As in pbrt-v3 one more octave is added with its mean,
+/// which is taken to be 0.2.
 double turbulence(const FractalNoise& noise, const Vec3& p);
 
 }  // namespace etalon

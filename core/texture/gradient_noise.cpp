@@ -25,8 +25,8 @@ constexpr std::array<std::uint8_t, 256> permutation = {
     141, 128, 195, 78,  66,  215, 61,  156, 180,
 };
 
-/// The directions to the twelve edges of a cube, four of them twice: pbrt-v3's order, whose
-/// repeated ones are not all those of Perlin's paper.
+/// Directions to the twelve edges of a cube, four of them twice, in pbrt-v3's order. The repeated
+/// ones are not all those of Perlin's paper.
 constexpr std::array<std::array<std::int8_t, 3>, 16> gradients = {{
     {1, 1, 0},
     {-1, 1, 0},
@@ -46,11 +46,11 @@ constexpr std::array<std::array<std::int8_t, 3>, 16> gradients = {{
     {0, -1, -1},
 }};
 
-/// The place of a coordinate in the lattice, which repeats after 256 cells.
+/// Position of a coordinate in the lattice, which repeats after 256 cells.
 struct LatticePlace {
     unsigned cell;
     double offset;  ///< from the cell's lower end, 0 to 1
-    double weight;  ///< of the cell's upper end
+    double weight;  ///< weight of the cell's upper end
 
     explicit LatticePlace(double x) {
         const double floor = std::floor(x);
@@ -64,7 +64,7 @@ unsigned permuted(unsigned i) {
     return permutation[i % 256];
 }
 
-/// Value at the offset (x, y, z) from a point of the lattice of the gradient that belongs there.
+/// Returns the value at the offset (x, y, z) from a lattice point of that point's gradient.
 double gradient_value(unsigned hash, double x, double y, double z) {
     const auto& g = gradients[hash % 16];
     return g[0] * x + g[1] * y + g[2] * z;

@@ -4,8 +4,9 @@
 
 namespace etalon {
 
-/// Returns a smooth function of a point that is 0 at all points of whole numbers, within [-1, 1]:
-/// Perlin 2002, "Improving Noise", with pbrt-v3's gradients. 0 where the point is not finite.
+/// Returns a smooth function of a point within [-1, 1] that is 0 at all points with integer
+/// coordinates: Perlin 2002, "Improving Noise", with pbrt-v3's gradients. 0 if the point is not
+/// finite.
 double gradient_noise(const Vec3& p);
 
 }  // namespace etalon

@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// The images that textures of type T show.
+/// Returns the images that textures of type T use.
 template <class T>
 std::vector<bool> shown_images(const std::vector<Texture<T>>& textures, std::size_t images) {
     std::vector<bool> shown(images, false);

@@ -1,4 +1,4 @@
-// Which images a scene's textures show, and as what.
+// The images that a scene's textures use, and as what.
 #pragma once
 
 #include <compare>
@@ -11,22 +11,22 @@
 
 namespace etalon {
 
-/// An image as textures of one type show it.
+/// Use of an image by textures of one type.
 struct ImageUse {
     std::size_t image;  ///< number among the images of the textures
     std::size_t file;   ///< number among the files
     Shown what;
 };
 
-/// All of them, in the order of the images.
+/// All uses, in the order of the images.
 struct ImageUses {
-    std::vector<std::string> files;  ///< each once
+    std::vector<std::string> files;  ///< without duplicates
     std::vector<ImageUse> list;
 };
 
 ImageUses image_uses(const Textures& textures);
 
-/// Tells sets of texels apart: uses of one key share theirs.
+/// Key of a set of texels: uses with the same key share their texels.
 struct TexelKey {
     std::size_t file;
     bool same_as_file = true;
@@ -39,7 +39,7 @@ struct TexelKey {
 
 TexelKey texel_key(const ImageUse& use, const KeptTexels& kept, const TextureImage& how);
 
-/// What is shown of a file that cannot be read, as in pbrt-v3.
+/// Returns the image that replaces a file that cannot be read, as in pbrt-v3.
 Image grey_pixel();
 
 }  // namespace etalon

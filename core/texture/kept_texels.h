@@ -1,4 +1,4 @@
-// How much of an image that textures show is kept in memory.
+// The form in which the images of textures are kept in memory.
 #pragma once
 
 #include <cstddef>
@@ -8,16 +8,16 @@
 
 namespace etalon {
 
-/// What a texture makes of an image: colours, or their luminance.
+/// Values that a texture takes from an image: colours, or their luminance.
 enum class Shown : std::uint8_t { colors, numbers };
 
-/// The form in which the texels of an image are kept. Those of a file of bytes, of up to four
-/// channels, take four bytes or less each.
+/// Storage of the texels of an image. Those of a file of bytes, with up to four channels, take four
+/// bytes or less each.
 struct KeptTexels {
     enum class Form : std::uint8_t {
         bytes,   ///< as in the file, to be decoded by a table
-        floats,  ///< what is shown
-        packed,  ///< what is shown, each colour in four bytes
+        floats,  ///< the texture's values
+        packed,  ///< the texture's values, each colour in four bytes
     };
 
     Form form = Form::bytes;
@@ -27,8 +27,8 @@ struct KeptTexels {
     std::size_t bytes() const;
 };
 
-/// Returns the form in which an image, of which the header is enough, is kept for what a texture
-/// shows of it.
+/// Returns the form in which an image is kept for a use by a texture. Only the header of the image
+/// is needed.
 KeptTexels kept_texels(const Image& image, Shown what, bool decode_srgb);
 
 }  // namespace etalon

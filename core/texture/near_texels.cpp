@@ -6,14 +6,14 @@
 namespace etalon {
 namespace {
 
-/// Two texels of a row or column, of weights 1 - fraction and fraction; -1 is one that is black.
+/// Two texels of a row or column, with weights 1 - fraction and fraction; -1 is a black one.
 struct Pair {
     int first, second;
     float fraction;
 };
 
-/// A coordinate within the range where indices fit an int: one period of an image that repeats, or
-/// so much more than the image that its border, or black, is met as farther away.
+/// Wraps a coordinate to the range where indices fit an int: to one period of a repeating image, or
+/// to so far outside that only the border, or black, is seen.
 double in_range(double coordinate, Wrap wrap) {
     const double reduced = wrap == Wrap::repeat ? coordinate - std::floor(coordinate)
                                                 : std::clamp(coordinate, -1.0, 2.0);

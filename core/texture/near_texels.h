@@ -7,13 +7,13 @@
 
 namespace etalon {
 
-/// Texels about a point, and their weights.
+/// The texels around a point, and their weights.
 struct NearTexels {
-    std::array<std::size_t, 4> texels;  ///< numbers by rows from the top
-    std::array<float, 4> weights;       ///< 0 for those that are beyond a border of black
+    std::array<std::size_t, 4> texels;  ///< numbers in rows from the top
+    std::array<float, 4> weights;       ///< 0 for those beyond a black border
 };
 
-/// Finds the four texels of an image whose centres are about the point (s, t).
+/// Returns the four texels of an image whose centres surround the point (s, t).
 NearTexels near_texels(int width, int height, Wrap wrap, const Vec2& st);
 
 }  // namespace etalon

@@ -11,17 +11,17 @@
 namespace etalon {
 namespace {
 
-constexpr double radius = 2;  ///< of the filter, in texels of the image that is stretched
+constexpr double radius = 2;  ///< radius of the filter, in texels of the source image
 
 constexpr std::size_t rows_a_task = 32;
 
-/// The texels of a row or column that make one of the stretched image: -1 is black.
+/// The texels of a row or column that make up one of the stretched image: -1 is black.
 struct Sources {
     std::array<int, 4> texels;
     std::array<float, 4> weights;
 };
 
-/// A sinc under another that is 0 at the radius.
+/// Returns a sinc windowed by another that is 0 at the radius.
 double lanczos(double distance) {
     const double x = std::abs(distance) / radius * std::numbers::pi;
     if (x < 1e-5) return 1;
@@ -57,7 +57,7 @@ std::vector<Sources> all_sources(int count, Wrap wrap) {
     return list;
 }
 
-/// Makes a row of texels longer.
+/// Stretches a row of texels.
 template <std::size_t channels>
 void stretch_row(const float* row, const std::vector<Sources>& columns, float* stretched) {
     for (const Sources& from : columns) {
@@ -71,7 +71,7 @@ void stretch_row(const float* row, const std::vector<Sources>& columns, float* s
     }
 }
 
-/// The rows of an image, made longer, of which the last few asked for are kept.
+/// Stretched rows of an image, of which the most recently used ones are kept.
 class LongerRows {
   public:
     LongerRows(const TexelRows& image, const std::vector<Sources>& columns)
@@ -101,7 +101,7 @@ class LongerRows {
     std::array<int, 4> numbers_ = {-1, -1, -1, -1};
 };
 
-/// The mean of four rows, of numbers not below 0.
+/// Returns the weighted mean of four rows, of numbers not below 0.
 void mix_rows(const Sources& from, LongerRows& rows, std::span<float> mixed) {
     std::ranges::fill(mixed, 0.0F);
     for (std::size_t j = 0; j < 4; ++j) {

@@ -10,7 +10,7 @@
 namespace etalon {
 namespace {
 
-/// Point `t` of the curve of Bezier whose control points are the four from `first` on.
+/// Returns point `t` of the Bezier curve whose control points are the four from `first` on.
 Color bezier(const Color* first, float t) {
     std::array<Color, 4> c{};
     std::copy_n(first, 4, c.begin());
@@ -20,8 +20,8 @@ Color bezier(const Color* first, float t) {
     return c[0];
 }
 
-/// The colour of a vein at `t` from 0 to 1. There are six segments, yet pbrt-v3 continues the
-/// second to the end instead of taking those after it; values get far above 1 there.
+/// Returns the colour of a vein at `t` from 0 to 1. There are six segments, but pbrt-v3 continues
+/// the second to the end instead of using those after it, where values get far above 1.
 Color vein(double t) {
     constexpr double segments = 6;
     static const std::array<Color, 5> control = {{
@@ -35,7 +35,7 @@ Color vein(double t) {
     return 1.5F * bezier(&control[first], static_cast<float>(t * segments - double(first)));
 }
 
-/// Noise in the plane.
+/// Returns noise in the plane.
 double noise_2d(double x, double y) {
     return gradient_noise({x, y, 0.5});
 }

@@ -10,7 +10,7 @@ float decoded(float value) {
     return static_cast<float>(srgb_decoded(value));
 }
 
-/// What stored values show.
+/// Converts stored values to those of the texture.
 struct Decoding {
     bool is_srgb;
     const std::array<float, 256>& bytes = is_srgb ? decoded_byte_values() : detail::byte_values;

@@ -5,8 +5,8 @@
 
 namespace etalon {
 
-/// The texels of `image`, which must outlive them, as a texture shows them before they are scaled.
-/// As in pbrt-v3 the luminance is that of what is stored, and decoded afterwards.
+/// Returns the texels of `image`, which must outlive them, as a texture uses them before they are
+/// scaled. As in pbrt-v3 the luminance is that of the stored values, and decoded afterwards.
 TexelRows shown_rows(const Image& image, Shown what, bool decode_srgb);
 
 }  // namespace etalon

@@ -12,31 +12,31 @@
 
 namespace etalon {
 
-/// What is kept of an image, by however many textures that show it.
+/// Storage of an image, shared by all textures that use it.
 using SharedTexels = std::variant<std::shared_ptr<const Image>, std::shared_ptr<const PackedImage>>;
 
-/// An image as textures show it: interpolated between the centres of its texels, with t upwards
-/// and (0, 0) and (1, 1) at its corners.
+/// An image as textures use it: interpolated between the centres of its texels, with t upwards and
+/// (0, 0) and (1, 1) at its corners.
 class Texels {
   public:
-    /// No image; it must not be asked for values.
+    /// Has no image; must not be evaluated.
     Texels() = default;
 
-    /// Shows an image of one pixel or more. Bytes are decoded where `how` says so; floats and
-    /// packed colours are what they say.
+    /// Uses an image of one pixel or more. Bytes are decoded if `how` says so; floats and packed
+    /// colours are used as they are.
     Texels(const SharedTexels& texels, const TextureImage& how);
 
-    /// The value at (s, t): the first three channels, or one that is grey; or the first alone, of
-    /// an image that is not packed.
+    /// Return the value at (s, t): the first three channels, or grey; or the first channel alone,
+    /// of an image that is not packed.
     Color color(const Vec2& st) const;
     float number(const Vec2& st) const;
 
-    /// Returns where number() is 0, if a bit for each texel tells: where no sum or product of what
-    /// is not 0 can be.
+    /// Returns where number() is 0, if that follows from a bit for each texel: if sums and products
+    /// of values that are not 0 cannot be 0.
     std::optional<ZeroTexels> zeros() const;
 
   private:
-    /// The number that a stored one means.
+    /// Returns the number for which a stored one stands.
     template <class Stored>
     float shown(Stored value) const;
 
@@ -46,7 +46,7 @@ class Texels {
     Color interpolated_packed(const Vec2& st) const;
 
     std::shared_ptr<const Image> image_;
-    std::shared_ptr<const PackedImage> packed_;  ///< or null, and the other is not
+    std::shared_ptr<const PackedImage> packed_;  ///< either this or the other is null
     const std::array<float, 256>* byte_values_ = nullptr;
     Wrap wrap_ = Wrap::repeat;
     float scale_ = 1;

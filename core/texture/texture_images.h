@@ -7,13 +7,13 @@
 
 namespace etalon {
 
-/// The images of a scene's textures, each as far as a texture of that type shows it.
+/// The images of a scene's textures, for textures of each type that use them.
 struct TextureImages {
-    std::vector<Texels> colors, numbers;  ///< as many as the scene has images; some without one
+    std::vector<Texels> colors, numbers;  ///< one for each image of the scene; empty if not used
 };
 
-/// Reads the images that `textures` show, each file once. Grey stands in for one that cannot be
-/// read, as in pbrt-v3; `problems` gets the reasons in the order of the images.
+/// Reads the images that `textures` use, each file once. Grey replaces images that cannot be read,
+/// as in pbrt-v3; `problems` gets the reasons in the order of the images.
 TextureImages read_texture_images(const Textures& textures, std::vector<std::string>& problems);
 
 }  // namespace etalon

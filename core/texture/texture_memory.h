@@ -6,8 +6,8 @@
 
 namespace etalon {
 
-/// Returns the bytes that the images of textures take once they are read, by the headers of their
-/// files.
+/// Returns the bytes of memory that the images of textures take once they are read, according to
+/// the headers of their files.
 std::size_t texture_memory_bytes(const Textures& textures);
 
 }  // namespace etalon

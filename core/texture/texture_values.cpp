@@ -23,12 +23,12 @@ Color shown(const TextureImages& images, const ImageTexture<Color>& texture, con
     return images.colors[texture.image].color(st);
 }
 
-/// Whether the fields with these coordinates' whole parts are of the first kind.
+/// Returns whether the checks with these coordinates' integer parts are of the first kind.
 bool is_even(double sum_of_floors) {
     return std::floor(sum_of_floors / 2) == sum_of_floors / 2;
 }
 
-/// A colour as the value of a texture of type T.
+/// Converts a colour to a value of a texture of type T.
 template <class T>
 T as(const Color& color) {
     if constexpr (std::is_same_v<T, float>) {

@@ -9,15 +9,15 @@
 
 namespace etalon {
 
-/// Textures of a scene ready to be evaluated, by any number of threads at a time. Values are those
-/// of pbrt-v3 where a point's footprint is small.
+/// The textures of a scene, ready to be evaluated by any number of threads. Values are those of
+/// pbrt-v3 where a point's footprint is small.
 class TextureValues {
   public:
-    /// Reads the images. `textures` must outlive the object; `problems` gets the reasons why images
-    /// cannot be shown, each beginning with the path. Grey stands in for them.
+    /// Reads the images. `textures` must outlive this. `problems` gets the reasons if images cannot
+    /// be read, each beginning with the path; grey replaces them.
     TextureValues(const Textures& textures, std::vector<std::string>& problems);
 
-    /// The value of a slot at a point of a surface.
+    /// Returns the value of a slot at a point of a surface.
     float number(const NumberSlot& slot, const TexturePoint& point) const {
         return slot.texture == no_index ? slot.value : texture_number(slot.texture, point);
     }

@@ -6,7 +6,7 @@
 namespace etalon {
 namespace {
 
-/// Numbers the leaves, in their `first`, and returns which primitives each one has.
+/// Stores each leaf's number in its `first`, and returns the primitives of each leaf.
 std::vector<Range> number_leaves(BvhTree& tree) {
     std::vector<Range> ranges;
     for (BvhNode& node : tree.nodes) {
@@ -32,7 +32,7 @@ Bvh::Bvh(const Geometry& geometry)
     const std::vector<Range> ranges = number_leaves(tree);
     const std::vector<ClusterRef> refs = cluster_refs(geometry, tree.ids, ranges);
     tree_ = widen(tree.nodes, refs);
-    std::vector<BvhNode>().swap(tree.nodes);  // before the clusters, which take the most
+    std::vector<BvhNode>().swap(tree.nodes);  // before building the clusters, which take the most
     clusters_ = Clusters(geometry, scene_bounds().space, tree.ids, ranges, refs);
 }
 

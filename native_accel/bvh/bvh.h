@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// A bounding volume hierarchy, built binary and walked eight-wide, with clusters for leaves.
+/// A bounding volume hierarchy, built binary and traversed eight-wide, with clusters as leaves.
 class Bvh final : public Intersector {
   public:
     explicit Bvh(const Geometry& geometry);

@@ -9,12 +9,12 @@
 
 namespace etalon {
 
-/// A node of a binary tree, with all below it: from its first child up to `end`, as BvhTree has its
-/// nodes.
+/// A subtree of a binary tree: its root, with the nodes below in the range from its first child to
+/// before `end`, in the order of BvhTree.
 struct Branch {
     bool is_leaf() const { return node->is_leaf(); }
 
-    /// Number of nodes below it.
+    /// Returns the number of nodes below it.
     std::size_t size() const { return is_leaf() ? 0 : end - node->first; }
 
     const BvhNode* node;
@@ -31,10 +31,11 @@ struct Branches {
     std::size_t count = 0;
 };
 
-/// Chooses which nodes of a binary tree stay when each takes up to node_width descendants as its
-/// children: those of least total surface, the cost of visiting them, by dynamic programming
-/// (Ylitie, Karras & Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed
-/// Wide BVHs", section 3.1). Leaves stay as they are. Runs on as many threads as allowed.
+/// Chooses which nodes of a binary tree remain when each takes up to node_width descendants as its
+/// children. Minimizes the total surface area of the remaining nodes, which is the cost of visiting
+/// them, by dynamic programming (Ylitie, Karras & Laine 2017, "Efficient Incoherent Ray Traversal
+/// on GPUs Through Compressed Wide BVHs", section 3.1). Leaves stay as they are. Runs on as many
+/// threads as allowed.
 class Collapse {
   public:
     /// The tree must not be empty.
@@ -42,17 +43,17 @@ class Collapse {
 
     Branch root() const { return {nodes_.data(), nodes_.size()}; }
 
-    /// Half of that of all inner nodes that stay.
+    /// Returns half the surface area of all inner nodes that remain.
     float surface() const { return plans_[0].cost[1]; }
 
-    /// The descendants that become the children of an inner node.
+    /// Returns the descendants that become the children of an inner node.
     Branches children(const Branch& branch) const;
 
   private:
-    /// Least cost of replacing a node by so many nodes or fewer, and the number of those that are
-    /// below its first child; 0 where one fewer does as well.
+    /// Least cost of replacing a node by at most n nodes, and how many of these are below its first
+    /// child; 0 if n - 1 nodes are as good.
     struct Plan {
-        std::array<float, node_width> cost;  ///< from 1 on
+        std::array<float, node_width> cost;  ///< cost[0] is that of one node
         std::array<std::uint8_t, node_width + 1> first;
     };
 

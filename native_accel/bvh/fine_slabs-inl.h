@@ -1,5 +1,5 @@
-// Slab tests as precise as the distance to a box, not only as the scene. Compiled for each
-// instruction set.
+// Slab tests whose precision is relative to the distance of a box, not only to the scene's size.
+// Compiled for each instruction set.
 #if defined(ETALON_FINE_SLABS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_FINE_SLABS_INL_H
 #undef ETALON_FINE_SLABS_INL_H
@@ -13,12 +13,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// A plane b is passed at (b - o) / d, o in two floats: boxes may be far smaller than the padding
-/// that Passages need, as those of instances of many sizes are. So they have the least; the ray's
-/// slack moves their planes outward. Those of o's second float round far below that. The other
-/// roundings, of the difference, of d, its reciprocal and the result, are at most 6 u of it, u =
-/// 2^-24, and those of the plane on the other side as much: `from` is shortened by 16 u of itself.
-/// Whoever compares it with the place of a hit, as it waits in the stack, needs that, too.
+/// A plane b is crossed at (b - o) / d, with o as the sum of two floats. Boxes may be far smaller
+/// than the padding that Passages needs, as those of instances of many sizes are. So they have
+/// least_padding, and the ray's slack moves their planes outward. The roundings of o's second float
+/// are far below the slack. The other roundings, of the difference, of d, its reciprocal and the
+/// result, are at most 6 u of it, u = 2^-24, and as much for the plane on the other side: `from` is
+/// reduced by 16 u of itself. A comparison of it with the t of a hit, as for entries of the stack,
+/// needs that reduction, too.
 class FinePassages {
   public:
     HWY_INLINE FinePassages(const NormalizedRay& ray, const FineRay& fine) {

@@ -1,4 +1,4 @@
-// Apart from the traversal of scenes without instances: in one file that one is inlined less.
+// In a file apart from the traversal without instances, which is inlined less if both are in one.
 #include "core/intersect/normalized_ray.h"
 #include "core/numerics/instruction_sets.h"
 #include "native_accel/bvh/traversal.h"

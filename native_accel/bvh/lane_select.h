@@ -1,7 +1,7 @@
-// Two ways to the lowest lane of a mask. A traversal waits for a node's boxes to be tested, learns
-// from the mask which child comes next, and only then can fetch that. A branch for each lane tells
-// the same, but the processor predicts branches: where it is right, the next node is on its way
-// before this one's boxes are tested, and where it is wrong, work is thrown away.
+// Two ways to find the lowest lane of a mask. A traversal tests a node's boxes, learns from the
+// mask which child comes next, and only then can fetch it. Selecting the lane by branches gives the
+// same result, but lets the processor predict: where it predicts right, the next node is fetched
+// before this one's boxes are tested; where it is wrong, work is lost.
 #pragma once
 
 #include <bit>
@@ -14,7 +14,7 @@ struct BranchlessLaneSelect {
     static int of(std::uint32_t mask) { return std::countr_zero(mask); }
 };
 
-/// Selects the lane by branches, for rays that go where those before them went.
+/// Selects the lane by branches, for rays that take the same path as those before them.
 struct BranchingLaneSelect {
     static int of(std::uint32_t mask) {
         switch (std::countr_zero(mask)) {

@@ -1,5 +1,4 @@
-// Traversal of two nodes at a time, for rays that ask whether anything is hit at all. Compiled for
-// each instruction set.
+// Traversal of two nodes at a time, for occlusion queries. Compiled for each instruction set.
 #if defined(ETALON_BVH_PAIRWISE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_BVH_PAIRWISE_INL_H
 #undef ETALON_BVH_PAIRWISE_INL_H
@@ -16,7 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Stack of children that a ray enters. Of bits, as a ChildRef is set when it is made.
+/// Stack of the children that a ray enters. It holds bits, since a ChildRef is initialized when it
+/// is constructed.
 template <std::size_t most>
 class ChildStack {
   public:
@@ -33,7 +33,7 @@ class ChildStack {
     std::size_t size_ = 0;
 };
 
-/// The lanes, lowest first, whose children are leaves: the sign of a ChildRef's bits tells.
+/// Returns the lanes, lowest first, whose children are leaves: the sign of a ChildRef's bits tells.
 HWY_INLINE std::uint32_t leaves_of(const WideNode& node) {
     const hn::Rebind<std::int32_t, Tag> numbers;
     const auto* const children = reinterpret_cast<const std::int32_t*>(node.children.data());
@@ -43,16 +43,16 @@ HWY_INLINE std::uint32_t leaves_of(const WideNode& node) {
     });
 }
 
-/// Leaves are asked as soon as they are met. Nodes are taken two at a time, so that the boxes of
-/// one are tested while those of the other are waited for: for a ray that meets nothing any order
-/// is as good, as it visits all that it enters.
+/// Tests leaves as soon as they are reached. Takes nodes two at a time, so that the boxes of one
+/// are tested while those of the other are loaded. For a ray that hits nothing any order is as
+/// good, as it visits every node that it enters.
 template <class Boxes>
 class PairwiseTraversal {
   public:
     HWY_INLINE PairwiseTraversal(const WideTree& tree, const Boxes& boxes, float tmax)
         : tree_(tree), boxes_(boxes), tmax_(tmax) {}
 
-    /// Whether the ray meets the tree at all: many do not, and need no more set up.
+    /// Returns whether the ray enters the tree. Many rays do not, and need no more set up.
     HWY_INLINE bool begin() {
         if (tree_.root.is_leaf()) {
             leaves_.push(tree_.root);
@@ -63,7 +63,7 @@ class PairwiseTraversal {
         return !(nodes_.empty() && leaves_.empty());
     }
 
-    /// Whether, after begin(), at_leaf(cluster) returns true for any leaf.
+    /// Returns whether at_leaf(cluster) returned true for any leaf. Call begin() first.
     template <class AtLeaf>
     HWY_INLINE bool finish(const AtLeaf& at_leaf) {
         for (;;) {
@@ -100,7 +100,7 @@ class PairwiseTraversal {
     const WideTree& tree_;
     const Boxes& boxes_;
     const float tmax_;
-    /// What is pushed later is deeper, so that of each depth there are the children of two nodes.
+    /// Nodes pushed later are deeper, so there are at most the children of two nodes of each depth.
     ChildStack<2 * node_width*(bvh_max_depth + 1)> nodes_;
     ChildStack<2 * node_width> leaves_;
 };

@@ -1,4 +1,4 @@
-// What is asked of the tree: the nearest hit, and any. Compiled for each instruction set.
+// The queries of the tree: closest hit and occlusion. Compiled for each instruction set.
 #if defined(ETALON_BVH_QUERIES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_BVH_QUERIES_INL_H
 #undef ETALON_BVH_QUERIES_INL_H
@@ -15,12 +15,12 @@
 #include "native_accel/bvh/pairwise-inl.h"
 #include "native_accel/bvh/traversal-inl.h"
 #include "native_accel/bvh/traversal.h"
-#include "native_accel/common/tally.h"
+#include "native_accel/common/traversal_counters.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Calls offer(t, id) for what could be hit at t <= tmax, for as long as it returns true.
+/// Calls offer(t, id) for all that could be hit at t <= tmax, as long as it returns true.
 template <class Offer>
 HWY_INLINE void visit(const BvhView& bvh, ClusterRef ref, const ClusterFilter& filter, float tmax,
                       const RayQuery& query, const Offer& offer) {
@@ -32,7 +32,7 @@ HWY_INLINE void visit(const BvhView& bvh, ClusterRef ref, const ClusterFilter& f
     }
 }
 
-/// Offers `nearest` what could be hit; `boxes` is a SlabTest of the ray, from `tmin` on.
+/// Offers `nearest` all that could be hit. `boxes` is a SlabTest of the ray from `tmin` on.
 template <class LowestLane, class Boxes, class Counters>
 HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
                              float tmin, const Boxes& boxes, NearestHit& nearest,
@@ -60,7 +60,8 @@ HWY_INLINE void find_closest(const BvhView& bvh, const RayQuery& query, const No
     });
 }
 
-/// Whether any member of a cluster is hit at t <= query.ray.tmax, which is no later than `tmax`.
+/// Returns whether any member of a cluster is hit at t <= query.ray.tmax, which is no later than
+/// `tmax`.
 HWY_INLINE bool is_hit(const BvhView& bvh, ClusterRef ref, const ClusterFilter& filter, float tmax,
                        const RayQuery& query) {
     if (HWY_UNLIKELY(ref.kind() == ClusterRef::instances)) {
@@ -74,7 +75,7 @@ HWY_INLINE bool is_hit(const BvhView& bvh, ClusterRef ref, const ClusterFilter& 
     return found;
 }
 
-/// Whether anything is hit at t <= query.ray.tmax; arguments as for find_closest().
+/// Returns whether anything is hit at t <= query.ray.tmax; arguments as for find_closest().
 template <class LowestLane, class Boxes>
 HWY_INLINE bool find_any(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
                          float tmin, const Boxes& boxes) {

@@ -9,8 +9,8 @@
 
 namespace etalon {
 
-/// A child that a ray enters, and where: t >= 0 above the reference, as floats that are not
-/// negative are ordered as their bits are.
+/// A child that a ray enters, and the t of entry. t >= 0 is in the upper bits and the reference in
+/// the lower ones, as non-negative floats are ordered like their bits.
 class StackEntry {
   public:
     StackEntry() = default;
@@ -21,7 +21,7 @@ class StackEntry {
     ChildRef child() const { return ChildRef(static_cast<std::uint32_t>(key_)); }
     bool operator<(const StackEntry& other) const { return key_ < other.key_; }
 
-    /// Puts the nearer into `near`. Which it is nobody can predict: so without a branch.
+    /// Puts the nearer into `near`. Without a branch, as the order is not predictable.
     static void sort(StackEntry& near, StackEntry& far) {
         const std::uint64_t turn = -std::uint64_t{far < near} & (near.key_ ^ far.key_);
         near.key_ ^= turn;
@@ -32,18 +32,18 @@ class StackEntry {
     std::uint64_t key_;
 };
 
-/// Each level leaves at most seven siblings behind.
+/// Each level leaves at most seven siblings on the stack.
 using StackSpace = std::array<StackEntry, (node_width - 1) * bvh_max_depth + node_width>;
 
-/// Stack of what a ray has yet to visit, the next one last. The caller owns the space, apart, so
-/// that all else can be in registers.
+/// Stack of the nodes that a ray has yet to visit, the next one last. The caller owns the space, so
+/// that the members can be in registers.
 class TraversalStack {
   public:
     explicit TraversalStack(StackSpace& space) : bottom_(space.data()), top_(bottom_) {}
 
-    /// Takes the lanes `entered` of a node, at least one, and gives back the nearest; the others
-    /// are kept, the nearer the later. The traversal waits for what comes back: so of one lane, or
-    /// of two in the order predicted, it depends on no place of entry.
+    /// Takes the lanes `entered` of a node, at least one. Returns the nearest; the others are
+    /// pushed so that nearer ones are popped earlier. The traversal waits for the result, so for
+    /// one lane, or for two in the predicted order, the result does not depend on any t of entry.
     template <class LowestLane>
     ChildRef descend(const WideNode& node, const Lanes& entry, std::uint32_t entered) {
         const int lane = LowestLane::of(entered);
@@ -62,7 +62,7 @@ class TraversalStack {
         return turned ? other_child : child;
     }
 
-    /// The same without regard to where the ray enters.
+    /// The same in any order.
     template <class LowestLane>
     ChildRef descend(const WideNode& node, std::uint32_t entered) {
         ChildRef last = node.children[LowestLane::of(entered)];
@@ -72,7 +72,7 @@ class TraversalStack {
         return last;
     }
 
-    /// The next that is entered no later than at tmax; false where nothing is left.
+    /// Pops the next node that is entered at or before tmax; false if there is none.
     bool pop(float tmax, ChildRef& next) {
         while (top_ != bottom_) {
             const StackEntry entry = *--top_;
@@ -84,7 +84,7 @@ class TraversalStack {
     }
 
   private:
-    /// Pushes all but the nearest of two entries and those of the lanes `rest`; returns that one.
+    /// Pushes the farther of two entries and those of the lanes `rest`; returns the nearest.
     ChildRef keep_sorted(StackEntry near, StackEntry far, const WideNode& node, const Lanes& entry,
                          std::uint32_t rest) {
         StackEntry::sort(near, far);
@@ -99,7 +99,7 @@ class TraversalStack {
         return near.child();
     }
 
-    /// Inserts an entry above those from `first` on that are further.
+    /// Inserts an entry among those from `first` on, above all that are farther.
     void insert(StackEntry* first, StackEntry entry) {
         StackEntry* place = top_++;
         for (; place != first && place[-1] < entry; --place) *place = place[-1];

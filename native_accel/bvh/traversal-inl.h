@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// The nearest child that a ray enters, the others being kept.
+/// Visits the nearest child that a ray enters first; the others are pushed.
 template <class LowestLane>
 struct FrontToBack {
     HWY_INLINE ChildRef operator()(TraversalStack& stack, const WideNode& node, const Lanes& entry,
@@ -21,7 +21,7 @@ struct FrontToBack {
     }
 };
 
-/// Any child that a ray enters.
+/// Visits the children that a ray enters in any order.
 template <class LowestLane>
 struct AnyOrder {
     HWY_INLINE ChildRef operator()(TraversalStack& stack, const WideNode& node, const Lanes&,
@@ -30,7 +30,7 @@ struct AnyOrder {
     }
 };
 
-/// A ray on its way through the tree; `Boxes` is a SlabTest.
+/// Traversal of the tree by one ray; `Boxes` is a SlabTest.
 template <class Order, class Boxes, class Counters>
 class Traversal {
   public:
@@ -38,11 +38,12 @@ class Traversal {
                          Counters counters)
         : tree_(tree), boxes_(boxes), stack_(space), counters_(counters), next_(tree.root) {}
 
-    /// Whether the ray meets the tree before tmax at all: many do not, and need no more set up.
+    /// Returns whether the ray enters the tree before tmax. Many rays do not, and need no more set
+    /// up.
     HWY_INLINE bool begin(float tmax) { return next_.is_leaf() || descend(tmax); }
 
-    /// Passes, after begin(), the leaves one by one to at_leaf(cluster), as long as that returns
-    /// true.
+    /// Passes the leaves one by one to at_leaf(cluster), as long as that returns true. Call begin()
+    /// first.
     template <class AtLeaf>
     HWY_INLINE void finish(const float& tmax, const AtLeaf& at_leaf) {
         do {
@@ -55,7 +56,7 @@ class Traversal {
     HWY_INLINE Counters counters() const { return counters_; }
 
   private:
-    /// Moves from a node to a child; returns false where none is entered.
+    /// Moves from a node to a child. Returns false if the ray enters none.
     HWY_INLINE bool descend(float tmax) {
         const WideNode& node = tree_.nodes[next_.node()];
         counters_.boxes(node);

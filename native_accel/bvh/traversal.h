@@ -1,5 +1,5 @@
-// Traversal of the tree: compiled for several instruction sets, of which the best that the machine
-// has is taken.
+// Traversal of the tree, compiled for several instruction sets. The best one that the machine has
+// is used.
 #pragma once
 
 #include "core/intersect/intersector.h"
@@ -17,14 +17,14 @@ struct BvhView {
     const Clusters& clusters;
     const Intersector& instances;
 
-    /// Whether the ray is likely to take the same way through the tree as those before it: hardly
-    /// where it enters very many nodes.
+    /// Returns whether the ray is likely to take the same path through the tree as those before it.
+    /// That is unlikely if it enters very many nodes.
     bool predicts_branches(const Ray& ray) const {
         return ray.coherent() && tree.expected_nodes < 16;
     }
 };
 
-/// The code for one instruction set.
+/// Traversal functions for one instruction set.
 struct BvhTraversal {
     /// Offers `nearest` every primitive that could be hit no later than nearest.t.
     void (*closest)(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
@@ -34,15 +34,15 @@ struct BvhTraversal {
     void (*closest_counted)(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local,
                             NearestHit& nearest, TraversalCost& cost);
 
-    /// Whether any primitive is hit at t <= query.ray.tmax.
+    /// Returns whether any primitive is hit at t <= query.ray.tmax.
     bool (*occluded)(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local);
 };
 
 /// Returns the traversal for the instruction set in use now.
 BvhTraversal bvh_traversal();
 
-/// Returns the traversal of boxes with least_padding, for scenes with instances of any size: slower
-/// at each node, but it enters no more than it must.
+/// Returns the traversal of boxes with least_padding, for scenes with instances of any size. It is
+/// slower at each node, but enters no more nodes than necessary.
 BvhTraversal bvh_instance_traversal();
 
 }  // namespace etalon

@@ -9,7 +9,7 @@
 namespace etalon {
 namespace {
 
-/// Counts the nodes below each before it writes them, so that all know their places.
+/// Counts the nodes below each node before it writes them, so that all know their indices.
 class Widener {
   public:
     Widener(const std::vector<BvhNode>& nodes, const std::vector<ClusterRef>& leaves,
@@ -30,7 +30,7 @@ class Widener {
     }
 
   private:
-    /// Calls f for each child, at the same time where there is much to do.
+    /// Calls f for each child, in parallel if the branch is large.
     template <class F>
     static void for_each(const Branch& parent, std::size_t children, const F& f) {
         constexpr std::size_t serial_up_to = 1024;
@@ -42,7 +42,7 @@ class Widener {
 
     std::uint32_t& below(const Branch& branch) { return below_[branch.node - first_]; }
 
-    /// The nodes below one.
+    /// Returns the number of nodes below one.
     std::uint32_t count(const Branch& source) {
         const Branches children = collapse_.children(source);
         std::array<std::uint32_t, node_width> of_child{};
@@ -53,7 +53,7 @@ class Widener {
         return below(source) = std::accumulate(of_child.begin(), of_child.end(), 0U);
     }
 
-    /// Its children's places begin at `free`.
+    /// Fills a node. Its children are stored from index `free` on.
     void fill(std::size_t index, const Branch& source, std::size_t free) {
         const Branches children = open(source);
         WideNode& node = tree_.nodes[index];
@@ -76,7 +76,7 @@ class Widener {
         });
     }
 
-    /// The largest first: occlusion takes them as they come.
+    /// Returns the children, the largest first, since occlusion queries take them in that order.
     Branches open(const Branch& source) const {
         Branches list = collapse_.children(source);
         std::sort(list.begin(), list.end(), [](const Branch& a, const Branch& b) {
@@ -89,7 +89,7 @@ class Widener {
     const Collapse collapse_;
     const std::vector<ClusterRef>& leaves_;
     WideTree& tree_;
-    std::unique_ptr<std::uint32_t[]> below_;  ///< of the nodes that stay
+    std::unique_ptr<std::uint32_t[]> below_;  ///< number of nodes below each node that remains
 };
 
 }  // namespace

@@ -7,18 +7,20 @@
 
 namespace etalon {
 
-/// Nodes in depth-first order but for siblings, which are together; and where to begin.
+/// Nodes in depth-first order, except that siblings are adjacent, and the reference to the root.
 struct WideTree {
     bool empty() const { return nodes.empty() && !root.is_leaf(); }
 
     std::vector<WideNode, LargePages<WideNode>> nodes;
     ChildRef root;
-    /// Mean number of nodes that a random line through the root's box enters, by their surfaces.
+    /// Mean number of nodes that a random line through the root's box enters, from their surface
+    /// areas.
     double expected_nodes = 1;
 };
 
-/// Places a binary tree's nodes up to eight to one. A binary leaf's `first` says which of `leaves`
-/// it becomes. The tree, in the order of BvhTree, must not be empty. On as many threads as allowed.
+/// Collapses a binary tree into nodes of up to eight children. The `first` of a binary leaf is its
+/// index in `leaves`. The tree, in the order of BvhTree, must not be empty. Uses as many threads as
+/// allowed.
 WideTree widen(const std::vector<BvhNode>& nodes, const std::vector<ClusterRef>& leaves);
 
 }  // namespace etalon

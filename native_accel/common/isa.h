@@ -4,8 +4,8 @@
 
 namespace etalon {
 
-/// The best instruction set that traversals are compiled for and this machine has: "avx2", "sse4",
-/// "neon", ...
+/// Returns the best instruction set that traversals are compiled for and this machine has: "avx2",
+/// "sse4", "neon", ...
 std::string traversal_isa();
 
 }  // namespace etalon

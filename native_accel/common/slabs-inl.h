@@ -12,14 +12,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Returns a component of a ray's direction, no smaller than `least`: no infinity times zero, and
-/// over the few units a ray can travel in normalized space a drift far below the padding.
+/// Returns a component of a ray's direction, raised to the magnitude `least`. This avoids infinity
+/// times zero; over the few units that a ray travels in normalized space it shifts the ray by far
+/// less than the padding.
 HWY_INLINE float divisor(float d, float least) {
     return std::abs(d) < least ? std::copysign(least, d) : d;
 }
 
-/// Slab test (Kay & Kajiya 1986) of a ray with the eight boxes of a node. `Passages` tells where
-/// the ray passes planes.
+/// Slab test (Kay & Kajiya 1986) of a ray with the eight boxes of a node. `Passages` computes where
+/// the ray crosses planes.
 template <class Passages>
 class SlabTest {
   public:
@@ -31,7 +32,7 @@ class SlabTest {
     SlabTest(const SlabTest&) = delete;
     SlabTest& operator=(const SlabTest&) = delete;
 
-    /// The lanes whose box is entered within [tmin, tmax], and where.
+    /// Returns the lanes whose box is entered within [tmin, tmax], and the t of entry.
     HWY_INLINE std::uint32_t entered(const WideNode& node, float tmax, Lanes& entry) const {
         std::uint32_t found = 0;
         for (std::size_t i = 0; i < node_width; i += hn::MaxLanes(Tag())) {
@@ -54,10 +55,11 @@ class SlabTest {
     std::array<std::size_t, 3> near_;  ///< WideNode::plane
 };
 
-/// A plane b is passed at b / d - o / d, in float. With u = 2^-24, |o| <= 3 and |b| <= 1, its place
-/// is off by u (|o| + |b|) for each of the roundings of d, its reciprocal, and the result; by u |o|
-/// for that of o / d, and 2.1 u for o's own: together u (4 |o| + 3 |b| + 2.1) <= 17.1 u, 20 u where
-/// b / d is rounded too. The boxes' padding (NormalizedSpace::box), 26 u, makes up for it.
+/// A plane b is crossed at b / d - o / d, in float. With u = 2^-24, |o| <= 3 and |b| <= 1, its
+/// place is off by u (|o| + |b|) for each of the roundings of d, its reciprocal, and the result; by
+/// u |o| for that of o / d, and 2.1 u for o's own: together u (4 |o| + 3 |b| + 2.1) <= 17.1 u, or
+/// 20 u if b / d is rounded too. The boxes' padding (NormalizedSpace::box), 26 u, compensates for
+/// it.
 class Passages {
   public:
     HWY_INLINE explicit Passages(const NormalizedRay& ray) {

@@ -1,4 +1,4 @@
-// Eight boxes to be tested at once: a node of the hierarchy, and what a cell of the grid lists.
+// Eight boxes that are tested at once: a node of the hierarchy, and the lists of the grid's cells.
 #pragma once
 
 #include <array>
@@ -30,20 +30,22 @@ class ChildRef {
 
 inline constexpr std::size_t node_width = 8;
 
-/// Eight children and their boxes in normalized space, padded. Lanes without a child hold a box
-/// that nothing enters.
+/// Eight children and their padded boxes in normalized space. Unused lanes hold a box that no ray
+/// enters.
 struct alignas(64) WideNode {
-    /// Sets nothing, so that many are first written by the threads that fill them.
+    /// Leaves the members uninitialized, so that large arrays are first touched by the threads that
+    /// fill them.
     WideNode() {}
 
-    /// Takes all children out.
+    /// Removes all children.
     void clear();
     void set(std::size_t lane, const Box3f& box, ChildRef child);
 
-    /// Number of its children.
+    /// Returns the number of children.
     std::size_t count() const;
 
-    /// Offset in `planes` of the lanes of an axis's min or max: min x, max x, min y, ...
+    /// Returns the offset in `planes` of the lanes of an axis's min or max: min x, max x, min y,
+    /// ...
     static constexpr std::size_t plane(int axis, bool max) {
         return (2 * axis + (max ? 1 : 0)) * node_width;
     }

@@ -6,9 +6,9 @@
 
 namespace etalon {
 
-/// The padded boxes of up to eight clusters, to be tested at once as the children of a node are.
+/// The padded boxes of up to eight clusters, tested at once like the children of a node.
 struct BoxPack {
-    using Item = BoxItem;  ///< whose id is ClusterRef::bits
+    using Item = BoxItem;  ///< its id is ClusterRef::bits
     static constexpr GridCost cost{node_width, 1, 4, 20};
 
     BoxPack() { boxes.clear(); }

@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Calls offer(id) for the spheres that could be hit; it returns the tmax from then on.
+/// Calls offer(id) for the spheres that could be hit. It returns the tmax for further tests.
 template <class Offer, class Counters>
 class SphereTest {
   public:
@@ -44,9 +44,9 @@ class SphereTest {
 };
 
 /// Calls offer(cluster, lane) for the primitives that could be hit, of clusters whose boxes the ray
-/// enters, and offer_instances(cluster) for those of instances; they return the tmax from then on.
-/// A cluster is tested only in the cell in which the ray enters its box, so once, however many
-/// cells list it. That cell does list it: see GridTraversal.
+/// enters, and offer_instances(cluster) for clusters of instances. Both return the tmax for further
+/// tests. A cluster is tested only in the cell in which the ray enters its box, so once, however
+/// many cells list it. That cell does list it: see GridTraversal.
 template <class Offer, class OfferInstances, class Counters>
 class ClusterTest {
   public:
@@ -74,9 +74,9 @@ class ClusterTest {
     [[no_unique_address]] const Counters counters;
 
   private:
-    static constexpr std::size_t most = 64 / node_width;  ///< packs whose lanes have a bit each
+    static constexpr std::size_t most = 64 / node_width;  ///< packs whose lanes fit one 64-bit mask
 
-    /// First all boxes, without a branch that nobody could predict, then what is entered.
+    /// First tests all boxes, without unpredictable branches, then what the ray enters.
     HWY_INLINE float test(std::span<const BoxPack> packs, float from, float to, float tmax) const {
         alignas(32) std::array<Lanes, most> entry;
         std::uint64_t entered = 0;
@@ -94,7 +94,7 @@ class ClusterTest {
         return tmax;
     }
 
-    /// The lanes whose box is entered within [from, to], and where.
+    /// Returns the lanes whose box is entered within [from, to], and the t of entry.
     HWY_INLINE std::uint32_t entered_in(const WideNode& boxes, float from, float to,
                                         Lanes& entry) const {
         const std::uint32_t before_end = slabs_.entered(boxes, to, entry);

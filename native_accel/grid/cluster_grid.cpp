@@ -18,7 +18,7 @@ ClusterGrid::ClusterGrid(const Geometry& geometry, const NormalizedSpace& space,
     const std::vector<ClusterRef> refs = cluster_refs(geometry, tree.ids, ranges);
     for (std::size_t i = 0; i < items.size(); ++i) items[i].id = refs[i].bits;
     boxes_ = PackedGrid<BoxPack>(items);
-    std::vector<BoxItem>().swap(items);  // before the clusters, which take the most
+    std::vector<BoxItem>().swap(items);  // before building the clusters, which take the most
     clusters_ = Clusters(geometry, space, tree.ids, ranges, refs);
 }
 

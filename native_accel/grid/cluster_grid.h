@@ -6,14 +6,14 @@
 
 namespace etalon {
 
-/// A grid over clusters. Each is there once, however many cells list its box; and a cell with as
-/// many triangles as a hundred is no dearer than one with few, so that cells can be large.
+/// A grid over clusters. Each cluster is stored once, however many cells list its box. A cell with
+/// a hundred triangles costs about as much as one with a few, so that cells can be large.
 class ClusterGrid {
   public:
     ClusterGrid() = default;
 
-    /// Clusters are the leaves of the hierarchy that `bvh` is built from: as compact as can be had,
-    /// and of pieces of triangles where that pays.
+    /// Makes clusters of the leaves of the hierarchy that `bvh` uses: these are as compact as
+    /// possible, and of pieces of triangles where that pays.
     ClusterGrid(const Geometry& geometry, const NormalizedSpace& space,
                 std::vector<BoundedPrimitive> primitives);
 

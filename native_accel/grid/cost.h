@@ -6,12 +6,12 @@
 
 namespace etalon {
 
-/// Cost of traversal and of tests, in steps from one cell to the next.
+/// Cost of traversal and of tests, relative to a step from one cell to the next.
 struct GridCost {
-    std::uint32_t pack_size;  ///< as many items are tested at once
-    double pack;              ///< of testing them
-    double open;              ///< of a cell with anything in it
-    double enter;             ///< of beginning to traverse a grid
+    std::uint32_t pack_size;  ///< number of items that are tested at once
+    double pack;              ///< cost of testing them
+    double open;              ///< cost of opening a cell that is not empty
+    double enter;             ///< cost of starting the traversal of a grid
 
     double list(std::uint32_t items) const {
         if (items == 0) return 0;
@@ -19,14 +19,14 @@ struct GridCost {
         return open + pack * packs;
     }
 
-    /// Cost of a cell that may become a grid. A ray through a good one meets about as many cells as
-    /// lie along an edge, the cube root of their number.
+    /// Returns the cost of a cell that may become a grid. A ray through a good grid visits about as
+    /// many cells as lie along an edge, the cube root of their number.
     double cell(std::uint32_t items) const {
         if (items <= pack_size) return list(items);
         return std::min(list(items), enter + 2 * std::cbrt(items));
     }
 
-    /// Whether a list is so short that no grid could be better.
+    /// Returns whether a list is so short that no grid could be better.
     bool is_short(std::uint32_t items) const { return list(items) <= enter + 2; }
 };
 

@@ -1,5 +1,5 @@
-// Distribution of items to cells: a counting pass, sums, and a filling pass, on as many threads as
-// allowed.
+// Distribution of items to cells: a counting pass, prefix sums and a filling pass, on as many
+// threads as allowed.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,7 @@ namespace etalon {
 
 using ItemNumbers = std::vector<std::uint32_t>;
 
-/// Items items[begin[c] ... begin[c + 1]) are in cell c, in ascending order.
+/// Lists of all cells: items[begin[c] ... begin[c + 1]) are in cell c, in ascending order.
 struct CellLists {
     ItemNumbers begin, items;
 };
@@ -25,14 +25,14 @@ class Distribution {
     Distribution(std::span<const Item> items, const ItemNumbers& numbers, const GridLayout& layout)
         : items_(items), numbers_(numbers), layout_(layout) {}
 
-    /// Number of cells the items' boxes reach into, in all.
+    /// Returns the total number of cells that the items' boxes overlap.
     double box_references() const {
         double sum = 0;
         for (const std::uint32_t i : numbers_) sum += layout_.cells_of(items_[i].box).size();
         return sum;
     }
 
-    /// Number of items whose boxes reach into each cell.
+    /// Returns the number of items whose boxes overlap each cell.
     ItemNumbers box_counts() const {
         ItemNumbers counts(layout_.size(), 0);
         for_each_part([&](std::size_t, std::size_t begin, std::size_t end) {
@@ -44,7 +44,7 @@ class Distribution {
         return counts;
     }
 
-    /// The items that might be hit in each cell.
+    /// Returns the items that might be hit in each cell.
     CellLists lists() const {
         CellLists lists;
         lists.begin.assign(layout_.size() + 1, 0);
@@ -63,14 +63,14 @@ class Distribution {
     }
 
   private:
-    /// A cell and an item in it.
+    /// Pairs of a cell and an item in it.
     using References = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-    static constexpr std::size_t part_size = 8192;  ///< as many items are one thread's work
+    static constexpr std::size_t part_size = 8192;  ///< number of items in one work item
 
     std::size_t part_count() const { return (numbers_.size() + part_size - 1) / part_size; }
 
-    /// f(part, begin, end) for ranges of numbers_.
+    /// Calls f(part, begin, end) for ranges of numbers_.
     template <class F>
     void for_each_part(const F& f) const {
         if (part_count() == 1) return f(0, 0, numbers_.size());
@@ -81,7 +81,7 @@ class Distribution {
         });
     }
 
-    /// Returns what was there before.
+    /// Increments a counter, atomically if needed, and returns its previous value.
     std::uint32_t increment(std::uint32_t& counter) const {
         if (part_count() == 1) return counter++;
         return std::atomic_ref(counter).fetch_add(1, std::memory_order_relaxed);
@@ -98,7 +98,7 @@ class Distribution {
         }
     }
 
-    /// Calls f(cell) for the cells where the item itself, not only its box, might be hit.
+    /// Calls f(cell) for the cells in which the item itself, not only its box, might be hit.
     template <class F>
     void for_each_cell(std::uint32_t item, const F& f) const {
         const CellRange range = layout_.cells_of(items_[item].box);
@@ -117,7 +117,7 @@ class Distribution {
             for (const auto& [c, item] : parts[part]) lists.items[increment(next[c])] = item;
         });
         if (part_count() == 1) return;
-        // Threads came in any order.
+        // Threads append in any order.
         parallel_for(layout_.size(), 4096, [&](std::size_t first, std::size_t last) {
             for (std::size_t c = first; c < last; ++c) {
                 std::sort(lists.items.begin() + lists.begin[c],

@@ -6,12 +6,12 @@
 
 namespace etalon {
 
-/// Four floats side by side: GCC's and Clang's vectors, for which every x86-64 and arm64 has
-/// instructions. What is done with them is always inlined, so that it is compiled for the
-/// instruction set of whoever does it.
+/// Four floats as a vector of GCC and Clang, for which every x86-64 and arm64 has instructions.
+/// Operations on it are always inlined, so that they are compiled for the instruction set of the
+/// caller.
 using Float4 = float __attribute__((vector_size(16)));
 
-/// Result of comparing two Float4: all bits of a lane are set where it holds, else none.
+/// Result of comparing two Float4: all bits of a lane are set if it holds, else none.
 using Mask4 = std::int32_t __attribute__((vector_size(16)));
 
 HWY_INLINE Float4 broadcast(float x) {

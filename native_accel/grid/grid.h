@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// Grids in grids: one whose cells hold spheres, one over clusters of all else.
+/// Nested grids: one whose cells hold spheres, and one over clusters of all other primitives.
 class Grid final : public Intersector {
   public:
     explicit Grid(const Geometry& geometry);

@@ -1,5 +1,4 @@
-// Grids from items: coarse or fine, in each other or alone, as an estimate of what a ray costs
-// says.
+// Building of grids: coarse or fine, nested or not, by the estimated cost of a ray.
 #pragma once
 
 #include <numeric>
@@ -8,9 +7,9 @@
 
 namespace etalon {
 
-/// Top-down, on as many threads as allowed; the same for any number of them. No more than
-/// max_references n references and, as the lists of one depth together hold no more,
-/// about max_depth max_references cells_per_item n cells come of n items, whatever they are.
+/// Builds grids top-down, on as many threads as allowed; the result is the same for any number of
+/// them. For n items of any kind there are at most max_references n references and, since the lists
+/// of one depth together hold no more, about max_depth max_references cells_per_item n cells.
 template <class Item>
 class GridBuilder {
   public:
@@ -78,7 +77,8 @@ class GridBuilder {
         return {node, GridCell::grid};
     }
 
-    /// The children in groups of about as many items, each built on its own and then appended.
+    /// Builds the children in groups of about as many items. Each group is built on its own and
+    /// then appended.
     template <class Child>
     void in_groups(GridTree& tree, std::uint32_t first_cell, const CellLists& lists,
                    const Child& child) const {
@@ -108,7 +108,7 @@ class GridBuilder {
         }
     }
 
-    /// Offsets at which entries that are appended to a tree begin.
+    /// Offsets of the entries that are appended to a tree.
     struct Moved {
         explicit Moved(const GridTree& tree)
             : nodes(static_cast<std::uint32_t>(tree.nodes.size())),

@@ -5,12 +5,13 @@
 
 namespace etalon {
 
-/// A ray as the traversal through grids wants it: time per length and length per time along each
-/// axis, without signs, which are apart.
+/// A ray as grid traversal needs it: time per length and length per time along each axis, without
+/// signs, which are stored separately.
 struct GridRay {
     HWY_INLINE explicit GridRay(const NormalizedRay& ray) : origin(lanes(ray.origin, 0)) {
-        // No smaller than 2^-40 of the largest component: no infinity times zero, and over the
-        // few units a ray can travel in normalized space a drift far below the padding.
+        // At least 2^-40 of the largest component. This avoids infinity times zero; over the few
+        // units that a ray travels in normalized space it shifts the ray by far less than the
+        // padding.
         const Float4 direction = lanes(ray.direction, 1);
         forward = direction >= 0;
         speed = max(abs(direction), broadcast(0x1p-40F));

@@ -7,7 +7,7 @@
 #endif
 
 #include "core/accel/clusters/instance_list.h"
-#include "native_accel/common/tally.h"
+#include "native_accel/common/traversal_counters.h"
 #include "native_accel/grid/cell_tests-inl.h"
 #include "native_accel/grid/grid_trace.h"
 #include "native_accel/grid/visit-inl.h"
@@ -15,8 +15,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Calls offer(t, id), which returns the tmax from then on, for what the ray could hit from tmin to
-/// tmax in normalized space, and offer_instances(cluster) likewise.
+/// Calls offer(t, id) for what the ray could hit from tmin to tmax in normalized space, and
+/// offer_instances(cluster) likewise. Both return the tmax for further tests.
 template <class Counters, class Offer, class OfferInstances>
 HWY_INLINE void trace(const GridView& grid, const RayQuery& query, const NormalizedRay& local,
                       const float& tmax, Counters counters, const Offer& offer,

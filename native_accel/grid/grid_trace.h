@@ -1,5 +1,5 @@
-// Traversal of the grids by a ray: compiled for several instruction sets, of which the best that
-// the machine has is taken.
+// Traversal of the grids by a ray, compiled for several instruction sets. The best one that the
+// machine has is used.
 #pragma once
 
 #include "core/intersect/intersector.h"
@@ -18,21 +18,21 @@ struct GridView {
     const Intersector& instances;
 };
 
-/// The code for one instruction set.
+/// Tracing functions for one instruction set.
 struct GridTrace {
     /// Offers `nearest` every primitive that could be hit no later than nearest.t.
     void (*closest)(const GridView& grid, const RayQuery& query, const NormalizedRay& local,
                     NearestHit& nearest);
 
-    /// Whether any primitive is hit at t <= query.ray.tmax.
+    /// Returns whether any primitive is hit at t <= query.ray.tmax.
     bool (*occluded)(const GridView& grid, const RayQuery& query, const NormalizedRay& local);
 };
 
 /// Returns the functions for the instruction set in use now.
 GridTrace grid_trace();
 
-/// Finds the hit as GridTrace::closest does and adds to `cost` the cells and the boxes in them, and
-/// the members of all that is tested.
+/// Finds the hit as GridTrace::closest does. Adds to `cost` the cells, the boxes in them, and the
+/// members of all clusters that are tested.
 void trace_closest_counted(const GridView& grid, const RayQuery& query, const NormalizedRay& local,
                            NearestHit& nearest, TraversalCost& cost);
 

@@ -1,4 +1,4 @@
-// A file of its own, so that it changes nothing about how the code that does not count is compiled.
+// A file of its own, so that it does not affect how the code without counters is compiled.
 #include <algorithm>
 
 #include "core/numerics/instruction_sets.h"

@@ -1,19 +1,19 @@
-// A ray's way through one grid (Amanatides & Woo 1987), along all axes at once. When the ray enters
-// the cells of an axis is always computed from their index, so that errors do not add up.
+// Traversal of one grid by a ray (Amanatides & Woo 1987), along all axes at once. The time at which
+// the ray enters a cell is always computed from the cell's index, so that errors do not accumulate.
 //
-// That nothing is lost: let t be where the ray hits a primitive or enters a box. On each axis the
-// traversal is, at time t, in the cell whose time of entry is the last one <= t; the traversal
-// passes through those cells whatever happens on the other axes. That cell is where the ray is at t
-// but for the error of a time of entry, which as a length, with u = 2^-24, |o| <= 3 and |plane| <=
-// 1, so |plane - o| <= 4, is
+// Proof that nothing is lost: let t be where the ray hits a primitive or enters a box. On each axis
+// the traversal is, at time t, in the cell whose time of entry is the last one <= t; it passes
+// through those cells whatever happens on the other axes. That cell is where the ray is at t, up to
+// the error of a time of entry. As a length, with u = 2^-24, |o| <= 3 and |plane| <= 1, so |plane -
+// o| <= 4, that error is
 //   22 u for the time itself: 4 u each for the difference from the origin, the reciprocal of the
 //     direction, their product and the last sum, 2 u each for the pace, its product with the cell's
 //     size and that with the index;
 //   3 u for `high`, which is a rounded sum, and for cells_per_length, by which the start is found;
 //   6.1 u for the ray, whose float origin and direction are off by 2.1 u and 4 u.
-// Together 31.1 u, and 20 u for when a box is entered; what comes within grid_padding of a cell is
+// Together 31.1 u, and 20 u for when a box is entered; everything within grid_padding of a cell is
 // in the cell's list. The ends of a grid need no care: on each axis the first and the last cell
-// have no end, and the traversal stops at a time that is its caller's.
+// have no end, and the traversal stops at a time that the caller gives.
 #pragma once
 
 #include "native_accel/grid/grid_ray.h"
@@ -23,8 +23,8 @@ namespace etalon {
 
 class GridTraversal {
   public:
-    /// Starts where the ray is at time `t`. Cells are counted along the ray: from the high end
-    /// where it runs backward.
+    /// Starts where the ray is at time `t`. Cells are counted along the ray: from the high end if
+    /// it runs backward.
     HWY_INLINE GridTraversal(const GridNode& node, const GridRay& ray, float t) {
         const Float4 near = select(ray.forward, node.low, node.high);
         entry_ = (near - ray.origin) * ray.reciprocal;
@@ -39,14 +39,14 @@ class GridTraversal {
         place(start, node, ray);
     }
 
-    /// Index of the cell in GridTree::cells.
+    /// Returns the index of the cell in GridTree::cells.
     HWY_INLINE std::uint32_t cell() const { return cell_; }
 
-    /// Time at which the ray leaves the cell, in every lane; infinity in the last one.
+    /// Returns the time at which the ray leaves the cell, in every lane; infinity in the last cell.
     HWY_INLINE Float4 exit() const { return min_of_lanes(next_); }
 
-    /// Steps to the next cell. What the step after next will need is computed before it is known
-    /// which axis that crosses, so that a step waits for nothing but the one before.
+    /// Steps to the next cell. The data for the step after next is computed before it is known
+    /// which axis that crosses, so that a step depends only on the one before.
     HWY_INLINE void advance(Float4 exit) {
         const Mask4 crossed = next_ <= exit;
         cell_ += delta_[bits(crossed) & 7];
@@ -57,7 +57,7 @@ class GridTraversal {
     }
 
   private:
-    /// Times at which the cells of so many places after the first are entered.
+    /// Returns the times at which the cells with the given offsets from the first are entered.
     HWY_INLINE Float4 entry_to(Float4 index) const {
         const Float4 never = broadcast(std::numeric_limits<float>::infinity());
         return max(entry_ + index * pace_, keep(index > last_, never));
@@ -74,8 +74,9 @@ class GridTraversal {
     }
 
     Float4 entry_, pace_, last_;
-    Float4 next_, after_;  ///< when the next border of each axis is crossed, and the one after it
-    Float4 index_;         ///< of the cell that is entered at after_
+    /// Times at which the next border of each axis, and the one after it, are crossed.
+    Float4 next_, after_;
+    Float4 index_;  ///< index of the cell that is entered at after_
     std::uint32_t cell_;
     std::array<std::uint32_t, 8> delta_;
 };

@@ -14,18 +14,18 @@ HWY_INLINE Float4 select(Mask4 mask, Float4 yes, Float4 no) {
     return mask ? yes : no;
 }
 
-/// The lanes where the mask holds, zero in the others.
+/// Returns the lanes where the mask holds, and zero in the others.
 HWY_INLINE Float4 keep(Mask4 mask, Float4 value) {
     return reinterpret_cast<Float4>(mask & reinterpret_cast<Mask4>(value));
 }
 
-/// The smallest lane, in every lane.
+/// Returns the smallest lane, in every lane.
 HWY_INLINE Float4 min_of_lanes(Float4 v) {
     v = min(v, __builtin_shufflevector(v, v, 1, 0, 3, 2));
     return min(v, __builtin_shufflevector(v, v, 2, 3, 0, 1));
 }
 
-/// One bit a lane.
+/// Returns one bit for each lane.
 HWY_INLINE unsigned bits(Mask4 mask) {
 #if defined(__SSE2__)
     return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
@@ -42,7 +42,7 @@ HWY_INLINE Float4 to_float(Mask4 v) {
     return __builtin_convertvector(v, Float4);
 }
 
-/// Three components, and what the traversal wants in the fourth lane.
+/// Returns three components and a fourth lane for the traversal.
 HWY_INLINE Float4 lanes(const Vec3f& v, float fourth) {
     return Float4{v.x, v.y, v.z, fourth};
 }

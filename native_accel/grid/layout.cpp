@@ -5,7 +5,7 @@ namespace {
 
 constexpr int max_resolution = 1024;
 
-/// The edge of the cubes of which `count` fill the box.
+/// Returns the edge of cubes of which `count` fill the box.
 double cube_edge(const Vec3& size, double count) {
     std::array<double, 3> extents = {size.x, size.y, size.z};
     std::sort(extents.begin(), extents.end());

@@ -5,11 +5,11 @@
 namespace etalon {
 
 /// Margin by which the list of a cell reaches beyond the cell, so that GridTraversal loses nothing,
-/// not even a box that the ray enters at a time that is itself off by 20 u (see Slabs); 9 u of it
-/// for the roundings of GridLayout::cells_of. It does not rely on the padding of the boxes.
+/// not even a box that the ray enters at a time that is itself off by 20 u (see Slabs). 9 u of it
+/// are for the roundings of GridLayout::cells_of. It does not rely on the padding of the boxes.
 inline constexpr float grid_padding = 64 * 0x1p-24F;
 
-/// Half the surface of a box of that size.
+/// Returns half the surface area of a box of that size.
 inline double half_area(const Vec3& size) {
     return size.x * size.y + size.y * size.z + size.z * size.x;
 }
@@ -23,19 +23,20 @@ struct CellRange {
     CellIndex low, high;
 };
 
-/// Shape of the cells into which a box is cut.
+/// Shape of the cells of a box.
 enum class Cut {
-    cubes,  ///< as near as the box's proportions allow; not at all where it is thinner than they
-    alike,  ///< as often along each axis, for what is as long as the box or as thin
+    cubes,  ///< as nearly as the proportions allow; axes shorter than a cell are not divided
+    alike,  ///< as many cells along each axis, for items as long as the box or as thin
 };
 
-/// Cells into which a box is cut.
+/// Division of a box into cells.
 struct GridLayout {
-    GridLayout(const Box3& box, double cell_count, Cut cut = Cut::cubes);  ///< about so many
+    GridLayout(const Box3& box, double cell_count, Cut cut = Cut::cubes);  ///< about `cell_count`
 
     GridNode node(std::uint32_t first_cell) const;
 
-    /// The cells that a box, padded, reaches into; those at the border for what is outside.
+    /// Returns the cells that a box, padded, overlaps. Outside of the grid these are cells at the
+    /// border.
     CellRange cells_of(const Box3f& box) const {
         const Float4 last = to_float(count_) - 1.0F;
         const auto at = [&](Float4 place) {
@@ -54,15 +55,15 @@ struct GridLayout {
         return low() + cell_size() * Vec3(c[0] + 0.5, c[1] + 0.5, c[2] + 0.5);
     }
 
-    /// The box of a cell of that number.
+    /// Returns the box of a cell.
     Box3 box_of(std::uint32_t flat_index) const;
 
     Vec3 cell_size() const { return {cell_size_[0], cell_size_[1], cell_size_[2]}; }
 
     std::size_t size() const { return static_cast<std::size_t>(count_[0]) * count_[1] * count_[2]; }
 
-    /// Approximate share of the rays that cross the box which also cross a certain cell; and the
-    /// mean of that for rays along each axis.
+    /// Returns the approximate probability that a ray which crosses the box also crosses a given
+    /// cell; the second function, the mean of it for rays along each axis.
     double share_of_rays() const;
     double share_along_axes() const;
 

@@ -1,4 +1,4 @@
-// Choice of the cells into which a box is cut, if any, by the estimated cost of a ray.
+// Choice of the cells into which a box is divided, if any, by the estimated cost of a ray.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,20 @@ namespace etalon {
 
 struct GridConfig {
     GridCost cost;
-    double cells_per_item = 1;   ///< of a grid, at most
-    double max_references = 12;  ///< times the number of items: no more are listed in all cells
-    double max_work = 48;        ///< cells looked at for an item, on average, to cut a box once
-    int max_depth = 6;           ///< grids in each other
-    std::uint32_t serial_below = 4096;  ///< grids of fewer items are one thread's work
+    double cells_per_item = 1;   ///< most cells of a grid, for each item
+    double max_references = 12;  ///< most references in all cells, for each item
+    double max_work = 48;        ///< most cells visited for each item to evaluate one division
+    int max_depth = 6;           ///< most levels of nested grids
+    std::uint32_t serial_below = 4096;  ///< grids of fewer items are built by one thread
 };
 
 /// Part of the scene that is to become a cell.
 struct GridPart {
     Box3 box;
     ItemNumbers items;
-    double budget;     ///< as many references may come of it
-    int depth;         ///< of grids that it is in
-    double reach = 1;  ///< of the rays that cross the cell, as many cross the box
+    double budget;     ///< most references that may result
+    int depth;         ///< number of grids around it
+    double reach = 1;  ///< rays that cross the box, for each ray that crosses the cell
 };
 
 template <class Item>
@@ -51,15 +51,15 @@ class LayoutChoice {
     }
 
   private:
-    /// Whether it would not take too long to find out what it costs to cut so.
+    /// Returns whether the cost of a layout can be determined in reasonable time.
     bool is_allowed(const GridLayout& layout) const {
         const auto items = static_cast<double>(part_.items.size());
         const double limit = std::min(part_.budget, config_.max_work * items);
         return Distribution<Item>(items_, part_.items, layout).box_references() <= limit;
     }
 
-    /// Cost of a ray through the box if it is cut so and that share of all rays crosses a cell;
-    /// infinity where nothing would be gained.
+    /// Returns the cost of a ray through the box with this layout, if the given share of all rays
+    /// crosses a cell; infinity if nothing would be gained.
     double cost(const GridLayout& layout, double share_of_rays) const {
         double sum = static_cast<double>(layout.size()), references = 0;
         std::uint32_t fullest = 0;
@@ -81,8 +81,8 @@ class LayoutChoice {
         double cost;
     };
 
-    /// Few of all rays go along a box that is long, so that cubes cost less; but where those few
-    /// would cost many times more, as in a mesh that is a needle, they are what counts.
+    /// Few of all rays go along a long box, so that cubes cost less on average. But where those few
+    /// would cost many times more, as in a needle-shaped mesh, they decide.
     bool is_safer(const Choice& choice, const Choice& other) const {
         constexpr double much = 8;
         if (!choice.layout || !other.layout) return choice.layout.has_value();

@@ -1,5 +1,4 @@
-// Items of grids, and the cells that they really cross: a shape can be far smaller than its
-// box.
+// Items of grids, and the cells that they really overlap: a shape can be far smaller than its box.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +7,7 @@
 
 namespace etalon {
 
-/// Something of which only a box is known. All in the accelerator's frame.
+/// An item of which only the box is known. All in normalized space.
 struct BoxItem {
     Box3f box;
     std::uint32_t id;
@@ -21,9 +20,8 @@ struct SphereItem {
     double radius;
 };
 
-/// touches(): whether what an item is has a point in common with a box of the given centre and
-/// half_size size, or might have. False only of what is apart by more than the roundings of
-/// doubles.
+/// Has touches(): returns whether an item has, or might have, a point in common with a box of the
+/// given centre and half size. False only if they are apart by more than the roundings of doubles.
 template <class Item>
 class Overlap;
 

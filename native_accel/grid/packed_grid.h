@@ -5,8 +5,8 @@
 
 namespace etalon {
 
-/// A grid whose cells hold items packed, to be tested together; what lies in many cells is there as
-/// often, so that a cell is one read from memory.
+/// A grid whose cells hold packs of items that are tested together. An item that lies in many cells
+/// is stored in each, so that a cell is one read from memory.
 template <class Pack>
 class PackedGrid {
     using Item = typename Pack::Item;
@@ -31,7 +31,7 @@ class PackedGrid {
     const GridNode& node(const GridCell& c) const { return tree_.nodes[c.first]; }
     const GridCell& cell(std::uint32_t i) const { return tree_.cells[i]; }
 
-    /// Returns the packs of a cell that is no grid.
+    /// Returns the packs of a cell that is not a grid.
     std::span<const Pack> packs(const GridCell& c) const { return {&packs_[c.first], c.count}; }
 
     std::size_t memory_bytes() const {
@@ -40,7 +40,7 @@ class PackedGrid {
     }
 
   private:
-    /// Turns lists of items into packs.
+    /// Converts lists of items into packs.
     void pack(const std::vector<Item>& items) {
         const ItemNumbers listed = std::move(tree_.items);
         std::vector<std::uint32_t> firsts;

@@ -13,25 +13,25 @@ struct alignas(32) SpherePack {
     using Item = SphereItem;
     static constexpr GridCost cost{cluster_lanes, 1, 2, 12};
 
-    /// No lane is taken: no distance is below a limit of -1.
+    /// Leaves all lanes unused: no distance is below a limit of -1.
     SpherePack() : centre{}, ids{} { limit.fill(-1); }
 
     void set(std::size_t lane, const SphereItem& item);
 
-    /// Number of its spheres.
+    /// Returns the number of spheres.
     std::size_t count() const {
         return static_cast<std::size_t>(
             std::count_if(limit.begin(), limit.end(), [](float l) { return l >= 0; }));
     }
 
     std::array<Lanes, 3> centre;
-    Lanes limit;  ///< what the squared distance of a ray from the centre must not be above
+    Lanes limit;  ///< largest squared distance of a ray from the centre that passes the filter
     std::array<std::uint32_t, cluster_lanes> ids;  ///< numbers in Scene::primitives
 };
 
-/// The distance of a centre from the ray, as a vector in a plane across the ray: see
-/// SpherePackFilter. Its error, for u = 2^-24, |c| <= sqrt(3), |o| <= 3 sqrt(3) and so |c - o| <=
-/// 7, is less than 40 u:
+/// Returns the square of a reach, for the distance of a centre from the ray as a vector in a plane
+/// perpendicular to the ray: see SpherePackFilter. Its error, for u = 2^-24, |c| <= sqrt(3), |o| <=
+/// 3 sqrt(3) and so |c - o| <= 7, is less than 40 u:
 ///   the ray's origin and direction are off by 3.7 u and 7 u;
 ///   each of two coordinates is off by 6.1 u for its axis, which is off by 0.87 u; 0.9 u for the
 ///     centre; 4 u for the origin's coordinate; 5.2 u for three products and two sums of at most

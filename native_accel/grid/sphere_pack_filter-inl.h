@@ -12,8 +12,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Filters by the squared distance of the centre from the ray's line, in a plane across it. All
-/// that the kernel would hit passes; for what passes, the kernel decides.
+/// Filters by the squared distance of the centre from the ray's line, in a plane perpendicular to
+/// it. Everything that the kernel would hit passes; the kernel decides about what passes.
 class SpherePackFilter {
   public:
     HWY_INLINE explicit SpherePackFilter(const NormalizedRay& ray) {
@@ -24,7 +24,7 @@ class SpherePackFilter {
         v_ = Axis(v, o);
     }
 
-    /// The lanes, lowest first, that the ray's line could hit.
+    /// Returns the lanes, lowest first, that the ray's line could hit.
     HWY_INLINE std::uint32_t candidates(const SpherePack& pack) const {
         return lanes_where([&](std::size_t i) HWY_ATTR {
             const Floats p = u_.of(pack.centre, i), q = v_.of(pack.centre, i);
@@ -33,7 +33,7 @@ class SpherePackFilter {
     }
 
   private:
-    /// One of two coordinates across the ray.
+    /// One of two coordinates perpendicular to the ray.
     struct Axis {
         Axis() = default;
         HWY_INLINE Axis(const Vec3& axis, const Vec3& ray_origin) {

@@ -12,12 +12,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// A part of a ray, in normalized space; empty where it ends before it begins.
+/// An interval of a ray, in normalized space; empty if it ends before it begins.
 struct Passage {
     HWY_INLINE Passage(float from, float to) : entry(from), exit(to) {}
 
-    /// Clips the part from tmin to tmax, both finite, to a box. The content of a grid lies further
-    /// inside its box than the errors of this slab test.
+    /// Clips the interval from tmin to tmax, both finite, to a box. The content of a grid lies
+    /// further inside its box than the errors of this slab test.
     HWY_INLINE Passage(Float4 low, Float4 high, const GridRay& ray, float tmin, float tmax) {
         const Float4 a = (low - ray.origin) * ray.reciprocal;
         const Float4 b = (high - ray.origin) * ray.reciprocal;
@@ -34,9 +34,9 @@ struct Passage {
     float entry, exit;
 };
 
-/// Gives the packs of one cell after the other to test(packs, from, to, tmax), where the ray is in
-/// the cell from `from` to `to`, and nothing is wanted beyond tmax; it returns the tmax from then
-/// on. Tells test.tally of every cell.
+/// Passes the packs of one cell after the other to test(packs, from, to, tmax). The ray is in the
+/// cell from `from` to `to`, and hits beyond tmax are not needed. The test returns the tmax for
+/// further cells. Counts every cell in test.counters.
 template <class Pack, class Test>
 class GridVisit {
   public:
@@ -44,7 +44,7 @@ class GridVisit {
                          float tmax)
         : grid_(grid), ray_(ray), test_(test), tmax_(tmax) {}
 
-    /// All that is in the grid's box.
+    /// Visits the contents of the grid's box.
     HWY_INLINE void visit(const Passage& passage) {
         const GridCell& root = grid_.root();
         if (root.is_grid()) {

@@ -61,7 +61,7 @@ double first_t(const Scene& scene, const Ray& ray) {
     return t <= ray.tmax ? t : no_hit;
 }
 
-/// Whether what the ray meets hardly changes as the ray is moved a little.
+/// Returns whether what the ray meets hardly changes as the ray is moved a little.
 bool is_benign(const Scene& scene, const Ray& ray, Random& random) {
     const double t = first_t(scene, ray);
     for (int i = 0; i < 16; ++i) {

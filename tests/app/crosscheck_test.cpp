@@ -53,7 +53,7 @@ std::vector<Listed> listed(const std::string& rays) {
     return list;
 }
 
-/// Whether a line of trace, which adds the normal, says what is listed.
+/// Returns whether a line of trace, which adds the normal, says what is listed.
 bool says(const std::string& line, const std::string& answer) {
     return line == answer || line.rfind(answer + " ", 0) == 0;
 }

@@ -25,7 +25,7 @@ class Chessboards : public CutOuts {
         return at.is_even || (for_shadow && at.is_even_column);
     }
 
-    /// Whether the squares about a point could be confused with their neighbours.
+    /// Returns whether the squares about a point could be confused with their neighbours.
     bool is_doubtful_at(const Vec3& p, std::uint32_t material) const {
         const auto near = [&](double x) {
             const double place = x / unit_ * fields(material);

@@ -74,7 +74,7 @@ class ReferenceHits {
     /// The number of rays on which the two differ.
     std::size_t disagreements() const { return disagreements_; }
 
-    /// Whether a backend over this tree answers any ray otherwise.
+    /// Returns whether a backend over this tree answers any ray otherwise.
     bool differ_from(const BvhTree& tree) const {
         const BvhOfTree bvh(scene_.geometry, tree);
         for (std::size_t i = 0; i < rays_.size(); ++i) {

@@ -11,7 +11,7 @@ namespace etalon::test {
 struct LobeCase {
     std::string name;
     std::vector<Lobe> lobes;
-    /// Whether scattering is the same with both directions exchanged. Of the model of hair it is
+    /// True if scattering is the same with both directions exchanged. Of the model of hair it is
     /// not: the ways through it are those of one of the directions.
     bool is_reciprocal = true;
 };
@@ -28,8 +28,8 @@ std::vector<Vec3> eyes();
 /// Index below the border that the surface's refracting facets make over that above it; 1 without.
 double index_of(const std::vector<Lobe>& lobes);
 
-/// Whether the facets that refract light from `eye` to `wi` turn their back to the eye: their light
-/// is in the BSDF's value, and never drawn.
+/// Returns whether the facets that refract light from `eye` to `wi` turn their back to the eye:
+/// their light is in the BSDF's value, and never drawn.
 bool shows_backs(const std::vector<Lobe>& lobes, const Vec3& eye, const Vec3& wi);
 
 /// From and to the frame of a surface, whose tangent is as bsdf_of has it.

@@ -60,7 +60,7 @@ std::string half_way(Random& random) {
     return text;
 }
 
-/// Whether `text` is read as std::from_chars reads it.
+/// Returns whether `text` is read as std::from_chars reads it.
 template <class T>
 bool agrees(const std::string& text, const std::string& rest) {
     const std::string_view unsigned_text = std::string_view(text).substr(text[0] == '+');

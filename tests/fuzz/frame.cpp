@@ -66,7 +66,7 @@ void run_limited(std::string_view input, std::uint32_t failing_call) {
     }
 }
 
-/// Whether an allocation is to fail, so that nothing need come of the input.
+/// True if an allocation is to fail, so that nothing need come of the input.
 bool is_short_of_memory = false;
 
 /// Reads every eighth input once more, while one allocation fails. What was made before must be

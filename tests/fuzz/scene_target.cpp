@@ -25,8 +25,8 @@ void check(const LoadResult& result) {
     }
 }
 
-/// Whether what is read of a text is written, too. A curved surface is thousands of facets in P3F:
-/// to write every scene took four fifths of the time of SCE's reader.
+/// Returns whether what is read of a text is written, too. A curved surface is thousands of facets
+/// in P3F: to write every scene took four fifths of the time of SCE's reader.
 bool is_written(std::string_view text) {
     return hash64(text) % 4 == 0;
 }

@@ -10,7 +10,7 @@ struct Target {
     /// Reads an input. Ends the process if what came of it is not as it must be.
     void (*run)(std::string_view input);
     bool is_text = false;  ///< words and numbers are changed as such, too
-    /// Whether memory may end anywhere, and nothing is lost. Not so of OpenEXR and OpenImageIO;
+    /// True if memory may end anywhere, and nothing is lost. Not so of OpenEXR and OpenImageIO;
     /// nlohmann-json and CLI11 end the program where they need memory in what must not throw.
     bool survives_lack_of_memory = true;
 };

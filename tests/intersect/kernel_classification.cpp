@@ -82,7 +82,7 @@ std::vector<Ray> neighbours(const Ray& ray, double reach, double turn, int count
     return rays;
 }
 
-/// Whether some ray of the neighbourhood may answer t.
+/// Returns whether some ray of the neighbourhood may answer t.
 bool contains(const Branches& branches, Sides sides, double tmin, double t) {
     const bool hit = t > tmin;
     bool explained = !hit;

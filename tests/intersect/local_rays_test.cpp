@@ -68,7 +68,7 @@ void require_same(const NormalizedRay& together, const NormalizedRay& alone) {
     CHECK(together.scale == alone.scale);
 }
 
-/// Whether the ray meets the box, as far as plain slabs say.
+/// Returns whether the ray meets the box, as far as plain slabs say.
 bool surely_meets(const Ray& ray) {
     double from = std::max(0.0, ray.tmin), to = ray.tmax;
     for (int k = 0; k < 3; ++k) {
@@ -94,7 +94,7 @@ TEST_CASE("Rays of a chunk are in normalized space what each is alone", "[inters
             for (std::size_t i = 0; i < size; ++i) {
                 const Ray& ray = rays[first + i];
                 CAPTURE(first, i, ray.origin, ray.direction);
-                if (chunk.way(i) == LocalRays::Way::by_itself) {
+                if (chunk.kind(i) == LocalRays::Kind::slow_path) {
                     ++alone;
                     continue;
                 }
@@ -102,7 +102,7 @@ TEST_CASE("Rays of a chunk are in normalized space what each is alone", "[inters
                 REQUIRE(space.resolves(ray));
                 REQUIRE(chunk.dominant(i) == dominant_axis(ray.direction));
                 const auto local = space.ray(ray);
-                if (chunk.way(i) == LocalRays::Way::enters) {
+                if (chunk.kind(i) == LocalRays::Kind::enters) {
                     ++entering;
                     REQUIRE(local);
                     require_same(chunk.ray(i), *local);
@@ -134,6 +134,6 @@ TEST_CASE("Nearly all ordinary rays are looked at together, and none where nothi
     LocalRays chunk;
     chunk.set(NormalizedSpace(), rays);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        CHECK(chunk.way(i) == LocalRays::Way::by_itself);
+        CHECK(chunk.kind(i) == LocalRays::Kind::slow_path);
     }
 }

@@ -68,7 +68,7 @@ std::optional<Sample> neighbour(const ShapeCase& shape, const Sample& s, Random&
 struct Step {
     double off, length, tolerance;
 
-    /// Whether a derivative that is wrong would be seen.
+    /// Returns whether a derivative that is wrong would be seen.
     bool is_decisive() const { return tolerance < 0.1 * length; }
 };
 
@@ -78,7 +78,7 @@ bool derivatives_are_close(const Parametrization& a, const Parametrization& b) {
            (a.dpdv - b.dpdv).length() < 0.02 * a.dpdv.length();
 }
 
-/// Whether a coordinate ends here: roundings beyond the end are cut off.
+/// Returns whether a coordinate ends here: roundings beyond the end are cut off.
 bool is_at_end(const Vec2& uv) {
     const auto ends = [](double x) { return x == 0 || x == 1; };
     return ends(uv.x) || ends(uv.y);
@@ -111,7 +111,7 @@ bool is_at_tip(const ShapeCase& shape, const SurfacePoint& p) {
     });
 }
 
-/// Whether a shape is so flat that its (u, v) is well conditioned nowhere.
+/// Returns whether a shape is so flat that its (u, v) is well conditioned nowhere.
 bool is_flattened(const ShapeCase& shape) {
     return shape.name == "triangle, sliver" || shape.name.ends_with("condition 1e8");
 }

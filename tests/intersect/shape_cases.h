@@ -22,7 +22,7 @@ struct ShapeCase {
     Scene scene;  ///< the shape alone, as primitive 0
     Vec3 centre;
     double size;
-    /// Whether hit or miss is right for every ray. Otherwise it is right for a ray that starts a
+    /// True if hit or miss is right for every ray. Otherwise it is right for a ray that starts a
     /// few roundings from the one asked for: see kernel_classification.h.
     bool exact;
     std::vector<Target> targets;

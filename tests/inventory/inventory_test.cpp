@@ -71,7 +71,7 @@ struct Change {
     Picture with(std::string_view name, ValueType type, std::string_view value) const {
         return studio.picture(plugin, std::string(row.with) + given(name, type, value));
     }
-    /// Whether the first picture has a value of its own.
+    /// Returns whether the first picture has a value of its own.
     bool is_given_before() const {
         const bool is_among_others =
             row.with.find(fmt::format(" {}\"", spec.name)) != std::string_view::npos;

@@ -49,7 +49,7 @@ std::vector<Receiver> receivers() {
     return list;
 }
 
-/// Whether a light at the middle of its bounds sends something to the receiver.
+/// Returns whether a light at the middle of its bounds sends something to the receiver.
 bool shines(const LightBounds& light, const Receiver& at) {
     const Vec3 way = light.box.center() - at.position;
     double cosine = -normalized(way).dot(light.cone.axis);

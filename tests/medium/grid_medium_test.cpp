@@ -75,9 +75,9 @@ TEST_CASE("No density is beyond the bounds that a ray is told", "[medium]") {
     for (const RaySegment& s : segments()) {
         const Affine& to_box = medium.grid->to_box;
         const RaySegment in_box{to_box.point(s.origin), to_box.vector(s.direction), s.length};
-        DensityBounds::Walk walk(bounds, in_box);
-        double at = walk.begin();
-        while (const auto step = walk.next()) {
+        DensityBounds::Traversal traversal(bounds, in_box);
+        double at = traversal.begin();
+        while (const auto step = traversal.next()) {
             for (int i = 0; i < 50; ++i) {
                 const float density =
                     grid.density(in_box.point(at + (step->end - at) * (i + 0.5) / 50));

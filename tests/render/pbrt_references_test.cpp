@@ -173,12 +173,12 @@ bool is_rendered_whole(const LoadResult& loaded) {
     });
 }
 
-/// Whether pbrt-v3 shadows shapes of the scene by themselves: towards the tip of a cone and of a
-/// paraboloid its shadow rays meet the surface that they leave. The exact cone of this program and
-/// one of many triangles agree that there is no shadow (24 % of the light at a cone's tip). Under
-/// light from everywhere pbrt-v3's own hyperboloid is darker by 1.2 % than its mesh of triangles
-/// for the same surface, a paraboloid by 0.8 %; this program's pictures of both are those of the
-/// meshes.
+/// Returns whether pbrt-v3 shadows shapes of the scene by themselves: towards the tip of a cone and
+/// of a paraboloid its shadow rays meet the surface that they leave. The exact cone of this program
+/// and one of many triangles agree that there is no shadow (24 % of the light at a cone's tip).
+/// Under light from everywhere pbrt-v3's own hyperboloid is darker by 1.2 % than its mesh of
+/// triangles for the same surface, a paraboloid by 0.8 %; this program's pictures of both are those
+/// of the meshes.
 bool is_darkened_by_errors(const fs::path& scene) {
     std::ifstream file(scene);
     const std::string text{std::istreambuf_iterator<char>(file), {}};

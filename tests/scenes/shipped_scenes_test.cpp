@@ -27,7 +27,7 @@ std::set<std::string> keywords(const std::string& path) {
     return result;
 }
 
-/// Whether some corners of the polygon turn one way and some the other.
+/// Returns whether some corners of the polygon turn one way and some the other.
 bool is_concave(const Polygon& p) {
     const auto corner = [&](std::size_t k) { return p.corners[k % p.corners.size()]; };
     const auto turn = [&](std::size_t k) {

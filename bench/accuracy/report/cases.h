@@ -28,7 +28,7 @@ std::vector<CaseRows> cases_of(const std::vector<Row>& rows, const std::string& 
 inline constexpr std::string_view baseline = baseline_backend;
 inline constexpr std::string_view bare_kernel = "kernel";
 
-/// Whether a tracer of that name is one of textbook_tracers().
+/// Returns whether a tracer of that name is one of textbook_tracers().
 bool is_textbook(std::string_view tracer);
 
 /// All that went wrong, in a million rays.

@@ -53,7 +53,7 @@ Point point_of(const std::string& tracer, const std::vector<CaseRows>& cases,
     return point;
 }
 
-/// Whether `a` is at least as good in both, and better in one.
+/// Returns whether `a` is at least as good in both, and better in one.
 bool dominates(const Point& a, const Point& b) {
     constexpr double same = 1.01;
     const double error_a = 1 + a.error, error_b = 1 + b.error;

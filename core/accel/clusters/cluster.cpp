@@ -11,7 +11,7 @@ namespace {
 
 constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 
-/// Primitive number of each lane; lanes that are not taken repeat the last.
+/// Returns the primitive number of each lane; unused lanes repeat the last.
 Ids spread(std::span<const std::uint32_t> all) {
     Ids ids;
     for (std::size_t lane = 0; lane < cluster_lanes; ++lane) {
@@ -22,8 +22,8 @@ Ids spread(std::span<const std::uint32_t> all) {
 
 }  // namespace
 
-/// Fills all lanes step by step, so that their cache misses on the way to the corners overlap: they
-/// are most of what building takes.
+/// Fills all lanes step by step, so that the cache misses of reading corners overlap: they take
+/// most of the time of building.
 void TriangleCluster::fill(const Geometry& geometry, const NormalizedSpace& space,
                            std::span<const std::uint32_t> all) {
     ids = spread(all);

@@ -1,4 +1,4 @@
-// Primitives of one kind side by side, in floats of normalized space, so that one set of vector
+// Primitives of one kind in SoA layout, as floats in normalized space, so that one set of SIMD
 // instructions rejects those that a ray cannot hit. See filter-inl.h for the tests.
 #pragma once
 
@@ -16,14 +16,15 @@ inline constexpr std::size_t cluster_lanes = 8;
 
 using Lanes = std::array<float, cluster_lanes>;
 
-/// Primitive numbers; lanes that are not taken repeat the last one's.
+/// Primitive numbers; unused lanes repeat the last one.
 using Ids = std::array<std::uint32_t, cluster_lanes>;
 
-/// Triangles of one cluster. Lanes that are not taken hold NaN, which no ray meets. What the filter
-/// reads comes first; of a lane that passes, all else that the kernel must know before it reads the
-/// corners is in one cache line.
+/// Triangles of one cluster. Unused lanes hold NaN, which no ray hits. The data that the filter
+/// reads comes first. For a lane that passes, all that the kernel needs before it reads the corners
+/// is in one cache line.
 struct alignas(64) TriangleCluster {
-    /// Sets nothing, so that many are first written by the threads that fill them.
+    /// Leaves the members uninitialized, so that large arrays are first touched by the threads that
+    /// fill them.
     TriangleCluster() {}
 
     /// Fills the lanes with the primitives `all`, at least one and at most cluster_lanes.
@@ -37,14 +38,14 @@ struct alignas(64) TriangleCluster {
     std::array<std::array<std::uint32_t, 3>, cluster_lanes> vertices;
 };
 
-/// Spheres of one cluster. All a kernel needs of one is in two cache lines, read together.
+/// Spheres of one cluster. All data of a sphere that a kernel needs is in two adjacent cache lines.
 struct alignas(64) SphereCluster {
     SphereCluster() {}
     void fill(const Geometry& geometry, const NormalizedSpace& space,
               std::span<const std::uint32_t> all);
 
     std::array<Lanes, 3> centre;
-    Lanes radius;  ///< radii with room for every rounding, see SphereFilter
+    Lanes radius;  ///< enlarged radii, with room for all roundings: see SphereFilter
     Ids ids;
     std::array<Sides, cluster_lanes> sides;
     alignas(32) std::array<Sphere, cluster_lanes> exact;

@@ -9,7 +9,7 @@ namespace etalon {
 
 namespace {
 
-/// The array in which a cluster is; lists of primitives and of instances share one.
+/// Returns the array that holds a cluster; lists of primitives and of instances share one.
 ClusterRef::Kind array_of(ClusterRef::Kind kind) {
     return kind == ClusterRef::instances ? ClusterRef::list : kind;
 }

@@ -9,8 +9,8 @@
 
 namespace etalon {
 
-/// Reference to a cluster, in 32 bits for the leaves of trees; or to an instance that is alone in
-/// its leaf, which needs no list.
+/// Reference to a cluster, in 32 bits for the leaves of trees. An instance that is alone in its
+/// leaf is referred to directly, without a list.
 struct ClusterRef {
     enum Kind : std::uint32_t { list, triangles, spheres, instances };
 
@@ -20,57 +20,57 @@ struct ClusterRef {
         : bits(kind << 29 | static_cast<std::uint32_t>(index)) {}
     explicit ClusterRef(std::uint32_t from) : bits(from) {}
 
-    /// `instance`: its number among the geometry's instances, below most_single.
+    /// `instance` is its number among the geometry's instances, below most_single.
     static ClusterRef single(std::uint32_t instance) { return {instances, instance | most_single}; }
 
     Kind kind() const { return static_cast<Kind>(bits >> 29); }
     std::uint32_t index() const { return bits & 0x1FFFFFFFU; }
 
-    /// Whether a cluster of instances is one instance.
+    /// Returns whether a cluster of instances is one instance.
     bool is_single() const { return (bits & most_single) != 0; }
     std::uint32_t instance() const { return index() & ~most_single; }
 
-    std::uint32_t bits;  ///< the highest is free
+    std::uint32_t bits;  ///< the highest bit is always 0
 };
 
-/// Returns the kind of cluster that primitives of a kind are in.
+/// Returns the kind of cluster for primitives of a kind.
 constexpr ClusterRef::Kind cluster_kind(ShapeKind kind) {
     if (kind == kind_of<Triangle>()) return ClusterRef::triangles;
     if (kind == instance_kind) return ClusterRef::instances;
     return kind == kind_of<Sphere>() ? ClusterRef::spheres : ClusterRef::list;
 }
 
-/// A part of a list.
+/// A range of a list.
 struct Range {
     std::uint32_t first, count;
 };
 
-/// Returns references to a cluster of each of `ranges` of `ids`, which are at most cluster_lanes
-/// primitives of one kind of cluster. A tree can be made of them before there are clusters, which
-/// take more memory than all else.
+/// Returns references to the clusters that `ranges` of `ids` will become. Each range has at most
+/// cluster_lanes primitives of one kind of cluster. With the references a tree can be built before
+/// the clusters, which take more memory than all else.
 std::vector<ClusterRef> cluster_refs(const Geometry& geometry, std::span<const std::uint32_t> ids,
                                      std::span<const Range> ranges);
 
-/// A scene's primitives in clusters. Those that no filter is for, and instances, are in lists of
+/// A scene's primitives in clusters. Primitives without a filter, and instances, are in lists of
 /// numbers.
 class Clusters {
   public:
     Clusters() = default;
 
-    /// Makes the clusters that `refs` refer to, as cluster_refs() returned them for the same `ids`
+    /// Builds the clusters that `refs` refer to, as cluster_refs() returned them for the same `ids`
     /// and `ranges`. Uses as many threads as allowed.
     Clusters(const Geometry& geometry, const NormalizedSpace& space,
              std::span<const std::uint32_t> ids, std::span<const Range> ranges,
              std::span<const ClusterRef> refs);
 
-    /// A primitive, and its kernel's answer.
+    /// A primitive and the result of its kernel.
     struct Candidate {
         std::uint32_t id;
         double t;
     };
 
-    /// Intersects the primitive at a lane that is taken; at any lane of a list, no_index if none.
-    /// Not for instances: see instance_list.h.
+    /// Intersects the primitive at a used lane, or at any lane of a list: then the id is no_index
+    /// if the lane is unused. Not for instances: see instance_list.h.
     Candidate intersect_lane(const Geometry& geometry, ClusterRef ref, std::size_t lane,
                              const RayQuery& query) const;
 
@@ -91,13 +91,13 @@ class Clusters {
 
     bool has_spheres() const { return !spheres_.empty(); }
 
-    /// How many primitives it has.
+    /// Returns the number of its primitives.
     std::size_t size(ClusterRef ref) const;
 
     std::size_t memory_bytes() const;
 
   private:
-    /// Primitive numbers; after the last, no_index.
+    /// Primitive numbers, with no_index after the last.
     using List = std::array<std::uint32_t, cluster_lanes>;
 
     void fill(const Geometry& geometry, const NormalizedSpace& space, ClusterRef ref,

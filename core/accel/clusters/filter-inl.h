@@ -1,5 +1,5 @@
-// Filter that finds the primitives of a cluster that a ray could hit: in float, eight at once. All
-// that the kernel would hit passes; what passes is for the kernel to decide. Compiled for each
+// Conservative float filter for the primitives of a cluster, eight at once. Every primitive that
+// the kernel would hit passes; the kernel decides about those that pass. Compiled for each
 // instruction set.
 #if defined(ETALON_CLUSTERS_FILTER_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_CLUSTERS_FILTER_INL_H
@@ -27,8 +27,8 @@ class ClusterFilter {
         if (clusters.has_spheres()) new (&spheres_) SphereFilter(ray, tmin, query.ray.exclude);
     }
 
-    /// The lanes, lowest first, that the ray could hit at tmin < t <= tmax in normalized space; all
-    /// those of a list, taken or not.
+    /// Returns the lanes, lowest first, that the ray could hit at tmin < t <= tmax in normalized
+    /// space. Of a list, returns all lanes, used or not.
     HWY_INLINE std::uint32_t candidates(const Clusters& clusters, ClusterRef ref,
                                         float tmax) const {
         switch (ref.kind()) {

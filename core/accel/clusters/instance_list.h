@@ -5,11 +5,11 @@
 
 namespace etalon {
 
-/// Offers `nearest` the instances of a cluster; adds to `cost`, if there is one.
+/// Offers `nearest` the instances of a cluster. Adds to `cost` if it is not null.
 void offer_instances(const Intersector& intersector, const Clusters& clusters, ClusterRef ref,
                      const RayQuery& query, NearestHit& nearest, TraversalCost* cost);
 
-/// Whether an instance of a cluster is hit with t <= query.ray.tmax.
+/// Returns whether an instance of a cluster is hit with t <= query.ray.tmax.
 bool instances_occlude(const Intersector& intersector, const Clusters& clusters, ClusterRef ref,
                        const RayQuery& query);
 

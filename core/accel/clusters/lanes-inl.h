@@ -1,5 +1,5 @@
-// The floats of as many lanes as an instruction takes, of the eight of a cluster or a node.
-// Compiled for each instruction set.
+// Vectors of as many of the eight floats of a cluster or a node as one instruction takes. Compiled
+// for each instruction set.
 #if defined(ETALON_CLUSTERS_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_CLUSTERS_LANES_INL_H
 #undef ETALON_CLUSTERS_LANES_INL_H
@@ -34,13 +34,14 @@ HWY_INLINE Floats load(const Lanes& lanes, std::size_t first) {
     return hn::Load(Tag(), &lanes[first]);
 }
 
-/// The lanes that hold the primitive `id`.
+/// Returns the lanes that hold the primitive `id`.
 HWY_INLINE Mask holds(const Ids& ids, std::size_t first, std::uint32_t id) {
     const hn::Rebind<std::uint32_t, Tag> numbers;
     return hn::RebindMask(Tag(), hn::Eq(hn::Load(numbers, &ids[first]), hn::Set(numbers, id)));
 }
 
-/// The lanes, lowest first, where test(i) holds for the lane i and those after it.
+/// Returns the lanes, lowest first, for which the test holds. test(i) tests lane i and those after
+/// it.
 template <class Test>
 HWY_INLINE std::uint32_t lanes_where(const Test& test) {
     std::uint32_t found = 0;

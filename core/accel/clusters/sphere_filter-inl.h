@@ -27,14 +27,15 @@ class SphereFilter {
         }
     }
 
-    /// The lanes, lowest first, that the ray could hit at tmin < t <= tmax in normalized space.
+    /// Returns the lanes, lowest first, that the ray could hit at tmin < t <= tmax in normalized
+    /// space.
     HWY_INLINE std::uint32_t candidates(const SphereCluster& cluster, float tmax) const {
         return lanes_where([&](std::size_t i) HWY_ATTR { return meets(cluster, i, tmax); });
     }
 
   private:
-    /// The sphere's part of the line is `middle` +- sqrt(reach / length2), an interval that is too
-    /// wide rather than too narrow but for the middle's error bound.
+    /// The interval of the line inside the sphere is `middle` +- sqrt(reach / length2). It is never
+    /// too narrow, apart from the error bound of the middle.
     HWY_INLINE Mask meets(const SphereCluster& cluster, std::size_t i, float tmax) const {
         const Floats x = hn::Sub(load(cluster.centre[0], i), origin_[0]),
                      y = hn::Sub(load(cluster.centre[1], i), origin_[1]),

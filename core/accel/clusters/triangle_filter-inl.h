@@ -29,7 +29,7 @@ class TriangleFilter {
         speed_ = std::abs(dz);
     }
 
-    /// The lanes, lowest first, that the ray could hit at t <= tmax in normalized space.
+    /// Returns the lanes, lowest first, that the ray could hit at t <= tmax in normalized space.
     HWY_INLINE std::uint32_t candidates(const TriangleCluster& cluster, float tmax) const {
         return lanes_where([&](std::size_t i) HWY_ATTR { return meets(cluster, i, tmax); });
     }
@@ -61,12 +61,12 @@ class TriangleFilter {
         return hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x));
     }
 
-    /// The hit is at the mean of the corners' depths, weighted by |U|, |V|, |W|. It is beyond the
-    /// depth of tmax if the sum of |U| q is positive, q being each corner's depth less that. What
-    /// is computed is off by error bound * (sum of |q|), with the share of the error bound that is
-    /// kept for the roundings of this sum, 3 u |U| <= 24 u L^2 <= 48 u L < 1.8 E L. Where the sign
-    /// of U + V + W is wrong none of the three is beyond twice the error bound in size, nor is the
-    /// sum.
+    /// The depth of the hit is the mean of the corners' depths, weighted by |U|, |V|, |W|. It is
+    /// beyond the depth of tmax if the sum of |U| q is positive, where q is a corner's depth minus
+    /// that of tmax. The computed sum is off by error bound * (sum of |q|), which includes the
+    /// share of the error bound that is reserved for the roundings of this sum, 3 u |U| <= 24 u L^2
+    /// <= 48 u L < 1.8 E L. Where the sign of U + V + W is wrong, none of the three exceeds twice
+    /// the error bound in magnitude, nor does the sum.
     HWY_INLINE Mask surely_beyond(float tmax, const Corner& weight, const Corner& depth,
                                   Floats error_bound) const {
         const Floats limit = broadcast(std::clamp(tmax * speed_, -8.0F, 8.0F) + depth_error_bound);

@@ -34,7 +34,7 @@ HWY_EXPORT(count);
 
 Binning::Binning(const Bounds& centres, int bins)
     : origin_(centres.min), scale_(Bounds::corner(0)), bins_(bins) {
-    // So far below the number of bins that no rounding brings the largest centre up to it.
+    // Far enough below the number of bins that no rounding puts the largest centre into bin `bins`.
     const float highest = static_cast<float>(bins) * (1 - 0x1p-20F);
     for (int k = 0; k < 3; ++k) {
         const float scale = highest / (centres.max[k] - centres.min[k]);

@@ -9,21 +9,22 @@ namespace etalon {
 
 inline constexpr int max_bins = 32;
 
-/// Maps a centre to its bin along each axis; the same arithmetic for counting and partitioning.
+/// Maps a centre to its bin along each axis, with the same arithmetic for counting and
+/// partitioning.
 class Binning {
   public:
-    /// Divides the box `centres`, which holds all centres, into `bins` bins along each axis.
+    /// Divides the box `centres`, which contains all centres, into `bins` bins along each axis.
     Binning(const Bounds& centres, int bins);
 
     int bins() const { return bins_; }
 
-    /// Whether the centres fall into more than one bin along the axis.
+    /// Returns whether the centres fall into more than one bin along the axis.
     bool divides(int axis) const { return scale_[axis] > 0; }
 
-    /// The bins along all axes.
+    /// Returns the bins along all axes.
     Bounds::Corner positions(const Bounds& b) const { return (twice_centre(b) - origin_) * scale_; }
 
-    /// Whether the bin along `axis` is below `bin`.
+    /// Returns whether the bin along `axis` is below `bin`.
     bool is_below(const Bounds& b, int axis, float bin) const {
         return (b.min[axis] + b.max[axis] - origin_[axis]) * scale_[axis] < bin;
     }
@@ -33,7 +34,7 @@ class Binning {
     int bins_;
 };
 
-/// A set of primitives.
+/// Sums over the primitives of a bin.
 struct Bin {
     void add(const Bounds& b, std::uint32_t primitive_weight) {
         bounds.extend(b);
@@ -53,10 +54,10 @@ struct Bin {
 
 using BinsByAxis = std::array<std::array<Bin, max_bins>, 3>;
 
-/// The bins of a set of primitives. Large: to be used again rather than made anew.
+/// The bins of a set of primitives. Large, so it should be reused.
 class Bins {
   public:
-    /// Replaces what was counted before.
+    /// Counts the primitives, after clearing the bins.
     void count(const Binning& binning, std::span<const BoundedPrimitive> primitives,
                const LeafWeights& weights);
     void add(const Bins& other);
@@ -64,7 +65,7 @@ class Bins {
     int size() const { return size_; }
     const Bin& at(int axis, int bin) const { return bins_[axis][bin]; }
 
-    /// Sum of the bins of an axis from `begin` up to but without `end`.
+    /// Returns the sum of the bins of an axis from `begin` to before `end`.
     Bin sum(int axis, int begin, int end) const;
 
   private:

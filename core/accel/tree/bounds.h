@@ -1,4 +1,4 @@
-// Boxes for building: four floats a corner, of which the fourth means nothing.
+// Boxes for building: four floats for each corner, the fourth of which is unused.
 #pragma once
 
 #include <cstring>
@@ -32,7 +32,7 @@ struct Bounds {
         max = upper(max, point);
     }
 
-    /// Half the surface; not to be asked of an empty box.
+    /// Returns half the surface area. The box must not be empty.
     float half_area() const {
         const Corner s = max - min;
         return s[0] * (s[1] + s[2]) + s[1] * s[2];
@@ -44,7 +44,7 @@ struct Bounds {
     Corner max = corner(-std::numeric_limits<float>::infinity());
 };
 
-/// Twice the centre of a box; the fourth is cleared of whatever stood beside the corners.
+/// Returns twice the centre of a box. The fourth component, unused in the corners, is cleared.
 inline Bounds::Corner twice_centre(const Bounds& b) {
     using Bits = std::int32_t __attribute__((vector_size(16)));
     return reinterpret_cast<Bounds::Corner>(reinterpret_cast<Bits>(b.min + b.max) &

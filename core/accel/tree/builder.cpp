@@ -18,19 +18,20 @@ ShapeKind commonest_kind(const BoundsSummary& all) {
     return static_cast<ShapeKind>(most - all.of_kind.begin());
 }
 
-/// Frees what a vector holds: the nodes take its place.
+/// Frees the memory of a vector, to make room for the nodes.
 template <class Vector>
-void give_back(Vector& v) {
+void release(Vector& v) {
     Vector().swap(v);
 }
 
-/// Divides large sets by all threads together and leaves small ones to one each.
+/// Divides large sets with all threads together, and builds each small one on a single thread.
 class Builder {
   public:
     Builder(const BvhConfig& config, const LeafWeights& weights, std::vector<std::uint32_t>& ids)
         : config_(config), weights_(weights), ids_(ids) {}
 
-    /// Builds the tree of a set that starts at `first` of the whole. `spare` is as large as it.
+    /// Builds the tree of a set that starts at index `first` of the whole. `spare` has the same
+    /// size.
     std::unique_ptr<Part> build(const PrimitiveSet& set, Primitives spare, std::size_t first,
                                 int depth) const {
         auto part = std::make_unique<Part>();
@@ -68,8 +69,8 @@ BvhTree build_bvh(std::vector<BoundedPrimitive> primitives, const BvhConfig& con
     const LeafWeights weights(config.leaf_costs, commonest_kind(all));
     std::vector<BoundedPrimitive, LargePages<BoundedPrimitive>> spare(primitives.size());
     const auto parts = Builder(config, weights, tree.ids).build(all.set, spare, 0, 0);
-    give_back(spare);
-    give_back(primitives);
+    release(spare);
+    release(primitives);
     tree.nodes = merge_subtrees(*parts);
     return tree;
 }

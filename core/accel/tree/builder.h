@@ -1,4 +1,4 @@
-// A binary BVH from boxes alone: the builder knows no shape, ray or scene.
+// A binary BVH built from boxes alone: the builder knows no shape, ray or scene.
 #pragma once
 
 #include <vector>
@@ -10,19 +10,19 @@ namespace etalon {
 
 struct BvhConfig {
     int bins = 32;  ///< candidate planes per axis, plus one; at most 32, fewer in small nodes
-    std::uint32_t max_leaf = 8;  ///< a leaf never holds more, whatever the heuristic says
+    std::uint32_t max_leaf = 8;  ///< most primitives of a leaf, whatever the heuristic says
     LeafCosts leaf_costs = default_leaf_costs();
-    std::size_t serial_below = 4096;  ///< larger subtrees are more than one thread's work
+    std::size_t serial_below = 4096;  ///< subtrees of fewer primitives are built by one thread
 };
 
-/// Depth limits of any tree: so many levels by the heuristic, then at most 32 that halve what is
-/// left.
+/// Depth limits of any tree: this many levels by the heuristic, then at most 32 that halve the
+/// remaining sets.
 inline constexpr int bvh_heuristic_depth = 40;
 inline constexpr int bvh_max_depth = bvh_heuristic_depth + 32;
 
 struct BvhTree {
-    /// Nodes depth first, left before right, but the children of a node are together. nodes[0]
-    /// is the root; nodes[1] pads it to a pair; empty if no primitive.
+    /// Nodes in depth-first order, left before right, but the children of a node are adjacent.
+    /// nodes[0] is the root and nodes[1] unused. Empty if there is no primitive.
     std::vector<BvhNode> nodes;
     std::vector<std::uint32_t> ids;  ///< primitive numbers in the order of the leaves
 };

@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// Cost of testing up to `lanes` primitives of a kind, in visits of a node.
+/// Cost of testing up to `lanes` primitives of a kind, relative to visiting a node.
 struct LeafCost {
     std::uint32_t lanes;
     float cost;
@@ -16,8 +16,8 @@ struct LeafCost {
 
 using LeafCosts = std::array<LeafCost, item_kinds>;
 
-/// Costs where triangles and spheres are filtered eight at once, and others tested one by one: a
-/// curve is halved many times, and for an instance there is a tree to be traversed.
+/// Returns the costs where triangles and spheres are filtered eight at once and others tested one
+/// by one. A curve is halved many times, and for an instance a tree is traversed.
 constexpr LeafCosts default_leaf_costs() {
     LeafCosts costs{};
     costs.fill({1, 2.0F});
@@ -27,9 +27,9 @@ constexpr LeafCosts default_leaf_costs() {
     return costs;
 }
 
-/// Costs as sums of whole numbers, one a primitive, which are the same in any order. A block, as
-/// many primitives of the commonest kind as are tested at once, has a fixed sum, and sums are
-/// rounded up to blocks: exact for a scene of one kind, and as near as need be for others.
+/// Costs as sums of integers, one for each primitive, which are the same in any order. A block, the
+/// number of primitives of the commonest kind that are tested at once, has a fixed sum, and sums
+/// are rounded up to blocks: exact for a scene of one kind, and close enough for others.
 class LeafWeights {
   public:
     LeafWeights(const LeafCosts& costs, ShapeKind commonest) : block_cost_(costs[commonest].cost) {
@@ -42,7 +42,7 @@ class LeafWeights {
 
     std::uint32_t weight(std::uint32_t kind) const { return weights_[kind]; }
 
-    /// Cost of testing primitives whose weights add up to `sum`.
+    /// Returns the cost of testing primitives whose weights add up to `sum`.
     float cost(std::uint64_t sum) const {
         return block_cost_ *
                static_cast<float>(static_cast<std::int64_t>((sum + block - 1) / block));

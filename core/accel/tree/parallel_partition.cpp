@@ -15,7 +15,7 @@ SplitSets halve(Primitives primitives) {
             summarize_bounds(primitives.subspan(middle)).set};
 }
 
-/// Bins of each chunk, and of all together.
+/// Bins of each chunk, and their sum.
 struct ChunkedBins {
     ChunkedBins(Primitives primitives, const Binning& binning, const LeafWeights& weights)
         : chunks(primitives.size(), chunk_size), of_chunk(chunks.number()) {
@@ -26,7 +26,7 @@ struct ChunkedBins {
         for (std::size_t i = 1; i < of_chunk.size(); ++i) all.add(of_chunk[i]);
     }
 
-    /// How many of all chunks before each are left of a split.
+    /// Returns, for each chunk, how many primitives of all earlier chunks go left.
     std::vector<std::size_t> left_before(const Split& split) const {
         std::vector<std::size_t> result{0};
         for (const Bins& bins : of_chunk) {

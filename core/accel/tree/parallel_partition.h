@@ -1,4 +1,4 @@
-// Partitioning of sets of so many primitives that all threads work at one of them.
+// Partitioning of sets so large that all threads work on one of them.
 #pragma once
 
 #include "core/accel/tree/builder.h"
@@ -16,14 +16,14 @@ struct BoundsSummary {
 
 BoundsSummary summarize_bounds(std::span<BoundedPrimitive> primitives);
 
-/// A set divided, and an array as large as the set that neither half is in.
+/// The two halves of a divided set, and an array as large as the set that neither half uses.
 struct SplitResult {
     SplitSets halves;
     std::span<BoundedPrimitive> spare;
 };
 
-/// Divides by the surface area heuristic, into `spare`; by size, in place, where that finds no
-/// plane, and if `in_halves`.
+/// Divides a set by the surface area heuristic, into `spare`. Divides it by size, in place, if
+/// `in_halves` or if the heuristic finds no plane.
 SplitResult split_large(const PrimitiveSet& set, std::span<BoundedPrimitive> spare, bool in_halves,
                         const BvhConfig& config, const LeafWeights& weights);
 

@@ -20,7 +20,7 @@ SplitSets partition(std::span<BoundedPrimitive> primitives, const Binning& binni
                     const Bins& bins, const Split& split) {
     const auto plane = static_cast<float>(split.bin);
     SideCentres centres;
-    // Before `middle` is what goes left, between it and i what goes right.
+    // What goes left is before `middle`; what goes right is between `middle` and i.
     std::size_t middle = 0;
     for (std::size_t i = 0; i < primitives.size(); ++i) {
         const Bounds b = Bounds::of(primitives[i]);

@@ -12,13 +12,13 @@ struct SideBins {
 };
 SideBins sides(const Bins& bins, const Split& split);
 
-/// Reorders the primitives that `bins` counted, without a branch on where one goes.
+/// Reorders the primitives that `bins` counted, without data-dependent branches.
 SplitSets partition(std::span<BoundedPrimitive> primitives, const Binning& binning,
                     const Bins& bins, const Split& split);
 
-/// The centres on both sides of a split.
+/// Bounds of the centres on both sides of a split.
 struct SideCentres {
-    /// The other side is offered a point that changes nothing.
+    /// Extends one side. The other is extended by a point that changes nothing, to avoid a branch.
     void extend(Bounds::Corner centre, bool is_left) {
         using Mask = std::int32_t __attribute__((vector_size(16)));
         const Mask here = Mask{} - static_cast<std::int32_t>(is_left);
@@ -36,12 +36,12 @@ struct SideCentres {
     Bounds left, right;
 };
 
-/// Copies primitives to two places, in order, and past the end of none.
+/// Copies primitives to two places, in order, and never past the end of either.
 SideCentres scatter(std::span<const BoundedPrimitive> primitives, const Binning& binning,
                     const Split& split, BoundedPrimitive* left, BoundedPrimitive* right);
 
-/// Brings the smaller boxes to the front, where no plane between centres tells them apart. Returns
-/// how many that are.
+/// Moves the smaller boxes to the front, for sets that no plane between centres divides. Returns
+/// how many these are.
 std::size_t smaller_half(std::span<BoundedPrimitive> primitives);
 
 }  // namespace etalon

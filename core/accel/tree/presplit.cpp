@@ -27,7 +27,7 @@ std::vector<SplitCandidate> sample(const Geometry& geometry, const NormalizedSpa
     return result;
 }
 
-/// Some primitives, by their places among all.
+/// Some primitives, with their indices among all.
 struct Candidates {
     void add(const Candidates& other) {
         places.insert(places.end(), other.places.begin(), other.places.end());
@@ -66,7 +66,7 @@ References copy(Primitives primitives, std::size_t room) {
     return result;
 }
 
-/// Pads the box of a piece, with room for piece_error, but not beyond the box of the whole.
+/// Pads the box of a piece, with room for piece_error, clipped to the box of the whole primitive.
 BoundedPrimitive padded(const Bounds& piece, const BoundedPrimitive& whole) {
     const auto pad = Bounds::corner(static_cast<float>(NormalizedSpace::padding) + piece_error);
     const Bounds within = Bounds::of(whole);
@@ -76,7 +76,7 @@ BoundedPrimitive padded(const Bounds& piece, const BoundedPrimitive& whole) {
     return {box.box(), whole.id, static_cast<ShapeKind>(whole.kind)};
 }
 
-/// Replaces primitives by one of their pieces.
+/// Replaces primitives by their pieces.
 class Cutter {
   public:
     Cutter(const Geometry& geometry, const NormalizedSpace& space)
@@ -102,7 +102,7 @@ class Cutter {
 
 }  // namespace
 
-/// The sample's factor does for all, unless it missed some that ask for many cuts.
+/// Uses the sample's factor for all, unless the sample missed some with many cuts.
 std::optional<Presplit> presplit(const Geometry& geometry, const NormalizedSpace& space,
                                  Primitives primitives, const PresplitConfig& config) {
     const auto budget = [&](std::size_t number) {

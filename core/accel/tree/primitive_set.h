@@ -6,7 +6,7 @@
 
 namespace etalon {
 
-/// Neighbouring primitives, to become a subtree.
+/// Neighbouring primitives that become a subtree.
 struct PrimitiveSet {
     std::size_t size() const { return primitives.size(); }
 
@@ -28,7 +28,7 @@ struct SplitSets {
     PrimitiveSet left, right;
 };
 
-/// Finds the bounds.
+/// Returns the set with its bounds.
 inline PrimitiveSet measured(std::span<BoundedPrimitive> primitives) {
     PrimitiveSet set{primitives, {}, {}};
     for (const BoundedPrimitive& p : primitives) set.extend(Bounds::of(p));

@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// Cost by the surface area heuristic, to compare trees of the same primitives.
+/// Returns the cost by the surface area heuristic, to compare trees of the same primitives.
 double cost(const BvhTree& tree, const Geometry& geometry, const LeafCosts& costs) {
     double sum = 0;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
@@ -24,8 +24,9 @@ double cost(const BvhTree& tree, const Geometry& geometry, const LeafCosts& cost
 
 }  // namespace
 
-/// Uses pieces only for a clear gain: it must pay for more leaves and nodes than the caches hold.
-/// The tree of all costs no less than that of those which are cut, which is often enough to know.
+/// Uses pieces only for a clear gain, which must pay for more leaves and nodes than the caches
+/// hold. The tree of all primitives costs no less than that of the ones to be cut alone, which
+/// often suffices to decide.
 BvhTree build_scene_bvh(const Geometry& geometry, const NormalizedSpace& space,
                         std::vector<BoundedPrimitive> primitives, const BvhConfig& config) {
     constexpr double clear_gain = 0.8;

@@ -6,8 +6,8 @@
 
 namespace etalon {
 
-/// A scene's tree: of pieces of its triangles (presplit.h) where that makes it much cheaper, so
-/// that a primitive may be in several leaves.
+/// Builds a scene's tree. It is built over pieces of triangles (presplit.h) where that makes it
+/// much cheaper, so that a primitive may be in several leaves.
 BvhTree build_scene_bvh(const Geometry& geometry, const NormalizedSpace& space,
                         std::vector<BoundedPrimitive> primitives, const BvhConfig& config = {});
 

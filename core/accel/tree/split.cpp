@@ -10,12 +10,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Cost of a leaf, times half the surface of its box.
+/// Returns the cost of a leaf, times half the surface area of its box.
 HWY_INLINE float leaf_cost(const Bin& bin, const LeafWeights& weights) {
     return bin.bounds.half_area() * weights.cost(bin.weight);
 }
 
-/// The cheapest plane of one axis, by sweeping areas from both ends.
+/// Returns the cheapest plane of one axis, by sweeping areas from both ends.
 HWY_INLINE Split cheapest_along(const Bins& bins, const LeafWeights& weights, int axis) {
     std::array<float, max_bins> right_cost;
     Bin right;

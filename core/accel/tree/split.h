@@ -4,14 +4,14 @@
 
 namespace etalon {
 
-/// Primitives whose bin along `axis` is below `bin` go left.
+/// Split of a set: primitives whose bin along `axis` is below `bin` go left.
 struct Split {
-    float cost = std::numeric_limits<float>::infinity();  ///< cost as two leaves, times area
-    int axis = -1;                                        ///< no plane divides the set
+    float cost = std::numeric_limits<float>::infinity();  ///< of two leaves, times surface area
+    int axis = -1;                                        ///< -1 if no plane divides the set
     int bin = 0;
 };
 
-/// The plane between two bins that the surface area heuristic likes best.
+/// Returns the plane between two bins of least cost by the surface area heuristic.
 Split cheapest_split(const Bins& bins, const LeafWeights& weights);
 
 }  // namespace etalon

@@ -41,14 +41,14 @@ int SplitCandidate::cuts(double factor) const {
     return static_cast<int>(std::min(factor * priority, most_cuts));
 }
 
-/// No priority is above the cube root of the box's surface. The least that makes a cut is taken
-/// with room for roundings.
+/// No priority is above the cube root of the box's surface area. The smallest priority that makes a
+/// cut is lowered to leave room for roundings.
 bool might_be_cut(const BoundedPrimitive& p, double limit) {
     constexpr double one_cut = 0.99;
     return p.kind == kind_of<Triangle>() && box_surface(p) * limit * limit * limit > one_cut;
 }
 
-/// Rounding down takes less than one cut from each, which brackets the factor.
+/// Rounding down removes less than one cut of each candidate, which brackets the factor.
 double best_factor(std::span<const SplitCandidate> candidates, double cuts, double limit) {
     if (total_cuts(candidates, limit) <= cuts) return limit;
     double sum = 0, number = 0;

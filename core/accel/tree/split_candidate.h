@@ -9,31 +9,32 @@
 
 namespace etalon {
 
-/// A primitive as something to cut.
+/// A primitive that may be cut.
 struct SplitCandidate {
     SplitCandidate(const Geometry& geometry, const NormalizedSpace& space,
                    const BoundedPrimitive& p);
 
-    /// Number of cuts for a factor that is the same for all candidates.
+    /// Returns the number of cuts for a factor, which is the same for all candidates.
     int cuts(double factor) const;
 
-    /// Surface after cutting a thin triangle across one axis: boxes shrink along the other two.
+    /// Returns the surface area after cutting a thin triangle across one axis: its boxes shrink
+    /// along the other two.
     double surface_after(int cuts) const { return least + (surface - least) / (1 + cuts); }
 
-    double surface;       ///< surface of its box, in normalized space
-    double least;         ///< limit of the surface of ever smaller pieces' boxes
-    double priority = 0;  ///< 0: not to be cut
+    double surface;       ///< surface area of its box, in normalized space
+    double least;         ///< limit of the surface area for ever smaller pieces
+    double priority = 0;  ///< 0 if it is not to be cut
 };
 
-/// Whether a factor up to `limit` might cut a primitive, judged by its box alone.
+/// Returns whether a factor up to `limit` might cut a primitive, judged by its box alone.
 bool might_be_cut(const BoundedPrimitive& p, double limit);
 
 std::array<Vec3, 3> corners_of(const Geometry& geometry, const BoundedPrimitive& triangle);
 
-/// The largest factor up to `limit` that makes no more cuts than may be.
+/// Returns the largest factor up to `limit` that makes at most `cuts` cuts.
 double best_factor(std::span<const SplitCandidate> candidates, double cuts, double limit);
 
-/// The share of the boxes' surface that cutting saves.
+/// Returns the share of the boxes' surface area that cutting saves.
 double gain(std::span<const SplitCandidate> candidates, double factor);
 
 }  // namespace etalon

@@ -49,7 +49,7 @@ std::optional<SplitSets> Splitter::split(const PrimitiveSet& set, int depth) {
     return partition(set.primitives, binning, bins_, split);
 }
 
-/// Whether a set is tested at once: to divide it would gain next to nothing.
+/// Returns whether a set is tested at once, so that dividing it would gain next to nothing.
 bool Splitter::fills_one_test(const PrimitiveSet& set) const {
     return set.size() <= config_.leaf_costs[set.primitives.front().kind].lanes;
 }

@@ -7,13 +7,14 @@
 
 namespace etalon {
 
-/// Decides where sets of primitives are divided, and where they end as leaves.
+/// Decides how sets of primitives are divided, and which become leaves.
 class Splitter {
   public:
     Splitter(const BvhConfig& config, const LeafWeights& weights)
         : config_(config), weights_(weights) {}
 
-    /// Reorders the primitives of a set `depth` levels below the root; nothing makes it a leaf.
+    /// Splits a set `depth` levels below the root by reordering its primitives. Returns nothing if
+    /// it becomes a leaf.
     std::optional<SplitSets> split(const PrimitiveSet& set, int depth);
 
   private:
@@ -25,7 +26,7 @@ class Splitter {
     Bins bins_;
 };
 
-/// Number of bins: fewer where there are few primitives to tell apart.
+/// Returns the number of bins, which is smaller for few primitives.
 int bins_for(std::size_t primitives, const BvhConfig& config);
 
 }  // namespace etalon

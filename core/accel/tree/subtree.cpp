@@ -10,7 +10,7 @@ std::vector<BvhNode> SubtreeBuilder::build(const PrimitiveSet& set, std::size_t 
     return std::move(nodes_);
 }
 
-/// Leaves come from left to right, so their primitives fill `all_ids` in order.
+/// Leaves are built from left to right, so their primitives fill `all_ids` in order.
 void SubtreeBuilder::build_node(std::uint32_t node, const PrimitiveSet& set, int depth) {
     nodes_[node].box = set.bounds.box();
     const std::optional<SplitSets> halves = splitter_.split(set, depth);

@@ -4,14 +4,15 @@
 
 namespace etalon {
 
-/// Builds what one thread builds by itself. As in BvhTree, nodes[0] is the root and nodes[1] pads
-/// it; the leaves' primitives are places in the whole tree's ids, which it fills in.
+/// Builds a subtree on a single thread. As in BvhTree, nodes[0] is the root and nodes[1] unused.
+/// The leaves' primitives are indices into the whole tree's ids, which the builder fills in.
 class SubtreeBuilder {
   public:
     SubtreeBuilder(const BvhConfig& config, const LeafWeights& weights, std::uint32_t* all_ids)
         : splitter_(config, weights), all_ids_(all_ids) {}
 
-    /// Builds the tree of a set that starts at `first` of the whole, `depth` levels below the root.
+    /// Builds the tree of a set that starts at index `first` of the whole, `depth` levels below the
+    /// root.
     std::vector<BvhNode> build(const PrimitiveSet& set, std::size_t first, int depth);
 
   private:

@@ -7,7 +7,7 @@
 namespace etalon {
 namespace {
 
-/// A part with the places of its root and of the nodes below that.
+/// A part with the indices of its root and of the nodes below that.
 struct Placed {
     const Part* part;
     std::size_t root, below;

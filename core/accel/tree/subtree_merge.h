@@ -1,4 +1,4 @@
-// A tree in the parts that tasks build.
+// Merging of the subtrees that parallel tasks build.
 #pragma once
 
 #include <memory>
@@ -8,15 +8,15 @@
 
 namespace etalon {
 
-/// A subtree that one task built, or a node whose children are parts of their own.
+/// A subtree that one task built, or a node whose children are such parts.
 struct Part {
     Box3f box;
     std::vector<BvhNode> nodes;  ///< nodes of a subtree; nodes[1] is not used
     std::unique_ptr<Part> left, right;
 };
 
-/// Puts all nodes side by side, the children of a node next to each other, in an order that depends
-/// on the tree alone. nodes[1] is not used.
+/// Concatenates all nodes, with the children of a node adjacent, in an order that depends on the
+/// tree alone. nodes[1] is not used.
 std::vector<BvhNode> merge_subtrees(const Part& root);
 
 }  // namespace etalon

@@ -8,13 +8,13 @@ namespace {
 
 using Corner = Bounds::Corner;
 
-/// Number of planes along an axis of normalized space, as a power of two: more would be nearer to
-/// each other than boxes are padded.
+/// Number of planes along an axis of normalized space, as a power of two. With more, their distance
+/// would be smaller than the padding of boxes.
 constexpr int levels = 20;
 
-/// Point where an edge from one side of a plane to the other crosses it. The weight is good to 3.1
-/// u, its product with the edge, of at most twice the largest coordinate, to 5.2 u of that, and the
-/// sum rounds once more: 12 u of the largest coordinate in all.
+/// Returns the point where an edge from one side of a plane to the other crosses it. The weight is
+/// good to 3.1 u, its product with the edge, of at most twice the largest coordinate, to 5.2 u of
+/// that, and the sum rounds once more: 12 u of the largest coordinate in all.
 Corner crossing(Corner a, Corner b, const MedianPlane& plane) {
     const float weight = (plane.position - a[plane.axis]) / (b[plane.axis] - a[plane.axis]);
     return a + weight * (b - a);
@@ -37,8 +37,8 @@ float longest_side(const Bounds& box) {
     return std::max({size[0], size[1], size[2], 0.0F});
 }
 
-/// Number of the corner that a plane divides from the two others.
-std::size_t alone(const Corners& corners, const MedianPlane& plane) {
+/// Returns the number of the corner that a plane separates from the two others.
+std::size_t separated_corner(const Corners& corners, const MedianPlane& plane) {
     std::array<bool, 3> below;
     for (std::size_t i = 0; i < 3; ++i) below[i] = corners[i][plane.axis] < plane.position;
     return below[0] == below[1] ? 2 : (below[0] == below[2] ? 1 : 0);
@@ -63,8 +63,8 @@ Bounds bounds_of(const Corners& corners) {
 
 std::optional<MedianPlane> first_median(const Bounds& box) {
     using Numbers = std::int32_t __attribute__((vector_size(16)));
-    // Planes of the cube [-1, 1]^3 are whole numbers from 0 to 2^levels here: those from `below` +
-    // 1 to `above` lie strictly between the box's sides, but for roundings.
+    // Here the planes of the cube [-1, 1]^3 are integers from 0 to 2^levels: those from `below` + 1
+    // to `above` lie strictly between the box's sides, up to roundings.
     constexpr float planes = 1 << (levels - 1);
     const Corner low = (box.min + 1) * planes, high = (box.max + 1) * planes;
     const auto below = __builtin_convertvector(low, Numbers);
@@ -86,7 +86,7 @@ std::optional<MedianPlane> first_median(const Bounds& box) {
 }
 
 std::array<Bounds, 2> cut(const Corners& corners, const Bounds& box, const MedianPlane& plane) {
-    const std::size_t i = alone(corners, plane);
+    const std::size_t i = separated_corner(corners, plane);
     const Corner &a = corners[i], &b = corners[(i + 1) % 3], &c = corners[(i + 2) % 3];
     Bounds at_plane;
     at_plane.extend(crossing(a, b, plane));

@@ -1,4 +1,4 @@
-// Triangles cut along planes, each piece with a box of its own, in floats of normalized space.
+// Triangles cut along planes, with a box for each piece, as floats in normalized space.
 #pragma once
 
 #include <array>
@@ -10,31 +10,31 @@
 
 namespace etalon {
 
-/// A triangle's, rounded.
+/// Corners of a triangle, rounded.
 using Corners = std::array<Bounds::Corner, 3>;
 
 Corners corners_in(const NormalizedSpace& space, const std::array<Vec3, 3>& world);
 Bounds bounds_of(const Corners& corners);
 
-/// A plane of the hierarchy that halves normalized space's cube along each axis again and again.
+/// A plane of the hierarchy that recursively halves the cube of normalized space along each axis.
 struct MedianPlane {
     int axis;
     float position;
 };
 
-/// The first of the hierarchy that passes through the inside of a box; nothing for one so small
-/// that it lies between them all.
+/// Returns the first plane of the hierarchy that passes through the inside of a box; nothing if the
+/// box is so small that it lies between all planes.
 std::optional<MedianPlane> first_median(const Bounds& box);
 
-/// Bound on how far boxes of pieces fall short of them on any side: 12 u where an edge passes a
-/// plane (see `cut`), 1 u for corners that were rounded, and room.
+/// Bound on how far boxes of pieces fall short of them on any side: 12 u where an edge crosses a
+/// plane (see `cut`), 1 u for rounded corners, and some room.
 inline constexpr float piece_error = 16 * unit_roundoff_f;
 
-/// Boxes of what a triangle has within `box` on both sides of a plane through the inside of `box`,
-/// below it first. Where it has nothing, min may be above max.
+/// Returns the boxes of the parts of a triangle within `box` on both sides of a plane through the
+/// inside of `box`, the lower side first. Where there is no part, min may be above max.
 std::array<Bounds, 2> cut(const Corners& corners, const Bounds& box, const MedianPlane& plane);
 
-/// Adds the boxes of a triangle cut so many times: together they hold it.
+/// Appends the boxes of a triangle that is cut `cuts` times; together they contain it.
 void add_pieces(const Corners& corners, const Bounds& box, int cuts, std::vector<Bounds>& pieces);
 
 }  // namespace etalon

@@ -8,7 +8,8 @@ namespace etalon {
 
 namespace {
 
-/// Absorption of glass: light keeps exp(-(1 - Cd) d) over a distance d, and all of it if Cd >= 1.
+/// Returns the absorption of glass: light keeps exp(-(1 - Cd) d) over a distance d, and all of it
+/// if Cd >= 1.
 Color absorption_of(const Color& diffuse) {
     const auto of = [](float c) { return std::max(0.0F, 1 - c); };
     return {of(diffuse.x), of(diffuse.y), of(diffuse.z)};
@@ -50,7 +51,7 @@ P3fMaterial read_numbers(Reader& in) {
     return n;
 }
 
-/// Passes over numbers after the eleven, which some programs take: a roughness, or an emission.
+/// Skips numbers after the eleven, which some programs read: a roughness, or an emission.
 void pass_extra_numbers(Reader& in) {
     const std::size_t offset = in.tokens().offset();
     int count = 11;

@@ -1,4 +1,4 @@
-// mesh: vertices, then triangles of them.
+// mesh: vertices, then the triangles between them.
 #include <algorithm>
 #include <array>
 
@@ -8,7 +8,7 @@
 namespace etalon::p3f {
 namespace {
 
-/// Numbers of the vertices of the mesh being read among those of the scene.
+/// Numbers of the current mesh's vertices in the scene.
 using Vertices = std::vector<std::uint32_t>;
 
 template <class Vector>
@@ -34,7 +34,7 @@ Vertices read_vertices(Loader& loader, std::size_t count) {
     return {};
 }
 
-/// A vertex is named by its number from 1, or from the end by -1, -2, ... Says which is wrong.
+/// Reads the number of a vertex, from 1, or from the end by -1, -2, ... Reports a wrong one.
 bool read_face(Reader& in, const Vertices& vertices, TriangleIndices& corners) {
     bool good = true;
     for (std::uint32_t& corner : corners) {
@@ -78,7 +78,7 @@ void read_faces(Loader& loader, const Vertices& vertices, std::size_t count) {
 
 }  // namespace
 
-/// A mesh that breaks off keeps the faces read so far.
+/// A mesh that ends early keeps the faces read so far.
 void read_mesh(Loader& loader) {
     Reader& in = loader.in;
     const std::size_t vertex_count = in.count("number of vertices", 3);

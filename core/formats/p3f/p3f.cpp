@@ -11,7 +11,7 @@ void read_camera(SceneLoader& loader) {
     read_camera_block(loader, CameraDialect::p3f);
 }
 
-/// Skips a statement that a single repository of the course added for itself.
+/// Skips a statement that a single repository of the course has added.
 void skip_private_extension(SceneLoader& loader) {
     loader.in.warn("extension", "'{}' is a private extension of one program; it is left out",
                    loader.in.keyword());

@@ -8,8 +8,8 @@
 namespace etalon::p3f {
 namespace {
 
-/// The corner and the ends of the two edges that start there. (The course's document has the second
-/// edge wrong; its programs do this.)
+/// Reads the corner and the ends of the two edges that start there. (The course's document defines
+/// the second edge wrongly; its programs do this.)
 void read_quad_light(Loader& loader) {
     constexpr std::int64_t most_samples = 1 << 16;
     Reader& in = loader.in;

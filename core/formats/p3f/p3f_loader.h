@@ -6,11 +6,12 @@ namespace etalon::p3f {
 
 using Loader = SceneLoader;
 
-/// The course's own for objects before any (its programs leave it to chance).
+/// Returns the course's material for objects that precede all materials; its programs leave that
+/// undefined.
 Material default_material();
 
-// One per kind of statement that no other format has: reads what follows the keyword and adds it
-// to the scene.
+// One function for each kind of statement that no other format has. It reads the values after the
+// keyword and adds them to the scene.
 void read_accel(Loader&);
 void read_samples(Loader&);
 void read_environment(Loader&);

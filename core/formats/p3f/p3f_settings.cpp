@@ -38,7 +38,7 @@ void read_samples(Loader& loader) {
     loader.settings.samples_per_pixel = static_cast<int>(samples);
 }
 
-/// The directory lies beside the scene file, else in the working directory.
+/// Finds the directory beside the scene file, else in the working directory.
 void read_environment(Loader& loader) {
     Reader& in = loader.in;
     const std::size_t offset = in.tokens().offset();

@@ -15,8 +15,8 @@ struct P3fMaterial {
     double ior = 1;
 };
 
-/// Turns the numbers into a material. Glass of a `mat` absorbs by what its diffuse colour lacks,
-/// that of an `f` nothing.
+/// Converts the numbers to a material. Glass of a `mat` absorbs the complement of its diffuse
+/// colour; that of an `f` absorbs nothing.
 Material to_material(const P3fMaterial& numbers, bool absorbs);
 
 }  // namespace etalon

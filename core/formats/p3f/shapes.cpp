@@ -1,4 +1,4 @@
-// Boxes and planes. What cannot be seen is left out with a warning.
+// Boxes and planes. Those that cannot be seen are left out with a warning.
 #include <algorithm>
 #include <array>
 
@@ -26,7 +26,7 @@ void read_box(Loader& loader) {
     loader.add(box, loader.sides());
 }
 
-/// The plane through three points, its front where they run counter-clockwise.
+/// Reads the plane through three points; its front is where they run counter-clockwise.
 void read_plane(Loader& loader) {
     Reader& in = loader.in;
     const std::array points = {in.vector("first point"), in.vector("second point"),
@@ -39,7 +39,7 @@ void read_plane(Loader& loader) {
     loader.add(Plane{points[0], normal}, loader.sides());
 }
 
-/// The points with N.p + D = 0.
+/// Reads the plane of the points with N.p + D = 0.
 void read_hessian_plane(Loader& loader) {
     Reader& in = loader.in;
     const Vec3 given = in.vector("normal");

@@ -9,7 +9,7 @@
 namespace etalon::pbrt {
 namespace {
 
-/// Lists longer than this are taken over; shorter ones may be wanted again.
+/// Length from which lists are moved, not copied; shorter ones may be needed again.
 constexpr std::size_t longest_copied = 16;
 
 bool contains(std::string_view choices, std::string_view text) {
@@ -32,7 +32,7 @@ void keep_first(std::vector<T>& values, std::size_t count) {
     values.erase(values.begin() + static_cast<std::ptrdiff_t>(count), values.end());
 }
 
-/// Leaves the first value of several, each of `width` numbers.
+/// Keeps the first of several values, each of `width` numbers.
 void keep_first(Values& values, std::size_t width) {
     if (auto* n = std::get_if<std::vector<float>>(&values)) keep_first(*n, width);
 }
@@ -138,7 +138,7 @@ bool Binder::has_right_count(const ParameterSpec& spec, const GivenParameter& gi
     return count != 0;
 }
 
-/// Copies or takes the values over, as the type that the table gives them.
+/// Copies or moves the values, as the type in the table.
 Values Binder::convert(const ParameterSpec& spec, GivenParameter& given) {
     Values values = std::visit(Copied{}, given.values);
     if (spec.type == ValueType::file) {

@@ -12,19 +12,19 @@
 
 namespace etalon::pbrt {
 
-/// Numbers of the textures that are known, by name.
+/// Numbers of the textures defined so far, by name.
 struct TextureNames {
     ScopedNames<std::uint32_t> numbers, spectra;
 };
 
-/// Finds the values of a plugin's parameters among those that the file gives.
+/// Binds the parameters of a file to those of a plugin.
 class Binder {
   public:
     Binder(const TextureNames& textures, const TokenStream& tokens, Log& log)
         : textures_(textures), tokens_(tokens), log_(log) {}
 
-    /// Takes the values from the lists, of which the first has precedence. What cannot be used is
-    /// said, and its default kept. Returns nothing if a required parameter is missing.
+    /// Takes the values from the lists, of which the first has precedence. Reports values that
+    /// cannot be used and keeps their defaults. Returns nothing if a required parameter is missing.
     std::optional<std::vector<Argument>> bind(const PluginType& type,
                                               std::span<ParameterList* const> lists, Place where);
 

@@ -23,7 +23,7 @@ std::vector<float> from_black_bodies(const std::vector<float>& n) {
     return rgb;
 }
 
-/// One colour of all pairs of a wavelength and a value.
+/// Returns one colour from all pairs of a wavelength and a value.
 std::vector<float> from_spectrum(const std::vector<float>& n) {
     std::vector<SpectralSample> samples;
     for (std::size_t i = 0; i + 1 < n.size(); i += 2) samples.push_back({n[i], n[i + 1]});

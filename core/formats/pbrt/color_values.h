@@ -7,8 +7,8 @@
 
 namespace etalon::pbrt {
 
-/// Converts the numbers of a parameter that declares a colour to r g b, one triple a value. Their
-/// count is a multiple of what the type says.
+/// Converts the numbers of a colour parameter to r g b, one triple for each value. Their count must
+/// be a multiple of what the type requires.
 std::vector<float> to_rgb(const DeclaredType& type, std::vector<float> numbers);
 
 }  // namespace etalon::pbrt

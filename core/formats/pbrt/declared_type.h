@@ -7,15 +7,15 @@
 
 namespace etalon::pbrt {
 
-/// How the numbers or strings of a parameter become values.
+/// Conversion of the numbers or strings of a parameter to values.
 enum class Encoding : std::uint8_t { plain, flags, texture_name, xyz, blackbody, spectrum };
 
-/// What the type word of a parameter says.
+/// The type that a parameter declares.
 struct DeclaredType {
     std::string_view word;
     ValueType type;
     Encoding encoding = Encoding::plain;
-    int numbers = 1;  ///< numbers that make one value; 0: all that there are
+    int numbers = 1;  ///< numbers that make one value; 0: all of them
 
     bool takes_strings() const { return type == ValueType::string || encoding == Encoding::flags; }
 };
@@ -24,13 +24,13 @@ struct DeclaredType {
 const DeclaredType* find_declared_type(std::string_view word);
 
 struct Declaration {
-    std::string_view type, name;  ///< empty where missing
+    std::string_view type, name;  ///< empty if missing
 };
 
 /// Splits "type name" at its blanks.
 Declaration split_declaration(std::string_view text);
 
-/// Returns the words that pbrt-v3 takes for types.
+/// Returns the words that pbrt-v3 accepts as types.
 std::string_view declared_type_words();
 
 }  // namespace etalon::pbrt

@@ -7,7 +7,8 @@
 
 namespace etalon::pbrt {
 
-/// Returns whose directive it is, if it is one of another version: "PBRT version 2"; else nothing.
+/// Returns the version that has the directive, if it is not this one: "PBRT version 2"; else
+/// nothing.
 std::string_view origin_of_directive(std::string_view word);
 
 /// The same for a plugin of another version or of a fork.

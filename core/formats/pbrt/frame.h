@@ -1,5 +1,5 @@
-// A frame of a PBRT v3 file: what lies between two WorldEnd statements, all names resolved. It is
-// what the file says, neither geometry nor scene.
+// A frame of a PBRT v3 file: the part between two WorldEnd statements, with all names resolved. It
+// has the statements of the file, not yet geometry or a scene.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace etalon::pbrt {
 
-inline constexpr std::uint32_t none = 0xFFFFFFFFU;  ///< number of nothing
+inline constexpr std::uint32_t none = 0xFFFFFFFFU;  ///< number that refers to nothing
 
 /// Numbers, in Frame::transforms, of a transform at the two times of TransformTimes.
 struct TransformPair {
@@ -22,13 +22,13 @@ struct TransformPair {
     bool operator==(const TransformPair&) const = default;
 };
 
-/// A texture: its category tells float from spectrum.
+/// A texture; its category tells float from spectrum.
 struct Texture {
     Plugin plugin;
     std::uint32_t to_world;  ///< number in Frame::transforms, for 3-D mappings
 };
 
-/// A material with the values that a shape may have given in place of its own.
+/// A material, with the values by which a shape may have replaced its own.
 struct Material {
     Plugin plugin;
     std::array<std::uint32_t, 2> mixed = {none, none};  ///< materials of a "mix"
@@ -61,10 +61,9 @@ struct Shape {
     bool reverse_orientation = false;
 };
 
-/// Shapes that are seen only where instances put them. Their transforms are applied before the
-/// instance's.
+/// Shapes that are seen only as instances. Their transforms are applied before the instance's.
 struct Object {
-    std::string name;  ///< not unique: a later object may have taken the name over
+    std::string name;  ///< not unique: a later object may have the same name
     std::vector<Shape> shapes;
 };
 
@@ -79,7 +78,7 @@ struct CameraTransform {
 };
 
 struct Frame {
-    Plugin camera, sampler, film, filter, integrator, accelerator;  ///< defaults where absent
+    Plugin camera, sampler, film, filter, integrator, accelerator;  ///< defaults if absent
     std::array<CameraTransform, 2> camera_transforms{};             ///< at the start and end time
     std::uint32_t camera_medium = none;
     std::array<double, 2> transform_times = {0, 1};
@@ -96,7 +95,7 @@ struct Frame {
     std::vector<Instance> instances{};
     bool has_media = false;  ///< whether a MediumInterface statement was read
 
-    /// A frame of default options and an empty world.
+    /// Makes a frame of default options and an empty world.
     Frame();
 };
 

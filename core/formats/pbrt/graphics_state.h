@@ -10,7 +10,7 @@
 
 namespace etalon::pbrt {
 
-/// The current transformation at both times, and the numbers it has in the frame once it was used.
+/// The current transformation at both times, and its numbers in the frame once it has been used.
 struct TransformState {
     std::array<Matrix4, 2> matrices{};
     std::optional<TransformPair> numbers{};
@@ -18,23 +18,24 @@ struct TransformState {
     bool is_animated() const { return matrices[0] != matrices[1]; }
 };
 
-/// A material as it was stated, so that a shape can state it anew with values of its own.
+/// A material as it was stated, so that a shape can restate it with values of its own.
 struct StatedMaterial {
     const PluginType* type;
     ParameterList parameters;
-    std::uint32_t number;  ///< of the material as stated
+    std::uint32_t number;  ///< number of the material as stated
     Place where;
 };
 
-/// What AttributeBegin saves and AttributeEnd brings back, but for the transformation.
+/// State that AttributeBegin saves and AttributeEnd restores, apart from the transformation.
 struct GraphicsState {
     std::shared_ptr<const StatedMaterial> material;
     std::uint32_t area_light = none;
-    std::shared_ptr<const std::array<std::string, 2>> media;  ///< inside, outside; null: no names
+    std::shared_ptr<const std::array<std::string, 2>> media;  ///< inside, outside; null: none
     bool reverse_orientation = false;
 };
 
-/// What TransformBegin saves and TransformEnd brings back. The matrices are never changed in place.
+/// State that TransformBegin saves and TransformEnd restores. The matrices are never changed in
+/// place.
 struct TransformScope {
     std::shared_ptr<TransformState> current = std::make_shared<TransformState>();
     std::array<bool, 2> active = {true, true};

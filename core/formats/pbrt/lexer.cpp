@@ -25,7 +25,7 @@ constexpr std::array escapes = {Escape{'b', '\b'},  Escape{'f', '\f'}, Escape{'n
                                 Escape{'r', '\r'},  Escape{'t', '\t'}, Escape{'\\', '\\'},
                                 Escape{'\'', '\''}, Escape{'"', '"'}};
 
-/// Resolves the escapes of [first, last) into `text`; false if there is one of no meaning.
+/// Resolves the escapes of [first, last) into `text`; returns false for an unknown one.
 bool unescape(const char* first, const char* last, std::string& text) {
     text.clear();
     for (const char* p = first; p != last; ++p) {

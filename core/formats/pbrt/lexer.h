@@ -14,16 +14,16 @@ enum class TokenKind : std::uint8_t {
     string,
     open,
     close,
-    malformed,  ///< string that is none; the text says why
+    malformed,  ///< not a valid string; the text says why
 };
 
 struct Token {
     TokenKind kind;
-    std::string_view text;  ///< of a string what is between the quotes, escapes resolved
-    std::size_t offset;     ///< bytes before it
+    std::string_view text;  ///< for a string, its contents with escapes resolved
+    std::size_t offset;     ///< number of bytes before it
 };
 
-/// Returns a token as a message names it: "'x'", "the end of the file".
+/// Returns a token as it appears in messages: "'x'", "the end of the file".
 std::string describe(const Token& token);
 
 /// Tokens of one text, which must outlive the lexer. A token is valid until the next call.
@@ -34,8 +34,8 @@ class Lexer {
 
     Token next();
 
-    /// Appends the numbers that follow, up to the first token that is not simply a finite number,
-    /// or one that is no integer of 32 bits once its fraction is cut off.
+    /// Appends the numbers that follow, up to the first token that is not a plain finite number, or
+    /// not an integer of 32 bits once its fraction is cut off.
     void take_numbers(std::vector<float>& values);
     void take_numbers(std::vector<std::int32_t>& values);
 

@@ -14,7 +14,7 @@ bool has_errors(const std::vector<Diagnostic>& diagnostics) {
                                [](const Diagnostic& d) { return d.severity == Severity::error; });
 }
 
-/// A complaint about the file as a whole.
+/// Returns a diagnostic about the file as a whole.
 Diagnostic about_file(const ParsedFile& file, Severity severity, std::string message) {
     return {severity, "file", file.files.front(), 0, 0, std::move(message)};
 }

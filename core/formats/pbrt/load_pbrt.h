@@ -4,7 +4,7 @@
 
 namespace etalon {
 
-/// Reads a scene in the format of PBRT version 3: one of its frames.
+/// Reads one frame of a scene in the format of PBRT version 3.
 LoadResult load_pbrt(std::string_view text, const std::string& path, const LoadOptions& options);
 
 }  // namespace etalon

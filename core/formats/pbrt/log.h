@@ -12,13 +12,13 @@
 
 namespace etalon::pbrt {
 
-/// Gathers the diagnostics about a file and all that it includes.
+/// Collects the diagnostics about a file and all files that it includes.
 class Log {
   public:
     /// In a strict log warnings are errors.
     explicit Log(bool strict) : strict_(strict) {}
 
-    /// Returns the number that stands for a file in places.
+    /// Returns the number of a file in places.
     std::uint32_t add_file(const std::string& name);
 
     template <class... T>
@@ -32,21 +32,21 @@ class Log {
         add(Severity::error, place, kind, text, std::forward<T>(values)...);
     }
 
-    /// An error at which pbrt-v3 stops.
+    /// Reports an error at which pbrt-v3 stops.
     template <class... T>
     void fatal(Place place, std::string_view kind, fmt::format_string<T...> text, T&&... values) {
         is_fatal_ = true;
         error(place, kind, text, std::forward<T>(values)...);
     }
 
-    /// Returns the text that `make` makes, which may cost something, where a message of the kind
-    /// would be shown; else an empty one.
+    /// Returns the text that `make` makes, which may be expensive, if a message of the kind would
+    /// be shown; else an empty one.
     template <class Make>
     std::string hint(std::string_view kind, Make make) const {
         return list_.is_full(kind) ? std::string() : make();
     }
 
-    /// Takes over what was found in a file that is not PBRT.
+    /// Appends the diagnostics about a file that is not PBRT.
     void append(DiagnosticList& other) { list_.append(other); }
 
     bool is_strict() const { return strict_; }

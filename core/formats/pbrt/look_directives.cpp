@@ -9,7 +9,7 @@ namespace {
 
 using Grade = Unknown::Grade;
 
-/// Returns the plugin that a material names; of an unknown one matte stands in.
+/// Returns the plugin that a material names; matte for an unknown one.
 const PluginType& material_type(Parser& p, const std::string& name) {
     const PluginType* type = p.find_type(Category::material, name.empty() ? "none" : name,
                                          {Grade::warning, "'matte' stands in for it"});
@@ -60,7 +60,7 @@ void use_named_material(Parser& p) {
                 }));
 }
 
-/// Returns the category of a texture's values; nothing, said in words, if there is none.
+/// Returns the category of a texture's values. Nothing, and an error, if there is none.
 std::optional<Category> texture_category(Parser& p, const std::string& type) {
     if (type == "float") return Category::float_texture;
     if (type == "spectrum" || type == "color") return Category::spectrum_texture;

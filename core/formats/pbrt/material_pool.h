@@ -8,10 +8,10 @@
 
 namespace etalon::pbrt {
 
-/// Adds materials to a frame, equal ones once.
+/// Adds materials to a frame, without duplicates.
 class MaterialPool {
   public:
-    /// Returns the number of the material in `materials`, which is always the same vector.
+    /// Returns the number of the material in `materials`, which must always be the same vector.
     std::uint32_t add(Material material, std::vector<Material>& materials);
 
   private:

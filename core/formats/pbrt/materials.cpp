@@ -15,8 +15,8 @@ std::string take_string(const ParameterSpec& spec, std::vector<Argument>& argume
     return text;
 }
 
-/// Returns the number of a named material. For one that is unknown matte stands in, with the
-/// parameters of the material that names it.
+/// Returns the number of a named material. An unknown one is replaced by matte, with the parameters
+/// of the material that names it.
 std::uint32_t named_material(Parser& p, const std::string& name,
                              std::span<ParameterList* const> lists, Place where) {
     if (const auto* found = p.now.materials.find(name)) return (*found)->number;

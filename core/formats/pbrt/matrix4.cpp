@@ -7,7 +7,7 @@
 namespace etalon::pbrt {
 namespace {
 
-/// Row, at or below `column`, with the largest element in that column.
+/// Returns the row, at or below `column`, with the largest element in that column.
 std::size_t pivot_row(const Matrix4& m, std::size_t column) {
     std::size_t best = column;
     for (std::size_t r = column + 1; r < 4; ++r) {

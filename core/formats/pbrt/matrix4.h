@@ -5,7 +5,7 @@
 
 namespace etalon::pbrt {
 
-/// 4x4 matrix, row by row, that transforms column vectors as pbrt-v3 does: p' = M p.
+/// 4x4 matrix, row by row, that transforms column vectors like pbrt-v3's: p' = M p.
 struct Matrix4 {
     std::array<std::array<double, 4>, 4> rows = {
         {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
@@ -17,12 +17,12 @@ struct Matrix4 {
 
 Matrix4 operator*(const Matrix4& a, const Matrix4& b);
 
-/// Returns nothing if the matrix is singular or its inverse is not finite.
+/// Returns the inverse; nothing if the matrix is singular or the inverse is not finite.
 std::optional<Matrix4> inverse(const Matrix4& m);
 
 bool is_finite(const Matrix4& m);
 
-/// Whether the last row is 0 0 0 1.
+/// Returns whether the last row is 0 0 0 1.
 bool is_affine(const Matrix4& m);
 
 }  // namespace etalon::pbrt

@@ -8,7 +8,7 @@
 namespace etalon::pbrt {
 namespace {
 
-/// All frames, or the one that is wanted; the last where there are fewer.
+/// Returns all frames, or the requested one; the last if there are fewer.
 std::span<const Frame> wanted_frames(const std::vector<Frame>& frames, int wanted) {
     if (wanted == 0) return frames;
     const std::size_t number = std::min(static_cast<std::size_t>(wanted), frames.size());

@@ -23,7 +23,7 @@ constexpr std::array specials = {
     Special{"nan", std::numeric_limits<double>::quiet_NaN()},
 };
 
-/// Whether `text` starts with `word`, which is in lower case, in any case.
+/// Returns whether `text` starts with `word`, which is in lower case, in any case.
 bool starts_with(std::string_view text, std::string_view word) {
     if (text.size() < word.size()) return false;
     for (std::size_t i = 0; i < word.size(); ++i) {

@@ -6,7 +6,7 @@ namespace {
 
 using Grade = Unknown::Grade;
 
-/// Reads a plugin with its parameters into an option. Of an unknown one the default stands in.
+/// Reads a plugin with its parameters into an option. The default replaces an unknown one.
 void read_option(Parser& p, Category category, Plugin& option, Grade grade) {
     const std::string name = p.in.string("a type");
     ParameterList list = p.in.parameters();
@@ -18,7 +18,7 @@ void read_option(Parser& p, Category category, Plugin& option, Grade grade) {
     option = plugin ? std::move(*plugin) : Plugin(standard, {}, p.in.where());
 }
 
-/// Takes the current transformation for the way from the world to the camera.
+/// Uses the current transformation as that from the world to the camera.
 void place_camera(Parser& p) {
     auto system = std::make_shared<TransformState>();
     for (std::size_t time = 0; time < 2; ++time) {

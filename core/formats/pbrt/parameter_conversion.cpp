@@ -1,4 +1,4 @@
-// The values of a parameter, once they are read, as its type has them.
+// Conversion of the values of a parameter to its type.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ void drop_surplus(std::vector<T>& values, std::size_t multiple) {
     values.resize(values.size() - values.size() % multiple);
 }
 
-/// Frees what a long list has too much of.
+/// Releases the spare capacity of a long list.
 template <class T>
 void fit(std::vector<T>& values) {
     if (values.capacity() - values.size() > values.size() / 4) values.shrink_to_fit();

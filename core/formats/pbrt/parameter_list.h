@@ -10,8 +10,7 @@
 
 namespace etalon::pbrt {
 
-/// A parameter as a file gives it, before it is known what it is for. Colours of every kind are
-/// RGB.
+/// A parameter as a file gives it, before it is bound to a plugin. Colours of every kind are RGB.
 struct GivenParameter {
     std::string name;
     ValueType type;           ///< never `file`
@@ -19,23 +18,23 @@ struct GivenParameter {
     bool is_used = false;
     std::variant<std::vector<float>, std::vector<std::int32_t>, std::vector<std::string>> values{};
     Place where{};
-    Place not_finite{};  ///< place of the first number that is infinite or none; line 0: all are
+    Place not_finite{};  ///< place of the first infinite number or NaN; line 0 if all are finite
 
-    /// Number of values: points, not coordinates.
+    /// Returns the number of values: points, not coordinates.
     std::size_t count() const;
 
     /// Returns the type as written: "float", "texture".
     std::string_view type_name() const;
 };
 
-/// Parameters of a statement. Of two of the same name and type the later one is kept.
+/// Parameters of a statement. Of two with the same name and type the later one is kept.
 struct ParameterList {
     std::vector<GivenParameter> parameters;
 
     GivenParameter* find(std::string_view name, ValueType type);
     GivenParameter* find_texture(std::string_view name);
 
-    /// Adds a parameter, in place of an earlier one. Returns whether there was one.
+    /// Adds a parameter, replacing an earlier one. Returns whether there was one.
     bool add(GivenParameter parameter);
 };
 

@@ -19,7 +19,8 @@ class ParameterReader {
                     std::string_view directive)
         : tokens_(tokens), spectra_(spectra), log_(log), directive_(directive) {}
 
-    /// Adds the parameter that is next, if it can be used. Returns false at what pbrt-v3 stops at.
+    /// Reads the next parameter and adds it if it can be used. Returns false if pbrt-v3 would stop
+    /// at it.
     bool read(ParameterList& list);
 
   private:
@@ -31,7 +32,8 @@ class ParameterReader {
     void add_number(const LooseNumber& number, Place place);
     bool fail(std::string_view expected);
 
-    /// Converts what was read to the parameter's type; false, said in words, if it cannot be.
+    /// Converts the values to the parameter's type. Returns false, and reports it, if that is
+    /// impossible.
     bool convert();
     bool convert_strings();
     bool convert_numbers();
@@ -53,11 +55,11 @@ class ParameterReader {
     const DeclaredType* declared_ = nullptr;
     GivenParameter given_{};
     std::vector<float> numbers_;
-    std::vector<std::int32_t> integers_;  ///< in place of numbers_ where these are declared
+    std::vector<std::int32_t> integers_;  ///< instead of numbers_ if integers are declared
     std::vector<std::string> strings_;
 };
 
-/// Warns that the end of a number is ignored.
+/// Warns that the characters after a number are ignored.
 void warn_of_extra(const LooseNumber& number, std::string_view word, Place place, Log& log);
 
 }  // namespace etalon::pbrt

@@ -21,7 +21,7 @@ struct TextureNumber {
 };
 
 /// Values of a parameter: numbers of every type but integer (points as x y z, colours as r g b),
-/// integers and flags (0 or 1), strings, or a texture in their place.
+/// integers and flags (0 or 1), strings, or a texture instead.
 using Values = std::variant<std::vector<float>, std::vector<std::int32_t>, std::vector<std::string>,
                             TextureNumber>;
 
@@ -31,15 +31,15 @@ struct Argument {
     bool operator==(const Argument&) const = default;
 };
 
-/// Parameters of one plugin, checked against its table. Each access names a parameter of that
-/// table and a type that it has there; where the file gives no value, the table's default is
-/// returned, and zero, an empty text or an empty list where the table has none.
+/// Parameters of one plugin, checked against its table. Each access names a parameter of that table
+/// and a type that it has there. Where the file gives no value, the table's default is returned;
+/// zero, an empty text or an empty list if the table has none.
 class Parameters {
   public:
     explicit Parameters(const PluginType& type, std::vector<Argument> arguments = {})
         : type_(&type), arguments_(std::move(arguments)) {}
 
-    /// Whether the file gives it, as a value or as a texture.
+    /// Returns whether the file gives the parameter, as a value or as a texture.
     bool is_given(std::string_view name) const { return find(name) != nullptr; }
 
     float number(std::string_view name) const;
@@ -47,20 +47,20 @@ class Parameters {
     bool flag(std::string_view name) const { return integer(name) != 0; }
     std::string_view string(std::string_view name) const;  ///< a string, or the path of a file
 
-    /// Linear RGB, after the conversion of rgb, xyz, blackbody and spectrum.
+    /// Returns linear RGB, converted from rgb, xyz, blackbody or spectrum.
     Color color(std::string_view name) const;
 
-    /// A point, vector or normal.
+    /// Returns a point, vector or normal.
     Vec3f vector(std::string_view name) const;
 
-    /// All numbers of a parameter: 3n for n points, 2n for texture coordinates.
+    /// Returns all numbers of a parameter: 3n for n points, 2n for texture coordinates.
     std::span<const float> numbers(std::string_view name) const;
     std::span<const std::int32_t> integers(std::string_view name) const;
 
-    /// The texture that is bound to the parameter in place of a value.
+    /// Returns the texture that is bound to the parameter instead of a value.
     std::optional<std::uint32_t> texture(std::string_view name) const;
 
-    /// What the file gives, in the order of the table.
+    /// Returns the parameters that the file gives, in the order of the table.
     std::span<const Argument> arguments() const { return arguments_; }
 
     bool operator==(const Parameters&) const = default;

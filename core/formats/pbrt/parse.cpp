@@ -10,7 +10,7 @@
 namespace etalon::pbrt {
 namespace {
 
-// Those that are frequent in large scenes come first.
+// Directives that are frequent in large scenes come first.
 constexpr std::array directive_tables = {shape_directives, block_directives,  transform_directives,
                                          look_directives,  medium_directives, option_directives};
 
@@ -22,7 +22,7 @@ std::vector<std::string_view> directive_words() {
     return words;
 }
 
-/// Moves to the next directive.
+/// Skips to the next directive.
 void skip_statement(Parser& p) {
     while (p.tokens.peek().kind != TokenKind::end) {
         const Token& token = p.tokens.peek();
@@ -77,7 +77,7 @@ void read_all(Parser& p) {
     }
 }
 
-/// A file that ends before its world, as one does that was cut off, still gives what it has.
+/// Ends the frame of a file that ends before its world, as a truncated one does.
 void end_file(Parser& p) {
     if (p.now.block == Block::world) {
         p.log.error(p.tokens.place(), "end", "the file ends without WorldEnd");

@@ -9,7 +9,7 @@
 
 namespace etalon::pbrt {
 
-/// Whether a word is a directive of PBRT, be it of this version or of another.
+/// Returns whether a word is a directive of PBRT, of this version or another.
 bool is_directive(std::string_view word);
 
 struct ParseOptions {
@@ -21,11 +21,11 @@ struct ParsedFile {
     std::vector<Frame> frames;
     std::vector<std::string> files;  ///< names of the files read, for Place
     std::vector<Diagnostic> diagnostics;
-    bool is_fatal = false;  ///< whether pbrt-v3 stops at one of the errors; it goes on after others
+    bool is_fatal = false;  ///< pbrt-v3 stops at one of the errors; it continues after others
 };
 
-/// Reads PBRT v3, and the files it includes. `path` names the text in diagnostics; files that it
-/// names are looked for in the directory of `path`. Never throws but std::bad_alloc.
+/// Reads PBRT v3 and the files it includes. `path` names the text in diagnostics; files that the
+/// text names are relative to the directory of `path`. Throws nothing but std::bad_alloc.
 ParsedFile parse(std::string_view text, const std::string& path, const ParseOptions& options = {});
 
 }  // namespace etalon::pbrt

@@ -16,7 +16,7 @@ std::vector<std::string_view> names_of(Category category) {
     return names;
 }
 
-/// Says what an unknown plugin may be: of another version, a misspelt one, one of a list.
+/// Returns a hint on an unknown plugin: another version, a misspelling, or the list of names.
 std::string explain(Category category, const std::string& name) {
     if (const auto origin = origin_of_plugin(category, name); !origin.empty()) {
         return fmt::format(", which is of {}", origin);

@@ -31,7 +31,7 @@ struct SavedAttributes {
     Place where;
 };
 
-/// What is known while a frame is read.
+/// State of reading a frame.
 struct FrameState {
     Frame frame{};
     Block block = Block::options;
@@ -47,7 +47,7 @@ struct FrameState {
     MaterialPool material_pool{};
 };
 
-/// How bad it is that a plugin is unknown, as pbrt-v3 takes it, and what happens instead.
+/// Severity of an unknown plugin in pbrt-v3, and what happens instead.
 struct Unknown {
     enum class Grade : std::uint8_t { warning, error, fatal };
 
@@ -55,7 +55,7 @@ struct Unknown {
     std::string_view consequence;
 };
 
-/// A PBRT file being read.
+/// State of reading a PBRT file.
 struct Parser {
     Parser(std::string_view text, const std::string& path, const std::string& root, Log& l)
         : log(l), tokens(text, path, root, l), in(tokens, l) {}
@@ -69,35 +69,36 @@ struct Parser {
     Frame& frame() { return now.frame; }
     Binder binder() { return {now.textures, tokens, log}; }
 
-    /// Returns the numbers, in the frame, of the current transformation.
+    /// Returns the numbers of the current transformation in the frame.
     TransformPair transform_pair();
 
-    /// The same at the start time, for what cannot move; says so if it does.
+    /// The same at the start time, for items that cannot move; warns if the transformation moves.
     std::uint32_t start_transform();
 
-    /// Returns the numbers of the current media; says which names are unknown.
+    /// Returns the numbers of the current media; reports unknown names.
     MediumInterface current_media(Place where);
 
-    /// Takes the type of a named plugin from its parameters; says so if it is missing.
+    /// Takes the type of a named plugin from its parameters; reports a missing one.
     std::string take_type(ParameterList& list);
 
-    /// Makes a plugin of the parameters and says which of them it does not use. Returns nothing if
-    /// a required one is missing.
+    /// Makes a plugin from the parameters and reports those that it does not use. Returns nothing
+    /// if a required one is missing.
     std::optional<Plugin> make_plugin(const PluginType& type, ParameterList& list);
 
-    /// Whether its parameters go together, so that it is not left out; says it if they do not.
+    /// Returns whether the plugin's parameters are compatible, so that it is not left out; reports
+    /// it if they are not.
     bool check(const Plugin& plugin);
 
-    /// Adds a material, made of the lists' values, of which the first list has precedence.
+    /// Adds a material, made from the values of the lists, of which the first has precedence.
     std::uint32_t add_material(const PluginType& type, std::span<ParameterList* const> lists,
                                Place where);
 
-    /// Finds a plugin type by its name; says which there are, and what comes of it, if there is
-    /// none of that name.
+    /// Finds a plugin type by its name. If there is none of that name, reports which there are and
+    /// what happens instead.
     const PluginType* find_type(Category category, const std::string& name, Unknown unknown);
 };
 
-/// A statement that a file can have.
+/// A directive that a file can have.
 struct Directive {
     enum class Allowed : std::uint8_t { anywhere, in_options, in_world };
 
@@ -106,10 +107,10 @@ struct Directive {
     void (*run)(Parser&);
 };
 
-/// Returns null for a word that is no directive.
+/// Returns null for a word that is not a directive.
 const Directive* find_directive(std::string_view word);
 
-// The directives, by what they are about.
+// The directives, by subject.
 std::span<const Directive> transform_directives();
 std::span<const Directive> option_directives();
 std::span<const Directive> block_directives();
@@ -117,7 +118,7 @@ std::span<const Directive> look_directives();
 std::span<const Directive> shape_directives();
 std::span<const Directive> medium_directives();
 
-/// Ends the frame: what is left open is said, and what is bound late is bound.
+/// Ends the frame: reports blocks that are still open and binds lazily bound names.
 void end_frame(Parser& p);
 
 }  // namespace etalon::pbrt

@@ -26,7 +26,7 @@ enum class ValueType : std::uint8_t {
     normal,
 };
 
-/// What a parameter takes.
+/// Kind of values that a parameter accepts.
 enum class Slot : std::uint8_t {
     one,      ///< exactly one value; with any other number of values it is not used
     list,     ///< any number of values
@@ -54,12 +54,12 @@ struct ParameterSpec {
     ValueType type;
     Slot slot;
     Default default_value{};
-    std::array<Spelling, 3> others{};  ///< used, in order, where `name` is not given
+    std::array<Spelling, 3> others{};  ///< used, in order, if `name` is not given
     std::uint8_t other_count = 0;
     std::string_view choices{};     ///< accepted strings, separated by '|'; empty: any
     std::uint8_t length = 0;        ///< number of values that a list must have; 0: any
-    std::string_view if_unknown{};  ///< string in place of one that is no choice; empty: default
-    bool is_required = false;       ///< without it the statement is left out
+    std::string_view if_unknown{};  ///< replaces a string that is no choice; empty: the default
+    bool is_required = false;       ///< if it is missing the statement is left out
 
     std::span<const Spelling> other_spellings() const { return {others.data(), other_count}; }
 };
@@ -84,26 +84,26 @@ inline constexpr std::size_t category_count = 13;
 
 class Parameters;
 
-/// What pbrt-v3 objects to in parameters that do not go together.
+/// Objection of pbrt-v3 to parameters that are incompatible.
 struct Objection {
     std::string text;
-    bool leaves_out;  ///< whether the plugin is left out, or only some parameter of no use
+    bool leaves_out;  ///< whether the plugin is left out, or only a parameter ignored
 };
 
 struct PluginType {
     Category category;
     std::string_view name;
     std::span<const ParameterSpec> parameters;
-    std::string_view alias{};     ///< another name of it, or empty
-    std::string_view stand_in{};  ///< what Etalon renders in its place; empty: the plugin itself
+    std::string_view alias{};     ///< another name, or empty
+    std::string_view stand_in{};  ///< what Etalon renders instead; empty: the plugin itself
 
-    std::optional<Objection> (*check)(const Parameters&) = nullptr;  ///< null: anything goes
+    std::optional<Objection> (*check)(const Parameters&) = nullptr;  ///< null: no objection
 
     /// Returns the specification of a parameter by its own name; null if there is none.
     const ParameterSpec* find(std::string_view parameter) const;
 };
 
-/// Returns the plugins of a category. The first one stands in for statements that are missing.
+/// Returns the plugins of a category. The first one is the default if the statement is missing.
 std::span<const PluginType> plugin_types(Category category);
 
 /// Returns the plugin of this name or alias; null if there is none.

@@ -8,18 +8,18 @@
 
 namespace etalon::pbrt {
 
-/// Names that are known up to the end of the block in which they were defined. Time and memory are
-/// those of the definitions, however deep the blocks are nested.
+/// Names that are valid up to the end of the block in which they were defined. Time and memory are
+/// proportional to the definitions, however deep the blocks are nested.
 template <class T>
 class ScopedNames {
   public:
-    /// Returns null for an unknown name.
+    /// Returns the value of a name; null if it is unknown.
     const T* find(const std::string& name) const {
         const auto found = values_.find(name);
         return found != values_.end() ? &found->second : nullptr;
     }
 
-    /// Returns whether the name was known.
+    /// Defines a name in the current block. Returns whether the name was known.
     bool define(const std::string& name, T value) {
         const auto [entry, is_new] = values_.try_emplace(name);
         earlier_.emplace_back(name,
@@ -28,7 +28,7 @@ class ScopedNames {
         return !is_new;
     }
 
-    /// Begins a block; the result ends it.
+    /// Begins a block; the result is needed to end it.
     std::size_t begin_block() const { return earlier_.size(); }
 
     void end_block(std::size_t begun) {
@@ -42,7 +42,7 @@ class ScopedNames {
         }
     }
 
-    /// Returns the names that are known, in no order.
+    /// Returns the known names, in no particular order.
     std::vector<std::string_view> names() const {
         std::vector<std::string_view> list;
         for (const auto& [name, value] : values_) list.push_back(name);

@@ -1,4 +1,4 @@
-// The statement of a shape, which meets all that was stated before it.
+// The statement of a shape, to which all previous state applies.
 #include <algorithm>
 
 #include "core/formats/pbrt/parser.h"
@@ -19,8 +19,8 @@ constexpr std::array not_of_materials = {
     NotOfMaterials{ValueType::string, "scheme"},
 };
 
-/// Whether pbrt-v3 takes the parameter of a shape for one that might be meant for its material:
-/// any texture but a mask, any single value but a few.
+/// Returns whether pbrt-v3 assumes that a shape's parameter might be meant for its material: any
+/// texture but a mask, any single value but a few.
 bool may_be_of_material(const GivenParameter& given) {
     if (given.is_texture) return given.name != "alpha" && given.name != "shadowalpha";
     return given.count() == 1 && std::ranges::none_of(not_of_materials, [&](const auto& n) {
@@ -38,8 +38,8 @@ const StatedMaterial& current_material(Parser& p) {
     return *p.now.graphics.material;
 }
 
-/// Returns the current material with the shape's parameters in place of its own. Its textures are
-/// those that its names stand for now.
+/// Returns the current material with the shape's parameters instead of its own. Names of its
+/// textures are resolved now.
 std::uint32_t restated_material(Parser& p, ParameterList& shape) {
     const StatedMaterial& stated = current_material(p);
     ParameterList own = stated.parameters;
@@ -47,7 +47,7 @@ std::uint32_t restated_material(Parser& p, ParameterList& shape) {
     return p.add_material(*stated.type, lists, p.in.where());
 }
 
-/// Returns the light that the shape is; none, said in words, where pbrt-v3 drops it.
+/// Returns the area light of the shape; none, with a warning, if pbrt-v3 drops it.
 std::uint32_t area_light_of_shape(Parser& p) {
     const std::uint32_t light = p.now.graphics.area_light;
     if (light == none) return none;
@@ -69,7 +69,7 @@ void read_shape(Parser& p) {
     const PluginType* const type =
         p.find_type(Category::shape, name, {Unknown::Grade::warning, "it is left out"});
     if (!type) return;
-    // Counted now: the shape takes long lists over.
+    // Counted now, as the shape moves long lists.
     const bool restates_material = std::ranges::any_of(list.parameters, may_be_of_material);
     ParameterList* const lists[] = {&list};
     std::optional<std::vector<Argument>> arguments = p.binder().bind(*type, lists, p.in.where());

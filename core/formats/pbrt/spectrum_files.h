@@ -13,7 +13,7 @@ class SpectrumFiles {
   public:
     SpectrumFiles(const TokenStream& tokens, Log& log) : tokens_(tokens), log_(log) {}
 
-    /// Returns black, with a warning, for a file that cannot be read.
+    /// Returns the colour of a file; black, with a warning, if it cannot be read.
     Color color(const std::string& name, Place where);
 
   private:

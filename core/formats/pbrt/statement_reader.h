@@ -11,8 +11,8 @@
 
 namespace etalon::pbrt {
 
-/// Reads the arguments of one statement after another. What pbrt-v3 stops at is an error: from then
-/// on nothing of the statement is read, and everything returned is empty.
+/// Reads the arguments of one statement after another. Where pbrt-v3 would stop there is an error:
+/// from then on nothing of the statement is read, and everything returned is empty.
 class StatementReader {
   public:
     StatementReader(TokenStream& tokens, Log& log)
@@ -25,25 +25,25 @@ class StatementReader {
     Place where() const { return where_; }
     bool ok() const { return ok_; }
 
-    /// Quoted string; `what` names it in messages.
+    /// Reads a quoted string; `what` names it in messages.
     std::string string(std::string_view what);
 
-    /// The next quoted string if there is one.
+    /// Reads the next quoted string if there is one.
     std::optional<std::string> optional_string();
 
-    /// Whether the next token is this word, without quotes.
+    /// Returns whether the next token is this word, without quotes.
     bool at_word(std::string_view word);
 
-    /// Word without quotes.
+    /// Reads a word without quotes.
     std::string word(std::string_view expected);
 
-    /// As many numbers as there is room for. pbrt-v3 wants brackets around some and none around
-    /// others; both are read, with a warning where pbrt-v3 refuses them.
+    /// Fills `values` with numbers. pbrt-v3 requires brackets around some and none around others;
+    /// both are read, with a warning if pbrt-v3 refuses them.
     void numbers(std::span<double> values, bool wants_brackets);
 
     ParameterList parameters();
 
-    /// Says what pbrt-v3 stops at, at the next token.
+    /// Reports an error at the next token, at which pbrt-v3 stops.
     void reject(std::string_view expected);
 
   private:

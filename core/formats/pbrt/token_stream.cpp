@@ -7,7 +7,7 @@
 namespace etalon::pbrt {
 namespace {
 
-// Files can include each other so often that no machine reads them all.
+// Limits, as files can include each other so often that reading would never end.
 constexpr std::size_t deepest = 100;
 constexpr std::size_t most_files = 100'000;
 constexpr std::size_t most_repeated_bytes = std::size_t{1} << 28;

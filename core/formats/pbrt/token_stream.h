@@ -15,12 +15,12 @@
 
 namespace etalon::pbrt {
 
-/// The tokens of a file, and in their place those of the files that it includes: the end of an
-/// included file separates no more than a blank.
+/// The tokens of a file and of the files that it includes, in their place. The end of an included
+/// file separates tokens like a blank.
 class TokenStream {
   public:
     /// The text and the log must outlive the stream. `path` names the text, and its directory is
-    /// the one in which files are looked for; none outside of `root` may be opened, unless it is
+    /// the one in which files are searched; none outside of `root` may be opened, unless `root` is
     /// empty.
     TokenStream(std::string_view text, const std::string& path, const std::string& root, Log& log);
 
@@ -31,19 +31,19 @@ class TokenStream {
     /// Returns the place of the next token.
     Place place();
 
-    /// Appends the simple numbers that follow. No token may have been peeked at.
+    /// Appends the plain numbers that follow. No token may have been peeked at.
     template <class T>
     void take_numbers(std::vector<T>& values) {
         sources_.back().lexer.take_numbers(values);
     }
 
-    /// Fills `values` with the simple numbers that follow. Returns how many there were. No token
-    /// may have been peeked at.
+    /// Fills `values` with the plain numbers that follow. Returns how many there were. No token may
+    /// have been peeked at.
     std::size_t take_numbers(std::span<double> values) {
         return sources_.back().lexer.take_numbers(values);
     }
 
-    /// Goes on with another file, up to its end. Says what is wrong if that cannot be.
+    /// Continues with another file, up to its end. Reports an error if that is impossible.
     void include(const std::string& name, Place where);
 
     /// Returns the path of a file that the scene names; nothing, and an error, if it may not be
@@ -59,7 +59,7 @@ class TokenStream {
         Locator locator;
     };
 
-    /// Returns why the file is not to be read; empty if it is.
+    /// Returns why the file must not be read; empty if it may.
     std::string refusal(const std::string& path) const;
     std::uint32_t number_of(const std::string& path);
     void enter(const std::string& path, std::unique_ptr<MappedFile> file, std::string_view text);

@@ -7,7 +7,7 @@
 namespace etalon::pbrt {
 namespace {
 
-/// Changes the matrices of the active times. A result that is not finite is refused.
+/// Changes the matrices of the active times. Refuses a result that is not finite.
 template <class Change>
 void change(Parser& p, Change changed) {
     if (!p.in.ok()) return;

@@ -6,7 +6,7 @@
 namespace etalon::pbrt {
 namespace {
 
-/// Returns the vector with length 1; nothing if it has none.
+/// Returns the normalized vector; nothing for zero.
 std::optional<Vec3> unit(const Vec3& v) {
     const double largest = max_abs(v);  // so that squares neither overflow nor vanish
     if (!(largest > 0) || !std::isfinite(largest)) return std::nullopt;

@@ -5,7 +5,7 @@
 
 namespace etalon::pbrt {
 
-/// Warns of the parameters of a list that nothing has used, and of what the plugin would take.
+/// Warns of the parameters of a list that were not used, and names those that the plugin accepts.
 void report_unused(const ParameterList& list, const PluginType& type, Log& log);
 
 }  // namespace etalon::pbrt

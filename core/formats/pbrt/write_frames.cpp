@@ -16,7 +16,7 @@ std::string object_name(std::uint32_t number) {
     return fmt::format("object-{}", number);
 }
 
-/// The graphics state as far as the text has set it.
+/// The graphics state that the text so far has set.
 struct WrittenState {
     TransformPair to_world{};
     std::uint32_t material = none;
@@ -166,7 +166,7 @@ class FrameWriter {
         }
     }
 
-    /// Writes the shapes that follow each other with one area light, in a block of theirs.
+    /// Writes consecutive shapes with the same area light, in a block.
     std::size_t write_lit_shapes(const std::vector<Shape>& shapes, std::size_t first) {
         const std::uint32_t light = shapes[first].area_light;
         const WrittenState outside = now_;

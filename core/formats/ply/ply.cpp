@@ -12,7 +12,7 @@ namespace etalon {
 namespace ply {
 namespace {
 
-/// Whether a file has what a mesh needs. Says what is missing.
+/// Returns whether a file has what a mesh needs. Reports what is missing.
 bool is_mesh(const Header& header, DiagnosticLog& log) {
     const auto fail = [&](std::size_t offset, std::string_view message) {
         log.error(offset, "mesh", "{}", message);
@@ -98,19 +98,19 @@ constexpr std::uint32_t top_bit = 0x80000000;
 
 bool all_finite(std::span<const float> values) {
     constexpr std::uint32_t exponent = 0x7F800000, lowest = 0x00800000;
-    std::uint32_t carried = 0;  // no branch and no comparison: a loop over many values at a time
+    std::uint32_t carried = 0;  // no branch, so that the loop is vectorized
     for (const float f : values) carried |= (std::bit_cast<std::uint32_t>(f) & exponent) + lowest;
     return (carried & top_bit) == 0;
 }
 
-/// Whether all are less than `end`, of which the top bit must not be set.
+/// Returns whether all are less than `end`, whose top bit must not be set.
 bool all_less(std::span<const std::uint32_t> values, std::uint32_t end) {
     std::uint32_t borrowed = 0;
     for (const std::uint32_t v : values) borrowed |= v | (end - 1 - v);
     return (borrowed & top_bit) == 0;
 }
 
-/// Makes values that are not finite zero.
+/// Sets values that are not finite to zero.
 void clean(FilledLater<float>& values, std::string_view what, DiagnosticLog& log) {
     if (all_finite(values)) return;
     const auto is_bad = [](float f) { return !std::isfinite(f); };
@@ -120,7 +120,7 @@ void clean(FilledLater<float>& values, std::string_view what, DiagnosticLog& log
              count, what);
 }
 
-/// Leaves out the triangles at vertices that are not finite.
+/// Leaves out the triangles with vertices that are not finite.
 void drop_infinite_triangles(PlyMesh& mesh, DiagnosticLog& log) {
     if (all_finite(mesh.positions)) return;
     const auto is_good = [&](std::size_t v) { return all_finite({&mesh.positions[3 * v], 3}); };
@@ -141,7 +141,7 @@ void drop_infinite_triangles(PlyMesh& mesh, DiagnosticLog& log) {
     }
 }
 
-/// Whether the faces name vertices that there are. Says the first that is not.
+/// Returns whether all vertices of the faces exist. Reports the first that does not.
 bool is_consistent(const PlyMesh& mesh, DiagnosticLog& log) {
     const auto vertices = static_cast<std::uint32_t>(mesh.positions.size() / 3);
     if (all_less(mesh.indices, vertices)) return true;

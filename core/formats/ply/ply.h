@@ -11,22 +11,22 @@
 
 namespace etalon {
 
-/// An array that is filled after it was made, and makes nothing of its elements before.
+/// An array whose elements are left uninitialized until it is filled.
 template <class T>
 using FilledLater = std::vector<T, UninitializedLargePages<T>>;
 
 struct PlyMesh {
-    FilledLater<float> positions;        ///< x y z of each vertex, finite where a triangle names it
-    FilledLater<float> normals;          ///< as many, or none; of any length, finite
-    FilledLater<float> uvs;              ///< u v of each vertex, or none; finite
-    FilledLater<std::uint32_t> indices;  ///< three vertices a triangle
+    FilledLater<float> positions;            ///< x y z of each vertex, finite if a triangle uses it
+    FilledLater<float> normals;              ///< as many, or none; of any length, finite
+    FilledLater<float> uvs;                  ///< u v of each vertex, or none; finite
+    FilledLater<std::uint32_t> indices;      ///< three vertices a triangle
     std::vector<std::int32_t> face_numbers;  ///< `face_indices` of each triangle, or none
 };
 
-/// Reads vertices and faces and passes over everything else. A quadrilateral a b c d becomes the
+/// Reads vertices and faces and ignores everything else. A quadrilateral a b c d becomes the
 /// triangles a b c and d a c. Faces of other than three or four corners are left out with a
-/// warning, and so are those at vertices that are not finite. Nothing, after an error, if the
-/// header, a number of the file or a vertex that a face names is wrong, or if the file ends early.
+/// warning, and so are those with vertices that are not finite. Returns nothing, after an error, if
+/// the header, a number of the file or the index of a vertex is wrong, or if the file ends early.
 std::optional<PlyMesh> read_ply(std::string_view bytes, DiagnosticLog& log);
 
 }  // namespace etalon

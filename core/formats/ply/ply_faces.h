@@ -6,7 +6,7 @@
 
 namespace etalon::ply {
 
-/// The list that names a face's vertices. Nothing if there is none.
+/// Returns the list of a face's vertices; nothing if there is none.
 inline const Property* corners_of(const Element& faces) {
     const Property* const list = faces.find("vertex_indices", true);
     return list ? list : faces.find("vertex_index", true);
@@ -24,7 +24,7 @@ class FaceReader {
         mesh_.indices.resize(3 * std::min<std::uint64_t>(faces.count, in.remaining() / face_bytes));
     }
 
-    /// Reads the faces; false at a number that is none.
+    /// Reads the faces. Returns false at a malformed number.
     bool read() {
         for (std::uint64_t face = 0; face < faces_.count; ++face) {
             if constexpr (Source::is_binary) face += read_run(faces_.count - face);
@@ -34,13 +34,14 @@ class FaceReader {
         return true;
     }
 
-    /// Number of faces that were left out as they are neither triangles nor quadrilaterals.
+    /// Returns the number of faces that were left out because they have other than three or four
+    /// corners.
     std::uint64_t left_out() const { return left_out_; }
 
   private:
-    /// Reads faces of the usual form, a byte and three or four numbers of four bytes amid other
-    /// numbers, for as long as they are, the file is far from its end and there is room in the
-    /// array. Returns how many were read.
+    /// Reads consecutive faces of the usual form: a byte and three or four numbers of four bytes,
+    /// among other numbers. Stops near the end of the file or of the array. Returns how many were
+    /// read.
     std::uint64_t read_run(std::uint64_t most) {
         if (number_ || !is_usual()) return 0;
         const std::size_t before = bytes_before_corners();

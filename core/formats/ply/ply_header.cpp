@@ -32,7 +32,7 @@ class Line {
   public:
     explicit Line(std::string_view text) : rest_(text) {}
 
-    /// The next word; empty at the end.
+    /// Returns the next word; empty at the end.
     std::string_view next() {
         const std::size_t first = std::min(rest_.find_first_not_of(" \t\r"), rest_.size());
         rest_.remove_prefix(first);

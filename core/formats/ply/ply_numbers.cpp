@@ -5,7 +5,7 @@
 namespace etalon::ply {
 namespace {
 
-/// The number that a word without digits is; false if it is none.
+/// Reads a word without digits, such as "nan", as a number; returns false if it is none.
 bool read_named(std::string_view word, double& value) {
     const bool minus = word.starts_with('-');
     if (minus || word.starts_with('+')) word.remove_prefix(1);

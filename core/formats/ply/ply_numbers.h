@@ -1,4 +1,4 @@
-// The numbers of a PLY file one after another, as text or binary.
+// The numbers of a PLY file in order, as text or binary.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 
 namespace etalon::ply {
 
-/// Whether binary numbers have their bytes in the order of this machine.
+/// Whether binary numbers have the byte order of this machine.
 enum class Bytes { native, reversed };
 
-/// Reads a binary number that lies anywhere.
+/// Reads a binary number, which need not be aligned.
 template <class T, Bytes bytes>
 T load(const char* p) {
     using Bits = std::conditional_t<
@@ -32,7 +32,7 @@ T load(const char* p) {
     return std::bit_cast<T>(bits);
 }
 
-/// Calls f(T()) with the type of C++ that `type` is.
+/// Calls f(T()) with the C++ type of `type`.
 template <class F>
 auto with_type(Type type, F&& f) {
     switch (type) {
@@ -64,7 +64,7 @@ class BinaryNumbers {
     BinaryNumbers(std::string_view file, std::size_t first)
         : file_(file.data()), next_(file_ + first), last_(file_ + file.size()) {}
 
-    /// Reads a number; false if there is none.
+    /// Reads a number; returns false if there is none.
     bool read(Type type, double& value) {
         if (remaining() < size_of(type)) return false;
         value = with_type(
@@ -73,20 +73,20 @@ class BinaryNumbers {
         return true;
     }
 
-    /// Passes over `count` numbers; false if there are not as many.
+    /// Skips `count` numbers; returns false if there are fewer.
     bool skip(Type type, std::uint64_t count) {
         if (count > remaining() / size_of(type)) return false;
         next_ += count * size_of(type);
         return true;
     }
 
-    /// How many elements, at most, what follows can hold.
+    /// Returns how many elements, at most, the rest can hold.
     std::uint64_t room_for(const Element& element) const {
         return element.properties.empty() ? element.count : remaining() / element.least_bytes();
     }
 
     /// Writes the triangles of a face whose corners are numbers of four bytes. Reads four of them
-    /// and writes four numbers at least. Returns the end of what is written.
+    /// and writes at least four numbers. Returns the end of what is written.
     static std::uint32_t* copy_corners(const char* corners, unsigned count, std::uint32_t* out) {
         for (int i = 0; i < 4; ++i) out[i] = load<std::uint32_t, bytes>(corners + 4 * i);
         if (count == 3) return out + 3;
@@ -100,7 +100,7 @@ class BinaryNumbers {
     const char* last() const { return last_; }
     std::size_t remaining() const { return static_cast<std::size_t>(last_ - next_); }
 
-    /// Place of the next number, and what to say of it where read() or skip() failed.
+    /// Place of the next number, and the error where read() or skip() failed.
     std::size_t offset() const { return DiagnosticLog::whole_file; }
     std::string complaint() const { return "the file ends"; }
 
@@ -117,7 +117,7 @@ class AsciiNumbers {
         skip_blanks();
     }
 
-    /// Infinities and what is beyond every double are infinite, and "nan" is one.
+    /// Infinities and values beyond the range of double become infinite, and "nan" becomes NaN.
     bool read(Type, double& value);
 
     bool skip(Type type, std::uint64_t count) {

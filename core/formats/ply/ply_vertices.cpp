@@ -3,8 +3,7 @@
 namespace etalon::ply {
 namespace {
 
-/// Gives the named properties, if the vertices have all of them, the columns of an array of its
-/// own.
+/// Makes the named properties, if the vertices have all of them, the columns of an array.
 template <std::size_t n>
 bool add_array(const Element& vertices, const std::array<std::string_view, n>& names,
                FilledLater<float>& array, std::vector<Column>& columns) {

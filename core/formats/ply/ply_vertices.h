@@ -8,14 +8,14 @@
 
 namespace etalon::ply {
 
-/// Where the values of a property go: to target[0], target[stride], ...
+/// Destination of the values of a property: target[0], target[stride], ...
 struct Column {
-    float* target = nullptr;  ///< nothing: they are passed over
+    float* target = nullptr;  ///< null: they are skipped
     std::size_t stride = 0;
 };
 
-/// Makes room for the vertices' arrays in the mesh, and says where each property goes. Positions
-/// must be among the properties.
+/// Allocates the vertices' arrays in the mesh, and returns the destination of each property.
+/// Positions must be among the properties.
 std::vector<Column> make_columns(const Element& vertices, PlyMesh& mesh);
 
 /// Sets out[i * stride] to the number at first + i * row_bytes, for i < count.
@@ -26,8 +26,8 @@ void copy_column(const char* first, std::size_t row_bytes, std::size_t count, co
     }
 }
 
-/// Reads vertices that all take the same number of bytes, a block at a time, which stays in the
-/// nearest cache while its columns are copied. There must be as many as the element says.
+/// Reads vertices of constant size, in blocks that stay in the first-level cache while their
+/// columns are copied. There must be as many as the element says.
 template <Bytes bytes>
 void read_columns(BinaryNumbers<bytes>& in, const Element& vertices, std::vector<Column> columns) {
     const std::size_t row_bytes = vertices.least_bytes();
@@ -49,7 +49,7 @@ void read_columns(BinaryNumbers<bytes>& in, const Element& vertices, std::vector
     }
 }
 
-/// Passes over the values of a list.
+/// Skips the values of a list.
 template <class Source>
 bool skip_list(Source& in, const Property& list) {
     double count = 0;
@@ -57,7 +57,7 @@ bool skip_list(Source& in, const Property& list) {
            in.skip(list.type, static_cast<std::uint64_t>(count));
 }
 
-/// Reads one element; false at a number that is none.
+/// Reads one element; returns false at a malformed number.
 template <class Source>
 bool read_row(Source& in, const Element& vertices, std::vector<Column>& columns) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -75,8 +75,8 @@ bool read_row(Source& in, const Element& vertices, std::vector<Column>& columns)
     return true;
 }
 
-/// Reads the vertices into their columns, or, where there are none, passes over elements. False at
-/// a number that is none. The source must have room for them.
+/// Reads the vertices into their columns; without columns, skips elements. Returns false at a
+/// malformed number. The source must hold all of them.
 template <class Source>
 bool read_elements(Source& in, const Element& elements, std::vector<Column> columns) {
     if (elements.properties.empty()) return true;

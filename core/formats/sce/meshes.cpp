@@ -44,7 +44,7 @@ const ObjMesh* find_mesh(Loader& loader, Reader& in) {
     return nullptr;
 }
 
-/// Whether the vertices' numbers of 31 bits can still count what the mesh brings.
+/// Returns whether the vertices' numbers of 31 bits can still count what the mesh brings.
 bool fits(const Geometry& geometry, const ObjMesh& mesh) {
     return geometry.vertices.size() + mesh.vertices.size() + 3 * mesh.triangles.size() <
            decimal_vertex;

@@ -65,7 +65,7 @@ struct Loader {
     /// The number of the current surface in the scene's materials.
     std::uint32_t current_material();
 
-    /// Whether a shape can be had under the current matrix; if not, says why.
+    /// Returns whether a shape can be had under the current matrix; if not, says why.
     bool has_usable_matrix(Reader& in) const;
 
     template <class Shape>

@@ -7,13 +7,13 @@
 
 namespace etalon {
 
-/// Something of a scene that a format cannot say, and how often that came up.
+/// A property of a scene that a format cannot express, and how often it occurred.
 struct ConversionWarning {
     std::string what;
     std::size_t count;
 };
 
-/// Each kind of warning once, in the order of first appearance.
+/// Warnings without duplicates, in the order of first appearance.
 class ConversionWarnings {
   public:
     void add(std::string_view what);

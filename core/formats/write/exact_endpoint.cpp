@@ -9,7 +9,7 @@ namespace etalon {
 namespace {
 
 /// Edges (p, 0, -q) and (0, r, -s) along the axes i, j, k have the cross product (q r, p s, p r).
-/// That is to be the normal, roundings included, which for a given p leaves no choice; k is the
+/// It must equal the normal, roundings included, which determines all for a given p; k is the
 /// normal's largest component.
 struct Edges {
     Vec3 first{0}, second{0};
@@ -26,8 +26,8 @@ Edges edges_across(const Vec3& normal, double p) {
     return e;
 }
 
-/// The power of two by which an edge becomes so long that no coordinate that it changes loses
-/// digits of the edge to those of `start`.
+/// Returns the power of two by which an edge becomes so long that no coordinate that it changes
+/// loses digits of the edge to those of `start`.
 double stretch_of(const Vec3& start, const Vec3& edge) {
     double stretch = 1;
     for (int k = 0; k < 3; ++k) {

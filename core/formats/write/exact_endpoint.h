@@ -1,5 +1,5 @@
-// Points for the edges and planes of P3F. A reader of such a file takes their differences, which
-// are, to the last bit, what a scene holds.
+// Points for the edges and planes of P3F. A reader of the file subtracts them, which gives the
+// scene's edges and planes to the last bit.
 #pragma once
 
 #include <array>
@@ -8,13 +8,13 @@
 
 namespace etalon {
 
-/// A point, and whether it gives exactly what was asked for or only the nearest there is.
+/// A point, and whether it gives the result exactly or only as nearly as possible.
 struct ExactEndpoint {
     Vec3 point;
     bool exact;
 };
 
-/// The point for which point - start is `edge`, as a reader computes it.
+/// Returns the point for which point - start is `edge`, as a reader computes it.
 ExactEndpoint exact_endpoint(const Vec3& start, const Vec3& edge);
 
 struct PlanePoints {
@@ -22,7 +22,7 @@ struct PlanePoints {
     bool exact;
 };
 
-/// Three points from which the reader makes this plane, its normal up to a power of two.
+/// Returns three points from which a reader makes this plane, with its normal up to a power of two.
 PlanePoints points_on(const Plane& plane);
 
 }  // namespace etalon

@@ -14,12 +14,12 @@ namespace {
 
 constexpr int around = 48, rings = 24;
 
-/// A point of a unit shape, with its normal there.
+/// A point of a unit shape with its normal.
 struct LocalPoint {
     Vec3 position, normal;
 };
 
-/// Carries facets of a unit shape into the world.
+/// Transforms facets of a unit shape to world space.
 class Facets {
   public:
     Facets(const Affine& to_world, const FacetSink& take)
@@ -48,13 +48,13 @@ class Facets {
     bool mirrored_;
 };
 
-/// Point on the unit circle; the last step is the first point again, to the bit.
+/// Returns a point of the unit circle; the last step repeats the first point bit for bit.
 Vec3 on_circle(int step) {
     const double angle = 2 * std::numbers::pi / around * (step % around);
     return {std::cos(angle), std::sin(angle), 0};
 }
 
-/// Point on the unit sphere; the rings go from pole to pole.
+/// Returns a point of the unit sphere; the rings go from pole to pole.
 LocalPoint on_sphere(int ring, int step) {
     const double angle = std::numbers::pi / rings * ring;
     const bool pole = ring == 0 || ring == rings;

@@ -23,8 +23,8 @@ std::vector<Triangle> run_from(const Geometry& geometry, std::size_t first) {
     return run;
 }
 
-/// Returns a mesh of only the vertices that are used, in the order in which the triangles name
-/// them: so that what is written is the same once it has been read.
+/// Returns a mesh of only the vertices that are used, in the order of the triangles, so that the
+/// mesh is written unchanged once it has been read back.
 MeshRun flat_mesh(const Geometry& geometry, const std::vector<Triangle>& run) {
     std::unordered_map<std::uint32_t, std::uint32_t> numbers;  // in the mesh
     MeshRun mesh;
@@ -40,7 +40,7 @@ MeshRun flat_mesh(const Geometry& geometry, const std::vector<Triangle>& run) {
     return mesh;
 }
 
-/// Makes a mesh whose corners have normals of their own, and so vertices of their own.
+/// Makes a mesh with separate vertices for each corner, as the corners have separate normals.
 MeshRun smooth_mesh(const Geometry& geometry, const std::vector<Triangle>& run) {
     MeshRun mesh;
     for (const Triangle& t : run) {

@@ -26,7 +26,7 @@ int largest_component(const Color& c) {
     return dominant_axis(Vec3(c.x, c.y, c.z));
 }
 
-/// Ks for which `color` Ks is `product`, or as near as can be.
+/// Returns the Ks for which `color` Ks is `product`, or as near as possible.
 float factor_of(const Color& color, const Color& product) {
     const int k = largest_component(color);
     if (color[k] == 0) return 0;
@@ -36,7 +36,8 @@ float factor_of(const Color& color, const Color& product) {
     return factor;
 }
 
-/// A surface without glass. A negative Ks, of a negative colour, is a highlight without a mirror.
+/// Writes a surface without glass. A negative Ks, of a negative colour, is a highlight without a
+/// mirror.
 P3fMaterial opaque(const Material& m) {
     P3fMaterial n;
     n.diffuse = m.diffuse;
@@ -51,7 +52,7 @@ P3fMaterial opaque(const Material& m) {
     return n;
 }
 
-/// Cd for which Cd Kd is the diffuse colour and 1 - Cd the absorption.
+/// Returns the Cd for which Cd Kd is the diffuse colour and 1 - Cd the absorption.
 std::optional<Color> diffuse_of_glass(const Material& m, float kd) {
     Color diffuse;
     for (int k = 0; k < 3; ++k) {
@@ -69,8 +70,8 @@ struct Interval {
     double low, high;
 };
 
-/// All Kd for which some Cd with the right absorption has the right diffuse colour. Below 1/2 a Cd
-/// has more digits than 1 - Cd tells.
+/// Returns all Kd for which some Cd with the right absorption has the right diffuse colour. Below
+/// 1/2 a Cd has more digits than 1 - Cd tells.
 Interval range_of_kd(const Material& m) {
     Interval range{0, std::numeric_limits<float>::max()};
     for (int k = 0; k < 3; ++k) {
@@ -83,7 +84,7 @@ Interval range_of_kd(const Material& m) {
     return range;
 }
 
-/// Glass whose absorption is what its diffuse colour lacks.
+/// Writes glass whose absorption is the complement of its diffuse colour.
 std::optional<P3fMaterial> absorbing_glass(const Material& m) {
     constexpr int tries = 256;
     P3fMaterial n;
@@ -118,7 +119,7 @@ P3fStatement glass(const Material& m) {
     return s;
 }
 
-/// Adds a warning for each difference in the material that the statement gives.
+/// Adds a warning for each difference from the material that the statement gives.
 void compare(const Material& wanted, const Material& got, ConversionWarnings& lost) {
     const auto check = [&](bool same, const char* what) {
         if (!same) lost.add(what);

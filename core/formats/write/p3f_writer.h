@@ -1,5 +1,5 @@
-// The statements of a P3F scene (dialect of 2025), written one by one: what etalon-scenes generates
-// and what a scene is converted to.
+// Writes the statements of a P3F scene (dialect of 2025) one by one, for etalon-scenes and for the
+// conversion of scenes.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ class P3fWriter {
     /// Writes a mesh. Vertices are counted from 0 here, from 1 in the file.
     void mesh(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> faces);
 
-    /// Hands everything on. This and all of the above let through what the sink throws.
+    /// Flushes the output. This and all of the above pass on exceptions of the sink.
     void flush() { text_.flush(); }
 
   private:

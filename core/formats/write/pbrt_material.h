@@ -10,11 +10,11 @@
 
 namespace etalon {
 
-/// Adds what of a material of a Whitted-style format its physical one lacks.
+/// Adds warnings for properties of a Whitted-style material that its physical one lacks.
 void warn_of_losses(const Material& material, ConversionWarnings& lost);
 
-/// PBRT v3's directive for material `number` of the list, one that add_physical() made, under the
-/// name "m<number>". A mix refers to its parts by theirs.
+/// Returns PBRT v3's directive for material `number` of the list, made by add_physical(), under the
+/// name "m<number>". A mix refers to its parts by their names.
 std::string to_pbrt(const std::vector<PhysicalMaterial>& materials, std::uint32_t number);
 
 }  // namespace etalon

@@ -9,7 +9,7 @@
 namespace etalon {
 namespace {
 
-/// Each number as PBRT keeps it: 90 degrees stay 90 though they were radians.
+/// Rounds each number as PBRT stores it: 90 degrees stay 90 although they were radians.
 float rounded(double number) {
     return static_cast<float>(number) + 0.0F;
 }
@@ -23,7 +23,7 @@ std::string point(std::string_view name, const Vec3& p) {
                        rounded(p.z));
 }
 
-/// The two ends of the line that a hyperboloid is swept from.
+/// Returns the two ends of the line from which a hyperboloid is swept.
 std::string line_of(const Revolved& s) {
     const Profile& p = s.profile;
     const auto end = [&](double z) {
@@ -33,7 +33,7 @@ std::string line_of(const Revolved& s) {
     return point("p1", end(p.falls ? p.high : p.low)) + point("p2", end(p.falls ? p.low : p.high));
 }
 
-/// The radius and the heights that a statement gives, of a unit shape.
+/// Returns the radius and the heights of a statement, for a unit shape.
 std::string heights_of(const Profile& p) {
     return number("radius", 1) + number("zmin", p.low) + number("zmax", p.high);
 }
@@ -42,13 +42,13 @@ bool has_squares(const Revolved& s, const std::array<double, 3>& squares) {
     return s.profile.squares == squares;
 }
 
-/// A statement for the surface moved by `height` along z; without its turn.
+/// Returns a statement for the surface moved by `height` along z, without its sector.
 struct Unturned {
     std::string shape;
     double height = 0;
 };
 
-/// Finds the shape by the kind of profile that it has; core/scene/profiles.h lists them.
+/// Finds the shape by the kind of its profile; core/scene/profiles.h lists them.
 std::optional<Unturned> unturned(const Revolved& s) {
     const Profile& p = s.profile;
     switch (p.along) {

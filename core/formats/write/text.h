@@ -1,5 +1,5 @@
-// Scenes as text. Numbers are the shortest that read back to the same value; the sign of zero,
-// which means nothing to a scene, is dropped.
+// Scenes as text. Numbers are the shortest that read back to the same value. The sign of zero,
+// which has no effect on a scene, is dropped.
 #pragma once
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ struct fmt::formatter<etalon::Color> : fmt::formatter<std::string_view> {
 
 namespace etalon {
 
-/// Lines of text, handed on in pieces, so that a scene may be larger than memory.
+/// Lines of text, passed on in pieces, so that a scene may be larger than memory.
 class LineWriter {
   public:
     using Sink = std::function<void(std::string_view)>;
@@ -45,7 +45,7 @@ class LineWriter {
         if (buffer_.size() >= piece) flush();
     }
 
-    /// Hands on what is left. This and line() let through what the sink throws.
+    /// Passes on the rest. This and line() pass on exceptions of the sink.
     void flush() {
         sink_(buffer_);
         buffer_.clear();

@@ -1,4 +1,4 @@
-// Scene in, text out: what `etalon convert` does.
+// Writing of scenes as text, for `etalon convert`.
 #pragma once
 
 #include <filesystem>
@@ -16,15 +16,15 @@ namespace etalon {
 struct WrittenScene {
     std::string text;
     std::string_view format;              ///< name in messages: "P3F"
-    std::vector<ConversionWarning> lost;  ///< warnings of what the format cannot say
+    std::vector<ConversionWarning> lost;  ///< warnings of what the format cannot express
 };
 
-/// Writes P3F. Reading it back gives the same image to the last bit, but for what is lost.
-/// `directory` is where the file will be: skyboxes are named from there.
+/// Writes P3F. Reading it back gives the same image to the last bit, except for what is lost.
+/// `directory` is where the file will be; skyboxes are named relative to it.
 WrittenScene write_p3f(const Scene& scene, const RenderSettings& settings,
                        const std::filesystem::path& directory);
 
-/// Writes PBRT v3. Its lights are other lights: they fall off, and a background lights the scene.
+/// Writes PBRT v3. Its lights differ: they fall off, and a background lights the scene.
 WrittenScene write_pbrt(const Scene& scene, const RenderSettings& settings,
                         const std::filesystem::path& directory);
 

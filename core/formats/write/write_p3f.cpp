@@ -39,7 +39,7 @@ class P3fScene {
         note_rules();
     }
 
-    /// Notes the rules of a scene for which P3F has no word.
+    /// Warns of the rules of a scene that P3F cannot express.
     void note_rules() {
         const WhittedRules& rules = settings_.whitted;
         const int p3f_depth = RenderSettings().max_depth, depth = settings_.max_depth;
@@ -60,7 +60,7 @@ class P3fScene {
         if (!settings_.display_colors) lost_.add("sRGB curve of a PNG");
     }
 
-    /// The directory, as seen from the file's own; a word with blanks would be two.
+    /// Returns the directory relative to the file's own; a name with blanks would be two words.
     void write_skybox(const Skybox& skybox) {
         const auto folder = [](const std::filesystem::path& p) { return p.empty() ? "." : p; };
         const std::filesystem::path faces =
@@ -89,8 +89,8 @@ class P3fScene {
         for (std::size_t i = 0; i < geometry.primitives.size();) i = write_primitives(geometry, i);
     }
 
-    /// Writes a copy of its object for each instance: those of the formats that are written here
-    /// are moved and nothing else.
+    /// Writes a copy of its object for each instance. The formats that are written here have only
+    /// translated instances.
     void write_instances() {
         const Geometry& geometry = scene_.geometry;
         for (const Instance& instance : geometry.instances) {
@@ -100,7 +100,7 @@ class P3fScene {
         }
     }
 
-    /// Writes number `first`, and those after it that go into one statement with it. Returns the
+    /// Writes primitive `first` and those after it that go into the same statement. Returns the
     /// number of the next.
     std::size_t write_primitives(const Geometry& geometry, std::size_t first) {
         const Primitive p = geometry.primitives[first];
@@ -127,7 +127,7 @@ class P3fScene {
         out_.material(s.numbers, s.absorbs);
     }
 
-    /// A negative radius shows the inside alone.
+    /// A negative radius shows only the inside.
     static double signed_radius(double radius, Sides sides) {
         return sides == Sides::back ? -radius : radius;
     }
@@ -149,7 +149,7 @@ class P3fScene {
         out_.plane(points[0], points[1], points[2]);
     }
 
-    void write_shape(const Triangle&, Sides) {}  // with the vertices of its geometry
+    void write_shape(const Triangle&, Sides) {}  // written with the vertices of its geometry
 
     void write_smooth_triangle(const Geometry& geometry, const Triangle& t) {
         std::array<Vec3, 3> corners, normals;

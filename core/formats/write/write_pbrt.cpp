@@ -1,5 +1,5 @@
-// Scenes of the Whitted-style formats as PBRT v3: with the physical look by which `path` renders
-// them, so that its image is the same. Infinite planes and quadrics are lost.
+// Scenes of the Whitted-style formats as PBRT v3, with the physical look with which `path` renders
+// them, so that the image is the same. Infinite planes and quadrics are lost.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -44,8 +44,8 @@ class PbrtScene {
         return std::sqrt(view.dot(view));
     }
 
-    /// Writes the camera. PBRT's is left-handed, which the scale undoes; its field of view is that
-    /// of the shorter side.
+    /// Writes the camera. PBRT's is left-handed, which the scale compensates; its field of view is
+    /// that of the shorter side.
     void write_camera() {
         const Camera& c = scene_.camera;
         const double height = std::tan(c.fov_degrees / 2 * radian);  // halves, at distance 1
@@ -83,7 +83,7 @@ class PbrtScene {
         }
     }
 
-    /// Writes a light that is no shape.
+    /// Writes a light that is not a shape.
     void write_light(const PhysicalLight& light) {
         if (const auto* point = std::get_if<PointSource>(&light)) {
             out_.line("LightSource \"point\" \"rgb I\" [ {} ] \"point from\" [ {} ]",
@@ -93,7 +93,7 @@ class PbrtScene {
         }
     }
 
-    /// Sets the material of what follows, if it is another one.
+    /// Sets the material of what follows, if it changes.
     void use_material(std::uint32_t i) {
         if (i == material_) return;
         material_ = i;
@@ -104,7 +104,7 @@ class PbrtScene {
         for (std::size_t i = 0; i < geometry.primitives.size();) i = write_primitives(geometry, i);
     }
 
-    /// Writes what instances refer to. A material that was set in an object is forgotten behind it.
+    /// Writes the objects of instances. A material that was set in an object is not valid after it.
     void write_objects() {
         for (std::size_t i = 0; i < scene_.geometry.objects.size(); ++i) {
             out_.line("ObjectBegin \"o{}\"", i);
@@ -156,7 +156,7 @@ class PbrtScene {
         out_.line("]");
     }
 
-    /// A shape about the origin, carried to its place. PBRT has matrices column by column.
+    /// Writes a shape about the origin with its transform. PBRT's matrices are column by column.
     template <class... T>
     void write_image(const Affine& m, fmt::format_string<T...> shape, T&&... values) {
         out_.line("TransformBegin\nTransform [ {} 0  {} 0  {} 0  {} 1 ]", m.x, m.y, m.z, m.origin);
@@ -164,7 +164,7 @@ class PbrtScene {
         out_.line("TransformEnd");
     }
 
-    void write_shape(const Triangle&) {}  // with those that follow it, as a mesh
+    void write_shape(const Triangle&) {}  // written with those that follow it, as a mesh
 
     void write_shape(const Sphere& s) {
         Affine place;
@@ -251,8 +251,8 @@ class PbrtScene {
 
     void write_shape(const Polygon& p) { write_mesh(p.corners, p.normals, triangulate(p.corners)); }
 
-    /// Writes a square for the infinite plane that PBRT lacks: about its point nearest to the eye,
-    /// as large as a thousand times all distances that the camera knows.
+    /// Writes a square instead of an infinite plane, which PBRT lacks: about the point nearest to
+    /// the eye, and as large as a thousand times all distances of the camera.
     void write_shape(const Plane& p) {
         lost_.add("infinite plane, now a large square");
         const Vec3 normal = normalized(p.normal);
@@ -276,7 +276,7 @@ class PbrtScene {
     std::uint32_t material_ = no_index;
 };
 
-/// Adds what of the look path tracing renders otherwise than the format means it.
+/// Warns of properties of the look that path tracing renders differently from the format.
 void warn_of_losses(const WhittedLook& look, ConversionWarnings& lost) {
     if (look.environment.skybox) {
         lost.add("skybox, now one colour");

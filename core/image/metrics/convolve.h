@@ -7,7 +7,7 @@ namespace etalon {
 /// Weights of an odd number of neighbours, the pixel itself in the middle.
 using Filter = std::vector<double>;
 
-/// Weights function(-radius), ..., function(radius).
+/// Returns the weights function(-radius), ..., function(radius).
 template <class Function>
 Filter filter_of(int radius, const Function& function) {
     Filter filter;
@@ -15,11 +15,11 @@ Filter filter_of(int radius, const Function& function) {
     return filter;
 }
 
-/// The same with weights that sum to 1.
+/// Returns the filter with its weights scaled to sum to 1.
 Filter normalized(Filter filter);
 
-/// Weighs neighbours along the rows by `along_x` and the result along the columns by `along_y`.
-/// Outside, the image goes on as its nearest pixel.
+/// Convolves the rows with `along_x` and the result along the columns with `along_y`. Outside, the
+/// image is continued by its nearest pixel.
 PixelPlane convolve(const PixelPlane& plane, const Filter& along_x, const Filter& along_y);
 
 PixelPlane convolve_x(const PixelPlane& plane, const Filter& filter);

@@ -37,7 +37,7 @@ Seen look_at(Pixels image, int width) {
 PixelPlane flip_map(Pixels a, Pixels b, int width) {
     const Seen first = look_at(a, width), second = look_at(b, width);
     return plane_of(width, static_cast<int>(a.size()) / width, [&](std::size_t i) {
-        // Section 4.3: where features differ, a difference of colours is seen the more.
+        // Section 4.3: a difference of features amplifies a difference of colours.
         return std::pow(color_difference(first.colors[i], second.colors[i]),
                         1 - feature_difference(first.features, second.features, i));
     });

@@ -1,4 +1,4 @@
-// LDR-FLIP, the difference seen when two images alternate in the same place. Andersson et al.
+// LDR-FLIP, the visible difference of two images that alternate in the same place. Andersson et al.
 // 2020, "FLIP: A Difference Evaluator for Alternating Images".
 #pragma once
 
@@ -7,12 +7,12 @@
 
 namespace etalon {
 
-/// The difference seen at each pixel, in [0, 1], at the paper's distance to its display: 67 pixels
-/// a degree. Images are linear RGB in rows of `width` pixels, and are seen as a display shows
-/// them: clamped to [0, 1], NaN as black.
+/// Returns the visible difference at each pixel, in [0, 1], at the paper's distance to its display:
+/// 67 pixels per degree. Images are linear RGB in rows of `width` pixels, and are compared as
+/// displayed: clamped to [0, 1], NaN as black.
 PixelPlane flip_map(Pixels a, Pixels b, int width);
 
-/// The mean of that map: FLIP as one number.
+/// Returns the mean of that map: FLIP as one number.
 double flip(const PixelPlane& map);
 
 }  // namespace etalon

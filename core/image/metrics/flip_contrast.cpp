@@ -22,7 +22,7 @@ int spatial_radius() {
     return static_cast<int>(std::ceil(3 * deviation * flip_pixels_per_degree));
 }
 
-/// One axis of the term in two dimensions, whose factor therefore enters by its square root.
+/// One axis of the two-dimensional term, whose factor therefore enters as its square root.
 Filter axis_of(const Gaussian& g) {
     return filter_of(spatial_radius(), [&](int x) {
         const double degrees = x / flip_pixels_per_degree;
@@ -36,7 +36,7 @@ PixelPlane filtered(const PixelPlane& plane, const Gaussian& g) {
     return convolve(plane, axis, axis);
 }
 
-/// The share of the first of two terms in the sum of all their weights in two dimensions.
+/// Returns the share of the first of two terms in the sum of all their weights in two dimensions.
 double share_of_first(const Gaussian (&terms)[2]) {
     const auto weight = [](const Gaussian& g) {
         double sum = 0;

@@ -29,7 +29,7 @@ DetailFilters detail_filters() {
         balanced(filter_of(radius, [&](int x) { return (x * x / variance - 1) * gaussian(x); }))};
 }
 
-/// The length of the vector of two filters' results at each pixel.
+/// Returns the length of the vector of two filters' results at each pixel.
 PixelPlane lengths(const PixelPlane& x, const PixelPlane& y) {
     return plane_of(x.width, x.height, [&](std::size_t i) {
         return std::sqrt(x.values[i] * x.values[i] + y.values[i] * y.values[i]);

@@ -8,11 +8,11 @@
 
 namespace etalon {
 
-/// Red, green, blue, as sRGB shows them: from black at 0 by violet and orange to a pale yellow at
-/// 1, ever brighter. What is outside of [0, 1] is taken to its nearer end.
+/// Returns red, green and blue in sRGB of a colour map with increasing brightness: from black at 0
+/// by violet and orange to a pale yellow at 1. Values outside of [0, 1] are clamped.
 std::array<std::uint8_t, 3> magma(double value);
 
-/// The same for every pixel, as display_bytes orders them; `white` is what is shown as 1.
+/// The same for every pixel, in the order of display_bytes; `white` is the value shown as 1.
 std::vector<std::uint8_t> magma(const PixelPlane& plane, double white = 1);
 
 }  // namespace etalon

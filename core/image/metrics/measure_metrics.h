@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// All metrics of two images. `flip_map` is theirs.
+/// Returns all metrics of two images, of which `flip_map` is the FLIP map.
 Metrics measure(Pixels a, Pixels reference, const PixelPlane& flip_map);
 
 }  // namespace etalon

@@ -15,7 +15,7 @@ double squared(double x) {
     return x * x;
 }
 
-/// The mean of term(difference, value of b) over channels.
+/// Returns the mean of term(difference, value of b) over channels.
 template <class Term>
 double mean_difference(Pixels a, Pixels b, const Term& term) {
     const auto of_pixel = [&](std::size_t i) {
@@ -33,7 +33,7 @@ double mse(Pixels a, Pixels b) {
 
 double relmse(Pixels a, Pixels reference) {
     return mean_difference(a, reference, [](double d, float b) {
-        // What is not finite in the reference must not make a quotient of it.
+        // A reference that is not finite must not become the divisor.
         return d == 0 || std::isinf(d) ? d : squared(d) / (squared(b) + 0.01);
     });
 }

@@ -1,9 +1,10 @@
-// Metrics of how far an image is from its reference: each a function of its own, so that a caller
-// pays for what it asks. They use all threads and give the same bits for any number of them.
+// Metrics of the difference between an image and its reference. Each is a function of its own, so
+// that a caller pays only for those it needs. They use all threads and give the same bits for any
+// number of them.
 //
-// Images are linear RGB and of one size, at least one pixel. Every channel of every pixel counts
-// alike. Values that are equal, or both NaN, do not differ; otherwise NaN or infinity in either
-// image is an infinite difference.
+// Images are linear RGB and of one size, at least one pixel. Every channel of every pixel has the
+// same weight. Values that are equal, or both NaN, do not differ; otherwise NaN or infinity in
+// either image is an infinite difference.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,7 @@
 
 namespace etalon {
 
-/// Pixels by rows from the top.
+/// Pixels in rows from the top.
 using Pixels = std::span<const Color>;
 
 struct Metrics {
@@ -22,30 +23,31 @@ struct Metrics {
     Vec3 mean_a{0}, mean_b{0};
 };
 
-/// Mean of (a - b)^2.
+/// Returns the mean of (a - b)^2.
 double mse(Pixels a, Pixels b);
 
-/// Mean of (a - b)^2 / (b^2 + 0.01): what noise in the dark is seen as. Rousselle et al. 2011,
-/// "Adaptive Sampling and Reconstruction using Greedy Error Minimization".
+/// Returns the mean of (a - b)^2 / (b^2 + 0.01), in which noise in the dark counts as it is seen.
+/// Rousselle et al. 2011, "Adaptive Sampling and Reconstruction using Greedy Error Minimization".
 double relmse(Pixels a, Pixels reference);
 
-/// Mean of |a - b|.
+/// Returns the mean of |a - b|.
 double mae(Pixels a, Pixels b);
 
-/// Decibels from this mean squared error up to the square of 1, the white of a display; infinite
-/// where the images are equal, minus infinite where the error is infinite.
+/// Returns the peak signal-to-noise ratio in decibels for this mean squared error and a peak of 1,
+/// the white of a display; infinite if the images are equal, minus infinite if the error is
+/// infinite.
 double psnr(double mse);
 
-/// The largest |a - b|.
+/// Returns the largest |a - b|.
 double max_abs(Pixels a, Pixels b);
 
-/// How many pixels differ in any channel, by however little.
+/// Returns the number of pixels that differ in any channel, by any amount.
 std::uint64_t different_pixels(Pixels a, Pixels b);
 
-/// How many pixels have NaN or an infinity in a channel.
+/// Returns the number of pixels with NaN or an infinity in a channel.
 std::uint64_t unbounded_pixels(Pixels pixels);
 
-/// Mean of each channel; NaN and infinities are not left out.
+/// Returns the mean of each channel, including NaN and infinities.
 Vec3 mean(Pixels pixels);
 
 }  // namespace etalon

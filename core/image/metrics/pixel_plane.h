@@ -7,7 +7,7 @@
 
 namespace etalon {
 
-/// Plane of one number for each pixel, by rows from the top.
+/// One number for each pixel, in rows from the top.
 struct PixelPlane {
     int width = 0, height = 0;
     std::vector<double> values;
@@ -18,7 +18,7 @@ struct PixelPlane {
     const double* row(int y) const { return &values[static_cast<std::size_t>(y) * width]; }
 };
 
-/// Calls body(y) for each row, perhaps at the same time.
+/// Calls body(y) for each row, possibly in parallel.
 template <class Body>
 void for_each_row(int height, const Body& body) {
     parallel_for(static_cast<std::size_t>(height), 1, [&](std::size_t first, std::size_t last) {
@@ -26,7 +26,7 @@ void for_each_row(int height, const Body& body) {
     });
 }
 
-/// The plane of value(i) for each pixel, numbered by rows.
+/// Returns the plane of value(i) for each pixel, numbered by rows.
 template <class Value>
 PixelPlane plane_of(int width, int height, const Value& value) {
     PixelPlane plane(width, height);

@@ -8,18 +8,19 @@ namespace {
 
 constexpr int in = ExactQuadratic::in, out = ExactQuadratic::out;
 
-/// Place of a root of the side: below the base, between the caps or on one, or above the top.
+/// Returns the place of a root of the side: -1 below the base, 0 between the caps or on one, 1
+/// above the top.
 int place(const ExactQuadratic& side, int way, const ExactLine& line) {
     if (side.sign_at_root(way, line.w[2], line.d[2]) < 0) return -1;
     return side.sign_at_root(way, line.w[2] - line.unit, line.d[2]) > 0 ? 1 : 0;
 }
 
-/// Root of the linear term: -start / rise.
+/// Returns the root of the linear term: -start / rise.
 double root(const Dyadic& start, const Dyadic& rise) {
     return -start.sign() * rise.sign() * static_cast<double>(start.magnitude() / rise.magnitude());
 }
 
-/// Passage between the caps of a line along the axis.
+/// Returns the passage between the caps of a line parallel to the axis.
 Passage between_caps(const ExactLine& line) {
     const double base = root(line.w[2], line.d[2]), top = root(line.w[2] - line.unit, line.d[2]);
     return line.d[2].sign() > 0 ? Passage{base, top} : Passage{top, base};

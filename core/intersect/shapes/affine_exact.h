@@ -5,8 +5,8 @@
 
 namespace etalon {
 
-/// Whether the line of the ray meets the solid is exact; where it does, good to a few ulp. Nothing
-/// for a degenerate shape, and for a ray that is not finite.
+/// Returns where the line of the ray enters and leaves the solid: nothing for a degenerate shape
+/// and for a ray that is not finite. Hit or miss is exact; the points are good to a few ulp.
 [[gnu::cold]] Passage exact_passage(const Ellipsoid& e, const Ray& ray);
 [[gnu::cold]] Passage exact_passage(const ClosedCylinder& c, const Ray& ray);
 

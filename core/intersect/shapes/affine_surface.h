@@ -5,15 +5,15 @@
 
 namespace etalon {
 
-/// Length of (a, b, c) per axis, rounded up: how far the image of the unit sphere under the
-/// map with these columns reaches from its centre.
+/// Returns the length of (a, b, c) for each axis, rounded up: the half size of the image of the
+/// unit sphere under the map with these columns.
 inline Vec3 reach(const Vec3& a, const Vec3& b, const Vec3& c = Vec3(0)) {
     constexpr double above = 1 + 8 * unit_roundoff;
     return above *
            Vec3(std::hypot(a.x, b.x, c.x), std::hypot(a.y, b.y, c.y), std::hypot(a.z, b.z, c.z));
 }
 
-/// The points no further than `reach` from one between `low` and `high`, rounded outward.
+/// Returns the box of all points within `reach` of one between `low` and `high`, rounded outward.
 inline Box3 box_around(const Vec3& low, const Vec3& high, const Vec3& reach) {
     Box3 box(low - reach, high + reach);
     for (int k = 0; k < 3; ++k) {
@@ -23,8 +23,8 @@ inline Box3 box_around(const Vec3& low, const Vec3& high, const Vec3& reach) {
     return box;
 }
 
-/// A point next to a surface moved onto it, the shortest way to the first order: along the gradient
-/// of what is zero on the surface and `value` at the point.
+/// Moves a point next to a surface onto it, the shortest way to first order: along the gradient of
+/// a function that is zero on the surface and `value` at the point.
 inline Vec3 moved_onto_surface(const Vec3& point, const Vec3& gradient, double value) {
     const Vec3 normal = unit_vector(gradient);
     return point - (value / gradient.dot(normal)) * normal;

@@ -4,11 +4,11 @@
 
 namespace etalon {
 
-/// A coefficient of a form on a line, and a bound on what it is off by.
+/// Coefficient of a form on a line, with a bound on its error.
 using Coefficient = Approximate;
 
 /// The roots of A t^2 + 2 B t + C, whose coefficients are known up to their errors. A t + B is
-/// -root at a zero where the form falls, and +root where it rises.
+/// -root at a zero where the form falls, and +root at one where it rises.
 class ApproximateRoots {
   public:
     ApproximateRoots(const Coefficient& a, const Coefficient& b, const Coefficient& c)
@@ -23,24 +23,25 @@ class ApproximateRoots {
 
     bool misses() const { return in_range() && discriminant_ < -error_; }
 
-    /// Whether there are roots, and the discriminant's own is good to a half.
+    /// Returns whether there are roots and the error of the discriminant is below half of it.
     bool is_certain() const { return in_range() && discriminant_ > 2 * error_; }
 
-    /// Of roots that are certain: takes the discriminant's root.
+    /// Computes the root of the discriminant. Only for roots that are certain.
     void solve() {
         root_ = std::sqrt(discriminant_);
         sum_ = std::abs(B_.value) + root_;
     }
 
-    /// Which way the form goes at the root that is a quotient by a sum of like signs: -1 falls.
+    /// Returns the slope of the form at the root that is a quotient by a sum of like signs: -1 if
+    /// it falls, else 1.
     int near_way() const { return B_.value < 0 ? -1 : 1; }
 
-    /// Whether the other root is certainly further off than `stretch`, or at infinity: the true sum
-    /// is more than 0.35 of the computed one.
+    /// Returns whether the other root is certainly further away than `stretch`, or at infinity: the
+    /// true sum is more than 0.35 of the computed one.
     bool has_one_within(double stretch) const {
         return sum_ > 3 * (std::abs(A_.value) + A_.error) * stretch;
     }
-    /// Whether the sign of A, and so the order of the roots, is known.
+    /// Returns whether the sign of A, and so the order of the roots, is known.
     bool has_two() const { return std::abs(A_.value) > A_.error; }
 
     Approximate near() const { return bounded(-near_way() * C_.value / sum_); }
@@ -51,9 +52,9 @@ class ApproximateRoots {
 
     bool in_range() const { return error_ > 0x1p-900 && error_ < 0x1p900; }
 
-    /// The computed t is a root of a form that differs from the true one, there, by no more than
-    /// `of_form`, and half of whose rise is half_rise or more: a true root is within the quotient
-    /// of the two, if A is small enough to leave it one.
+    /// Returns t with a bound on its error. The computed t is a root of a form that differs from
+    /// the true one, there, by at most `of_form`; half the rise of that form is at least half_rise.
+    /// So a true root is within the quotient of the two, if A is small enough for one to exist.
     Approximate bounded(double t) const {
         const double length = std::abs(t);
         const double of_form = (A_.error * length + 2 * B_.error) * length + C_.error;

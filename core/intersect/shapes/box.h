@@ -17,14 +17,15 @@ inline Box3 bounds(const Geometry&, const Box& b) {
     return is_degenerate(b) ? Box3() : Box3(b.min, b.max);
 }
 
-/// Stretch of a line inside all three slabs of a box, and the axes of the faces through which it
-/// comes and goes.
+/// Interval of a line inside all three slabs of a box, and the axes of the faces at which it enters
+/// and leaves.
 struct SlabCrossing {
     double entry = -infinity, exit = infinity;
     int entry_axis = 0, exit_axis = 0;
 };
 
-/// Crosses the slabs: entry > exit if the line misses the closed box by more than a few roundings.
+/// Intersects the slabs: entry > exit if the line misses the closed box by more than a few
+/// roundings.
 inline SlabCrossing cross_slabs(const Box& b, const Ray& ray) {
     SlabCrossing c;
     for (int k = 0; k < 3; ++k) {
@@ -33,7 +34,7 @@ inline SlabCrossing cross_slabs(const Box& b, const Ray& ray) {
             if (o < b.min[k] || o > b.max[k]) return {infinity, -infinity, k, k};
             continue;
         }
-        // No branches: nobody could predict them.
+        // Without branches, which would not be predictable.
         const double to_min = (b.min[k] - o) / d, to_max = (b.max[k] - o) / d;
         const double near = std::min(to_min, to_max), far = std::max(to_min, to_max);
         c.entry_axis = near > c.entry ? k : c.entry_axis;
@@ -44,7 +45,8 @@ inline SlabCrossing cross_slabs(const Box& b, const Ray& ray) {
     return c;
 }
 
-/// Whether a line that is in the slabs of the axes it runs along meets the closed box. Exact.
+/// Returns whether a line that is in the slabs of the axes it runs along meets the closed box.
+/// Exact.
 inline bool meets_box(const Box& b, const Ray& ray) {
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
@@ -59,7 +61,7 @@ inline bool meets_box(const Box& b, const Ray& ray) {
     return true;
 }
 
-/// A difference and a quotient put entry and exit off by at most 2u each: where they are closer
+/// A difference and a quotient put entry and exit off by at most 2u each. Where they are closer
 /// than that, as for a ray at an edge, the decision is exact.
 inline double first_hit(const Geometry&, const Box& b, Sides sides, const RayQuery& q) {
     const SlabCrossing c = cross_slabs(b, q.ray);
@@ -84,8 +86,8 @@ inline SurfacePoint surface(const Geometry&, const Box& b, const RayQuery& q, do
     return {position, position_error(magnitude, 0), normal, normal};
 }
 
-/// Moves a point of a face along it, off the box's edges by `distance` where the face is so wide:
-/// whether the point was nearer.
+/// Moves a point of a face along it, away from the box's edges by `distance` if the face is wide
+/// enough. Returns whether it was moved.
 inline bool move_off_edges(const Box& b, const Vec3& distance, SurfacePoint& p) {
     const Vec3 before = p.position;
     for (int k = 0; k < 3; ++k) {
@@ -96,7 +98,7 @@ inline bool move_off_edges(const Box& b, const Vec3& distance, SurfacePoint& p) 
     return p.position != before;
 }
 
-/// Parametrization of each face from 0 to 1: see box_chart(). dpdu x dpdv points outward.
+/// Parametrizes each face from 0 to 1: see box_chart(). dpdu x dpdv points outward.
 inline Parametrization parametrization(const Geometry&, const Box& b, const SurfacePoint& p) {
     return box_chart({b.min, b.max}, p);
 }

@@ -12,8 +12,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// The stretches of lines inside the slabs of a box; of no length, far off, for those that run
-/// along a slab outside it.
+/// The intervals of lines inside the slabs of a box. A line that is parallel to a slab and outside
+/// it gets an empty interval far away.
 struct SlabCrossings {
     HWY_INLINE SlabCrossings() : entry(broadcast(-infinity)), exit(broadcast(infinity)) {}
 
@@ -40,8 +40,8 @@ HWY_INLINE HitLanes first_hits(const Box& b, Sides sides, const RayLanes& rays) 
     const Doubles error_bound = broadcast(3 * unit_roundoff) * (hn::Abs(c.entry) + hn::Abs(c.exit));
     const DoubleMask missed =
         hn::Or(hn::Not(c.entry - c.exit <= error_bound), c.entry == broadcast(infinity));
-    return settled(first_visible(c.entry, c.exit, sides, rays), missed,
-                   c.exit - c.entry > error_bound);
+    return hit_lanes(first_visible(c.entry, c.exit, sides, rays), missed,
+                     c.exit - c.entry > error_bound);
 }
 
 }  // namespace etalon::HWY_NAMESPACE

@@ -10,7 +10,7 @@
 
 namespace etalon {
 
-/// Returns x moved into [0, 1]; 0 for NaN.
+/// Returns x clamped to [0, 1]; 0 for NaN.
 inline double saturated(double x) {
     return std::min(std::max(0.0, x), 1.0);
 }
@@ -33,8 +33,8 @@ inline Vec3 derivative_of_turn(const Vec3& local) {
     return 2 * std::numbers::pi * Vec3(-local.y, local.x, 0);
 }
 
-/// Returns local coordinates of a vector under a map of orthonormal columns, and up to a factor
-/// those of a normal under any map.
+/// Returns the local coordinates of a vector under an orthonormal map. Under any map, returns those
+/// of a normal up to a factor.
 inline Vec3 pulled_back(const Affine& map, const Vec3& v) {
     return {map.x.dot(v), map.y.dot(v), map.z.dot(v)};
 }
@@ -43,7 +43,7 @@ inline Parametrization image(const Affine& map, const Parametrization& local) {
     return {local.uv, map.vector(local.dpdu), map.vector(local.dpdv)};
 }
 
-/// Unit sphere: u turns about z, v grows with the angle from -z.
+/// Parametrizes the unit sphere: u turns about z, v grows with the angle from -z.
 inline Parametrization sphere_chart(const Vec3& local) {
     constexpr double pi = std::numbers::pi;
     const double radius = std::hypot(local.x, local.y);
@@ -52,7 +52,8 @@ inline Parametrization sphere_chart(const Vec3& local) {
             pi * (Vec3(0, 0, radius) - local.z * outward(local))};
 }
 
-/// Side of a cone between two circles at z = 0 and z = height: u turns about z, v grows along it.
+/// Parametrizes the side of a cone between two circles at z = 0 and z = height: u turns about z, v
+/// grows along it.
 inline Parametrization cone_chart(const Vec3& outward, double v, double base_radius,
                                   double top_radius, double height) {
     const double spread = top_radius - base_radius;
@@ -61,7 +62,8 @@ inline Parametrization cone_chart(const Vec3& outward, double v, double base_rad
             spread * outward + Vec3(0, 0, height)};
 }
 
-/// Ring in the plane z = 0: u turns about z, v grows from the outer circle to the inner one.
+/// Parametrizes a ring in the plane z = 0: u turns about z, v grows from the outer circle to the
+/// inner one.
 inline Parametrization ring_chart(const Vec3& local, double inner, double outer) {
     const double width = outer - inner, radius = std::hypot(local.x, local.y);
     return {{turn_fraction(local), saturated((outer - radius) / width)},
@@ -69,17 +71,17 @@ inline Parametrization ring_chart(const Vec3& local, double inner, double outer)
             -width * outward(local)};
 }
 
-/// Plane through the origin: lengths along two axes across the unit normal, which depend on nothing
-/// else; not confined to [0, 1].
+/// Parametrizes a plane through the origin by lengths along two axes perpendicular to the unit
+/// normal, which depend only on it. Not confined to [0, 1].
 inline Parametrization plane_chart(const Vec3& normal, const Vec3& position) {
     Vec3 x, y;
     orthonormal_basis(normal, x, y);
     return {{position.dot(x), position.dot(y)}, x, y};
 }
 
-/// Projection of a surface in a box onto that face of the box which the normal turns to most: u and
-/// v go across the face, from 0 to 1, along the two axes that follow the normal's (x, y, z, x,
-/// ...); u goes backwards where the normal's component is negative.
+/// Parametrizes a surface in a box by its projection onto the face of the box to which the normal
+/// turns most. u and v go across the face, from 0 to 1, along the two axes that follow the normal's
+/// (x, y, z, x, ...); u goes backwards where the normal's component is negative.
 inline Parametrization box_chart(const Box3& box, const SurfacePoint& p) {
     const int k = dominant_axis(p.normal), i = (k + 1) % 3, j = (k + 2) % 3;
     const Vec3 size = box.size(), from_min = p.position - box.min;

@@ -4,7 +4,8 @@
 
 namespace etalon {
 
-/// How far a circle of radius 1 across `axis` reaches along the unit vectors e_k: sin(axis, e_k).
+/// Returns how far a unit circle perpendicular to `axis` extends along the unit vectors e_k:
+/// sin(axis, e_k).
 inline Vec3 reach_of_circle(Vec3 axis) {
     axis = to_unit_magnitude(axis);
     const double length2 = axis.dot(axis);

@@ -9,7 +9,7 @@
 
 namespace etalon {
 
-/// The box of the two caps' circles.
+/// Returns the box of the two caps' circles.
 inline Box3 bounds(const Geometry&, const ClosedCylinder& c) {
     if (!c.frame.exists()) return {};
     const Affine& m = c.to_world;
@@ -19,12 +19,12 @@ inline Box3 bounds(const Geometry&, const ClosedCylinder& c) {
     return box_around(centres.min, centres.max, reach(m.x, m.y));
 }
 
-/// The first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
+/// Returns the first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
 inline double fast_path(const ClosedCylinder& c, Sides sides, const RayQuery& q) {
     return ClosedCylinderFastPath(c, q).first_hit(sides);
 }
 
-/// First visible t. Hit or miss is right for every ray, and t good to t_tolerance.
+/// Returns the first visible t. Hit or miss is right for every ray, and t good to t_tolerance.
 inline double first_hit(const Geometry&, const ClosedCylinder& c, Sides sides, const RayQuery& q) {
     const double t = fast_path(c, sides, q);
     if (t != uncertain) return t;
@@ -37,14 +37,15 @@ struct CylinderPoint {
     Vec3 local, normal;
 };
 
-/// Bound on the error of a coordinate with this gradient where a ray starts that leaves a point.
+/// Returns a bound on the error of a coordinate with this gradient at the origin of a ray that
+/// leaves a point.
 inline double inset(const Vec3& gradient, const Vec3& normal, const Vec3& error) {
     const double offset = std::abs(gradient.dot(normal)) * abs(normal).dot(error);
     return 2 * (offset + abs(gradient).dot(error));
 }
 
-/// Moves a point onto a cap. At a rim it is moved along its face, so that a ray that goes inward
-/// from there starts inside.
+/// Moves a point onto a cap. Next to a rim the point is moved along its face, so that a ray that
+/// goes inward from there starts inside.
 inline CylinderPoint on_cap(const ClosedCylinder& c, const Vec3& local, double cap,
                             const Vec3& error) {
     const Vec3 side = outward(local);
@@ -60,7 +61,7 @@ inline CylinderPoint on_side(const ClosedCylinder& c, const Vec3& local, const V
     return {side + Vec3(0, 0, std::clamp(local.z, lowest, 1 - lowest)), normal};
 }
 
-/// Point on the side or on a cap, whichever is nearer in the world.
+/// Returns the point on the side or on a cap, whichever is nearer in world space.
 inline CylinderPoint nearest_on(const ClosedCylinder& c, const Vec3& seen, const Vec3& error) {
     const Vec3 local = c.frame.vector(seen);
     const Vec3 up = c.frame.row(2), sideways = c.frame.normal(outward(local));
@@ -88,8 +89,8 @@ inline bool is_on_cap(const ClosedCylinder& c, const SurfacePoint& p) {
     return std::abs(normal.z) > std::hypot(normal.x, normal.y);
 }
 
-/// Moves a point of a cap or of the side along it, off the rims by `distance` and its own error
-/// where it is so wide: whether the point was nearer.
+/// Moves a point of a cap or of the side along it, away from the rims by `distance` and its own
+/// error if there is room. Returns whether it was moved.
 inline bool move_off_edges(const ClosedCylinder& c, const Vec3& distance, SurfacePoint& p) {
     const Vec3 local = c.frame.vector(p.position - c.to_world.origin), side = outward(local);
     const Vec3 reach = distance + p.error;
@@ -105,15 +106,15 @@ inline bool move_off_edges(const ClosedCylinder& c, const Vec3& distance, Surfac
     return true;
 }
 
-/// Returns coordinates across the axis in the unit cylinder. The frame's own are turned about it.
+/// Returns coordinates across the axis in the unit cylinder. The frame's own are rotated about it.
 inline Vec3 unturned(const ClosedCylinder& c, const Vec3& local) {
     const Vec3 x = c.frame.vector(c.to_world.x), y = c.frame.vector(c.to_world.y);
     return {local.x * x.x + local.y * x.y, local.x * y.x + local.y * y.y, 0};
 }
 
-/// The image of the unit cylinder's, where the side has that of pbrt's cylinder and either cap that
-/// of pbrt's disk. There dpdu x dpdv points outward on the side, and along +z on both caps; a map
-/// that mirrors turns it round.
+/// Returns the image of the unit cylinder's parametrization. The side has that of pbrt's cylinder,
+/// either cap that of pbrt's disk. There dpdu x dpdv points outward on the side, and along +z on
+/// both caps; a mirroring map reverses it.
 inline Parametrization parametrization(const Geometry&, const ClosedCylinder& c,
                                        const SurfacePoint& p) {
     const Vec3 local = c.frame.vector(p.position - c.to_world.origin);

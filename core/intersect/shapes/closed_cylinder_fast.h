@@ -5,8 +5,8 @@
 
 namespace etalon {
 
-/// Fast path for most rays: the stretch of the line inside the cylinder's side, cut at the caps.
-/// The height at the two roots of the side tells which of the four points are its ends.
+/// Fast path for most rays: the interval of the line inside the cylinder's side, cut at the caps.
+/// The heights at the two roots of the side tell which of the four points are its ends.
 class ClosedCylinderFastPath {
   public:
     ClosedCylinderFastPath(const ClosedCylinder& c, const RayQuery& q)
@@ -15,7 +15,7 @@ class ClosedCylinderFastPath {
           across_(c.frame.length(0) + c.frame.length(1)),
           along_(c.frame.length(2)) {}
 
-    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
+    /// Returns the first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
     double first_hit(Sides sides) const {
         if (!line_.is_in_range(across_) || !line_.is_in_range(along_)) return uncertain;
         const Vec3 w(line_.w.x, line_.w.y, 0), d(line_.d.x, line_.d.y, 0);
@@ -33,7 +33,7 @@ class ClosedCylinderFastPath {
   private:
     enum Place { below, between, above, unknown };
 
-    /// Place of the line's point at t; unknown if it could be on either side of a cap.
+    /// Returns the place of the line's point at t; unknown if it could be on either side of a cap.
     Place place(const Approximate& t) const {
         const double climb = t.value * line_.d.z, z = line_.w.z + climb;
         const double e_d = line_.error_of_d(along_);
@@ -44,7 +44,8 @@ class ClosedCylinderFastPath {
         return z > e_z && z < 1 - e_z ? between : unknown;
     }
 
-    /// First hit of a line so nearly along the axis that it is inside or outside from cap to cap.
+    /// Returns the first hit of a line so nearly parallel to the axis that it is inside or outside
+    /// from cap to cap.
     double first_between_caps(const UnitLine& side, Sides sides) const {
         const Approximate base = cap(0), top = cap(1);
         const double longest = std::max(base.error + std::abs(base.value),  //
@@ -55,7 +56,7 @@ class ClosedCylinderFastPath {
         return first_ahead({rises ? base : top, rises ? top : base}, sides, tmin_);
     }
 
-    /// End of the stretch: the root of the side, or the cap if the root is beyond that.
+    /// Returns an end of the interval: the root of the side, or the cap if the root is beyond that.
     Approximate end(Place place, const Approximate& root) const {
         if (place == unknown) return {0, infinity};
         return place == between ? root : cap(place == below ? 0 : 1);

@@ -13,7 +13,7 @@
 
 namespace etalon {
 
-/// The box of the two end circles.
+/// Returns the box of the two end circles.
 inline Box3 bounds(const Geometry&, const Cone& c) {
     Box3 box;
     if (is_degenerate(c)) return box;
@@ -25,7 +25,7 @@ inline Box3 bounds(const Geometry&, const Cone& c) {
     return box;
 }
 
-/// Decides what the fast path leaves uncertain: in plain double with all care, and in exact
+/// Decides what the fast path leaves uncertain: in double with an error bound, and in exact
 /// arithmetic where that is uncertain, too.
 [[gnu::noinline]] inline double careful_first_hit(const Cone& c, Sides sides, const RayQuery& q) {
     const double t = ConeBoundsCheck(c, q).first_hit(sides);
@@ -34,13 +34,13 @@ inline Box3 bounds(const Geometry&, const Cone& c) {
     return first_visible(x.entry, x.exit, sides, q.ray.tmin);
 }
 
-/// First visible t. Hit or miss is right for every ray, and t good to t_tolerance.
+/// Returns the first visible t. Hit or miss is right for every ray, and t good to t_tolerance.
 inline double first_hit(const Geometry&, const Cone& c, Sides sides, const RayQuery& q) {
     const double t = ConeFastPath(c, q).first_hit(sides);
     return t == uncertain ? careful_first_hit(c, sides, q) : t;
 }
 
-/// The position is moved onto the circle at its height. At the apex the normal is the axis'.
+/// Moves the position onto the circle at its height. At the apex the normal is the axis.
 inline SurfacePoint surface(const Geometry&, const Cone& c, const RayQuery& q, double t) {
     const Vec3 h = c.top - c.base;
     const double length = std::sqrt(h.dot(h));
@@ -56,8 +56,8 @@ inline SurfacePoint surface(const Geometry&, const Cone& c, const RayQuery& q, d
     return {position, position_error(abs(c.base), extent), normal, normal};
 }
 
-/// Parametrization of pbrt (of a cylinder, a cone or a hyperboloid), with v from the base to the
-/// top and u from the x axis of about_axis(). dpdu x dpdv points outward.
+/// Returns pbrt's parametrization (of a cylinder, a cone or a hyperboloid), with v from the base to
+/// the top and u from the x axis of about_axis(). dpdu x dpdv points outward.
 inline Parametrization parametrization(const Geometry&, const Cone& c, const SurfacePoint& p) {
     const Vec3 h = c.top - c.base;
     const Affine map = about_axis(c.base, h);

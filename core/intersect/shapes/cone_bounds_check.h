@@ -1,5 +1,5 @@
-// First hit of a ray on a cone in plain double, with a bound on all that rounding may have done.
-// What the bound leaves uncertain is decided by core/intersect/shapes/cone_exact.h.
+// First hit of a ray on a cone in plain double, with a bound on all rounding errors. What the bound
+// leaves uncertain is decided by core/intersect/shapes/cone_exact.h.
 #pragma once
 
 #include "core/intersect/ray.h"
@@ -33,9 +33,9 @@ class ConeBoundsCheck {
         bound_errors();
     }
 
-    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain. Where alpha
-    /// is negative the line is steeper than the cone and crosses either nappe once: the mirror
-    /// nappe is left out.
+    /// Returns the first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain. Where
+    /// alpha is negative the line is steeper than the cone and crosses either nappe once: the
+    /// mirror nappe is left out.
     double first_hit(Sides sides) const {
         if (!in_range_) return uncertain;
         if (discriminant_ < -e_discriminant_) return no_hit;
@@ -66,7 +66,7 @@ class ConeBoundsCheck {
         const double e = rho_ * e_speed_ + speed_ * e_rho_ + e_rho_ * e_speed_;
         e_discriminant_ = 6 * e * (rho_ * speed_ + e);
         e_alpha_ = 2.7 * speed_ * e_speed_;  // used where the above shows e_speed < speed / 12
-        // So that nothing underflows that counts, and nothing overflows.
+        // Excludes relevant underflow, and overflow.
         constexpr double least = 0x1p-900, most = 0x1p900;
         const double product = rho2 * speed2;
         in_range_ = std::min({axis_.height, rho2, speed2, product}) > least &&
@@ -99,7 +99,8 @@ class ConeBoundsCheck {
         return clipped(t, e_t);
     }
 
-    /// The apex is no end for a steep line, which else might slip by between the two nappes.
+    /// Returns t, or no_hit beyond the ends. The apex is no end for a steep line, which otherwise
+    /// might pass between the two nappes.
     double clipped(double t, double e_t) const {
         const double tmin = query_.ray.tmin, from_origin = middle_ + t;
         if (from_origin + e_t <= tmin) return no_hit;
@@ -115,14 +116,15 @@ class ConeBoundsCheck {
         return from_origin > tmin ? from_origin : no_hit;
     }
 
-    /// Whether the root that a small alpha carries far away, +-sum / alpha, is beyond the ends.
+    /// Returns whether the root that a small alpha carries far away, +-sum / alpha, is beyond the
+    /// ends.
     bool is_out_of_reach(double sum) const {
         const double nearest = sum / (2 * (std::abs(alpha_) + e_alpha_));
         return nearest * (std::abs(d_.rise) - e_rise_) >
                1.01 * (std::abs(start_) + e_place_ + axis_.height);
     }
 
-    /// Whether the line, as one along the axis, is inside or outside from end to end.
+    /// Returns whether the line, as one parallel to the axis, is inside or outside from end to end.
     bool stays_clear() const {
         const double rise = std::abs(d_.rise) - e_rise_;
         const double longest = 1.01 * (std::abs(start_) + e_place_ + axis_.height) / rise;

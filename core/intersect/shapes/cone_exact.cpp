@@ -64,9 +64,9 @@ Passage ExactCone::passage() const {
     return {crossing(in), crossing(out)};
 }
 
-/// A root between the ends, which belong to the surface. The mirror nappe is beyond an end, but
-/// for the apex: of a line that is steeper than the cone it is the one root, on which the line
-/// leaves the cone or enters it as the radius falls or rises.
+/// Returns a root between the ends, which belong to the surface. The mirror nappe is beyond an end,
+/// except for the apex. For a line that is steeper than the cone the apex is a single root, at
+/// which the line leaves the cone or enters it as the radius falls or rises.
 double ExactCone::crossing(int way) const {
     const bool mirrored = form_.opening() < 0 && way * R1_.sign() > 0;
     if (mirrored) return no_hit;
@@ -76,7 +76,7 @@ double ExactCone::crossing(int way) const {
     return within ? t : no_hit;
 }
 
-/// A shortcut: t is good to 6 roundings, and its height then to 8 of the terms.
+/// Early out: t is good to 6 roundings, and its height then to 8 of the terms.
 bool ExactCone::is_surely_within(double t) const {
     const double start = base_.z.rounded(), climb = t * dh_.rounded();
     const double z = start + climb;

@@ -11,9 +11,9 @@ inline bool is_degenerate(const Cone& c) {
            c.top_radius < 0 || !(width > 0 && width < infinity);
 }
 
-/// Points where the line of the ray crosses the lateral surface. Whether there is an entry and an
-/// exit is exact; where they are, good to a few ulp. None for a degenerate cone, and for a ray that
-/// is not finite.
+/// Returns the points where the line of the ray crosses the lateral surface: none for a degenerate
+/// cone and for a ray that is not finite. Whether there is an entry and an exit is exact; their t
+/// is good to a few ulp.
 [[gnu::cold]] Passage exact_passage(const Cone& cone, const Ray& ray);
 
 }  // namespace etalon

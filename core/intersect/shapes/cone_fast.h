@@ -1,4 +1,4 @@
-// Fast path for most rays on a cone, at about the price of a textbook's formula. What it leaves
+// Fast path for most rays on a cone, at about the cost of a textbook formula. What it leaves
 // uncertain is decided by core/intersect/shapes/cone_bounds_check.h.
 #pragma once
 
@@ -35,7 +35,7 @@ class ConeFastPath {
           slope_(spread_ / hh_),
           G_(d_.cross(h_)) {}
 
-    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
+    /// Returns the first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
     double first_hit(Sides sides) {
         const double m = w_.dot(G_), size2 = dd_ * scale_ * far2_;
         Vec3 V = cone_.base_radius * G_;  // all there is for a cylinder, to the bit
@@ -54,14 +54,14 @@ class ConeFastPath {
     static constexpr double u = unit_roundoff, of_sum = t_tolerance / 16, of_rest = t_tolerance / 4;
     static constexpr int in = -1, out = 1;
 
-    /// Whether nothing underflows that counts, and nothing overflows.
+    /// Returns whether relevant underflow, and overflow, are excluded.
     bool is_in_range(double size2) const {
         const double least = std::min(std::min(hh_, dd_), far2_), most = scale_ * size2;
         return least > 0x1p-250 && most > 0x1p-750 && most < 0x1p1000 &&
                std::min(cone_.base_radius, cone_.top_radius) >= 0;
     }
 
-    /// The discriminant's root is off by less than the root of `root_error_bound2`.
+    /// `root_error_bound2` is the square of a bound on the error of the discriminant's root.
     double first_crossing(Sides sides, double discriminant, double root_error_bound2) {
         expand();
         const double error_bound2 = unit_ * unit_ * (dd_ * far2_);  // of B
@@ -96,8 +96,9 @@ class ConeFastPath {
         return clipped(near ? other / sum_ : sum_ / other);
     }
 
-    /// Beyond an end is the mirror nappe, too. The height is off by t's error, by 5 u of |w| |h|
-    /// and |t d| |h|, and by 6 u hh; the square of a sum of four is at most four times the squares.
+    /// Returns t, or no_hit beyond the ends, which also cut off the mirror nappe. The height is off
+    /// by t's error, by 5 u of |w| |h| and |t d| |h|, and by 6 u hh; the square of a sum of four is
+    /// at most four times the sum of the squares.
     double clipped(double t) const {
         if (!(t > tmin_)) return no_hit;
         const double climb = t * rise_, z = start_ + climb, inside = std::min(z, hh_ - z);

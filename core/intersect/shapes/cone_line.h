@@ -1,5 +1,5 @@
-// A cone and a line in plain double. Nothing refers to the apex, so a cylinder is the case of an
-// equal radius, not another formula.
+// A cone and a line in plain double. Nothing refers to the apex, so a cylinder is the special case
+// of equal radii and needs no formula of its own.
 #pragma once
 
 #include "core/numerics/vec.h"
@@ -42,10 +42,9 @@ struct ConePlace {
     double start, r0;
 };
 
-/// The t where distance^2 + radius^2 is least on the line f + t d: near the axis, and near the
-/// apex, as far as the line goes there. From a point so close nothing cancels. Where that is
-/// further beyond an end than the cone is long, the t at that end. The radii are r0 |h| and r1 |h|,
-/// so that nothing waits for a root.
+/// Returns the t where distance^2 + radius^2 is least on the line f + t d: the point nearest to the
+/// axis and the apex, from which nothing cancels. If it is further beyond an end than the cone is
+/// long, returns the t at that end. The radii are r0 |h| and r1 |h|, so that no root is needed.
 inline double middle(const Cone& c, const ConeAxis& a, const ConeSpeed& d, const Vec3& f) {
     const double start = f.dot(a.h);
     const double r0 = a.height * c.base_radius + a.spread * start, r1 = a.spread * d.rise;

@@ -6,7 +6,7 @@
 namespace etalon {
 namespace {
 
-/// Whether there is nothing that a ray could hit.
+/// Returns whether there is nothing that a ray could hit.
 bool is_degenerate(const StoredCurve& c) {
     const auto is_point = [](const Vec3f& p) { return is_finite(Vec3(p)); };
     const auto is_width = [](float w) { return std::isfinite(w); };
@@ -15,7 +15,7 @@ bool is_degenerate(const StoredCurve& c) {
            !(widest(c.curve, c.part.begin(), c.part.end()) > 0);
 }
 
-/// How far the map takes the points of a sphere about the origin along each axis of the world.
+/// Returns how far the map takes the points of a sphere about the origin along each world axis.
 Vec3 reach_of_sphere(const Affine& m, double radius) {
     Vec3 reach;
     for (int k = 0; k < 3; ++k) {
@@ -26,7 +26,7 @@ Vec3 reach_of_sphere(const Affine& m, double radius) {
     return reach;
 }
 
-/// How far off the map's image of a curve rays may meet it, which see it by the inverse.
+/// Returns how far from the map's image of a curve rays may hit it, since they use the inverse.
 double error_of_inverse(const StoredCurve& c, const Box3& box) {
     const Affine& map = c.place.to_world;
     const double furthest = std::max(max_abs(box.min - map.origin), max_abs(box.max - map.origin));
@@ -35,7 +35,7 @@ double error_of_inverse(const StoredCurve& c, const Box3& box) {
     return 16 * unit_roundoff * std::max(condition_of(map, c.place.rows), turned) * furthest;
 }
 
-/// Axes of a curve where it was passed, in its space: dpdu x dpdv is the normal.
+/// Axes of a curve where a ray passed it, in its space: dpdu x dpdv is the normal.
 struct CurveAxes {
     Vec3 dpdu, normal;
 };

@@ -1,4 +1,4 @@
-// Where a ray passes a curve: the part that all of a curve's kernels share.
+// Where a ray passes a curve: code that all kernels of a curve share.
 #pragma once
 
 #include <cmath>
@@ -20,13 +20,13 @@ inline double width_at(const BezierCurve& c, double u) {
     return (1 - u) * c.widths[0] + u * c.widths[1];
 }
 
-/// The widest of a part, whose width is linear.
+/// Returns the largest width of a part; the width is linear.
 inline double widest(const BezierCurve& c, double begin, double end) {
     return std::max(std::abs(width_at(c, begin)), std::abs(width_at(c, end)));
 }
 
-/// The normal of a ribbon, on the arc between those at its ends. It is not quite a unit vector
-/// where they are more than a quarter turn apart, as in pbrt-v3.
+/// Returns the normal of a ribbon, interpolated on the arc between those at its ends. As in pbrt-v3
+/// it is not quite a unit vector where they are more than a quarter turn apart.
 inline Vec3 ribbon_normal(const BezierCurve& c, double u) {
     const Vec3 a(c.normals[0]), b(c.normals[1]);
     const double angle = std::acos(std::clamp(a.dot(b), 0.0, 1.0)), sine = std::sin(angle);
@@ -42,14 +42,15 @@ struct CurvePassage {
     double x, y;   ///< the curve's point, seen from the ray: along and across the line of sight
 };
 
-/// Below this roundings of a ray from far away are as good as those of its own coordinates.
+/// Stretch below which the roundings of a ray from far away are as small as those of its own
+/// coordinates.
 inline constexpr double ample_stretch = 16;
 
-/// Below this, in the size of what is seen, those of the distance are far below it.
+/// Distance, relative to the size of what is seen, below which its roundings are negligible.
 inline constexpr double ample_distance = 0x1p16;
 
-/// A ray in a curve's space, and axes along which the curve is seen: z is the ray's direction, and
-/// x is as nearly the curve's as it can be, so that y is small.
+/// A ray in a curve's space, and the axes along which the curve is seen: z is the ray's direction,
+/// and x is as close to the curve's as possible, so that y is small.
 class CurveView {
   public:
     CurveView(const StoredCurve& c, const CubicPoints& part, const Ray& ray) {
@@ -67,7 +68,7 @@ class CurveView {
         x = y.cross(z);
     }
 
-    /// A point seen from where the ray starts here.
+    /// Returns a point relative to the ray's start, in these axes.
     Vec3 point(const Vec3& p) const {
         const Vec3 w = p - origin_;
         return {x.dot(w), y.dot(w), z.dot(w)};
@@ -79,11 +80,11 @@ class CurveView {
     Vec3 x, y, z;
 
   private:
-    /// Returns where a ray starts in the curve's space: where it is nearest to the map's origin if
-    /// axes of the map are so unlike that the roundings of a far origin would be longer than the
-    /// curve, or if it comes from so far that they are. Its own roundings then only move the point
-    /// along each axis by what they are of the ray's part along it, which boxes of instances have
-    /// room for. The second step makes good what the first, a rounded t, left of the way.
+    /// Returns where the ray starts in the curve's space. The start is moved to the point nearest
+    /// to the map's origin if the map's axes differ so much that the roundings of a far origin
+    /// would be longer than the curve, or if the ray comes from that far. Then its own roundings
+    /// move the point along each axis only by those of the ray's part along it, for which boxes of
+    /// instances have room. The second step corrects what the rounding of t left over in the first.
     Vec3 start_near(const StoredCurve& c, const CubicPoints& part, const Ray& ray) {
         Vec3 origin = ray.origin - c.place.to_world.origin;
         if (stretch_of(c.place.to_world, c.place.rows) > ample_stretch) advance(origin, ray);
@@ -95,7 +96,7 @@ class CurveView {
         return c.place.vector(origin);
     }
 
-    /// Moves a point of the ray to where that is nearest to 0.
+    /// Moves a point of the ray to the place where it is nearest to 0.
     void advance(Vec3& origin, const Ray& ray) {
         const double scale = power_of_two_reciprocal(max_abs(ray.direction));
         const Vec3 d = ray.direction * scale;
@@ -128,7 +129,8 @@ class CurvePassages {
     const CurveView& view() const { return view_; }
 
   private:
-    /// Whether the box of the control points, wider by half the width, holds a point of the ray.
+    /// Returns whether the box of the control points, widened by half the width, contains a point
+    /// of the ray.
     bool may_pass(const Vec3* p, double begin, double end) const {
         const double half = 0.5 * widest(c_.curve, begin, end);
         const auto low = [p](int k) {
@@ -141,8 +143,8 @@ class CurvePassages {
                high(2) >= view_.depth_of_origin() - half;
     }
 
-    /// How often the curve is halved: each time it bends a quarter as much, and a piece may be off
-    /// its chord by about a twentieth of the width. pbrt-v3's measure, with its rounding.
+    /// Returns how often to halve the curve. Each halving quarters the bend; a piece may be off its
+    /// chord by about a twentieth of the width. This is pbrt-v3's formula, with its rounding.
     int depth_for(const CubicPoints& p) const {
         double bend = 0;
         for (std::size_t i = 0; i < 2; ++i) {
@@ -168,8 +170,8 @@ class CurvePassages {
         }
     }
 
-    /// Meets a piece that is as good as straight. It ends across its tangents, where the next one
-    /// begins.
+    /// Intersects a piece that is taken as straight. It ends perpendicular to its tangents, where
+    /// the next one begins.
     void pass(const CubicPoints& p, double begin, double end) const {
         if (beyond(p[0], p[1]) || beyond(p[3], p[2])) return;
         const double along_x = p[3].x - p[0].x, along_y = p[3].y - p[0].y;
@@ -188,7 +190,7 @@ class CurvePassages {
         take_(passage);
     }
 
-    /// Whether the ray passes on the other side of an end than the rest of the piece.
+    /// Returns whether the ray passes on the other side of an end than the rest of the piece.
     static bool beyond(const Vec3& end, const Vec3& next) {
         return (next.y - end.y) * -end.y + end.x * (end.x - next.x) < 0;
     }

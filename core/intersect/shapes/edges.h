@@ -1,5 +1,5 @@
-// The sign on which every edge of a triangle or polygon is decided. It is exact, so that two faces
-// that share an edge agree on which of them a ray passes through: closed surfaces do not leak.
+// The sign that decides every edge of a triangle or polygon. It is exact, so that two faces that
+// share an edge agree on which of them a ray hits: closed surfaces do not leak.
 #pragma once
 
 #include "core/intersect/ray.h"
@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// A corner as the ray sees it: shifted to the ray's origin and sheared along its direction, so
+/// A corner relative to the ray: shifted to the ray's origin and sheared along its direction, so
 /// that the ray is the z axis. x and y carry a factor dz.
 struct ShearedCorner {
     double x, y, z;
@@ -21,36 +21,37 @@ inline ShearedCorner shear(const Vec3& corner, const RayQuery& q) {
     return {q.dz * ax - q.dx * az, q.dz * ay - q.dy * az, az};
 }
 
-/// Bound on the error of a sheared coordinate, u = 2^-53: one rounding of each difference, product
-/// and sum, with |dx|, |dy| <= |dz|.
+/// Returns a bound on the error of a sheared coordinate, u = 2^-53: one rounding of each
+/// difference, product and sum, with |dx|, |dy| <= |dz|.
 inline double shear_error(double extent, double depth, const RayQuery& q) {
     return 5 * unit_roundoff * (extent + std::abs(q.dz) * depth);
 }
 
-/// Bound on the error of the edge function of two corners whose sheared coordinates are at most
-/// `extent` and whose depths are at most `depth` in magnitude: 4 extent E + 2 E^2 from its inputs,
-/// each off by at most E = shear_error, and less than extent E from its own roundings.
+/// Returns a bound on the error of the edge function of two corners whose sheared coordinates are
+/// at most `extent` and whose depths are at most `depth` in magnitude: 4 extent E + 2 E^2 from its
+/// inputs, each off by at most E = shear_error, and less than extent E from its own roundings.
 inline double edge_error(double extent, double depth, const RayQuery& q) {
     const double e = shear_error(extent, depth, q);
     return e * (5 * extent + 2 * e);
 }
 
-/// Twice the signed area of (ray, a, b), times dz. Antisymmetric in a and b to the last bit.
+/// Returns twice the signed area of (ray, a, b), times dz. Antisymmetric in a and b to the last
+/// bit.
 inline double edge_function(const ShearedCorner& a, const ShearedCorner& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// The same with the exact sign, and good to 2^-38 of itself; slow.
+/// The same with the exact sign and a relative error of at most 2^-38; slow.
 inline double exact_edge_function(const Vec3& a, const Vec3& b, const RayQuery& q) {
     return q.dz * exact_edge_volume(q.ray.origin, q.ray.direction, a, b);
 }
 
-/// The exact sign, with a value that is off by less than edge_error; less slow.
+/// The same with the exact sign and an error below edge_error; less slow.
 inline double exact_edge_side(const Vec3& a, const Vec3& b, const RayQuery& q) {
     return q.dz * exact_edge_sign(q.ray.origin, q.ray.direction, a, b);
 }
 
-/// A sheared corner whose y has the exact sign, and its x too where y is zero.
+/// A sheared corner with the exact sign of y, and also of x where y is zero.
 struct OutlineCorner : ShearedCorner {
     OutlineCorner(const Vec3& p, const RayQuery& q) : ShearedCorner(shear(p, q)), corner(&p) {
         const Vec3 &o = q.ray.origin, &d = q.ray.direction;
@@ -61,7 +62,7 @@ struct OutlineCorner : ShearedCorner {
     const Vec3* corner;
 };
 
-/// The edge function with the exact sign.
+/// Returns the edge function with the exact sign.
 inline double edge_side(const OutlineCorner& a, const OutlineCorner& b, const RayQuery& q) {
     const auto reach = [](const ShearedCorner& c) {
         return std::max(std::abs(c.x), std::abs(c.y));

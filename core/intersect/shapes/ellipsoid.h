@@ -9,7 +9,7 @@
 
 namespace etalon {
 
-/// Half of the extent: per axis, the length of the map's row.
+/// Returns half of the extent: for each axis, the length of the map's row.
 inline Vec3 reach(const Ellipsoid& e) {
     return reach(e.to_world.x, e.to_world.y, e.to_world.z);
 }
@@ -19,7 +19,7 @@ inline Box3 bounds(const Geometry&, const Ellipsoid& e) {
     return box_around(e.to_world.origin, e.to_world.origin, reach(e));
 }
 
-/// The first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
+/// Returns the first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
 inline double fast_path(const Ellipsoid& e, Sides sides, const RayQuery& q) {
     const LocalLine line(e.to_world.origin, e.frame, q.ray);
     const double rows = e.frame.length(0) + e.frame.length(1) + e.frame.length(2);
@@ -29,8 +29,8 @@ inline double fast_path(const Ellipsoid& e, Sides sides, const RayQuery& q) {
     return unit.is_certain() ? first_ahead(unit.stretch(), sides, q.ray.tmin) : uncertain;
 }
 
-/// First visible t. Hit or miss is right for every ray, and t good to t_tolerance. The direction is
-/// not made a unit vector in local coordinates, so t is the world's.
+/// Returns the first visible t. Hit or miss is right for every ray, and t good to t_tolerance. The
+/// direction is not normalized in local coordinates, so t is that of world space.
 inline double first_hit(const Geometry&, const Ellipsoid& e, Sides sides, const RayQuery& q) {
     const double t = fast_path(e, sides, q);
     if (t != uncertain) return t;
@@ -48,8 +48,8 @@ inline SurfacePoint surface(const Geometry&, const Ellipsoid& e, const RayQuery&
     return {e.frame.point(local), position_error(magnitude, 0), normal, normal};
 }
 
-/// The image of the unit sphere's, which is pbrt's. dpdu x dpdv points outward, or inward where the
-/// map mirrors.
+/// Returns the image of the unit sphere's parametrization, which is pbrt's. dpdu x dpdv points
+/// outward, or inward where the map mirrors.
 inline Parametrization parametrization(const Geometry&, const Ellipsoid& e, const SurfacePoint& p) {
     const Vec3 local = unit_vector(pulled_back(e.to_world, p.normal));
     return image(e.to_world, sphere_chart(local));

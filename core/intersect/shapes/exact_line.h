@@ -5,8 +5,8 @@
 
 namespace etalon {
 
-/// A line in local coordinates times the map's determinant, which is made positive: the adjugate
-/// takes the place of the inverse, so that nothing is divided.
+/// A line in local coordinates, multiplied by the map's determinant, which is made positive. The
+/// adjugate takes the place of the inverse, so that no division is needed.
 struct ExactLine {
     ExactLine(const Affine& map, const Ray& ray);
 

@@ -16,9 +16,9 @@ double ExactQuadratic::root(int way) const {
     return quotient(way * a_.sign(), sum, a);
 }
 
-/// Sign of start + rise t at a root. At its zero T = -start / rise let the form be p and half its
-/// rise s, both times the square of `rise`. From there to the root it is -way p / (|s| + root)
-/// where way s is positive, and way (|s| + root) / A elsewhere.
+/// Returns the sign of start + rise t at a root. At its zero T = -start / rise let the form be p
+/// and half its rise s, both times the square of `rise`. From T to the root it is -way p / (|s| +
+/// root) where way s is positive, and way (|s| + root) / A elsewhere.
 int ExactQuadratic::sign_at_root(int way, const Dyadic& start, const Dyadic& rise) const {
     if (rise.sign() == 0) return start.sign();
     const Dyadic slope = b_ * rise - a_ * start;  // half of the form's, times `rise`
@@ -31,8 +31,8 @@ int ExactQuadratic::sign_at_root(int way, const Dyadic& start, const Dyadic& ris
     return tangent ? 0 : way * a_.sign() * rise.sign();
 }
 
-/// The form itself is zero there: as many times it as leave no square are taken away. A form
-/// without a square is zero at t = -C / 2B.
+/// The form itself is zero at the root, so the multiple of it that cancels the square is
+/// subtracted. A form without a square is zero at t = -C / 2B.
 int ExactQuadratic::sign_at_root(int way, const Dyadic& a, const Dyadic& b, const Dyadic& c) const {
     if (a.sign() == 0) return sign_at_root(way, c, b);
     if (a_.sign() != 0) {

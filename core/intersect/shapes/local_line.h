@@ -1,5 +1,5 @@
-// A line in the coordinates of a shape that is the image of a unit shape, in plain double beside
-// what every rounding on the way may have done.
+// A line in the coordinates of a shape that is the image of a unit shape, in plain double with
+// bounds on the rounding errors.
 #pragma once
 
 #include "core/intersect/shapes/roots.h"
@@ -8,42 +8,42 @@
 
 namespace etalon {
 
-/// A number, and how far it may be from the truth.
+/// A number with a bound on its error.
 struct Approximate {
     double value, error;
 };
 
-/// Returns t, if it is good to half of t_tolerance; no_hit where it surely is not beyond tmin; or
-/// uncertain.
+/// Returns t if it is good to half of t_tolerance; no_hit if it surely is not beyond tmin;
+/// otherwise uncertain.
 inline double ahead(const Approximate& t, double tmin) {
     if (t.value + t.error <= tmin) return no_hit;
     if (!(t.error <= t_tolerance / 2 * std::abs(t.value))) return uncertain;
     return is_ahead(t.value, tmin) ? t.value : no_hit;
 }
 
-/// The part of a line inside a solid.
+/// The interval of a line inside a solid.
 struct Stretch {
     Approximate entry, exit;
 };
 
-/// Returns the first visible one of its ends beyond tmin; no_hit; or uncertain.
+/// Returns the first visible end of the interval beyond tmin; no_hit; or uncertain.
 inline double first_ahead(const Stretch& s, Sides sides, double tmin) {
     const double entry = sides == Sides::back ? no_hit : ahead(s.entry, tmin);
     return entry <= infinity || sides == Sides::front ? entry : ahead(s.exit, tmin);
 }
 
 /// A ray's line in a frame, w + t d. A difference, a row and a dot product put w off by 1 + 2 + 3
-/// roundings of |row| |origin|, d by one less; these bounds leave room for a dot or cross product
-/// of the two, another 3.
+/// roundings of |row| |origin|, and d by one less. These bounds leave room for a dot or cross
+/// product of the two, another 3.
 struct LocalLine {
     LocalLine(const Vec3& centre, const LocalFrame& frame, const Ray& ray)
         : LocalLine(frame, ray.origin - centre, ray.direction) {}
 
-    /// The error of coordinates from rows that are together no longer than `rows`.
+    /// Returns the error of coordinates from rows that are together no longer than `rows`.
     double error_of_w(double rows) const { return 8 * unit_roundoff * rows * distance; }
     double error_of_d(double rows) const { return 10 * unit_roundoff * rows * speed; }
 
-    /// Whether nothing underflows that counts, and nothing overflows.
+    /// Returns whether relevant underflow, and overflow, are excluded.
     bool is_in_range(double rows) const {
         const double growth = rows * speed;
         return rows > 0x1p-400 && rows < 0x1p400 && growth > 0x1p-200 && growth < 0x1p200 &&
@@ -51,8 +51,8 @@ struct LocalLine {
     }
 
     Vec3 w, d;
-    double distance;  ///< in the world; so small that it is lost, it is nothing in range either
-    double speed;     ///< no less than the direction's length, in the world
+    double distance;  ///< in world space; if it underflows, no range holds it either
+    double speed;     ///< at least the length of the direction, in world space
 
   private:
     LocalLine(const LocalFrame& frame, const Vec3& from, const Vec3& towards)

@@ -14,9 +14,9 @@ inline Box3 bounds(const Geometry&, const Plane& p) {
     return {Vec3(-infinity), Vec3(infinity)};
 }
 
-/// A ray in the plane, or parallel to it, misses. Either product is exact where its roundings could
-/// spoil its sign, or t by more than 2^-47 of itself; a plane that is certainly behind is not asked
-/// further.
+/// A ray in the plane, or parallel to it, misses. Either product is computed exactly where its
+/// roundings could change its sign, or t by more than 2^-47 relatively. A plane that is certainly
+/// behind the ray is an early out.
 inline double first_hit(const Geometry&, const Plane& p, Sides sides, const RayQuery& q) {
     constexpr double u = unit_roundoff, good = 0.25;  // its roundings are then 2^-49 at most
     const Vec3 &n = p.normal, &d = q.ray.direction, offset = p.point - q.ray.origin;
@@ -33,8 +33,8 @@ inline double first_hit(const Geometry&, const Plane& p, Sides sides, const RayQ
     return is_ahead(t, q.ray.tmin) && faces(cosine, sides) ? t : no_hit;
 }
 
-/// What a point's correction may leave of its distance from a plane, as part of the error bound
-/// along the normal. More than that happens where a coordinate was far larger before it: the
+/// Part of the error bound along the normal that may be left of a point's distance from a plane
+/// after the correction. More than that is left where a coordinate was far larger before it: the
 /// correction's own roundings are in proportion to that.
 inline constexpr double most_left_of_distance = 0.25;
 
@@ -48,7 +48,7 @@ inline SurfacePoint surface(const Geometry&, const Plane& p, const RayQuery& q, 
     return {position, error, normal, normal};
 }
 
-/// Lengths in the plane, from its point: see plane_chart(). dpdu x dpdv is the unit normal.
+/// Returns lengths in the plane, from its point: see plane_chart(). dpdu x dpdv is the unit normal.
 inline Parametrization parametrization(const Geometry&, const Plane& plane, const SurfacePoint& p) {
     return plane_chart(p.normal, p.position - plane.point);
 }

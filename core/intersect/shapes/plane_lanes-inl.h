@@ -31,7 +31,7 @@ HWY_INLINE HitLanes first_hits(const Plane& p, Sides sides, const RayLanes& rays
     if (sides != Sides::both) {
         is_seen = hn::And(is_seen, sides == Sides::front ? cosine < zero : cosine > zero);
     }
-    return settled(hn::IfThenElse(is_seen, t, broadcast(no_hit)), missed, decided);
+    return hit_lanes(hn::IfThenElse(is_seen, t, broadcast(no_hit)), missed, decided);
 }
 
 }  // namespace etalon::HWY_NAMESPACE

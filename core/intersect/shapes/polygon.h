@@ -23,11 +23,12 @@ struct PlanePassage {
     double cosine;  ///< cosine of the plane's normal and the ray, but for a positive factor
 };
 
-/// Exact passage; slow. t is good to a few ulp, and NaN where the ray runs along the plane.
+/// Computes the passage exactly; slow. t is good to a few ulp, and NaN where the ray runs along the
+/// plane.
 PlanePassage exact_passage(std::span<const Vec3> p, const RayQuery& q);
 
-/// The passage where plain doubles suffice, else nothing: the side seen is the right one, and t
-/// good to t_tolerance, or certainly negative.
+/// Returns the passage if plain doubles suffice, else nothing. Then the side seen is right, and t
+/// is good to t_tolerance or certainly negative.
 inline std::optional<PlanePassage> plain_passage(const StoredPolygon& polygon, const RayQuery& q) {
     const std::span<const Vec3> p = polygon.corners;
     const PolygonPlane& plane = polygon.facts.plane;
@@ -47,8 +48,8 @@ inline std::optional<PlanePassage> plain_passage(const StoredPolygon& polygon, c
     return std::nullopt;
 }
 
-/// The plane is met at t, and the hit is there, but never outside the box of the corners: where
-/// they are a little off the plane, or the ray runs along it, the plane alone could carry it away.
+/// The hit is where the ray meets the plane, but never outside the box of the corners: where they
+/// are not quite in the plane, or the ray runs along it, the plane's t could be far away.
 inline double first_hit(const Geometry&, const StoredPolygon& p, Sides sides, const RayQuery& q) {
     const auto is_seen = [&](const PlanePassage& passage) {
         return faces(passage.cosine, sides) && passage.t > q.ray.tmin;
@@ -66,9 +67,9 @@ inline double first_hit(const Geometry&, const StoredPolygon& p, Sides sides, co
     return is_ahead(kept, q.ray.tmin) ? kept : no_hit;
 }
 
-/// The mean of the corners' normals at `position`, by mean value coordinates, which hold for
-/// concave polygons too, and on their edges and corners (Hormann & Floater 2006, ACM TOG 25(4)).
-/// Zero where the normals cancel.
+/// Returns the mean of the corners' normals at `position` by mean value coordinates, which also
+/// hold for concave polygons and on their edges and corners (Hormann & Floater 2006, ACM TOG
+/// 25(4)). Zero where the normals cancel.
 inline Vec3 interpolated_normal(std::span<const Vec3> p, std::span<const Vec3> normals,
                                 const Vec3& up, const Vec3& position) {
     const std::size_t n = p.size();
@@ -106,7 +107,8 @@ inline SurfacePoint surface(const Geometry&, const StoredPolygon& p, const RayQu
     return {position, position_error(abs(point) + size, max_abs(size)), normal, shading};
 }
 
-/// Lengths in the plane, from the first corner: see plane_chart(). dpdu x dpdv is the unit normal.
+/// Returns lengths in the plane, from the first corner: see plane_chart(). dpdu x dpdv is the unit
+/// normal.
 inline Parametrization parametrization(const Geometry&, const StoredPolygon& polygon,
                                        const SurfacePoint& p) {
     return plane_chart(p.normal, p.position - polygon.corners[0]);

@@ -15,15 +15,15 @@
 #define ETALON_POLYGON_OUTLINE_ONCE
 namespace etalon {
 
-/// Corners that one call of the vector code looks at.
+/// Number of corners that one call of the vector code handles.
 constexpr std::size_t word_bits = 64, words = 4, corners_at_once = words * word_bits;
 
-/// For each corner a bit: whether its sheared y is surely above zero, and surely below.
+/// One bit for each corner: whether its sheared y is surely above zero, and surely below.
 struct SureSides {
     std::array<std::uint64_t, words> above, below;
 };
 
-/// The sheared y of a corner, y_scale Y - z_scale Z + constant, whose sign is sure beyond
+/// The sheared y of a corner, y_scale Y - z_scale Z + constant. Its sign is sure beyond
 /// `error_bound`.
 struct SideFilter {
     SideFilter(const Box3& box, const RayQuery& q);
@@ -39,7 +39,7 @@ namespace etalon::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Looks at `count` <= corners_at_once corners, and at those that make it a multiple of lanes.
+/// Handles `count` <= corners_at_once corners, rounded up to a multiple of the lanes.
 SureSides sure_sides(const double* ys, const double* zs, std::size_t count, const SideFilter& f) {
     using Tag = hn::CappedTag<double, CornerColumns::lanes>;
     const Tag tag;
@@ -72,8 +72,8 @@ HWY_EXPORT(sure_sides);
 /// With M = |dz| (|Y| + |oy|) + |dy| (|Z| + |oz|) for the largest |Y| and |Z|: the constant's two
 /// products and their difference are off by 2 u M in sum, the two products with the corner by u M,
 /// and the sums of two and of all three terms by u M each, to first order, with or without fused
-/// multiplication. Twice that also covers what is beyond first order. Below 2^-1000 products that
-/// underflow could matter. Where M is not finite every corner is in doubt.
+/// multiplication. Twice that also covers the higher orders. Below 2^-1000 products that underflow
+/// could matter. Where M is not finite every corner is uncertain.
 SideFilter::SideFilter(const Box3& box, const RayQuery& q) {
     const Vec3 &o = q.ray.origin, reach(std::max(std::abs(box.min.x), std::abs(box.max.x)),
                                         std::max(std::abs(box.min.y), std::abs(box.max.y)),
@@ -88,15 +88,15 @@ SideFilter::SideFilter(const Box3& box, const RayQuery& q) {
 
 namespace {
 
-/// Takes the decisions of covers() for single corners and edges, by the same means. The corners are
+/// Makes the decisions of covers() for single corners and edges, in the same way. Corners are
 /// numbered as in the columns: number 0 is the last corner.
-class OutlineWalk {
+class CrossingCounter {
   public:
-    OutlineWalk(std::span<const Vec3> p, const RayQuery& q) : p_(p), q_(q) {}
+    CrossingCounter(std::span<const Vec3> p, const RayQuery& q) : p_(p), q_(q) {}
 
     bool is_above(std::size_t i) const { return corner(i).y > 0; }
 
-    /// Takes in the edge from i - 1 to i, which crosses the x axis.
+    /// Counts the edge from i - 1 to i, which crosses the x axis.
     void cross(std::size_t i) {
         const OutlineCorner a = corner(i - 1), b = corner(i);
         const double side = edge_side(a, b, q_);
@@ -104,7 +104,7 @@ class OutlineWalk {
         inside_ ^= (side > 0) == (b.y > 0);
     }
 
-    /// Takes in the edge from i - 1 to i, which does not cross the x axis, but may end on it.
+    /// Counts the edge from i - 1 to i, which does not cross the x axis, but may end on it.
     void touch(std::size_t i) {
         const OutlineCorner a = corner(i - 1), b = corner(i);
         on_outline_ |= b.y == 0 && (b.x == 0 || (a.y == 0 && (a.x > 0) != (b.x > 0)));
@@ -138,7 +138,7 @@ bool covers_by_columns(const StoredPolygon& p, const RayQuery& q) {
     const std::size_t count = p.corners.size() + 1;
     const SideFilter filter(p.facts.box, q);
     const double *ys = p.columns.along(q.ky), *zs = p.columns.along(q.kz);
-    OutlineWalk walk(p.corners, q);
+    CrossingCounter counter(p.corners, q);
     std::uint64_t previous = 0, edges = ~1ULL;  // none ends at number 0
     SureSides sides;
     for (std::size_t first = 0, word = words; first < count; first += word_bits, ++word) {
@@ -152,15 +152,16 @@ bool covers_by_columns(const StoredPolygon& p, const RayQuery& q) {
         std::uint64_t above = sides.above[word];
         const std::uint64_t undecided = ~(above | sides.below[word]) & (edges | (first == 0));
         for_each_bit(undecided, [&](std::size_t i) {
-            if (walk.is_above(first + i)) above |= 1ULL << i;
+            if (counter.is_above(first + i)) above |= 1ULL << i;
         });
         const std::uint64_t crossing = (above ^ (above << 1 | previous)) & edges;
-        for_each_bit(crossing, [&](std::size_t i) { walk.cross(first + i); });
-        for_each_bit(undecided & edges & ~crossing, [&](std::size_t i) { walk.touch(first + i); });
+        for_each_bit(crossing, [&](std::size_t i) { counter.cross(first + i); });
+        for_each_bit(undecided & edges & ~crossing,
+                     [&](std::size_t i) { counter.touch(first + i); });
         previous = above >> (word_bits - 1);
         edges = ~0ULL;
     }
-    return walk.covers();
+    return counter.covers();
 }
 
 }  // namespace etalon

@@ -7,12 +7,12 @@
 
 namespace etalon {
 
-/// Whether all corners lie in one plane with the ray.
+/// Returns whether all corners lie in one plane with the ray.
 bool is_edge_on(std::span<const Vec3> p, const RayQuery& q);
 
-/// Even-odd rule in the sheared frame of the triangles: counts the edges that cross the positive x
-/// axis, an end on the axis counting as below it. Every sign is that of the exact input, so that
-/// faces that share an edge leave no gap; the outline itself belongs to the polygon.
+/// Applies the even-odd rule in the sheared frame of the triangles: counts the edges that cross the
+/// positive x axis, where an end on the axis counts as below it. Every sign is that of the exact
+/// input, so that faces that share an edge leave no gap. The outline belongs to the polygon.
 inline bool covers(std::span<const Vec3> p, const RayQuery& q) {
     bool inside = false;
     OutlineCorner a(p.back(), q);
@@ -30,7 +30,7 @@ inline bool covers(std::span<const Vec3> p, const RayQuery& q) {
     return inside;
 }
 
-/// The same for a polygon that has columns, with few steps for each corner.
+/// The same for a polygon that has columns, several corners at a time.
 bool covers_by_columns(const StoredPolygon& p, const RayQuery& q);
 
 inline bool covers(const StoredPolygon& p, const RayQuery& q) {

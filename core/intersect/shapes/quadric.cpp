@@ -8,7 +8,8 @@ namespace {
 
 using RealForm = QuadricForm<double>;
 
-/// The longest row of the form's matrix: across a double plane, whose form has no slope.
+/// Returns the longest row of the form's matrix: the direction across a double plane, whose form
+/// has no slope.
 Vec3 steepest_row(const RealForm& form) {
     Vec3 steepest(0);
     for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
@@ -18,7 +19,7 @@ Vec3 steepest_row(const RealForm& form) {
     return steepest;
 }
 
-/// The form at a point seen from the centre, and the sums of its terms' magnitudes.
+/// The form at a point relative to the centre, and the sums of its terms' magnitudes.
 struct Evaluation {
     Evaluation(const Quadric& s, const Vec3& w) {
         const auto line = RealForm(s.coefficients).on_line(w, Vec3(0));
@@ -42,7 +43,7 @@ Vec3 refined(const Quadric& s, Vec3 w) {
         const Evaluation at(s, w);
         if (std::abs(at.value) <= at.error_bound || at.is_flat()) break;
         const double unit = power_of_two_reciprocal(max_abs(at.slope));
-        const Vec3 slope = unit * at.slope;  // its square may be out of range
+        const Vec3 slope = unit * at.slope;  // scaled, as its square may overflow or underflow
         w -= unit * at.value / (2 * slope.dot(slope)) * slope;
     }
     return w;
@@ -51,9 +52,10 @@ Vec3 refined(const Quadric& s, Vec3 w) {
 }  // namespace
 
 /// The form at the point may differ from zero by twice the error bound: half of it as computed,
-/// half by rounding. So the surface is no further off than the error bound by the slope, which is
-/// half the gradient; where there is no slope to speak of, as on a double plane, the form grows
-/// with the square of the distance. Twice that, so that the kernel sees the difference.
+/// half by rounding. So the surface is no further away than the error bound divided by the slope,
+/// which is half the gradient; where there is no slope to speak of, as on a double plane, the form
+/// grows with the square of the distance. The result is doubled, so that the kernel sees the
+/// difference.
 SurfacePoint surface(const Geometry&, const Quadric& s, const RayQuery& q, double t) {
     const Vec3 w = refined(s, (q.ray.origin - s.centre) + t * q.ray.direction);
     const Evaluation at(s, w);

@@ -11,7 +11,7 @@ inline Box3 bounds(const Geometry&, const Quadric& s) {
     return is_degenerate(s) ? Box3() : s.clip;
 }
 
-/// First visible t. Hit or miss is right for every ray, and t good to t_tolerance.
+/// Returns the first visible t. Hit or miss is right for every ray, and t good to t_tolerance.
 inline double first_hit(const Geometry&, const Quadric& s, Sides sides, const RayQuery& q) {
     const double t = QuadricFastPath(s, q).first_hit(sides);
     return t == uncertain ? exact_first_hit(s, sides, q.ray) : t;
@@ -19,8 +19,8 @@ inline double first_hit(const Geometry&, const Quadric& s, Sides sides, const Ra
 
 SurfacePoint surface(const Geometry&, const Quadric& s, const RayQuery& q, double t);
 
-/// The projection onto the faces of the clipping box: see box_chart(). It jumps where the normal
-/// turns to another face. dpdu x dpdv points where the normal does.
+/// Projects onto the faces of the clipping box: see box_chart(). The coordinates jump where the
+/// normal turns to another face. dpdu x dpdv points where the normal does.
 inline Parametrization parametrization(const Geometry&, const Quadric& s, const SurfacePoint& p) {
     return box_chart(s.clip, p);
 }

@@ -21,7 +21,7 @@ int sign(double x) {
     return x > 0 ? 1 : x < 0 ? -1 : 0;
 }
 
-/// A t^2 + 2 B t + C on the ray. A t + B is -root where the form falls, so that the front is seen,
+/// A t^2 + 2 B t + C on the ray. A t + B is -root where the form falls, where the front is seen,
 /// and +root where it rises.
 class ExactQuadric {
   public:
@@ -48,7 +48,7 @@ class ExactQuadric {
     Dyadic A_, B_, C_, discriminant_;
 };
 
-/// First visible t. Both roots of a tangent are its one point, which shows both sides.
+/// Returns the first visible t. Both roots of a tangent are its one point, which shows both sides.
 double ExactQuadric::first_hit(Sides sides) const {
     if (discriminant_.sign() < 0 || (A_.sign() == 0 && B_.sign() == 0)) return no_hit;
     const int first = A_.sign() < 0 ? rising : falling;
@@ -79,9 +79,9 @@ bool ExactQuadric::is_within(int way, double t) const {
     return true;
 }
 
-/// The sign of p - face at a root, without the root: the line passes the face at t0 = (face - o) /
-/// d. With the form p0 there and half its rise s0 = A t0 + B, what is left to the root is -p0 / (s0
-/// + way root) where way s0 is positive, and (way root - s0) / A elsewhere.
+/// Returns the sign of p - face at a root, without computing the root. The line passes the face at
+/// t0 = (face - o) / d. With the form p0 there and half its rise s0 = A t0 + B, the distance to the
+/// root is -p0 / (s0 + way root) where way s0 is positive, and (way root - s0) / A elsewhere.
 int ExactQuadric::side(int way, int axis, double face) const {
     const int forward = sign(ray_.direction[axis]);
     if (forward == 0) return sign(ray_.origin[axis] - face);

@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// Whether a quadric is not finite, or has nothing to be met anywhere.
+/// Returns whether a quadric is not finite or has no surface.
 inline bool is_degenerate(const Quadric& s) {
     const auto& c = s.coefficients;
     const auto is_finite_number = [](double x) { return std::isfinite(x); };
@@ -18,8 +18,8 @@ inline bool is_degenerate(const Quadric& s) {
            std::all_of(c.begin(), c.end() - 1, is_zero);
 }
 
-/// First visible t. Hit and miss are exact, and t good to a few ulp. None for a degenerate quadric,
-/// and for a ray that is not finite.
+/// Returns the first visible t; no_hit for a degenerate quadric, and for a ray that is not finite.
+/// Hit and miss are exact, and t is good to a few ulp.
 [[gnu::cold]] double exact_first_hit(const Quadric& s, Sides sides, const Ray& ray);
 
 }  // namespace etalon

@@ -1,5 +1,5 @@
-// Fast path for most rays on a quadric, in plain double with a bound on all that rounding may have
-// done. What that leaves uncertain is decided by core/intersect/shapes/quadric_exact.h.
+// Fast path for most rays on a quadric, in plain double with a bound on all rounding errors. What
+// it leaves uncertain is decided by core/intersect/shapes/quadric_exact.h.
 #pragma once
 
 #include "core/intersect/shapes/box.h"
@@ -9,13 +9,13 @@
 namespace etalon {
 
 /// The form A t^2 + 2 B t + C on the ray from where it enters the clip box, so that nothing cancels
-/// with distance. A t + B is -root where the form falls, so that the front is seen, and +root where
+/// with distance. A t + B is -root where the form falls, where the front is seen, and +root where
 /// it rises.
 ///
 /// The errors, u = 2^-53. The start w is off by less than 2 u (|o - centre| + |start d|) in every
-/// coordinate. The sums for A, B and C have terms of at most 9 roundings; what they are off by is
-/// bounded by 10 u times the same sums of magnitudes. That w is off by e adds (|M||d|).e to B, and
-/// to C twice (|M|(|w| + e) + |l|).e.
+/// coordinate. The sums for A, B and C have terms of at most 9 roundings; their errors are bounded
+/// by 10 u times the same sums of magnitudes. The error e of w adds (|M||d|).e to B, and 2 (|M|(|w|
+/// + e) + |l|).e to C.
 class QuadricFastPath {
   public:
     QuadricFastPath(const Quadric& s, const RayQuery& q)
@@ -24,7 +24,7 @@ class QuadricFastPath {
           form_(s.coefficients),
           slabs_(cross_slabs(Box{s.clip.min, s.clip.max}, q.ray)) {}
 
-    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
+    /// Returns the first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
     double first_hit(Sides sides) {
         error_bound_of_slabs_ = 4 * u * (std::abs(slabs_.entry) + std::abs(slabs_.exit));
         const double start = std::max(slabs_.entry, ray_.tmin);
@@ -64,16 +64,16 @@ class QuadricFastPath {
         reach_ = max_abs(w_) + stretch_ * speed_;
     }
 
-    /// Whether nothing underflows that counts, and nothing overflows.
+    /// Returns whether relevant underflow, and overflow, are excluded.
     bool is_in_range() const {
         constexpr double least = 0x1p-120, most = 0x1p120;
         return speed_ > least && speed_ < most && reach_ < most && error_bound_of_C_ > 0x1p-460 &&
                is_finite(shape_.clip.min) && is_finite(shape_.clip.max) && !shape_.clip.isEmpty();
     }
 
-    /// Finds a root by the sum of like signs. Of two roots ahead the one that is a quotient by the
-    /// sum is the nearer. The true sum is more than 0.35 of the computed one, so that the other
-    /// root is known to be far even where A may be zero.
+    /// Computes a root as a quotient by the sum of like signs. Of two roots ahead, the one that is
+    /// a quotient by the sum is the nearer. The true sum is more than 0.35 of the computed one, so
+    /// that the other root is known to be far even where A may be zero.
     double first_root(Sides sides) const {
         const int rise = B_ < 0 ? -1 : 1;
         const double t = visible(-rise * C_ / sum_, rise, sides);
@@ -82,9 +82,9 @@ class QuadricFastPath {
         return visible(-rise * sum_ / A_, -rise, sides);
     }
 
-    /// The computed t is a root of a form that differs from the true one, there, by no more than
-    /// error_bound_of_form, and half of whose rise is half_rise or more: a true root is within the
-    /// quotient of the two, if A is small enough to leave it one.
+    /// The computed t is a root of a form that differs from the true one, there, by at most
+    /// error_bound_of_form; half the rise of that form is at least half_rise. So a true root is
+    /// within the quotient of the two, if A is small enough for one to exist.
     double visible(double t, int rise, Sides sides) const {
         if (sides == (rise < 0 ? Sides::back : Sides::front)) return no_hit;
         const double length = std::abs(t);
@@ -112,8 +112,8 @@ class QuadricFastPath {
         return t > ray_.tmin ? t : no_hit;
     }
 
-    /// One step of Newton's method: near the point itself, as next to a cone's tip, the form's
-    /// terms may be far smaller than where the ray comes from.
+    /// Performs one step of Newton's method: near the point itself, as next to a cone's tip, the
+    /// form's terms may be far smaller than where the ray comes from.
     double polished(double t) const {
         const Vec3& d = ray_.direction;
         const auto there = form_.on_line(w_ + (t - start_) * d, d);

@@ -1,6 +1,6 @@
-// What the kernels for several rays at once share. They take the steps of first_hit() of their
-// shape with the same bits, as long as plain doubles decide; of the rays for which they do not,
-// first_hit() is asked. Compiled for each instruction set.
+// Code that the kernels for several rays at once share. They perform the steps of their shape's
+// first_hit(), with the same bits, as long as plain doubles decide. Rays for which they do not are
+// left to first_hit(). Compiled for each instruction set.
 #if defined(ETALON_RAY_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_RAY_LANES_INL_H
 #undef ETALON_RAY_LANES_INL_H
@@ -25,7 +25,7 @@ struct RayLanes {
     Doubles tmin;
 };
 
-/// What is found for each ray: t, or NaN where it misses; and whether it is for first_hit() to say.
+/// Result for each ray: t, NaN where the ray misses, and whether first_hit() must decide instead.
 struct HitLanes {
     Doubles t;
     DoubleMask doubtful;
@@ -35,13 +35,14 @@ HWY_INLINE HitLanes misses() {
     return {broadcast(no_hit), hn::FirstN(DoubleTag(), 0)};
 }
 
-/// No answer for any ray.
-HWY_INLINE HitLanes all_doubtful() {
+/// Returns no answer for any ray.
+HWY_INLINE HitLanes all_uncertain() {
     return {broadcast(no_hit), hn::FirstN(DoubleTag(), most_doubles)};
 }
 
-/// `t` of the rays for which the steps `decided`, and nothing for those that `missed` before.
-HWY_INLINE HitLanes settled(Doubles t, DoubleMask missed, DoubleMask decided) {
+/// Returns `t` for the rays for which the steps `decided`, and a miss for those that `missed`
+/// before.
+HWY_INLINE HitLanes hit_lanes(Doubles t, DoubleMask missed, DoubleMask decided) {
     const DoubleMask known = hn::Or(missed, decided);
     return {hn::IfThenElse(hn::AndNot(missed, decided), t, broadcast(no_hit)), hn::Not(known)};
 }

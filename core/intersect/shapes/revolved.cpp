@@ -7,7 +7,7 @@ namespace {
 
 constexpr double u = unit_roundoff;
 
-/// The form at a point, and a bound on its error.
+/// Returns the form at a point, with a bound on its error.
 Approximate form_at(const Profile& profile, const Vec3& p) {
     if (profile.is_flat()) return {p.z, 0};
     const auto& q = profile.squares;
@@ -28,9 +28,9 @@ Vec3 refined(const Profile& profile, Vec3 p) {
     return p;
 }
 
-/// The point of the surface that a place, seen from the map's origin, is off by roundings. Local
-/// coordinates of a sheared surface lack more than that along the surface: it is measured in the
-/// world and put right.
+/// Returns the point of the surface nearest to a place that is off by roundings; the place is
+/// relative to the map's origin. The local coordinates of a sheared surface have a larger error
+/// along the surface, which is measured in world space and corrected.
 Vec3 local_point(const Revolved& s, const Vec3& seen) {
     const Vec3 local = refined(s.profile, s.frame.vector(seen));
     if (!s.is_sheared) return local;
@@ -39,8 +39,8 @@ Vec3 local_point(const Revolved& s, const Vec3& seen) {
     return refined(s.profile, local + s.frame.vector(rest - rest.dot(normal) * normal));
 }
 
-/// The angle from the sector's first direction, as a fraction of the sector. Of a point that
-/// roundings have put outside, that of the nearer end.
+/// Returns the angle from the sector's first direction, as a fraction of the sector. For a point
+/// that roundings have put outside, returns that of the nearer end.
 double fraction_of_turn(const Sector& sector, const Vec3& local) {
     constexpr double turn = 2 * std::numbers::pi;
     const Vec2 from = sector.from(local.z);
@@ -52,7 +52,7 @@ double fraction_of_turn(const Sector& sector, const Vec3& local) {
     return angle - sector.angle < turn - angle ? 1 : 0;
 }
 
-/// How a point moves with the height, at a radius that is not zero; nothing at a tip.
+/// Returns how a point moves with the height, at a radius that is not zero; zero at a tip.
 Vec3 along_height(const Profile& profile, const Vec3& local) {
     const auto& q = profile.squares;
     const double radius = std::hypot(local.x, local.y);
@@ -61,8 +61,8 @@ Vec3 along_height(const Profile& profile, const Vec3& local) {
     return growth * outward(local) + Vec3(0, 0, 1);
 }
 
-/// How the line moves with its height that the surface is swept from, where it is turned to pass
-/// the point.
+/// Returns how the line from which the surface is swept moves with its height, rotated so that it
+/// passes the point.
 Vec3 along_line(const Sector& sector, const Vec3& local) {
     const Vec2 from = sector.from(local.z), step = sector.from.per_height;
     const double length2 = from.dot(from);
@@ -79,7 +79,7 @@ struct Coordinate {
     Vec3 derivative;
 };
 
-/// v, before it is turned round.
+/// Returns v, before it is reversed.
 Coordinate coordinate_along(const Revolved& s, const Vec3& local) {
     const Profile& p = s.profile;
     const double span = p.high - p.low;
@@ -115,7 +115,8 @@ Vec3 gradient(const Profile& profile, const Vec3& p) {
     return slope == Vec3(0) ? Vec3(0, 0, 1) : slope;
 }
 
-/// The tangent part of what pbrt-v3 has: its hyperboloid is swept by its line only to rounding.
+/// Keeps the tangent part of pbrt-v3's derivatives: its hyperboloid is swept by its line only up to
+/// rounding.
 Parametrization revolved_chart(const Revolved& s, const Vec3& local) {
     Parametrization at = chart(s, local);
     const Vec3 normal = unit_vector(gradient(s.profile, local));
@@ -124,9 +125,9 @@ Parametrization revolved_chart(const Revolved& s, const Vec3& local) {
 }
 
 /// The form at the point is off zero by twice the error bound: half of it as computed, half by
-/// rounding. So the surface is no further off than that by the gradient's length in the world.
-/// Twice that, so that the kernel sees the difference. pbrt-v3's normal is that of its derivatives;
-/// on a hyperboloid that its line does not sweep it is another than the surface's.
+/// rounding. So the surface is no further away than that divided by the gradient's length in world
+/// space. The result is doubled, so that the kernel sees the difference. pbrt-v3's normal is that
+/// of its derivatives; on a hyperboloid that its line does not sweep it differs from the surface's.
 SurfacePoint surface(const Geometry&, const Revolved& s, const RayQuery& q, double t) {
     const Affine& m = s.to_world;
     const Vec3 local = local_point(s, q.ray.origin - m.origin + t * q.ray.direction);

@@ -15,14 +15,14 @@ double furthest_from_zero(const Range& heights) {
     return std::max(std::abs(heights.low), std::abs(heights.high));
 }
 
-/// The largest sum of terms of the profile's square between two heights.
+/// Returns the largest sum of terms of the profile's square between two heights.
 double terms_of_square(const Profile& profile, const Range& heights) {
     const auto& q = profile.squares;
     const double far = furthest_from_zero(heights);
     return std::abs(q[0]) + far * (std::abs(q[1]) + far * std::abs(q[2]));
 }
 
-/// The radii between two heights, rounded outward.
+/// Returns the range of radii between two heights, rounded outward.
 Range radii(const Profile& profile, const Range& heights) {
     const auto& q = profile.squares;
     const double a = profile.square(heights.low), b = profile.square(heights.high);
@@ -37,7 +37,7 @@ Range radii(const Profile& profile, const Range& heights) {
             std::sqrt(std::max(0.0, squares.high + error))};
 }
 
-/// The largest across r + up z of the curve's points (r, z), from boxes about pieces of it.
+/// Returns the largest across r + up z of the curve's points (r, z), from boxes of its pieces.
 double reach_of_pieces(const Profile& p, double across, double up) {
     constexpr int pieces = 64;
     double furthest = -infinity, below = p.low;
@@ -51,8 +51,8 @@ double reach_of_pieces(const Profile& p, double across, double up) {
     return furthest;
 }
 
-/// The same of an ellipse's curve, with squares[2] < 0: in (R sin a / sqrt(c), R cos a) about its
-/// middle it is a sum of a cosine and a sine.
+/// The same for an ellipse, with squares[2] < 0: in (R sin a / sqrt(c), R cos a) about its middle
+/// it is a sum of a cosine and a sine.
 std::optional<double> reach_of_ellipse(const Profile& p, double across, double up) {
     const auto& q = p.squares;
     const double c = -q[2], middle = 0.5 * q[1] / c;
@@ -63,7 +63,7 @@ std::optional<double> reach_of_ellipse(const Profile& p, double across, double u
     return up * middle + radius * length;
 }
 
-/// The same of a parabola's, with squares[2] = 0, where it rises against `up`.
+/// The same for a parabola, with squares[2] = 0, where it rises against `up`.
 std::optional<double> reach_of_parabola(const Profile& p, double across, double up) {
     const auto& q = p.squares;
     const double radius = -0.5 * across * q[1] / up, at = (radius * radius - q[0]) / q[1];
@@ -71,9 +71,9 @@ std::optional<double> reach_of_parabola(const Profile& p, double across, double 
     return -up * q[0] / q[1] - 0.25 * across * across * q[1] / up;
 }
 
-/// The largest across r + up z of the curve's points (r, z). r is a convex function of z or a
-/// concave one as the square's discriminant is negative or positive, so that the furthest point is
-/// an end, or where the slope vanishes.
+/// Returns the largest across r + up z of the curve's points (r, z). r is a convex function of z if
+/// the square's discriminant is negative, and a concave one if it is positive, so that the furthest
+/// point is an end or a point where the slope vanishes.
 double reach(const Profile& p, double across, double up) {
     const auto& q = p.squares;
     const auto reach_at = [&](double z) {
@@ -90,11 +90,12 @@ double reach(const Profile& p, double across, double up) {
     if (across >= 0 && q[2] == 0) {
         return std::max(ends, reach_of_parabola(p, across, up).value_or(ends));
     }
-    if (across <= 0 && q[2] <= 0) return ends;  // and a concave r is seen from behind
+    if (across <= 0 && q[2] <= 0) return ends;  // a concave r is seen from behind, too
     return reach_of_pieces(p, across, up);
 }
 
-/// The largest component along (x, y) of the sector's unit vectors, which do not turn.
+/// Returns the largest component along (x, y) of the sector's unit vectors. The sector must not
+/// turn.
 double reach(const Sector& sector, double x, double y) {
     const TurningDirection &from = sector.from, &to = sector.to;
     const double length = std::hypot(x, y);
@@ -104,8 +105,8 @@ double reach(const Sector& sector, double x, double y) {
     return std::max(x * from.at.x + y * from.at.y, x * to.at.x + y * to.at.y);
 }
 
-/// The angles that a sector has at some heights, from `begin` on. Whole turns are taken for those
-/// about the axis.
+/// The angles of a sector over a range of heights, from `begin` on. A direction
+/// that turns by 1.5 or more counts as a whole turn.
 struct Turn {
     Turn(const Sector& sector, const Range& heights) {
         const Vec2 a = sector.from(heights.low), b = sector.from(heights.high);
@@ -115,7 +116,7 @@ struct Turn {
         is_whole = sector.is_whole || !(std::abs(change) < 1.5);
     }
 
-    /// The largest cosine of an angle to one of them.
+    /// Returns the largest cosine of the angle between `to` and one of them.
     double largest_cosine(double to) const {
         constexpr double turn = 2 * std::numbers::pi;
         const double from_begin = to - begin - turn * std::floor((to - begin) / turn);
@@ -127,7 +128,8 @@ struct Turn {
     bool is_whole;
 };
 
-/// How far a surface that turns with the height reaches along a row of the map, piece by piece.
+/// Returns how far a surface that turns with the height reaches along a row of the map, from its
+/// pieces.
 double reach_of_turning(const Revolved& s, const Vec3& row) {
     constexpr int pieces = 64;
     const Profile& p = s.profile;
@@ -144,7 +146,7 @@ double reach_of_turning(const Revolved& s, const Vec3& row) {
     return furthest;
 }
 
-/// How far the surface reaches along a row of the map.
+/// Returns how far the surface reaches along a row of the map.
 double reach(const Revolved& s, const Vec3& row) {
     if (s.sector.from.turns() && !s.sector.is_whole) return reach_of_turning(s, row);
     const double across = reach(s.sector, row.x, row.y);

@@ -6,12 +6,13 @@
 namespace etalon {
 namespace {
 
-/// a t^2 + b t + c.
+/// The polynomial a t^2 + b t + c.
 struct Polynomial {
     Dyadic a, b, c;
 };
 
-/// Components across z of a vector that moves along the line, times the determinant: at + t step.
+/// Components perpendicular to z of a vector that moves along the line, times the determinant: at +
+/// t step.
 struct MovingVec2 {
     std::array<Dyadic, 2> at, step;
 };
@@ -20,7 +21,7 @@ MovingVec2 point_on(const ExactLine& line) {
     return {{line.w[0], line.w[1]}, {line.d[0], line.d[1]}};
 }
 
-/// The direction at the height of the line's point.
+/// Returns the direction at the height of the line's point.
 MovingVec2 along(const TurningDirection& direction, const ExactLine& line) {
     const auto component = [&](double at, double per_height) {
         return std::pair(Dyadic(at) * line.unit + Dyadic(per_height) * line.w[2],
@@ -41,13 +42,14 @@ Polynomial cross(const MovingVec2& a, const MovingVec2& b) {
     return {cross(a.step, b.step), cross(a.at, b.step) + cross(a.step, b.at), cross(a.at, b.at)};
 }
 
-/// Where a line meets the surface, in local coordinates times the determinant.
+/// Intersection of a line and the surface, in local coordinates times the determinant.
 class ExactRevolved {
   public:
     ExactRevolved(const Revolved& s, const Ray& ray)
         : surface_(s), line_(s.to_world, ray), form_(form()) {}
 
-    /// First visible t. Both roots of a tangent are its one point, which shows both sides.
+    /// Returns the first visible t. Both roots of a tangent are its one point, which shows both
+    /// sides.
     double first_hit(Sides sides, double tmin) const {
         if (!form_.has_roots()) return no_hit;
         const int first = form_.opening() < 0 ? out : in;
@@ -62,8 +64,8 @@ class ExactRevolved {
   private:
     static constexpr int in = ExactQuadratic::in, out = ExactQuadratic::out;
 
-    /// The form that vanishes on the surface and is positive on its front; twice the height over
-    /// the plane.
+    /// Returns the form that vanishes on the surface and is positive on its front; for a plane,
+    /// twice the height over it.
     ExactQuadratic form() const {
         const auto& [w, d, unit] = line_;
         if (surface_.profile.is_flat()) return {Dyadic(), d[2], w[2] + w[2]};

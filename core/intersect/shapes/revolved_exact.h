@@ -5,8 +5,8 @@
 
 namespace etalon {
 
-/// First visible t. Hit and miss are exact, and t good to a few ulp. None for a degenerate surface,
-/// and for a ray that is not finite.
+/// Returns the first visible t; no_hit for a degenerate surface, and for a ray that is not finite.
+/// Hit and miss are exact, and t is good to a few ulp.
 [[gnu::cold]] double exact_first_hit(const Revolved& s, Sides sides, const Ray& ray);
 
 }  // namespace etalon

@@ -1,6 +1,5 @@
-// Fast path for most rays on a surface of revolution, in plain double with a bound on all that
-// rounding may have done. What that leaves uncertain is decided by
-// core/intersect/shapes/revolved_exact.h.
+// Fast path for most rays on a surface of revolution, in plain double with a bound on all rounding
+// errors. What it leaves uncertain is decided by core/intersect/shapes/revolved_exact.h.
 #pragma once
 
 #include "core/intersect/shapes/approximate_roots.h"
@@ -8,7 +7,7 @@
 
 namespace etalon {
 
-/// Sums and products of numbers that are off by known bounds, with their own roundings.
+/// Arithmetic on numbers with error bounds, including its own roundings.
 inline Approximate operator+(const Approximate& a, const Approximate& b) {
     const double sum = a.value + b.value;
     return {sum, a.error + b.error + 1.01 * unit_roundoff * std::abs(sum)};
@@ -25,14 +24,14 @@ inline Approximate exactly_known(double x) {
     return {x, 0};
 }
 
-/// The line in local coordinates from its point nearest to the middle of the surface, so that what
-/// it is off by grows with distance, and not with its square.
+/// The line in local coordinates, from its point nearest to the middle of the surface, so that its
+/// error grows with distance and not with the square of distance.
 class RevolvedFastPath {
   public:
     RevolvedFastPath(const Revolved& s, const RayQuery& q)
         : surface_(s), tmin_(q.ray.tmin), line_(s.to_world.origin, s.frame, q.ray) {}
 
-    /// The first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
+    /// Returns the first visible t beyond tmin, good to t_tolerance; no_hit; or uncertain.
     double first_hit(Sides sides) {
         const LocalFrame& frame = surface_.frame;
         for (int k = 0; k < 3; ++k) {
@@ -45,7 +44,7 @@ class RevolvedFastPath {
   private:
     static constexpr double u = unit_roundoff;
 
-    /// Start and direction, with their errors.
+    /// Moves the start near the surface, with errors of start and direction.
     void advance() {
         const Vec3 &w = line_.w, &d = line_.d;
         const Profile& profile = surface_.profile;
@@ -69,7 +68,7 @@ class RevolvedFastPath {
         return visible({t, 1.01 * (error + 2 * u * std::abs(t))}, way, sides);
     }
 
-    /// See Profile: the form x^2 + y^2 - squares(z) on the line.
+    /// Intersects the form x^2 + y^2 - squares(z) with the line: see Profile.
     double on_curve(Sides sides) const {
         const auto& [x, y, z] = w_;
         const auto& [dx, dy, dz] = d_;
@@ -92,7 +91,7 @@ class RevolvedFastPath {
         return visible(in_order ? far : near, in_order ? -way : way, sides);
     }
 
-    /// How far along the line from the start the surface may be.
+    /// Returns how far along the line from the start the surface may be.
     double stretch() const {
         const Profile& p = surface_.profile;
         const double height = std::max(std::abs(p.low), std::abs(p.high));
@@ -107,12 +106,12 @@ class RevolvedFastPath {
         return 1.01 * away / speed;
     }
 
-    /// Returns t of a point on the curve if it is seen, cut off by nothing and beyond tmin.
+    /// Returns the t of a point on the curve if it is visible, not clipped and beyond tmin.
     double visible(const Approximate& from_start, int way, Sides sides) const {
         if (sides == (way < 0 ? Sides::back : Sides::front)) return no_hit;
         const Approximate t = exactly_known(start_) + from_start;
         if (t.value + t.error < tmin_) return no_hit;
-        // Where exact arithmetic knows t much better it is asked.
+        // Exact arithmetic knows t much better here.
         if (surface_.is_sheared && t.error > 0x1p-48 * std::abs(t.value)) return uncertain;
         const Certain within = is_within(from_start);
         if (within == Certain::no) return no_hit;
@@ -143,7 +142,7 @@ class RevolvedFastPath {
         return both(on_curve, is_in_sector(x, y, z));
     }
 
-    /// The sign of the direction at the height z times (x, y).
+    /// Returns the sign of the direction at the height z times (x, y).
     static Certain is_after(const TurningDirection& from, const Approximate& x,
                             const Approximate& y, const Approximate& z) {
         const auto at = [&](double constant, double per_height) {

@@ -4,7 +4,8 @@
 
 namespace etalon {
 
-/// |(n.d) w + (n.(c - o)) d|^2 is (n.d)^2 times the square of the distance from the centre.
+/// Uses |(n.d) w + (n.(c - o)) d|^2, which is (n.d)^2 times the square of the distance from the
+/// centre.
 bool is_exactly_between(const Ring& r, const Ray& ray) {
     if (is_degenerate(r) || !is_finite(ray.origin) || !is_finite(ray.direction)) return false;
     const DyadicVec n = exactly(r.normal), d = exactly(ray.direction);

@@ -22,7 +22,7 @@ inline Box3 bounds(const Geometry&, const Ring& r) {
     return {r.centre - reach, r.centre + reach};
 }
 
-/// How far from the centre a line passes the ring's plane, with a bound on its error.
+/// Distance from the centre at which a line passes the ring's plane, with a bound on its error.
 class RingPassage {
   public:
     /// The line o + t d passes at w + t d, w = o - c; times n.d, that is n x (w x d).
@@ -38,11 +38,11 @@ class RingPassage {
         cosine_ = n.dot(d);
         const double nn = n.dot(n), dd = d.dot(d), far2 = w.dot(w) + r.outer * r.outer;
         size2_ = nn * dd * far2;
-        // So that nothing underflows that counts, and nothing overflows.
+        // Excludes relevant underflow, and overflow.
         in_range_ = std::min(std::min(nn, dd), far2) > 0x1p-250 && size2_ < 0x1p480;
     }
 
-    /// Side of a circle: 1 for beyond it, -1 for within, 0 for uncertain.
+    /// Returns the side of a circle: 1 for outside, -1 for inside, 0 for uncertain.
     int side(double radius) const {
         constexpr double error_bound = 32 * unit_roundoff;
         const double circle2 = (radius * cosine_) * (radius * cosine_);
@@ -59,11 +59,11 @@ class RingPassage {
     bool in_range_;
 };
 
-/// Whether the line, which is not parallel to the ring's plane, passes it between the circles or on
-/// one of them. Never for a degenerate ring. Slow.
+/// Returns whether the line, which is not parallel to the ring's plane, passes it between the
+/// circles or on one of them. False for a degenerate ring. Slow.
 [[gnu::cold]] bool is_exactly_between(const Ring& r, const Ray& ray);
 
-/// The same at once for most lines.
+/// The same, fast for most lines.
 inline bool is_between(const Ring& r, const Ray& ray) {
     const RingPassage passage(r, ray);
     const int outer = passage.side(r.outer);
@@ -73,7 +73,7 @@ inline bool is_between(const Ring& r, const Ray& ray) {
     return outer < 0 && inner > 0 ? !is_degenerate(r) : is_exactly_between(r, ray);
 }
 
-/// First visible t. Hit or miss is right for every ray, and t as good as the plane's.
+/// Returns the first visible t. Hit or miss is right for every ray, and t as good as the plane's.
 inline double first_hit(const Geometry& geometry, const Ring& r, Sides sides, const RayQuery& q) {
     const double t = first_hit(geometry, plane_of(r), sides, q);
     return t < infinity && is_between(r, q.ray) ? t : no_hit;
@@ -83,8 +83,8 @@ inline SurfacePoint surface(const Geometry& geometry, const Ring& r, const RayQu
     return surface(geometry, plane_of(r), q, t);
 }
 
-/// Parametrization of pbrt (of a disk), with u from the x axis of about_axis(). dpdu x dpdv points
-/// where the normal does.
+/// Returns pbrt's parametrization (of a disk), with u from the x axis of about_axis(). dpdu x dpdv
+/// points where the normal does.
 inline Parametrization parametrization(const Geometry&, const Ring& r, const SurfacePoint& p) {
     const Affine map = about_axis(r.centre, r.normal);
     return image(map, ring_chart(pulled_back(map, p.position - r.centre), r.inner, r.outer));

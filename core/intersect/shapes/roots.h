@@ -5,10 +5,11 @@
 
 namespace etalon {
 
-/// Value that a fast path returns in place of a t for which its error bound cannot vouch.
+/// Value that a fast path returns instead of a t that its error bound cannot guarantee.
 inline constexpr double uncertain = -infinity;
 
-/// Whether a root counts: beyond tmin, and not carried to infinity by a vanishing denominator.
+/// Returns whether a root counts: beyond tmin, and not carried to infinity by a vanishing
+/// denominator.
 inline bool is_ahead(double t, double tmin) {
     return t > tmin && t < infinity;
 }
@@ -26,7 +27,8 @@ inline double first_visible(double entry, double exit, Sides sides, double tmin)
     return no_hit;
 }
 
-/// Whether a surface whose front normal makes `cosine` = normal . direction shows a visible side.
+/// Returns whether a surface whose front normal makes `cosine` = normal . direction shows a visible
+/// side.
 inline bool faces(double cosine, Sides sides) {
     return sides == Sides::both || (sides == Sides::front ? cosine < 0 : cosine > 0);
 }

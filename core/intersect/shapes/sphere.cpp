@@ -29,14 +29,14 @@ double fine_gap(const Sphere& s, const Vec3& origin) {
 
 namespace {
 
-/// Whether a bit of a product of four such numbers, scaled, is below the range of double. What is
-/// no number is not.
+/// Returns whether a bit of a product of four such numbers, scaled, is below the range of double.
+/// False for a NaN.
 bool is_below_range(const Vec3& v, double scale) {
     const auto is = [&](double x) { return x != 0 && std::abs(x * scale) <= 0x1p-200; };
     return is(v.x) || is(v.y) || is(v.z);
 }
 
-/// The same in integers: for a ray from 2^200 radii away, or with components as unequal as that.
+/// The same in integers, for a ray from 2^200 radii away or with components as unequal as that.
 [[gnu::noinline]] double widest_first_hit(const Sphere& s, Sides sides, const Ray& ray) {
     const bool all_finite = is_finite(ray.origin) && is_finite(ray.direction) &&
                             is_finite(s.centre) && std::isfinite(s.radius);
@@ -73,7 +73,7 @@ double exact_first_hit(const Sphere& s, Sides sides, const RayQuery& q) {
     const double discriminant = (minus_b * minus_b - a * c).estimate();
     if (!(discriminant >= 0)) return no_hit;
     const double b = -minus_b.estimate(), sum = std::abs(b) + std::sqrt(discriminant);
-    const int unit = std::ilogb(slow) - std::ilogb(near);  // t's, which may be no double itself
+    const int unit = std::ilogb(slow) - std::ilogb(near);  // unit of t, which may not be a double
     const double tmin = std::ldexp(q.ray.tmin, -unit);
     const double t = std::ldexp(first_root(a.estimate(), b, c.estimate(), sum, sides, tmin), unit);
     return is_ahead(t, q.ray.tmin) ? t : no_hit;

@@ -14,31 +14,30 @@ inline Box3 bounds(const Geometry&, const Sphere& s) {
     return {s.centre - Vec3(s.radius), s.centre + Vec3(s.radius)};
 }
 
-/// The first visible root of a t^2 - 2 b t + c = 0, for sum = |b| + sqrt(b^2 - a c): as quotients
-/// in which nothing cancels (Press et al. 2007, Numerical Recipes, section 5.6).
+/// Returns the first visible root of a t^2 - 2 b t + c = 0, for sum = |b| + sqrt(b^2 - a c), as a
+/// quotient in which nothing cancels (Press et al. 2007, Numerical Recipes, section 5.6).
 inline double first_root(double a, double b, double c, double sum, Sides sides, double tmin) {
     if (b >= 0) return first_visible(c / sum, sum / a, sides, tmin);
     return first_visible(-sum / a, -c / sum, sides, tmin);
 }
 
-/// |o - centre|^2 - r^2 for origins next to the surface, where it cancels: off by no more than
-/// fine_error_bound times the sum of the two squares (and u of itself). What is left of the squares
-/// is summed with its errors; those are at most 7 u of that sum together, of which their own
-/// roundings, a dozen, lose u each.
+/// Returns |o - centre|^2 - r^2 for origins next to the surface, where it cancels. The error is at
+/// most fine_error_bound times the sum of the two squares (and u relatively). What is left of the
+/// squares is summed with its errors; those are at most 7 u of that sum together, of which their
+/// own roundings, a dozen, lose u each.
 double fine_gap(const Sphere& s, const Vec3& origin);
 inline constexpr double fine_error_bound = 128 * unit_roundoff * unit_roundoff;
 
-/// The same answer as first_hit, from exact arithmetic: hit and miss are right for every ray, and t
-/// to a few ulp. Slow.
+/// Returns the same as first_hit, from exact arithmetic: hit and miss are right for every ray, and
+/// t to a few ulp. Slow.
 double exact_first_hit(const Sphere& s, Sides sides, const RayQuery& q);
 
-/// The points f + t d at the radius from the centre. The discriminant b^2 - a c is taken as
-/// a r^2 - |f x d|^2 (Lagrange's identity), which does not cancel with distance: the cross product
-/// is how far the line passes from the centre.
+/// Intersects the sphere with the line f + t d, seen from the centre. The discriminant b^2 - a c is
+/// computed as a r^2 - |f x d|^2 (Lagrange's identity), which does not cancel with distance: the
+/// cross product is how far the line passes from the centre.
 ///
-/// Hit and miss are right for every ray, and t to t_tolerance: where the roundings of the fast
-/// path (Higham 2002, ch. 3) could spoil either, as they do at silhouettes, the exact one takes
-/// over.
+/// Hit and miss are right for every ray, and t to t_tolerance: where the roundings of the fast path
+/// (Higham 2002, ch. 3) could change either, as they do at silhouettes, the exact one takes over.
 inline double first_hit(const Geometry&, const Sphere& s, Sides sides, const RayQuery& q) {
     constexpr double u = unit_roundoff, worst = t_tolerance / 2;
     const Vec3 f = q.ray.origin - s.centre;
@@ -76,7 +75,7 @@ inline SurfacePoint surface(const Geometry&, const Sphere& s, const RayQuery& q,
     return {position, position_error(abs(s.centre), s.radius), normal, normal};
 }
 
-/// Parametrization of pbrt, about the z axis of the world. dpdu x dpdv points outward.
+/// Returns pbrt's parametrization, about the z axis of the world. dpdu x dpdv points outward.
 inline Parametrization parametrization(const Geometry&, const Sphere& s, const SurfacePoint& p) {
     const Parametrization unit = sphere_chart(p.normal);
     return {unit.uv, s.radius * unit.dpdu, s.radius * unit.dpdv};

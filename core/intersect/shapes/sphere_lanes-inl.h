@@ -22,7 +22,7 @@ HWY_INLINE TwoTermLanes two_sum(Doubles a, Doubles b) {
     return {s, (a - (s - bb)) + (b - bb)};
 }
 
-/// See fine_gap(), of which this has the bits where multiply-adds of vectors round once.
+/// Computes fine_gap(), with the same bits where vector multiply-adds round once.
 HWY_INLINE Doubles fine_gap(const Sphere& s, const Vec3Lanes& origin) {
     const TwoTerm square = two_product(s.radius, s.radius);
     Doubles sum = broadcast(-square.value), rest = broadcast(-square.error);
@@ -42,7 +42,7 @@ HWY_INLINE Doubles fine_gap(const Sphere& s, const Vec3Lanes& origin) {
 HWY_INLINE HitLanes first_hits(const Sphere& s, Sides sides, const RayLanes& rays) {
     constexpr double u = unit_roundoff, worst = t_tolerance / 2;
     const double radius2 = s.radius * s.radius;
-    if (!(s.radius > 0) || !(radius2 > 0x1p-900)) return all_doubtful();
+    if (!(s.radius > 0) || !(radius2 > 0x1p-900)) return all_uncertain();
     const Doubles zero = broadcast(0), r2 = broadcast(radius2);
     const Vec3Lanes f = rays.origin - broadcast(s.centre), &d = rays.direction;
     const Doubles a = d.dot(d), b = hn::Neg(f.dot(d)), f2 = f.dot(f);
@@ -82,7 +82,7 @@ HWY_INLINE HitLanes first_hits(const Sphere& s, Sides sides, const RayLanes& ray
     const Doubles by_c = c / sum, by_a = sum / a;
     const Doubles entry = hn::IfThenElse(towards, by_c, hn::Neg(by_a));
     const Doubles exit = hn::IfThenElse(towards, by_a, hn::Neg(by_c));
-    return settled(first_visible(entry, exit, sides, rays), missed, decided);
+    return hit_lanes(first_visible(entry, exit, sides, rays), missed, decided);
 }
 
 }  // namespace etalon::HWY_NAMESPACE

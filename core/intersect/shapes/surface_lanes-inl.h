@@ -1,5 +1,5 @@
-// surface() for several hits on one primitive, in the same steps and so to the same bits. What all
-// points of a primitive have in common is taken from one of them. Compiled for each instruction
+// surface() for several hits on one primitive, in the same steps and so with the same bits. What
+// all points of a primitive have in common is taken from one of them. Compiled for each instruction
 // set.
 #if defined(ETALON_SURFACE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_SURFACE_LANES_INL_H
@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// Hits, whose directions are those of a RayQuery.
+/// Hits with their rays; the directions are those of a RayQuery.
 struct HitRays {
     Vec3Lanes origin, direction;
     Doubles t;
@@ -24,7 +24,7 @@ struct HitRays {
     HWY_INLINE Vec3Lanes point() const { return origin + t * direction; }
 };
 
-/// Points of hits; which of them the steps have decided. The shading normal is the normal.
+/// Points of hits, and which of them are decided. The shading normal is the normal.
 struct SurfaceLanes {
     Vec3Lanes position, error, normal;
     DoubleMask decided;
@@ -50,8 +50,8 @@ HWY_INLINE SurfaceLanes surfaces(const Plane& p, const SurfacePoint& any, const 
     return {position, error, normal, left <= most_left};
 }
 
-/// Where lines cross the slabs of one axis of a box after another, and the axes of the last
-/// entries and first exits: 0, 1 or 2.
+/// Where lines cross the slabs of a box, one axis after another, and the axes of the last entries
+/// and first exits: 0, 1 or 2.
 struct BoxFaces {
     HWY_INLINE BoxFaces() : entry_axis(broadcast(0)), exit_axis(broadcast(0)) {}
 
@@ -66,8 +66,8 @@ struct BoxFaces {
     Doubles entry_axis, exit_axis;
 };
 
-/// A coordinate of a point on a box and of the normal there. `is_face`: the point is on a face of
-/// this axis, the one at the slab's end where `at_max`.
+/// Sets one coordinate of a point on a box and of its normal. `is_face`: the point is on a face of
+/// this axis, on the one at the slab's upper end where `at_max`.
 HWY_INLINE void put_on_box(double min, double max, DoubleMask is_face, DoubleMask at_max,
                            Doubles& position, Doubles& normal) {
     const Doubles low = broadcast(min), high = broadcast(max);
@@ -122,7 +122,7 @@ HWY_INLINE void replace(DoubleMask where, const SurfaceLanes& by, SurfaceLanes& 
     surfaces.decided = hn::Or(hn::And(where, by.decided), hn::AndNot(where, surfaces.decided));
 }
 
-/// Of a triangle without normals at its corners.
+/// Computes points of a triangle without corner normals.
 HWY_INLINE SurfaceLanes surfaces(const TriangleCorners& p, const SurfacePoint& any,
                                  const HitRays& hits) {
     const DoubleTag tag;

@@ -5,7 +5,7 @@
 namespace etalon {
 namespace {
 
-/// Takes all weights in integers, and divides them by one power of two. None gets another sign.
+/// Computes all weights in integers and divides them by one power of two. No sign changes.
 void take_widest_weights(TriangleCrossing& c, const TriangleCorners& p, const RayQuery& q) {
     std::array<Dyadic, 3> volume;
     int unit = std::numeric_limits<int>::min();
@@ -24,7 +24,7 @@ void take_widest_weights(TriangleCrossing& c, const TriangleCorners& p, const Ra
     }
 }
 
-/// Distance at which the ray passes the plane, in integers.
+/// Returns the distance at which the ray passes the plane, computed in integers.
 double widest_distance(const TriangleCorners& p, const RayQuery& q) {
     const DyadicVec n = cross(difference(p[1], p[0]), difference(p[2], p[0]));
     const Dyadic distance = dot(n, difference(p[0], q.ray.origin));
@@ -56,10 +56,10 @@ void finalize_weights(TriangleCrossing& c, const TriangleCorners& p, const RayQu
     if (thin) c.error_bound = 0x1p-38 * max_abs(u, v, w);
 }
 
-/// o + t d is in the plane of a, b and c, seen from o, where t d . (b x c + c x a + a x b) is
-/// a . (b x c). The terms on the left are the weights but for dz, of one sign where the ray passes
-/// between the corners. For a ray that has just left the triangle they are known well enough: it is
-/// the volume that is next to nothing.
+/// o + t d is in the plane of a, b and c, seen from o, where t d . (b x c + c x a + a x b) is a .
+/// (b x c). The terms on the left are the weights but for dz, and of one sign where the ray passes
+/// between the corners. For a ray that has just left the triangle they are accurate enough; it is
+/// the volume that nearly vanishes.
 double exact_distance(const TriangleCrossing& c, const TriangleCorners& p, const RayQuery& q) {
     if (!c.is_in_range()) return are_finite(p, q.ray) ? widest_distance(p, q) : no_hit;
     const Vec3 &o = q.ray.origin, &d = q.ray.direction;

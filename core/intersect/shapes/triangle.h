@@ -9,7 +9,7 @@
 
 namespace etalon {
 
-/// Corners where they are in the geometry: a copy would cost a kernel as much as an edge function.
+/// Corners as references into the geometry: a copy would cost a kernel as much as an edge function.
 /// Decimal ones are decoded.
 class TriangleCorners {
   public:
@@ -50,7 +50,7 @@ inline Box3 bounds(const Geometry& geometry, const Triangle& t) {
     return box;
 }
 
-/// Crossing of a ray and a triangle: the weights of the corners times their sum, and the depths.
+/// Crossing of a ray and a triangle: barycentric weights times their sum, and the depths.
 struct TriangleCrossing {
     std::array<double, 3> weight, depth;
     double sum;
@@ -61,13 +61,14 @@ struct TriangleCrossing {
         return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
     }
 
-    /// Whether the products of two weights' terms are doubles, with room for what cancels.
+    /// Returns whether the products of two weights' terms are in the range of double, with room for
+    /// cancellation.
     bool is_in_range() const { return error_bound > 0x1p-500 && error_bound < 0x1p500; }
 };
 
-/// Takes the weights exactly that their roundings could spoil; all of them where the triangle is so
-/// thin or edge-on that they would mean little, or where products leave the range of double: then
-/// the largest weight is about 1.
+/// Computes those weights exactly whose sign their roundings could change. Computes all of them
+/// exactly where the triangle is so thin or edge-on that they would mean little, or where products
+/// leave the range of double; the largest weight is then about 1.
 [[gnu::cold]] void finalize_weights(TriangleCrossing& c, const TriangleCorners& p,
                                     const RayQuery& q);
 
@@ -75,7 +76,7 @@ inline double max_abs(double x, double y, double z) {
     return std::max(std::abs(x), std::max(std::abs(y), std::abs(z)));
 }
 
-/// Whether a triangle is so thin or edge-on that its weights mean little.
+/// Returns whether a triangle is so thin or edge-on that its weights mean little.
 inline bool is_thin(const TriangleCrossing& c) {
     return !(std::abs(c.sum) > 0x1p28 * c.error_bound);
 }
@@ -95,12 +96,12 @@ inline bool is_thin(const TriangleCrossing& c) {
     return r;
 }
 
-/// Distance at which the ray passes the plane of three corners, to t_tolerance; slow. The ray must
-/// pass between them, and not along the plane.
+/// Returns the t at which the ray passes the plane of three corners, to t_tolerance; slow. The ray
+/// must pass between them, and not along the plane.
 double exact_distance(const TriangleCrossing& c, const TriangleCorners& p, const RayQuery& q);
 
-/// Whether n . (p - o) and n . d, for the normal n = (b - a) x (c - a), are of opposite signs
-/// beyond all doubt: the plane is behind the ray's start, as that of a triangle which it has just
+/// Returns whether n . (p - o) and n . d, for the normal n = (b - a) x (c - a), surely are of
+/// opposite signs: the plane is behind the ray's start, as that of a triangle which it has just
 /// left. A component of n is off by 4 u of its two products, and the sums over f = p - o by 4 u
 /// more, to first order.
 inline bool is_plane_behind(const TriangleCorners& p, const RayQuery& q) {
@@ -120,8 +121,8 @@ inline bool is_plane_behind(const TriangleCorners& p, const RayQuery& q) {
            std::abs(approach) > std::max(error_bound * terms.dot(abs(d)), least);
 }
 
-/// The mean of the corners' depths. It is good to t_tolerance, or taken exactly, unless it is
-/// certainly behind the ray's start.
+/// Returns the mean of the corners' depths. It is good to t_tolerance, or computed exactly, unless
+/// it is certainly behind the ray's start.
 inline double distance_of(const TriangleCrossing& c, const TriangleCorners& p, const RayQuery& q) {
     const auto [u, v, w] = c.weight;
     const auto [x, y, z] = c.depth;
@@ -146,7 +147,8 @@ inline double first_hit(const Geometry& geometry, const Triangle& tri, Sides sid
     return is_ahead(t, q.ray.tmin) ? t : no_hit;
 }
 
-/// The position is built from the corners and so as exact as they are, however far the ray came.
+/// The position is interpolated from the corners and so as exact as they are, however far the ray
+/// came.
 inline SurfacePoint surface(const Geometry& geometry, const Triangle& tri, const RayQuery& q,
                             double) {
     const TriangleCorners p(geometry, tri);
@@ -175,16 +177,16 @@ inline SurfacePoint surface(const Geometry& geometry, const Triangle& tri, const
             shading};
 }
 
-/// Parametrization of pbrt for a triangle without coordinates of its own: (0, 0), (1, 0) and (1, 1)
-/// at the corners. dpdu x dpdv points where the normal does.
+/// Returns pbrt's parametrization of a triangle without coordinates of its own: (0, 0), (1, 0) and
+/// (1, 1) at the corners. dpdu x dpdv points where the normal does.
 inline Parametrization parametrization(const Geometry& geometry, const Triangle& t,
                                        const SurfacePoint& p) {
     const TriangleCorners corner(geometry, t);
     const Vec3 a = corner[1] - corner[0], b = corner[2] - corner[0], w = p.position - corner[0];
     const Vec3 n = front_normal(corner);
     const int k = dominant_axis(n);
-    // The second from the first, so that together they give the point even where the triangle is so
-    // thin that each is far off.
+    // The second is derived from the first, so that together they give the point even where the
+    // triangle is so thin that each is far off.
     const double weight2 = a.cross(w)[k] / n[k], weight1 = a.dot(w - weight2 * b) / a.dot(a);
     return {{saturated(weight1 + weight2), saturated(weight2)}, a, corner[2] - corner[1]};
 }

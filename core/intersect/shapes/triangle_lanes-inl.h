@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
 
-/// The components of vectors as the rays see them: z along their dominant axis.
+/// Returns the components of vectors in the rays' frame: z along their dominant axis.
 template <int dominant>
 HWY_INLINE Vec3Lanes in_ray_frame(const Vec3Lanes& v) {
     if constexpr (dominant == 0) return {v.y, v.z, v.x};
@@ -21,7 +21,7 @@ HWY_INLINE Vec3Lanes in_ray_frame(const Vec3Lanes& v) {
     return v;
 }
 
-/// See shear(); all in the rays' frame.
+/// Computes shear(); all arguments in the rays' frame.
 HWY_INLINE Vec3Lanes shear(const Vec3Lanes& corner, const Vec3Lanes& origin, const Vec3Lanes& d) {
     const Vec3Lanes a = corner - origin;
     return {d.z * a.x - d.x * a.z, d.z * a.y - d.y * a.z, a.z};
@@ -31,9 +31,9 @@ HWY_INLINE Doubles edge_function(const Vec3Lanes& a, const Vec3Lanes& b) {
     return a.x * b.y - a.y * b.x;
 }
 
-/// cross_triangle(), as far as doubles decide.
+/// Performs cross_triangle(), as far as doubles decide.
 struct TriangleCrossings {
-    /// All in the rays' frame: corners, origins and directions.
+    /// All arguments are in the rays' frame: corners, origins and directions.
     HWY_INLINE TriangleCrossings(const Vec3Lanes& p, const Vec3Lanes& q, const Vec3Lanes& r,
                                  const Vec3Lanes& o, const Vec3Lanes& d)
         : a(shear(p, o, d)), b(shear(q, o, d)), c(shear(r, o, d)) {
@@ -53,7 +53,7 @@ struct TriangleCrossings {
         return hn::And(least<hn::Neg(error_bound), most> error_bound);
     }
 
-    /// `size`: the magnitude of the weights' sum.
+    /// `size` is the magnitude of the weights' sum.
     HWY_INLINE DoubleMask surely_inside(Doubles size) const {
         return hn::And(hn::Or(least > error_bound, most < hn::Neg(error_bound)),
                        size > broadcast(0x1p28) * error_bound);
@@ -88,8 +88,8 @@ HWY_INLINE HitLanes first_hits(const TriangleCorners& p, Sides sides, const RayL
         const Doubles cosine = sum / d.z;
         is_seen = hn::And(is_seen, sides == Sides::front ? cosine < zero : cosine > zero);
     }
-    return settled(hn::IfThenElse(is_seen, t, broadcast(no_hit)), missed,
-                   hn::And(is_inside, is_good));
+    return hit_lanes(hn::IfThenElse(is_seen, t, broadcast(no_hit)), missed,
+                     hn::And(is_inside, is_good));
 }
 
 }  // namespace etalon::HWY_NAMESPACE

@@ -4,10 +4,9 @@
 
 namespace etalon {
 
-/// The line w + t d and the unit sphere about the origin or, where z is 0, the unit circle:
-/// |w + t d|^2 - 1 = A t^2 + 2 B t + C. By Lagrange's identity the discriminant is |d|^2 - |m|^2
-/// for m = w x d: it does not cancel with distance, for m / |d| is how far the line passes from the
-/// centre.
+/// The line w + t d and the unit sphere about the origin or, where z is 0, the unit circle: |w + t
+/// d|^2 - 1 = A t^2 + 2 B t + C. By Lagrange's identity the discriminant is |d|^2 - |m|^2 for m = w
+/// x d. It does not cancel with distance, for m / |d| is how far the line passes from the centre.
 ///
 /// Products of two vectors that are off by e and f are off by |a| f + |b| e + e f (Cauchy and
 /// Schwarz), and their own roundings are in e_d, see LocalLine. The square of m is off by
@@ -25,16 +24,16 @@ class UnitLine {
         e_discriminant_ = e_A_ + e_B_ * (4 * sum_abs(m) + e_B_);
     }
 
-    /// Whether the line starts outside and is on its way out.
+    /// Returns whether the line starts outside and moves away.
     bool leaves() const { return C_ > e_C_ && B_ > e_B_; }
 
     bool misses() const { return discriminant_ < -e_discriminant_; }
     bool is_certain() const { return discriminant_ > e_discriminant_; }
 
-    /// Whether not even the order of A is known: of a line along the cylinder.
+    /// Returns whether not even the magnitude of A is known, as for a line along the cylinder.
     bool is_parallel() const { return !(A_ > 8 * e_A_); }
 
-    /// Whether the points up to t = +-longest are all inside or all outside.
+    /// Returns whether the points up to t = +-longest are all inside or all outside.
     bool stays_clear(double longest) const {
         const double radius = std::sqrt(C_ + 1);
         const double drift = speed_ * longest + e_w_ + 4 * unit_roundoff * (1 + radius);
@@ -42,13 +41,13 @@ class UnitLine {
     }
     bool starts_inside() const { return C_ < 0; }
 
-    /// Computes the stretch by the sum of like signs, in which nothing cancels.
+    /// Computes the interval by the sum of like signs, in which nothing cancels.
     Stretch stretch() const {
         const double root = std::sqrt(discriminant_), sum = std::abs(B_) + root;
         const double per_sum = 1 / sum, per_A = 1 / A_;
         const double off = (e_B_ + e_discriminant_ / root) * per_sum + 4 * unit_roundoff;
         const double off_A = e_A_ * per_A;
-        // To the first order; what the higher ones add is less than a quarter of it.
+        // First-order terms. The higher ones add less than a quarter of them.
         const double more = std::max(off, off_A) < 0.1 ? 1.25 : infinity;
         const double far = sum * per_A, near = C_ * per_sum;
         const double e_far = more * (off + off_A) * far;

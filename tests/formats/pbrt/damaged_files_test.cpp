@@ -12,7 +12,7 @@ bool is_number(std::uint32_t number, std::size_t size) {
     return number == none || number < size;
 }
 
-/// Whether all that the parameters name is in the frame.
+/// Returns whether all that the parameters name is in the frame.
 bool is_bound(const Plugin& plugin, const Frame& frame) {
     return std::ranges::all_of(plugin.parameters.arguments(), [&](const Argument& a) {
         const auto* texture = std::get_if<TextureNumber>(&a.values);

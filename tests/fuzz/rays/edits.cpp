@@ -7,8 +7,8 @@
 namespace etalon::fuzz {
 namespace {
 
-/// Whether a number is of a usual size: the bits of t are those of the scaled ray's as long as none
-/// of the products of many factors leaves the range of double.
+/// Returns whether a number is of a usual size: the bits of t are those of the scaled ray's as long
+/// as none of the products of many factors leaves the range of double.
 bool is_usual(double x) {
     return x == 0 || (std::abs(x) > 0x1p-60 && std::abs(x) < 0x1p60);
 }

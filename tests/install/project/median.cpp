@@ -12,8 +12,8 @@ using namespace etalon;
 
 constexpr std::size_t leaf_size = 4;
 
-/// Whether a ray meets a box between tnear and tfar. A direction too small to divide by rejects no
-/// box.
+/// Returns whether a ray meets a box between tnear and tfar. A direction too small to divide by
+/// rejects no box.
 bool meets(const NormalizedRay& ray, const Box3f& box, float tnear, float tfar) {
     for (int axis = 0; axis < 3; ++axis) {
         const float inverse = 1 / ray.direction[axis];

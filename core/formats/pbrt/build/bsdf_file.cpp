@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view magic = "SCATFUN\x01";
 constexpr std::uint32_t is_bsdf = 1;
 
-/// What follows the magic, in the order of bytes of x86.
+/// Header after the magic number, in the byte order of x86.
 struct Header {
     std::uint32_t flags;
     std::int32_t cosines, coefficients, longest, channels, bases;
@@ -26,14 +26,14 @@ struct Header {
 };
 static_assert(sizeof(Header) == 56);
 
-/// Takes the bytes of a file from its beginning.
+/// Reads the bytes of a file from its beginning.
 class Bytes {
   public:
     explicit Bytes(std::string_view bytes) : bytes_(bytes) {}
 
     std::size_t size() const { return bytes_.size(); }
 
-    /// There must be as many.
+    /// There must be that many bytes left.
     template <class T>
     std::vector<T> take(std::size_t count) {
         std::vector<T> values(count);
@@ -46,7 +46,7 @@ class Bytes {
     std::string_view bytes_;
 };
 
-/// Why a file with this header is none that can be used; empty if there is no reason.
+/// Returns why a file with this header cannot be used; empty if it can.
 std::string objection(const Header& h, std::size_t bytes_after) {
     if (h.flags != is_bsdf)
         return fmt::format("has the flags {}: expected 1, a plain BSDF", h.flags);
@@ -68,7 +68,7 @@ std::string objection(const Header& h, std::size_t bytes_after) {
     return {};
 }
 
-/// The same of what the file holds.
+/// The same for the contents of the file.
 std::string objection(const FourierTable& table) {
     const auto is_finite = [](float x) { return std::isfinite(x); };
     for (const auto* numbers : {&table.cosines, &table.sums, &table.coefficients}) {

@@ -1,4 +1,4 @@
-// Files of tables by which surfaces scatter light.
+// Files of tabulated BSDFs.
 #pragma once
 
 #include <map>
@@ -11,8 +11,8 @@
 
 namespace etalon::pbrt {
 
-/// The table in the bytes of a file in the format of Jakob's layerlab that pbrt-v3 reads: without
-/// parameters of textures, and with one or three channels.
+/// Parses the bytes of a file in the format of Jakob's layerlab, as far as pbrt-v3 reads it:
+/// without texture parameters, and with one or three channels.
 Result<FourierTable> parse_bsdf_file(std::string_view bytes);
 
 /// Reads each file once.

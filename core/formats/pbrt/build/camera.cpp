@@ -8,8 +8,8 @@
 namespace etalon::pbrt {
 namespace {
 
-/// The part of the plane z = 1 that the image shows, before the field of view: the shorter side
-/// from -1 to 1 unless the file says otherwise.
+/// Returns the part of the plane z = 1 that the image shows, before the field of view: the shorter
+/// side from -1 to 1 unless the file says otherwise.
 Imath::Box2d screen_window(const Parameters& p, const Imath::V2i& resolution) {
     const std::span<const float> given = p.numbers("screenwindow");
     if (given.size() == 4) return {Vec2(given[0], given[2]), Vec2(given[1], given[3])};
@@ -24,7 +24,7 @@ double half_tangent(const Parameters& p) {
     return std::tan(half * std::numbers::pi / 180);
 }
 
-/// Gives the stops of a lens their diameter, unless it is larger than the file's.
+/// Sets the diameter of a lens's stops, unless it is larger than the file's.
 void stop_down(SceneBuilder& b, const Plugin& plugin, std::vector<LensSurface>& surfaces) {
     const double radius = plugin.parameters.number("aperturediameter") / 2e3;
     for (LensSurface& s : surfaces) {
@@ -38,14 +38,14 @@ void stop_down(SceneBuilder& b, const Plugin& plugin, std::vector<LensSurface>& 
     }
 }
 
-/// The part of the plane z = 1 that a film shows which is so far behind its lens.
+/// Returns the part of the plane z = 1 that a film at that distance behind its lens shows.
 Imath::Box2d window_of(double diagonal, double image_distance, const Imath::V2i& resolution) {
     const Vec2 size(resolution);
     const Vec2 half = size / size.length() * (diagonal / 2 / image_distance);
     return {-half, half};
 }
 
-/// The lens of a realistic camera, focused; or why there is none.
+/// Returns the focused lens of a realistic camera, or why there is none.
 Result<LensSystem> lens_system(SceneBuilder& b, const Plugin& plugin, LensFocus& focus) {
     const Parameters& p = plugin.parameters;
     if (p.string("lensfile").empty()) return {{}, "no lensfile is given"};

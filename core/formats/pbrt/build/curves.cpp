@@ -1,4 +1,4 @@
-// Curves, as the parts of cubic Bezier curves that kernels meet.
+// Curves, as parts of cubic Bezier curves, which the kernels intersect.
 #include <bit>
 
 #include "core/formats/pbrt/build/shape_builder.h"
@@ -10,13 +10,13 @@ Vec3 weighted(const Vec3& a, double weight_a, const Vec3& b, double weight_b) {
     return weight_a * a + weight_b * b;
 }
 
-/// The cubic curve that is a quadratic one.
+/// Returns a quadratic curve as a cubic one.
 std::array<Vec3, 4> raised(const Vec3& a, const Vec3& b, const Vec3& c) {
     return {a, weighted(a, 1.0 / 3, b, 2.0 / 3), weighted(b, 2.0 / 3, c, 1.0 / 3), c};
 }
 
-/// Bezier points of the piece of a uniform B-spline that begins at the first of `p`, which are one
-/// more than the degree.
+/// Returns the Bezier points of the piece of a uniform B-spline that begins at the first of `p`,
+/// which are one more than the degree.
 std::array<Vec3, 4> from_b_spline(std::span<const Vec3> p) {
     if (p.size() == 3) {
         return raised(weighted(p[0], 0.5, p[1], 0.5), p[1], weighted(p[1], 0.5, p[2], 0.5));
@@ -46,7 +46,7 @@ std::vector<Vec3> triples(std::span<const float> numbers) {
     return list;
 }
 
-/// The pieces of the curve that a file states, one after the other.
+/// Returns the pieces of the file's curve, one after the other.
 class StatedCurve {
   public:
     explicit StatedCurve(const Parameters& p)

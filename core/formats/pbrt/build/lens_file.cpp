@@ -14,7 +14,7 @@ constexpr std::size_t most_surfaces = 1000;
 
 constexpr double millimetre = 1e-3;
 
-/// Why there is no such lens; empty if there is.
+/// Returns why there is no such lens; empty if there is.
 std::string objection(const LensSurface& s) {
     for (const double x : {s.curvature_radius, s.thickness, s.eta, s.aperture_radius}) {
         if (!std::isfinite(x)) return "a number of it is too large";

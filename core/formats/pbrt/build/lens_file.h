@@ -8,9 +8,9 @@
 
 namespace etalon::pbrt {
 
-/// Reads the surfaces of a lens: of each, from the scene to the film, radius of curvature and
-/// thickness in millimetres, index of refraction, and aperture's diameter in millimetres. What is
-/// no number in the file goes to `log`.
+/// Reads the surfaces of a lens. Each has, from the scene to the film, radius of curvature and
+/// thickness in millimetres, index of refraction, and diameter of the aperture in millimetres.
+/// Words that are not numbers are reported to `log`.
 Result<std::vector<LensSurface>> read_lens_file(const std::string& path, bool strict,
                                                 DiagnosticList& log);
 

@@ -8,8 +8,8 @@ namespace {
 
 using Kind = decltype(PhysicalMaterial::kind);
 
-/// Roughness along u and v by the parameters of these names; where they are not given, by the
-/// third.
+/// Returns the roughness along u and v from the parameters of these names; if they are not given,
+/// from the third.
 Roughness roughness(SceneBuilder& b, const Parameters& p, std::string_view u, std::string_view v,
                     std::string_view both = {}) {
     const auto one = [&](std::string_view name) {
@@ -91,7 +91,7 @@ Kind subsurface(SceneBuilder& b, const Material& m) {
     SubsurfaceMaterial built{border(b, p), b.color(p, "sigma_a"), b.color(p, "sigma_s"),
                              mean_cosine(b, m.plugin), p.number("scale")};
     if (const ScatteringPreset* const preset = preset_of(b, m.plugin, "name")) {
-        built.g = 0;  // a preset's scattering is what an even one would be
+        built.g = 0;  // the preset's scattering coefficient is the reduced one
         if (!p.is_given("sigma_a")) built.absorption = {color_of(preset->absorption)};
         if (!p.is_given("sigma_s")) built.scattering = {color_of(preset->scattering)};
     }
@@ -104,7 +104,7 @@ Kind kd_subsurface(SceneBuilder& b, const Material& m) {
                                 mean_cosine(b, m.plugin), p.number("scale")};
 }
 
-/// Warns of parameters that others of a hair leave without effect.
+/// Warns of hair parameters that others make ineffective.
 void warn_of_ignored(SceneBuilder& b, const Plugin& hair, std::string_view by,
                      std::initializer_list<std::string_view> ignored) {
     for (const std::string_view name : ignored) {

@@ -4,7 +4,7 @@
 namespace etalon::pbrt {
 namespace {
 
-/// A coefficient: what the file gives, else the preset's, else the default, times the scale.
+/// Returns a coefficient: the file's, else the preset's, else the default, times the scale.
 Color coefficient(SceneBuilder& b, const Plugin& medium, std::string_view name,
                   const std::array<float, 3>* preset) {
     const Parameters& p = medium.parameters;
@@ -22,7 +22,7 @@ Color coefficient(SceneBuilder& b, const Plugin& medium, std::string_view name,
     return positive;
 }
 
-/// The grid's densities; nothing, and a warning, where its box has no volume.
+/// Returns the grid's densities. Nothing, and a warning, if its box has no volume.
 std::optional<DensityGrid> grid_of(SceneBuilder& b, const Medium& medium) {
     const Parameters& p = medium.plugin.parameters;
     const std::optional<Affine> to_world = b.affine(medium.to_world, medium.plugin.where);

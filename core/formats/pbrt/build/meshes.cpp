@@ -47,7 +47,7 @@ void append_numbers(const std::vector<Vec3>& from, std::vector<float>& to) {
 
 using Corners = std::span<const std::uint32_t>;
 
-/// The numbers of vertices in `indices`, or why they are none.
+/// Returns the vertex numbers in `indices`, or why they are invalid.
 std::variant<Corners, std::string> corners(std::span<const std::int32_t> indices,
                                            std::size_t vertices) {
     const auto of_triangles = indices.first(indices.size() / 3 * 3);
@@ -64,7 +64,7 @@ std::variant<Corners, std::string> corners(std::span<const std::int32_t> indices
                    of_triangles.size());
 }
 
-/// A direction of the shape "nurbs": 'u' or 'v'.
+/// A parametric direction of the shape "nurbs": 'u' or 'v'.
 NurbsAxis nurbs_axis(const Parameters& p, char name) {
     const auto of = [name](std::string_view format) {
         return fmt::format(fmt::runtime(format), name);
@@ -82,7 +82,7 @@ NurbsAxis nurbs_axis(const Parameters& p, char name) {
     return axis;
 }
 
-/// The control points of the shape "nurbs": "P", or else "Pw".
+/// Returns the control points of the shape "nurbs": "P", or else "Pw".
 std::vector<std::array<float, 4>> nurbs_points(const Parameters& p) {
     std::vector<std::array<float, 4>> points;
     const std::span<const float> flat = p.numbers("P"), weighted = p.numbers("Pw");

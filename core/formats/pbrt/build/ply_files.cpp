@@ -9,7 +9,7 @@
 namespace etalon::pbrt {
 namespace {
 
-/// Bytes of files that are in memory as meshes at a time, where there is more than one.
+/// Limit of the bytes of files in memory at a time, if there is more than one.
 constexpr std::uintmax_t most_bytes = 64 << 20;
 
 PlyFile read(const Shape& shape, bool strict) {
@@ -30,7 +30,7 @@ std::uintmax_t size_of_file(const Shape& shape) {
     return unknown ? 0 : size;
 }
 
-/// How many of the files to read together: enough to keep all threads busy.
+/// Returns how many of the files to read together: enough to keep all threads busy.
 std::size_t size_of_batch(std::span<const Shape* const> shapes) {
     const auto threads = static_cast<std::size_t>(max_threads());
     const std::size_t most = std::min(shapes.size(), threads > 1 ? 4 * threads : 1);

@@ -1,4 +1,4 @@
-// The PLY files of a frame, read on all threads before the shapes that show them are built.
+// The PLY files of a frame, read on all threads before the shapes that use them are built.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace etalon::pbrt {
 
-/// What a file gives. What there is to say of it is said when its shape is built, so that it comes
-/// in the order of the statements.
+/// Contents of a file. Its diagnostics are reported when its shape is built, so that they come in
+/// the order of the statements.
 struct PlyFile {
     std::string path;
     std::string error;            ///< why it cannot be opened; else empty
@@ -24,17 +24,18 @@ struct PlyFile {
 
 class PlyFiles {
   public:
-    /// Will read the files of all shapes of a frame that are seen.
+    /// Prepares to read the files of all visible shapes of a frame.
     PlyFiles(const Frame& frame, bool strict);
 
-    /// The file of a shape, each of which asks once. Those that follow it in the order in which
-    /// shapes are built are read with it: that of the world, then of objects by first instances.
+    /// Returns the file of a shape; each shape calls this once. The files of the next shapes are
+    /// read with it, in the order in which shapes are built: those of the world, then of objects by
+    /// first instances.
     PlyFile take(const Shape& shape);
 
   private:
     void add(std::span<const Shape> shapes);
 
-    /// Reads the file of a shape of this number and some that follow it.
+    /// Reads the file of the shape with this number and those of some that follow it.
     void read_ahead(std::size_t number);
 
     bool strict_;

@@ -9,8 +9,9 @@ bool is_whole_turn(const Parameters& p) {
     return p.number("phimax") >= 360;
 }
 
-/// The factor of lengths of a whole turn whose surface coordinates nobody asks for: spheres and
-/// rings have their own. Nothing where circles do not stay circles.
+/// Returns the scale of the map if the shape can be a sphere or a ring: a whole turn whose surface
+/// coordinates are not needed, since those of spheres and rings differ. Nothing if it cannot, or if
+/// the map does not preserve circles.
 std::optional<double> scale_of_circles(const ShapeBuilder& s) {
     if (!is_whole_turn(s.parameters()) || s.needs_coordinates()) return std::nullopt;
     return scale_of(s.to_world);
@@ -22,13 +23,13 @@ void begin_curved(ShapeBuilder& s, bool turned_inside_out = false) {
     s.begin(binding);
 }
 
-/// Map that makes a unit shape as wide and high as asked for, with its origin at a height.
+/// Returns the map that gives a unit shape its width and height, with its origin at a height.
 Affine unit_to_shape(double radius, double height, double origin) {
     return {{radius, 0, 0}, {0, radius, 0}, {0, 0, height}, {0, 0, origin}};
 }
 
-/// Adds a part of a unit shape, up to phimax. The normal of pbrt-v3 points inward where v falls
-/// with the height.
+/// Adds a part of a unit shape, up to phimax. pbrt-v3's normal points inward where v decreases with
+/// the height.
 void add_revolved(ShapeBuilder& s, const Affine& to_shape, const Profile& profile,
                   const TurningDirection& start = {}) {
     const double degrees = std::clamp<double>(s.parameters().number("phimax"), 0, 360);
@@ -43,8 +44,8 @@ struct Waist {
     double radius2, widening;
 };
 
-/// The hyperboloid about z = 0 that pbrt-v3 draws for a line: it meets the line in p2 and where p1
-/// is moved to by twice the way to p2, and is the surface that the line sweeps only where that is
+/// Returns the hyperboloid about z = 0 that pbrt-v3 draws for a line. It meets the line in p2 and
+/// in p1 moved by twice the vector to p2. It is the surface that the line sweeps only if that is
 /// narrowest at z = 0.
 std::optional<Waist> waist_through(const Vec3& p1, const Vec3& p2) {
     Vec3 p = p1;
@@ -57,7 +58,7 @@ std::optional<Waist> waist_through(const Vec3& p1, const Vec3& p2) {
     return std::nullopt;
 }
 
-/// The direction of the line's point at a height, in a shape of so many times the size.
+/// Returns the direction of the line's point at a height, in a shape scaled by a factor.
 TurningDirection direction_along(const Vec3& p1, const Vec3& p2, double radius, double height) {
     const Vec2 from(p1.x, p1.y), step(p2.x - p1.x, p2.y - p1.y);
     const Vec2 per_height = step / (p2.z - p1.z);

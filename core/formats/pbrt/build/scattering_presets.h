@@ -1,4 +1,4 @@
-// Measured coefficients of what scatters light within it, by the names that PBRT's scenes use.
+// Measured coefficients of subsurface scattering, by the names that PBRT's scenes use.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace etalon::pbrt {
 
-/// Coefficients per millimetre for red, green and blue; of scattering the reduced one, as if
-/// scattering were alike in all directions.
+/// Coefficients per millimetre for red, green and blue. That of scattering is the reduced one, as
+/// if scattering were isotropic.
 struct ScatteringPreset {
     std::string_view name;
     std::array<float, 3> absorption, scattering;

@@ -5,7 +5,7 @@
 namespace etalon::pbrt {
 namespace {
 
-/// Scattering straight on has no density: cosines up to this one have.
+/// Largest mean cosine: scattering straight ahead has no density.
 constexpr float largest_cosine = 0.9999F;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What media and materials say alike of light that is scattered within them.
+// Scattering parameters that media and materials share.
 #pragma once
 
 #include "core/formats/pbrt/build/scattering_presets.h"
@@ -6,7 +6,8 @@
 
 namespace etalon::pbrt {
 
-/// The preset that a parameter names; null, and a warning unless it is not given, if there is none.
+/// Returns the preset that a parameter names. If there is none, returns null, and warns if the
+/// parameter is given.
 const ScatteringPreset* preset_of(SceneBuilder& b, const Plugin& plugin,
                                   std::string_view parameter);
 
@@ -14,8 +15,8 @@ inline Color color_of(const std::array<float, 3>& rgb) {
     return {rgb[0], rgb[1], rgb[2]};
 }
 
-/// The parameter "g"; the nearest cosine for which there is scattering, and a warning, where it is
-/// none.
+/// Returns the parameter "g". If it is not a valid mean cosine, warns and returns the nearest one
+/// for which there is scattering.
 float mean_cosine(SceneBuilder& b, const Plugin& plugin);
 
 }  // namespace etalon::pbrt

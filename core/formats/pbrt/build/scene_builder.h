@@ -1,4 +1,4 @@
-// A frame of a PBRT file on its way to a scene: what the parts of the builder have in common.
+// State of building a scene from a frame of a PBRT file: what the parts of the builder share.
 #pragma once
 
 #include <fmt/core.h>
@@ -17,10 +17,10 @@
 
 namespace etalon::pbrt {
 
-/// Where something is while the shutter is open.
+/// Position of something during the shutter interval.
 struct PlaceInTime {
-    Affine at_open;                           ///< when it opens
-    std::optional<AnimatedTransform> motion;  ///< how it moves, if that is seen
+    Affine at_open;                           ///< when the shutter opens
+    std::optional<AnimatedTransform> motion;  ///< its motion, if that is visible
 };
 
 struct SceneBuilder {
@@ -31,14 +31,14 @@ struct SceneBuilder {
 
     PlyFiles ply_files{frame, strict};
     BsdfFiles bsdf_files{};
-    DiagnosticList log{};                          ///< of what is found while building
-    std::vector<std::uint32_t> texture_numbers{};  ///< of the frame's textures among their kind's
+    DiagnosticList log{};                          ///< diagnostics of building
+    std::vector<std::uint32_t> texture_numbers{};  ///< of the frame's textures, within their kind
 
     Scene& scene() { return *result.scene; }
     PhysicalLook& look() { return result.scene->physical(); }
     Geometry& geometry() { return result.scene->geometry; }
 
-    /// A complaint about a statement: what is left out, or what stands in for it.
+    /// Warns about a statement: what is left out, or what stands in for it.
     template <class... T>
     void warn(const Place& place, std::string_view kind, fmt::format_string<T...> text,
               T&&... arguments) {
@@ -50,7 +50,7 @@ struct SceneBuilder {
         d->message = fmt::format(text, std::forward<T>(arguments)...);
     }
 
-    /// Notes where an image is named, and what is shown if it cannot be read.
+    /// Records where an image is named, and what is shown if it cannot be read.
     void name_image(const std::string& image, const Place& place, std::string_view stand_in) {
         if (image.empty()) return;
         look().named_images.push_back(
@@ -58,28 +58,29 @@ struct SceneBuilder {
              stand_in});
     }
 
-    /// The value of a parameter, or the texture that is bound to it.
+    /// Returns the value of a parameter, or the texture that is bound to it.
     ColorSlot color(const Parameters& p, std::string_view name);
     NumberSlot number(const Parameters& p, std::string_view name);
 
-    /// The map of a transform; nothing, and a warning, where points would not stay points.
+    /// Returns the map of a transform. Nothing, and a warning, if it is not affine.
     std::optional<Affine> affine(std::uint32_t transform, const Place& place);
 
-    /// Where something is that a pair of maps takes to the world.
+    /// Returns the position of something that a pair of maps takes to the world.
     PlaceInTime place_in_time(const Affine& start, const Affine& end) const;
     std::optional<PlaceInTime> place_in_time(TransformPair pair, const Place& place);
 };
 
-/// The affine part of a matrix.
+/// Returns the affine part of a matrix.
 Affine affine_part(const Matrix4& m);
 
-/// The inverse of a map that is not singular.
+/// Returns the inverse of a map, which must not be singular.
 Affine inverse(const Affine& map);
 
-/// What stands in for a plugin that is not rendered yet, said in a warning.
+/// Warns which other plugin stands in for one that is not rendered yet.
 void warn_of_stand_in(SceneBuilder& b, const Plugin& plugin);
 
-/// How many samples a vertex takes of a light: what it asks for, if the integrator looks at it.
+/// Returns how many samples a vertex takes of a light: the number that the light requests, if the
+/// integrator honours it.
 int light_samples(const SceneBuilder& b, const Parameters& light);
 
 void build_settings(SceneBuilder& b);  ///< film, filter, sampler, integrator

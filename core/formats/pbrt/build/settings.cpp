@@ -4,11 +4,11 @@
 namespace etalon::pbrt {
 namespace {
 
-/// The largest image that can be asked for, as on the command line.
+/// Size of the largest image, as on the command line.
 constexpr int most_pixels = 65536;
 
-/// Longest path. Between white walls none ends before, and while the paths of a batch go on,
-/// nothing stops them.
+/// Longest path. Between white walls no path ends earlier, and the paths of a batch cannot be
+/// interrupted.
 constexpr int most_vertices = 1 << 14;
 
 void build_film(SceneBuilder& b) {
@@ -65,7 +65,7 @@ void build_filter(SceneBuilder& b) {
     }
 }
 
-/// Takes the pixels outside of an integrator's bounds from the image.
+/// Restricts the image to an integrator's pixel bounds.
 void build_pixel_bounds(SceneBuilder& b) {
     const Plugin& plugin = b.frame.integrator;
     if (plugin.type->find("pixelbounds") == nullptr) return;
@@ -83,7 +83,7 @@ void build_pixel_bounds(SceneBuilder& b) {
     }
 }
 
-/// The number, or the nearest of those that can be, after a warning.
+/// Returns the number, or the nearest valid one after a warning.
 int within(SceneBuilder& b, const Plugin& plugin, std::string_view what, std::int64_t number,
            int least, int most) {
     const auto nearest = static_cast<int>(std::clamp<std::int64_t>(number, least, most));
@@ -106,12 +106,12 @@ void build_sampler(SceneBuilder& b) {
     if (sampler.type->name == "random") b.result.settings.sampler = Sampler::random;
 }
 
-/// The integrators that see no light from surfaces other than lights, but in mirrors and glass.
+/// Integrators that see light only from lights, and in mirrors and glass.
 bool is_direct(std::string_view name) {
     return name == "directlighting" || name == "whitted";
 }
 
-/// The integrators that look at media, and through surfaces without a material towards lights.
+/// Integrators that handle media, and surfaces without a material in front of lights.
 bool sees_media(std::string_view name) {
     return name == "volpath" || name == "bdpt" || name == "mlt";
 }

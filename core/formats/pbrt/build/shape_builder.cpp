@@ -22,8 +22,7 @@ bool shows_texture(const Plugin& material) {
     });
 }
 
-/// Whether a material without textures may scatter light in another way when it is turned about
-/// the normal.
+/// Returns whether a material without textures may be anisotropic.
 bool may_have_grain(const Plugin& material) {
     const Parameters& p = material.parameters;
     if (material.type->name == "hair") return true;
@@ -32,8 +31,8 @@ bool may_have_grain(const Plugin& material) {
     return u != v || (u && p.number("uroughness") != p.number("vroughness"));
 }
 
-/// Whether a material, or one that it mixes, asks for surface coordinates. Deep nests are taken to
-/// do so.
+/// Returns whether a material, or a part of a mix, needs surface coordinates. Deeply nested mixes
+/// are assumed to.
 bool asks_for_coordinates(const Frame& frame, const Material& m, int depth) {
     constexpr int deepest = 8;
     if (depth > deepest || shows_texture(m.plugin) || may_have_grain(m.plugin)) return true;

@@ -4,10 +4,10 @@
 
 namespace etalon::pbrt {
 
-/// A shape on its way to primitives: where it goes, and what it has in common with others.
+/// Converts a shape to primitives: holds its transform and the data that it shares with others.
 class ShapeBuilder {
   public:
-    /// `map` takes the shape into the space of its geometry: the world's or an object's.
+    /// `map` transforms the shape to the space of its geometry: that of the world or of an object.
     ShapeBuilder(SceneBuilder& builder, const pbrt::Shape& of, const Affine& map)
         : b(builder), shape(of), to_world(map), swaps_hand_(map.determinant() < 0) {}
 
@@ -18,30 +18,30 @@ class ShapeBuilder {
     const Parameters& parameters() const { return shape.plugin.parameters; }
     Geometry& geometry() const { return b.geometry(); }
 
-    /// A point of the shape in the world, with the digits of a float, as pbrt-v3 keeps it.
+    /// Returns a point of the shape in the world, in float precision, as pbrt-v3 stores it.
     Vec3 point(const Vec3f& p) const { return Vec3(Vec3f(to_world.point(Vec3(p)))); }
 
-    /// The normal, as long as it is, across the image of what `n` is across.
+    /// Returns the normal of the image of a surface with the normal `n`, keeping its length.
     Vec3 normal(const Vec3& n) const;
 
-    /// Whether normals of the format are opposite to those that point outward from a closed shape,
-    /// and to those that the winding of corners gives.
+    /// Returns whether the format's normals are opposite to those that point outward from a closed
+    /// shape, and to those of the winding order.
     bool flips_normals() const { return shape.reverse_orientation != swaps_hand_; }
 
-    /// Whether its material asks for surface coordinates: shows a texture, or has a grain.
+    /// Returns whether the material needs surface coordinates: has textures or is anisotropic.
     bool needs_coordinates() const;
 
-    /// Begins a run of primitives: makes their binding, or takes that of the shape before.
+    /// Begins a run of primitives with a new binding, or with that of the previous shape if equal.
     void begin(SurfaceBinding binding);
 
-    /// Adds a primitive of the run, and the light that it is.
+    /// Adds a primitive to the run, and its light if it is one.
     template <class Shape>
     void add(const Shape& primitive) {
         add_light();
         geometry().add(primitive, binding_, sides_);
     }
 
-    /// Nothing of the shape is shown.
+    /// Warns that the shape is left out.
     void skip(std::string_view why) const;
 
   private:
@@ -52,13 +52,13 @@ class ShapeBuilder {
     Sides sides_ = Sides::both;
 };
 
-/// Triangles with what a mesh knows of their corners; n vertices.
+/// Triangles with the data of their n vertices.
 struct MeshData {
     std::span<const float> points;             ///< 3n
     std::span<const float> normals{};          ///< 3n or none
     std::span<const float> uvs{};              ///< 2n or none
     std::span<const std::uint32_t> corners{};  ///< three for each triangle, each below n
-    bool flipped = false;  ///< the format's normals are opposite to those of the corners
+    bool flipped = false;  ///< the format's normals are opposite to those of the winding order
 };
 
 void build_mesh(ShapeBuilder& s, const MeshData& mesh);

@@ -29,14 +29,14 @@ constexpr std::array entries = {
     Entry{"curve", build_curve},
 };
 
-/// Builds a shape into the builder's geometry, where `map` takes it.
+/// Builds a shape into the builder's geometry with its map.
 void build_shape(SceneBuilder& b, const pbrt::Shape& shape, const Affine& map) {
     const auto* const entry = std::ranges::find(entries, shape.plugin.type->name, &Entry::name);
     ShapeBuilder s(b, shape, map);
     entry->build(s);
 }
 
-/// Whether there is a way to build a shape; says so if there is none.
+/// Returns whether a shape can be built; warns if not.
 bool is_rendered(SceneBuilder& b, const pbrt::Shape& shape) {
     const std::string_view name = shape.plugin.type->name;
     if (std::ranges::find(entries, name, &Entry::name) != entries.end()) return true;
@@ -45,7 +45,7 @@ bool is_rendered(SceneBuilder& b, const pbrt::Shape& shape) {
     return false;
 }
 
-/// Builds what instances are made of, by calling `build`. Returns its number.
+/// Builds the geometry of instances by calling `build`. Returns its number.
 template <class Build>
 std::uint32_t build_object(SceneBuilder& b, const Build& build) {
     std::vector<Geometry>& objects = b.geometry().objects;
@@ -66,7 +66,7 @@ void add_instance(SceneBuilder& b, const PlaceInTime& place, std::uint32_t objec
     }
 }
 
-/// Builds a shape of the world. One that moves is the only instance of an object.
+/// Builds a shape of the world. A moving shape is the only instance of an object.
 void build_in_world(SceneBuilder& b, const pbrt::Shape& shape) {
     if (!is_rendered(b, shape)) return;
     const auto place = b.place_in_time(shape.to_world, shape.plugin.where);

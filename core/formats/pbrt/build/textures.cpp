@@ -7,7 +7,7 @@
 namespace etalon::pbrt {
 namespace {
 
-/// What the functions below are made for once for each type of value.
+/// Functions that exist once for each type of value.
 template <class T>
 struct Values {
     static etalon::Slot<T> slot(SceneBuilder& b, const Parameters& p, std::string_view name) {
@@ -31,8 +31,8 @@ Affine to_texture(SceneBuilder& b, const pbrt::Texture& t) {
     return map ? inverse(*map) : Affine{};
 }
 
-/// The map from the world to a texture in space. pbrt-v3 takes the transformation at the texture's
-/// directive itself there, not its inverse as for the mappings of surfaces.
+/// Returns the map from the world to a texture in space. As in pbrt-v3 this is the transformation
+/// at the texture's directive, not its inverse as for the mappings of surfaces.
 Affine to_texture_3d(SceneBuilder& b, const pbrt::Texture& t) {
     return b.affine(t.to_world, t.plugin.where).value_or(Affine{});
 }
@@ -83,7 +83,7 @@ etalon::Texture<T> checkerboard(SceneBuilder& b, const pbrt::Texture& t) {
     return Checkerboard2<T>{mapping(b, t), even, odd};
 }
 
-/// What pbrt-v3 calls "inside" is around the dots: it takes the two in the other order.
+/// pbrt-v3's "inside" is around the dots: it uses the two in the other order.
 template <class T>
 etalon::Texture<T> dots(SceneBuilder& b, const pbrt::Texture& t) {
     const Parameters& p = t.plugin.parameters;
@@ -126,7 +126,7 @@ Wrap wrap(std::string_view name) {
     return name == "black" ? Wrap::black : name == "clamp" ? Wrap::clamp : Wrap::repeat;
 }
 
-/// Whether a file's values are those of a display if the scene says nothing of them.
+/// Returns whether a file's values are sRGB-encoded if the scene does not say.
 bool is_display_format(const std::string& file) {
     const std::string extension = std::filesystem::path(file).extension().string();
     return extension == ".png" || extension == ".tga" || extension == ".PNG" || extension == ".TGA";
@@ -183,11 +183,11 @@ etalon::Texture<T> build(SceneBuilder& b, const pbrt::Texture& t) {
     return ConstantTexture<T>{T(1.0F)};
 }
 
-/// How many textures may be evaluated for one value: nests that need more are no scene's, and could
-/// take years, or more stack than there is.
+/// Limit of the textures that are evaluated for one value. Deeper nests do not occur in scenes, and
+/// could take years, or overflow the stack.
 constexpr std::size_t most_evaluations = 1000;
 
-/// How many textures are evaluated for one value of `t`, if each of those before it takes `of`.
+/// Returns how many textures are evaluated for one value of `t`, if those it refers to take `of`.
 std::size_t evaluations(const pbrt::Texture& t, const std::vector<std::size_t>& of) {
     std::size_t sum = 1;
     for (const Argument& a : t.plugin.parameters.arguments()) {
@@ -196,7 +196,7 @@ std::size_t evaluations(const pbrt::Texture& t, const std::vector<std::size_t>& 
     return sum;
 }
 
-/// The same with a constant for a nest that is too large.
+/// The same, but replaces a nest that is too large by a constant.
 template <class T>
 etalon::Texture<T> build_bounded(SceneBuilder& b, const pbrt::Texture& t, std::size_t& cost) {
     if (cost <= most_evaluations) return build<T>(b, t);

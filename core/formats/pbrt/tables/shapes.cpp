@@ -36,7 +36,7 @@ std::optional<Objection> refuse(std::string text) {
     return Objection{std::move(text), true};
 }
 
-/// Refuses normals that a curve of so many segments cannot have, and tells of those it ignores.
+/// Refuses normals that a curve of so many segments cannot have, and warns of those it ignores.
 std::optional<Objection> check_curve_normals(const Parameters& p, std::size_t segments) {
     const std::size_t normals = p.numbers("N").size() / 3;
     if (p.string("type") != "ribbon") {

@@ -1,4 +1,4 @@
-// Words in which the tables of plugins are written.
+// Vocabulary of the tables of plugins.
 #pragma once
 
 #include <limits>
@@ -61,7 +61,7 @@ constexpr ParameterSpec optional_flag(std::string_view name) {
 constexpr ParameterSpec string(std::string_view name, std::string_view text = {}) {
     return {name, ValueType::string, Slot::one, {{}, 0, text, {}, 1}};
 }
-/// One of several strings; of any other the default, or the last argument, stands in.
+/// One of several strings. Any other string is replaced by the default, or by the last argument.
 constexpr ParameterSpec choice(std::string_view name, std::string_view text,
                                std::string_view choices, std::string_view if_unknown = {}) {
     ParameterSpec spec = string(name, text);
@@ -94,7 +94,7 @@ constexpr ParameterSpec four(std::string_view name, ValueType type, Default d = 
     return spec;
 }
 
-// A texture or a value. Without a default there is nothing where it is not given.
+// A texture or a value. Without a default there is nothing if it is not given.
 constexpr ParameterSpec texture_slot(std::string_view name, ValueType type, Default d = {}) {
     return {name, type, Slot::texture, d};
 }
@@ -119,7 +119,7 @@ constexpr ParameterSpec required(ParameterSpec spec) {
     return spec;
 }
 
-/// The same parameter under another name or of another type, for files that do not use the first.
+/// Adds another name or type of the same parameter, for files that do not use the first.
 constexpr ParameterSpec also(ParameterSpec spec, std::string_view name, ValueType type) {
     spec.others[spec.other_count++] = {name, type};
     return spec;

@@ -82,7 +82,7 @@ constexpr std::array shared_types = {
 
 constexpr auto float_types = shared_types<Category::float_texture, ValueType::number>;
 
-/// Of "uv" and "marble" pbrt-v3 has no float texture.
+/// "uv" and "marble" have no float texture in pbrt-v3.
 constexpr auto spectrum_types = [] {
     constexpr auto& shared = shared_types<Category::spectrum_texture, ValueType::color>;
     std::array<PluginType, shared.size() + 2> all_types{};

@@ -1,9 +1,9 @@
-#include "core/medium/lattice_walk.h"
+#include "core/medium/lattice_traversal.h"
 
 namespace etalon {
 
-LatticeWalk::LatticeWalk(const std::array<int, 3>& cells, double shift, const RaySegment& ray,
-                         double begin, double end)
+LatticeTraversal::LatticeTraversal(const std::array<int, 3>& cells, double shift,
+                                   const RaySegment& ray, double begin, double end)
     : here_(begin), end_(end) {
     if (!(begin < end)) return;
     const Vec3 entry = ray.point(begin);

@@ -1,5 +1,5 @@
-// Counters of a traversal: it is compiled once with each of these, so that counting costs nothing
-// where it is not asked for.
+// Counters of a traversal. The traversal is compiled once with each of these, so that counting
+// costs nothing where it is not needed.
 #pragma once
 
 #include "core/accel/clusters/clusters.h"
@@ -18,7 +18,7 @@ struct Uncounted {
 };
 
 struct Counted {
-    /// One more that the ray goes through.
+    /// Counts a cell that the ray visits.
     void cell() const { ++cost.box_tests; }
     template <class Boxes>
     void boxes(const Boxes& tested) const {

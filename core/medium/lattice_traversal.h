@@ -7,8 +7,8 @@
 
 namespace etalon {
 
-/// The cells of a lattice along a part of a ray, in order (Amanatides & Woo 1987).
-class LatticeWalk {
+/// Visits the cells of a lattice along an interval of a ray, in order (Amanatides & Woo 1987).
+class LatticeTraversal {
   public:
     struct Cell {
         std::array<int, 3> index;
@@ -16,10 +16,10 @@ class LatticeWalk {
     };
 
     /// Planes are at (i + shift) / cells along each axis.
-    LatticeWalk(const std::array<int, 3>& cells, double shift, const RaySegment& ray, double begin,
-                double end);
+    LatticeTraversal(const std::array<int, 3>& cells, double shift, const RaySegment& ray,
+                     double begin, double end);
 
-    /// The next cell; nothing at the part's end.
+    /// Returns the next cell; nothing at the end of the interval.
     std::optional<Cell> next() {
         if (!(here_ < end_)) return std::nullopt;
         const std::size_t axis = border_[0] < border_[1] ? (border_[0] < border_[2] ? 0 : 2)
