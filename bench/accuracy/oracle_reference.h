@@ -10,15 +10,15 @@
 
 namespace etalon::accuracy {
 
-/// Tracer and what it promises.
+/// A tracer and its guarantees.
 struct TracerEntry {
     std::unique_ptr<Tracer> tracer;
-    bool exact = false;    ///< to be right, to the same bits as every other that promises it
-    bool refined = false;  ///< positions are moved onto the surface, as the renderer does it
+    bool exact = false;    ///< hits are right, with the same bits as every other exact tracer's
+    bool refined = false;  ///< positions are moved onto the surface, as in the renderer
 };
 
-/// A number of far more digits than a double has, and what a double lacks to it: quad precision is
-/// slow, and a hundred times needed for every ray.
+/// A number of far more digits than a double has, as a double and the remainder. Quad precision is
+/// slow, and the number is needed a hundred times for every ray.
 class Remainder {
   public:
     Remainder() = default;
@@ -31,7 +31,7 @@ class Remainder {
     double high_ = 0, low_ = 0;
 };
 
-/// The oracle's answer to one ray, with what only the comparison needs.
+/// The oracle's answer to one ray, with data that the comparison needs.
 class OracleReference {
   public:
     OracleReference(const hard::CaseSetup& setup, const Oracle& oracle, const Ray& ray);
@@ -46,24 +46,25 @@ class OracleReference {
     const hard::CaseSetup& setup_;
     const Ray& ray_;
     OracleAnswer answer_;
-    Remainder t_;                        ///< of the oracle's hit
-    std::array<Remainder, 3> position_;  ///< of the same
-    double sensitivity_ = 0;  ///< what t moves by when every input moves by one unit roundoff
+    Remainder t_;                        ///< t of the oracle's hit
+    std::array<Remainder, 3> position_;  ///< position of that hit
+    double sensitivity_ = 0;  ///< change of t when every input moves by one unit roundoff
 };
 
-/// The rays that leave what the given ones hit, in a random direction to either side, half of them
-/// grazing: cosines down to 1e-6. A ray that hits nothing leaves nothing.
+/// Rays that leave the hits of given rays in a random direction to either side. Half of them are
+/// grazing: cosines down to 1e-6. A ray without a hit gives none.
 struct Spawned {
     Ray ray;
-    HitKey from;   ///< primitive
+    HitKey from;   ///< primitive that it leaves
     bool outward;  ///< to the front
-    double shift;  ///< distance of its origin from the point of the hit, in sizes
+    double shift;  ///< distance of its origin from the hit, relative to the size
 };
 std::optional<Spawned> spawn(const hard::CaseSetup& setup, const Ray& ray, const Answer& answer,
                              Random& random);
 
-/// No shape meets a ray from its own front or, if it is flat, its back; a closed one meets a ray
-/// from its inside on its way out.
+/// Returns whether a spawned ray hit its own surface wrongly. No shape is hit by a ray that leaves
+/// its front or, if it is flat, its back; a closed one is hit by a ray from its inside on its way
+/// out.
 bool is_self_hit(const Scene& scene, const Spawned& spawned, const Answer& answer);
 
 }  // namespace etalon::accuracy

@@ -1,4 +1,4 @@
-// Tracers of the rays of a hard case: backends, a kernel by itself, or a textbook's kernel.
+// Tracers for the rays of a hard case: backends, a kernel alone, or a textbook's kernel.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace etalon::accuracy {
 
-/// A ray as a kernel in float takes it.
+/// A ray in float precision.
 struct FloatRay {
     explicit FloatRay(const Ray& r)
         : origin(r.origin),
@@ -23,7 +23,7 @@ struct FloatRay {
     float tmin, tmax;
 };
 
-/// A float ray and what renderers work out once for all the primitives that it may meet.
+/// A float ray with data that renderers precompute once for all primitives.
 struct PreparedRay : FloatRay {
     explicit PreparedRay(const Ray& r)
         : FloatRay(r),
@@ -38,7 +38,8 @@ struct PreparedRay : FloatRay {
     Vec3f shear;  ///< for triangles (Woop, Benthin & Wald 2013, JCGT 2(1))
 };
 
-/// Rays in every form that a tracer may want, so that converting them costs none of them time.
+/// Rays in every form that a tracer may need, so that conversions are not part of the measured
+/// time.
 struct RayBlock {
     explicit RayBlock(std::vector<Ray> list);
 
@@ -61,7 +62,7 @@ class Tracer {
 
     const std::string& name() const { return name_; }
 
-    /// Answers all rays of the block; this is what is timed. Thread-safe.
+    /// Traces all rays of the block; this is what is timed. Thread-safe.
     virtual void closest(const RayBlock& block, std::span<Answer> answers) const = 0;
 
     /// Returns whether each ray hits anything; by default, whether closest() finds something.
@@ -74,13 +75,13 @@ class Tracer {
 /// A backend over a scene, which must outlive it.
 std::unique_ptr<Tracer> backend_tracer(const Backend& backend, const Scene& scene);
 
-/// The project's kernel of the scene's only primitive, called in a loop and nothing around it;
-/// nothing if the scene is not one primitive.
+/// Returns the project's kernel of the scene's only primitive, called in a plain loop; null if the
+/// scene is not one primitive.
 std::unique_ptr<Tracer> kernel_tracer(const Scene& scene);
 
 /// Returns the kernels of textbooks and other renderers for the scene's only primitive: first the
 /// plain kernel in float, to which the cost of all others is relative. Names are like "float
-/// textbook". Returns nothing if the scene is not one primitive.
+/// textbook". Empty if the scene is not one primitive.
 std::vector<std::unique_ptr<Tracer>> textbook_tracers(const Scene& scene);
 
 }  // namespace etalon::accuracy

@@ -7,19 +7,19 @@
 
 namespace etalon::convergence {
 
-/// All that one run of the command measured.
+/// Results of one run of the command.
 struct Measured {
     std::string scene;
     Imath::V2i size{0, 0};
     int seeds = 0;
-    std::string reference{};  ///< what the curves are compared with
+    std::string reference{};  ///< description of the reference
     std::vector<Curve> curves{};
     std::vector<ForeignCurve> foreign{};
-    bool stopped = false;  ///< by a signal: curves are missing
+    bool stopped = false;  ///< stopped by a signal: curves are missing
 };
 
-/// Writes tables to standard output, and the results to the files that are not empty; "-" is
-/// standard output, the tables then go to standard error. False if a file could not be written.
+/// Writes tables to standard output, and the results to the files that are named; for "-", standard
+/// output, the tables go to standard error. Returns false if a file could not be written.
 bool write_results(const Measured& measured, const std::string& json, const std::string& csv);
 
 }  // namespace etalon::convergence

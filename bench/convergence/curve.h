@@ -1,4 +1,4 @@
-// Errors of an image against the time that it has taken so far.
+// Errors of an image over rendering time.
 #pragma once
 
 #include <optional>
@@ -9,38 +9,39 @@
 
 namespace etalon::convergence {
 
-/// The mean of several seeds.
+/// A point of a curve: the mean of several seeds.
 struct Point {
     double samples = 0;      ///< per pixel
-    double cpu_seconds = 0;  ///< of rendering, one thread
+    double cpu_seconds = 0;  ///< of rendering on one thread
     double mse = 0, relmse = 0;
-    double mse_least = 0, mse_most = 0;  ///< of any seed
-    /// Mean of each channel over the reference's, less 1: what no noise explains is bias.
+    double mse_least = 0, mse_most = 0;  ///< range over the seeds
+    /// Mean of each channel over the reference's, minus 1: what noise does not explain is bias.
     std::optional<Vec3> mean_difference{};
-    std::optional<Vec3> mean_difference_error{};  ///< its standard error, by the seeds
+    std::optional<Vec3> mean_difference_error{};  ///< its standard error, from the seeds
 
-    /// 1 / (relMSE * CPU seconds): as much again is twice the machines. `preparation` is what the
-    /// CPU time of the point does not include.
+    /// Returns 1 / (relMSE * CPU seconds). Twice the value is worth twice the machines.
+    /// `preparation` is CPU time that the point does not include.
     double efficiency(double preparation = 0) const {
         return 1 / (relmse * (preparation + cpu_seconds));
     }
 };
 
-/// The law that points follow.
+/// The power law fitted to points.
 struct Fit {
-    double slope = 0;  ///< of log MSE against log time: -1 for independent samples
-    double floor = 0;  ///< MSE that no time takes away: bias, or the noise of the reference
+    double slope = 0;  ///< of log MSE over log time: -1 for independent samples
+    double floor = 0;  ///< MSE that remains for any time: bias, or noise of the reference
 };
 
-/// Convergence of one way to render an image.
+/// Convergence of one configuration.
 struct Curve {
     std::string name;  ///< "whitted, sobol, bvh"
     std::string sampler, integrator, backend;
     std::vector<Point> points{};
-    std::optional<Fit> fit{};  ///< nothing where there are too few points for it
+    std::optional<Fit> fit{};  ///< nothing if there are too few points
     double preparation = 0;    ///< CPU seconds before rendering: starting, reading, building
 
-    /// 1 / (MSE * CPU seconds) of the last point: as much again is twice the machines.
+    /// Returns 1 / (MSE * CPU seconds) of the last point. Twice the value is worth twice the
+    /// machines.
     double efficiency() const;
 };
 
@@ -50,9 +51,9 @@ struct ForeignCurve {
     std::vector<Point> points;  ///< by CPU seconds
 };
 
-/// The slope is that of the points from 4 samples on. The floor is what the last of them have above
-/// c / seconds, the slowest that an image without bias comes closer; 0 if they do not. Nothing for
-/// fewer than three points.
+/// Fits the slope to the points from 4 samples on. The floor is what the last of them have above c
+/// / seconds, the slowest convergence of an unbiased image; 0 if they are not above. Returns
+/// nothing for fewer than three points.
 std::optional<Fit> fit(const std::vector<Point>& points);
 
 }  // namespace etalon::convergence

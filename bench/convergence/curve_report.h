@@ -9,10 +9,10 @@ namespace etalon::convergence {
 
 nlohmann::ordered_json json_of(const Curve& curve);
 
-/// Returns a table for people: the points of a curve, its slope, floor and efficiency.
+/// Returns a table for the terminal: the points of a curve, its slope, floor and efficiency.
 std::string table_of(const Curve& curve);
 
-/// Adds what the names of the table mean.
+/// Adds the meanings of the table's column names.
 void explain_curve(table::Legend& legend);
 
 }  // namespace etalon::convergence

@@ -1,4 +1,4 @@
-// CPU time of two renderers to one error.
+// CPU times of two renderers to the same error.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace etalon::convergence {
 
-/// CPU time, all of the process included, after which an image has some error.
+/// CPU time of a whole process until an image has a given error.
 struct TimeToError {
     double cpu_seconds = 0;
-    /// The error is beyond the ends of the curve, where it is taken to fall as 1 / time.
+    /// The error is beyond the ends of the curve, where it is assumed to fall as 1 / time.
     bool extrapolated = false;
 };
 
@@ -19,11 +19,11 @@ struct TimeToError {
 /// the logarithms of error and time, where the curve falls below it for the last time.
 TimeToError time_to_relmse(const Curve& curve, double relmse);
 
-/// A point of another program's curve beside a curve of this one.
+/// A point of another program's curve compared with a curve of this one.
 struct EqualError {
     Point foreign;
     TimeToError own;
-    double ratio = 0;  ///< the other program's CPU seconds over those of this one
+    double ratio = 0;  ///< CPU seconds of the other program over those of this one
 };
 
 /// Comparison of two curves.
@@ -31,7 +31,7 @@ struct CurveComparison {
     std::string program, curve;  ///< their names
     std::vector<EqualError> points;
     double ratio = 0;           ///< geometric mean over the points that are not extrapolated
-    bool extrapolated = false;  ///< there are none: it is the mean of all
+    bool extrapolated = false;  ///< all points are extrapolated: the mean is over all
 };
 
 /// Compares all curves of this program with all of others. Points and curves without an error above

@@ -10,7 +10,7 @@
 
 namespace etalon::convergence {
 
-/// Returns the names of the ways to sample an image: "random", "sobol" or "adaptive".
+/// Returns the names of the sampling methods: "random", "sobol" and "adaptive".
 const std::vector<std::string>& sampler_names();
 
 struct Plan {
@@ -18,19 +18,19 @@ struct Plan {
     std::vector<std::string> backends{default_backend};
     int samples = 64;  ///< per pixel, at the end of each curve
     int seeds = 3;
-    /// CPU seconds of starting the process and reading the scene, to add to each curve's
+    /// CPU seconds of starting the process and reading the scene, which are added to each curve's
     /// preparation.
     double reading_seconds = 0;
 };
 
 /// Stop flag and progress callback of a task.
 struct RunProgress {
-    const std::atomic<bool>& stop;         ///< set: give up soon
-    std::function<void(double)> progress;  ///< with the part done, from any thread
+    const std::atomic<bool>& stop;         ///< if set, stop soon
+    std::function<void(double)> progress;  ///< called with the fraction done, from any thread
 };
 
-/// The image all curves come closer to: Sobol' points of a seed that no curve has, and so many
-/// times the samples at a curve's end that hardly any of what differs is its own.
+/// The image to which all curves converge: Sobol' points of a seed that no curve has, and so many
+/// times the samples of a curve's end that hardly any of the difference is its own.
 struct ReferenceImage {
     std::vector<Color> pixels;
     std::string description;
@@ -41,8 +41,8 @@ inline constexpr int reference_times = 32;
 ReferenceImage render_reference(const Scene& scene, const RenderSettings& settings,
                                 const Plan& plan, const RunProgress& run);
 
-/// The curves, by the integrator of the settings, of all samplers with the first backend, and of
-/// the last sampler with the others. What is not finished when a stop comes is left out.
+/// Returns the curves, with the integrator of the settings, of all samplers with the first backend,
+/// and of the last sampler with the others. Curves that a stop leaves unfinished are left out.
 std::vector<Curve> measure(const Scene& scene, const RenderSettings& settings,
                            const ReferenceImage& reference, const Plan& plan,
                            const RunProgress& run);

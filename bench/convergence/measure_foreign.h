@@ -5,9 +5,9 @@
 
 namespace etalon::convergence {
 
-/// Measures images of other programs against a reference, by the metrics that our own curves have,
-/// on the pixels that the settings name. A curve for each program. A failure's reason begins with
-/// the table's line whose image cannot be read or has another size.
+/// Measures images of other programs against a reference, by the metrics of our own curves, on the
+/// pixels of the settings. Returns a curve for each program. A failure's reason begins with the
+/// table's line whose image cannot be read or has another size.
 Result<std::vector<ForeignCurve>> measure_foreign(const std::vector<ForeignImage>& images,
                                                   const ReferenceImage& reference,
                                                   const RenderSettings& settings);

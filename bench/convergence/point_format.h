@@ -1,4 +1,4 @@
-// Numbers of a curve's points as its tables and JSON have them.
+// Formatting of a curve's points in tables and JSON.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,23 +11,23 @@
 
 namespace etalon::convergence {
 
-/// "1.234e-05"; "-" for what is not known.
+/// Returns "1.234e-05"; "-" for an unknown value.
 inline std::string scientific(double value) {
     return std::isnan(value) ? "-" : fmt::format("{:.3e}", value);
 }
 
-/// Samples per pixel; "-" where they are not known.
+/// Returns the samples per pixel; "-" if they are unknown.
 inline std::string spp_text(double samples) {
     return samples > 0 ? fmt::format("{:.2f}", samples) : "-";
 }
 
-/// "+0.12 -0.03 +0.00": three parts of 1 as percent; "-" for nothing.
+/// Returns "+0.12 -0.03 +0.00": three fractions as percent; "-" for nothing.
 inline std::string percent_text(const std::optional<Vec3>& parts) {
     if (!parts) return "-";
     return fmt::format("{:+.2f} {:+.2f} {:+.2f}", 100 * parts->x, 100 * parts->y, 100 * parts->z);
 }
 
-/// A list of red, green and blue; null for nothing and where one is not finite.
+/// Returns a list of red, green and blue; null for nothing and if one is not finite.
 inline nlohmann::ordered_json json_of(const std::optional<Vec3>& color) {
     using Json = nlohmann::ordered_json;
     const bool is_finite = color && std::isfinite(color->x + color->y + color->z);

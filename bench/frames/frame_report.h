@@ -9,7 +9,7 @@
 
 namespace etalon::frames {
 
-/// Returns a heading, a line for each frame, and what the names of the columns mean.
+/// Returns a heading, a line for each frame, and the meanings of the column names.
 std::string table_of(std::span<const FrameFigures> frames, table::Detail detail);
 
 nlohmann::ordered_json json_of(const FrameFigures& frame);

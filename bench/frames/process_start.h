@@ -1,13 +1,13 @@
-// What a process costs before it does anything.
+// Cost of starting a process.
 #pragma once
 
 namespace etalon::frames {
 
-/// Records the time that the process has used until now. The first statement of main.
+/// Records the processor time so far. Must be the first statement of main.
 void note_begin_of_main();
 
-/// Returns the seconds of processor time before main: loading and linking the program and
-/// initializing what is static. 0 in a program whose main does not note its begin.
+/// Returns the seconds of processor time before main, for loading and linking the program and
+/// initializing static objects. 0 in a program whose main does not call note_begin_of_main().
 double seconds_before_main();
 
 }  // namespace etalon::frames

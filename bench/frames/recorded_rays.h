@@ -6,11 +6,11 @@
 
 namespace etalon::frames {
 
-/// Passes what an integrator asks on to a backend, and keeps every n-th batch of rays, so that the
-/// backend can be asked the same again by itself. For one thread.
+/// Passes an integrator's queries on to a backend, and keeps every n-th batch of rays, so that the
+/// backend can be measured alone on the same rays. For one thread.
 class RecordedRays : public BatchIntersector {
   public:
-    /// Keeps one batch in `every`, of each of the two kinds. The backend must outlive this.
+    /// Keeps one batch in `every`, of both kinds of query. The backend must outlive this.
     RecordedRays(const BatchIntersector& backend, std::size_t every)
         : backend_(backend), every_(every) {}
 
@@ -19,8 +19,8 @@ class RecordedRays : public BatchIntersector {
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const override;
     void occluded(const RayStream& rays, std::span<std::uint8_t> blocked) const override;
 
-    /// Asks the backend the kept rays again. Returns the seconds of processor time that all rays
-    /// would have taken.
+    /// Repeats the kept queries. Returns the seconds of processor time that all rays would have
+    /// taken.
     double replay() const;
 
   private:
@@ -31,12 +31,12 @@ class RecordedRays : public BatchIntersector {
         RayStream view() const;
 
       private:
-        RayStream like_;  ///< whose columns may be gone
+        RayStream like_;  ///< its columns may be gone
         RayBuffer rays_;
         std::vector<ShutterTime> times_;
     };
 
-    /// The batches of one kind of question.
+    /// The batches of one kind of query.
     struct Batches {
         std::vector<std::vector<Ray>> kept;
         std::vector<KeptStream> kept_streams;
@@ -45,7 +45,7 @@ class RecordedRays : public BatchIntersector {
         void add(std::span<const Ray> more, std::size_t every);
         void add(const RayStream& more, std::size_t every);
         bool is_kept(std::size_t more, std::size_t every);
-        /// Seconds of all rays, if the kept ones took so many.
+        /// Returns the seconds of all rays, if the kept ones took `seconds`.
         double of_all(double seconds) const;
     };
 

@@ -1,4 +1,4 @@
-// The stages of a frame, as its table, its JSON and the report show them.
+// The stages of a frame, as in its table, its JSON and the report.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ struct Stage {
     double (*seconds)(const FrameFigures& frame);
 };
 
-/// Returns all stages, in the order of time; the rendering after its parts.
+/// Returns all stages in the order of time; the rendering comes after its parts.
 std::span<const Stage> stages();
 
 }  // namespace etalon::frames

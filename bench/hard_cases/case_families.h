@@ -1,4 +1,4 @@
-// The catalogue's parts, each about one shape or one kind of scene.
+// The parts of the catalogue, each about one shape or one kind of scene.
 #pragma once
 
 #include "bench/hard_cases/hard_case.h"

@@ -1,4 +1,4 @@
-// Rays at a target from everywhere: from afar, from close by, from within, along axes.
+// Rays at a target from everywhere: from far away, nearby or inside, and along axes.
 #pragma once
 
 #include "core/intersect/ray.h"
@@ -12,13 +12,14 @@ struct Place {
     double size;
 };
 
-/// Ray by one of the ray generators, chosen at random. Hardly any of the rays start on a surface.
+/// Returns a ray of one of the generators, chosen at random. Hardly any of the rays start on a
+/// surface.
 Ray ray_generator(const Place& place, const Target& target, Random& random);
 
-/// Ray from the target itself, on or next to the surface, in any direction.
+/// Returns a ray from the target itself, on or next to the surface, in any direction.
 Ray leave(const Place& place, const Target& target, Random& random);
 
-/// Ray along an edge, a generator, a face.
+/// Returns a ray along an edge, a generator or a face.
 Ray through_two(const Place& place, const Target& target, Random& random);
 
 }  // namespace etalon::hard

@@ -6,26 +6,26 @@
 
 namespace etalon::hard {
 
-/// Every coordinate rounded to float.
+/// Rounds every coordinate to float.
 Vec3 rounded(const Vec3& v);
 
-/// A point of floats that is no special one.
+/// Returns a point with float coordinates and no special position.
 inline Vec3 usual_place() {
     return rounded({0.3, -0.7, 0.45});
 }
 
-/// Embree's own choice for its watertightness tests; all coordinates are floats.
+/// Returns the far point of Embree's watertightness tests; all coordinates are floats.
 inline Vec3 far_place() {
     return {148376, 1234, -223423};
 }
 
-/// A point given in an odd frame, so that nothing is aligned with the axes by accident.
+/// Returns a point given in an odd frame, so that nothing is aligned with the axes by accident.
 Vec3 tilted(double x, double y, double z);
 
-/// Uniform in the unit disc that `axis`, of unit length, stands upright on.
+/// Returns a uniform point of the unit disc perpendicular to `axis`, which is of unit length.
 Vec3 in_disc(const Vec3& axis, Random& random);
 
-/// Unit vector along an axis, with zeros of either sign.
+/// Returns a unit vector along an axis, with zeros of either sign.
 Vec3 axis_direction(Random& random);
 
 /// Exponent of a relative offset far below any rounding.

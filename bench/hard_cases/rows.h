@@ -1,4 +1,4 @@
-// Rows of the catalogue of hard cases, as they are written down.
+// Construction of the rows of the catalogue of hard cases.
 #pragma once
 
 #include "bench/hard_cases/hard_case.h"
@@ -8,8 +8,8 @@ namespace etalon::hard {
 using MakeRay = std::function<Ray(Random& random)>;
 using MakeCaseSetup = std::function<CaseSetup()>;
 
-/// The rows of one shape. Those of rays in float say so at the end of their variant; their scenes
-/// must be made of floats.
+/// The rows of one shape. Variants of float rays say so at the end of their name; their scenes must
+/// have float coordinates.
 class Rows {
   public:
     explicit Rows(std::string shape) : shape_(std::move(shape)) {}
@@ -19,7 +19,7 @@ class Rows {
     void add_in_float(const std::string& id, const std::string& variant, const MakeCaseSetup& make,
                       Criterion criterion = Criterion::oracle);
 
-    /// A row of rays as they are made and one of them in float.
+    /// Adds a row of rays as they are generated, and one of the same rays in float.
     void add_both(const std::string& id, const std::string& variant, const MakeCaseSetup& make,
                   Criterion criterion = Criterion::oracle);
 
@@ -30,7 +30,7 @@ class Rows {
     std::vector<HardCase> list_;
 };
 
-/// A scene of nothing but `shape`.
+/// Returns a scene with only `shape`.
 template <class Shape>
 CaseSetup only(const Shape& shape, double size, MakeRay ray) {
     CaseSetup setup{{}, size, std::move(ray)};
@@ -38,10 +38,10 @@ CaseSetup only(const Shape& shape, double size, MakeRay ray) {
     return setup;
 }
 
-/// "1e3"
+/// Returns "1e3".
 std::string power_of_ten(int exponent);
 
-/// "2^-3"
+/// Returns "2^-3".
 std::string power_of_two(int exponent);
 
 }  // namespace etalon::hard

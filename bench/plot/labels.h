@@ -1,4 +1,4 @@
-// Labels that stand next to what they name, and not on each other.
+// Labels beside what they name, placed without overlap.
 #pragma once
 
 #include <string>
@@ -21,15 +21,15 @@ struct Label {
     bool is_far = false;  ///< so that a line must lead from the mark to the text
 };
 
-/// Returns the area of the text and a little around it; its width is an estimate, for a wide
-/// sans-serif font of 12 pixels.
+/// Returns the area of the text with a margin; its width is an estimate, for a wide sans-serif font
+/// of 12 pixels.
 Rectangle extent(const Label& label);
 
-/// Returns the point under or above the text that is nearest to the mark.
+/// Returns the point below or above the text that is nearest to the mark.
 Place leader_end(const Label& label);
 
-/// Chooses `at` for each label: inside `page`, off the marks, off the places in `avoid` where it
-/// can, near its mark.
+/// Chooses `at` for each label: inside `page`, off the marks, off the places in `avoid` if
+/// possible, near its mark.
 void place(std::vector<Label>& labels, const Rectangle& page, const std::vector<Place>& avoid);
 
 }  // namespace etalon::plot

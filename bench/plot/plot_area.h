@@ -4,12 +4,12 @@
 
 namespace etalon::plot {
 
-/// An image, and where in it the area is that the axes border, in pixels.
+/// An image, and the area in it that the axes enclose, in pixels.
 struct PlotArea {
     double width, height;
     double left, right, top, bottom;
 
-    /// Returns the place at shares (x, y) of the area, from its lower left.
+    /// Returns the place at the fractions (x, y) of the area, from its lower left.
     Place place(double x, double y) const {
         return {left + x * (right - left), bottom - y * (bottom - top)};
     }

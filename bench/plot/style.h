@@ -4,10 +4,10 @@
 
 namespace etalon::plot {
 
-/// The style sheet of all plots: CSS for what is inside an element of class "chart". Colours are
-/// variables that a page may set; by themselves they are those of a white page.
-///   --paper, --ink, --quiet, --rule, --edge   page, text, text of less weight, grid, frontiers
-///   --colour-1 to --colour-7                   what is told apart by colour
+/// Returns the style sheet of all plots: CSS for the contents of an element of class "chart".
+/// Colours are variables that a page may set; their defaults are for a white page.   --paper,
+/// --ink, --quiet, --rule, --edge   page, text, text of less weight, grid, frontiers   --colour-1
+/// to --colour-7                   series
 std::string_view style();
 
 }  // namespace etalon::plot

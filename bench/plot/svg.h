@@ -1,4 +1,4 @@
-// The few elements of SVG that a plot is made of. What they look like is in bench/plot/style.h.
+// The few SVG elements of a plot. bench/plot/style.h defines their appearance.
 #pragma once
 
 #include <string>
@@ -12,29 +12,29 @@ struct Place {
     double x, y;
 };
 
-/// The text with what HTML and XML take for their own replaced, in attributes too.
+/// Returns the text with the special characters of HTML and XML escaped, for attributes too.
 std::string escaped(std::string_view text);
 
 /// Point of a text's baseline that is at the text's position.
 enum class Anchor { start, middle, end };
 
-/// `classes`, in what follows, are those of the style sheet.
+/// An SVG image. `classes` below are those of the style sheet.
 class Svg {
   public:
-    /// `title` and `description` are for who cannot see the image.
+    /// `title` and `description` are for readers who cannot see the image.
     Svg(double width, double height, std::string_view title, std::string_view description);
 
     void text(Place at, Anchor anchor, std::string_view text, std::string_view classes);
     void line(Place from, Place to, std::string_view classes);
     void polyline(const std::vector<Place>& places, std::string_view classes);
-    /// Round the area that the places border.
+    /// Draws the area that the places enclose.
     void polygon(const std::vector<Place>& places, std::string_view classes);
-    /// A disk that says `hint` where a pointer rests on it.
+    /// Draws a disk that shows `hint` under a pointer.
     void dot(Place at, double radius, std::string_view hint, std::string_view classes);
 
-    /// An element for a page that has the style sheet.
+    /// Returns an element for a page that has the style sheet.
     std::string inlined() const;
-    /// A file, with the style sheet, on white: a page that shows it may be dark.
+    /// Returns a file with the style sheet, on white, as a page that shows it may be dark.
     std::string standalone() const;
 
   private:

@@ -11,11 +11,11 @@ struct Tick {
     std::string text;
 };
 
-/// "1", "10", "10³", "10⁻²": ten to the power of a number of at most two digits.
+/// Returns "1", "10", "10³", "10⁻²": ten to the power of a number of at most two digits.
 std::string power_of_ten(int exponent);
 
-/// Returns the ticks of a logarithmic axis from 10^low to 10^high: some two to twelve, powers of
-/// ten where there are several of them, else also values in between.
+/// Returns the ticks of a logarithmic axis from 10^low to 10^high: about two to twelve, powers of
+/// ten if there are several of them, else also values in between.
 std::vector<Tick> log_ticks(double low, double high);
 
 }  // namespace etalon::plot

@@ -1,4 +1,4 @@
-// The command lines that measure what the report's figures show, one by one.
+// The command lines that reproduce the report's figures.
 #pragma once
 
 #include <string>
@@ -9,30 +9,30 @@
 
 namespace etalon::bench_report {
 
-/// The whole report.
+/// Returns the command of the whole report.
 std::string command_of(const Settings& settings);
 
-/// All scenes, or one.
+/// Return the commands for all scenes, or for one.
 std::string speed_command(const Settings& settings);
 std::string speed_command(const Settings& settings, const std::string& scene);
 std::string builds_command(const Settings& settings, const std::string& scene);
 
-/// All hard cases, or those of a shape.
+/// Return the commands for all hard cases, or for those of a shape.
 std::string accuracy_command(const Settings& settings);
 std::string accuracy_command(const Settings& settings, const std::vector<accuracy::Row>& rows,
                              const std::string& shape);
 
-/// All classic scenes.
+/// Returns the command for all classic scenes.
 std::string spd_command(const Settings& settings);
 
-/// All frames of an origin.
+/// Returns the command for all frames of an origin.
 std::string frames_command(const Settings& settings, FrameOrigin origin);
 
 std::string image_command(const ImageRequest& request);
 
 std::string convergence_command(const Settings& settings, const ConvergenceRequest& request);
 
-/// Any scene that other programs rendered.
+/// Returns the command for any scene that other programs rendered.
 std::string foreign_command(const Settings& settings);
 
 }  // namespace etalon::bench_report

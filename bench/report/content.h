@@ -24,17 +24,17 @@ struct Table {
     std::vector<std::vector<Cell>> rows;
 };
 
-/// A length with what there is to say about it in words.
+/// A bar of a bar chart with its texts.
 struct Bar {
     std::string name;
     int colour;  ///< 1 to 7, of the style sheet of bench/plot
     double value, spread;
     std::string text;  ///< the value
     std::string comparison;
-    Cell note;  ///< how much it is worth: the errors beside a speed
+    Cell note;  ///< how reliable it is: the errors beside a speed
 };
 
-/// Bars of one scale, from 0, and what their numbers are.
+/// Bars with a common scale from 0, and the meaning of their numbers.
 struct BarGroup {
     std::string title, value, comparison, note;
     std::vector<Bar> bars;
@@ -70,10 +70,10 @@ struct Images {
 
 struct Figure {
     std::string title, caption;
-    std::string command;  ///< that measures the same
+    std::string command;  ///< command that measures the same
     std::string date;     ///< when it was measured
     std::variant<Table, Bars, Charts, Images> content;
-    bool folded = false;  ///< shown only to who asks for it
+    bool folded = false;  ///< collapsed until a reader opens it
 };
 
 struct Section {
@@ -82,7 +82,7 @@ struct Section {
     std::vector<Figure> figures;
 };
 
-/// A number that the report begins with.
+/// A number at the beginning of the report.
 struct KeyFigure {
     std::string value, name, note;
 };

@@ -1,4 +1,4 @@
-// The report's figures for programs.
+// The report's figures in machine-readable files.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace etalon::bench_report {
 
-/// Writes what was measured as data.json, and each table of the page as SECTION-TITLE.csv (RFC
-/// 4180), into the folder. Returns whether all could be written; messages go to standard error.
+/// Writes the results as data.json, and each table of the page as SECTION-TITLE.csv (RFC 4180),
+/// into the folder. Returns whether all could be written; messages go to standard error.
 bool write_data_files(const std::string& folder, const Results& results, const Page& page);
 
 }  // namespace etalon::bench_report

@@ -1,4 +1,4 @@
-// All that a report is made of; its sections are views of it.
+// All results of a report; its sections are views of them.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@
 
 namespace etalon::bench_report {
 
-/// "2026-11-21 23:08", local time.
+/// Returns the local time: "2026-11-21 23:08".
 std::string date_now();
 
-/// Figures in the order in which they came, and when the last one did.
+/// Figures in order of measurement, and the time of the last one.
 template <class T>
 struct Measured {
     void add(T figures) {
@@ -34,7 +34,7 @@ struct Machine {
     std::string processor, system, compiler, flags, version, commit, embree, embree_isa;
     int cores = 0;
     double memory_bytes = 0;
-    double load = 0;  ///< average of the last minute when the run began: what else there was to do
+    double load = 0;  ///< load average of the last minute when the run began
 };
 
 /// A classic scene by one backend.
@@ -53,10 +53,10 @@ struct SpdFigures {
     std::vector<SpdRun> runs;
 };
 
-/// An image's errors while samples were added.
+/// An image's errors over its samples.
 struct ConvergenceFigures {
     ConvergenceRequest request;
-    std::string reference;  ///< what the errors are relative to, in words
+    std::string reference;  ///< description of the reference
     std::vector<convergence::Curve> curves;
 };
 
@@ -81,7 +81,7 @@ struct ImageFigures {
     struct Layer {
         std::string title, png;
     };
-    std::vector<Layer> layers;  ///< the image, and what there is to know of each pixel
+    std::vector<Layer> layers;  ///< the image, and other data of each pixel
 };
 
 /// A whole frame.

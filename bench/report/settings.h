@@ -15,13 +15,13 @@ struct SpdScene {
     std::int64_t size;
 };
 
-/// Where the scene of a frame comes from: one of this project's, one of its families, or a file
-/// that the command line named.
+/// Origin of the scene of a frame: one of this project's, one of its families, or a file named on
+/// the command line.
 enum class FrameOrigin { shipped, family, given };
 
 struct FrameRequest {
     FrameOrigin origin;
-    std::string scene;      ///< below the folder of scenes; a family; a file
+    std::string scene;      ///< path below the folder of scenes; a family; a file
     std::int64_t size = 0;  ///< of a family
     int width = 0;          ///< in pixels; 0: the scene's
     int samples = 0;        ///< per pixel; 0: the scene's
@@ -30,8 +30,8 @@ struct FrameRequest {
 struct ImageRequest {
     std::string scene;  ///< below the folder of scenes
     int width, height;
-    int samples;        ///< per pixel, of what is shown
-    int fewer_samples;  ///< of what is compared with it
+    int samples;        ///< per pixel, of the image shown
+    int fewer_samples;  ///< per pixel, of the image compared with it
 };
 
 struct ConvergenceRequest {
@@ -46,19 +46,19 @@ struct ForeignRequest {
     std::vector<convergence::ForeignImage> images;
 };
 
-/// Returns the approximate time of a scene's sample, in microseconds of a core of 2026.
+/// Returns the approximate time of a scene's sample, in microseconds on a core of 2026.
 double microseconds_of_sample(const std::string& scene);
 
 struct Settings {
     std::string name;          ///< "quick" or "full"
-    double seconds_limit = 0;  ///< on the wall, after which the rest is left out; 0 is no limit
+    double seconds_limit = 0;  ///< wall time after which the rest is left out; 0 is no limit
 
     std::vector<std::string> speed_scenes;
     speed::Plan plan;
 
     std::vector<std::string> accuracy_backends;
     std::uint64_t case_rays;
-    double case_seconds;  ///< on the wall; a case then gets fewer rays
+    double case_seconds;  ///< wall time; a case that takes longer gets fewer rays
 
     std::vector<FrameRequest> frames;
     int frame_repeats = 0;
@@ -71,7 +71,7 @@ struct Settings {
     std::vector<std::string> convergence_backends;
     int convergence_seeds = 0;
 
-    std::string foreign_table;  ///< file of the images below; empty: there are none
+    std::string foreign_table;  ///< file that lists the images below; empty if there are none
     std::vector<ForeignRequest> foreign;
     int foreign_samples = 0;  ///< per pixel, at the end of our curves
     int foreign_seeds = 0;
@@ -80,15 +80,15 @@ struct Settings {
 Settings quick_settings();
 Settings full_settings();
 
-/// Adds scene files, and those in folders, to the frames that are measured. Returns why one cannot
-/// be, or nothing.
+/// Adds scene files, and those in folders, to the frames. Returns why one cannot be added, or an
+/// empty string.
 std::string add_frames(const std::vector<std::string>& paths, Settings& settings);
 
 /// Adds the scenes of a table of other programs' images, and the time that they take to the limit.
-/// Returns what is wrong with the table, or nothing.
+/// Returns what is wrong with the table, or an empty string.
 std::string add_foreign(const std::string& table, Settings& settings);
 
-/// Returns the approximate time of comparing a scene with other programs, in seconds on the wall.
+/// Returns the approximate time of comparing a scene with other programs, in seconds of wall time.
 double seconds_for(const ForeignRequest& request, const Settings& settings);
 
 }  // namespace etalon::bench_report

@@ -1,5 +1,5 @@
-// The families of scenes to measure accelerators on. The size alone decides a scene, to the bit on
-// one machine. To add one: its maker, declared here, in a file of its own; its line in the table of
+// The families of benchmark scenes. The size alone determines a scene, to the bit on one machine.
+// To add a family: its function, declared here, in a file of its own; its line in the table of
 // bench_families.cpp.
 #pragma once
 
@@ -12,12 +12,12 @@ namespace etalon::bench {
 
 struct Family {
     std::string_view name;
-    std::string_view unit;  ///< of the size: "N" primitives, or a "DEPTH"
-    std::size_t usual;      ///< size where none is given
-    std::size_t most;       ///< size, by what indices and memories hold
+    std::string_view unit;  ///< unit of the size: "N" primitives, or a "DEPTH"
+    std::size_t usual;      ///< default size
+    std::size_t most;       ///< largest size, limited by indices and memory
     std::string_view what;
     Scene (*make)(std::size_t size);
-    int pixels = 512;  ///< along either side; fewer where a ray costs a hundred times the usual
+    int pixels = 512;  ///< along either side; fewer if a ray costs a hundred times the usual
 };
 
 std::span<const Family> families();

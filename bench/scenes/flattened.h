@@ -4,9 +4,9 @@
 
 namespace etalon::bench {
 
-/// Returns the geometry with a copy of its object in the place of each instance, to the rounding of
-/// vertices: what instances are measured against. Objects must be of triangles alone, as others are
-/// left out of the copies.
+/// Returns the geometry with each instance replaced by a copy of its object, up to the rounding of
+/// vertices: the baseline for instances. Objects must consist of triangles; other shapes are left
+/// out of the copies.
 Geometry flattened(const Geometry& geometry);
 
 }  // namespace etalon::bench

@@ -4,8 +4,8 @@
 
 namespace etalon::bench {
 
-/// A triangle of `length` along the unit vector `direction`, its middle near `middle`, and of
-/// `width` at one end, towards a random side.
+/// Adds a triangle of `length` along the unit vector `direction`, with its middle near `middle`,
+/// and of `width` at one end, towards a random side.
 inline void add_needle(Scene& scene, const Vec3& middle, const Vec3& direction, double length,
                        double width, Random& random) {
     const Vec3 tail = middle - length / 2 * direction;

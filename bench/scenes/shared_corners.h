@@ -1,4 +1,4 @@
-// Meshes as modellers make them: triangles that share their corners.
+// Meshes whose triangles share corners, as modellers make them.
 #pragma once
 
 #include <cmath>
@@ -8,27 +8,27 @@
 
 namespace etalon::bench {
 
-/// Three corners that no other triangle has.
+/// Adds a triangle with corners of its own.
 inline void add_triangle(Scene& scene, const Vec3& a, const Vec3& b, const Vec3& c) {
     const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());
     scene.geometry.vertices.insert(scene.geometry.vertices.end(), {a, b, c});
     scene.geometry.add(Triangle{{first, first + 1, first + 2}}, 0);
 }
 
-/// Two triangles, the corners in order round the quad.
+/// Adds two triangles; the corners are in order around the quad.
 inline void add_quad(Scene& scene, const std::array<std::uint32_t, 4>& corners) {
     const auto [a, b, c, d] = corners;
     scene.geometry.add(Triangle{{a, b, c}}, 0);
     scene.geometry.add(Triangle{{a, c, d}}, 0);
 }
 
-/// `columns` x `rows` quads. A sheet that closes has its first line of vertices as its last one.
+/// A grid of `columns` x `rows` quads. In a closed sheet the last line of vertices is the first.
 struct Sheet {
     std::uint32_t columns, rows;
     bool closes = false;  ///< in both directions
 };
 
-/// The sheet whose vertex (i, j) is at point(i / columns, j / rows).
+/// Adds the sheet whose vertex (i, j) is at point(i / columns, j / rows).
 template <class Point>
 void add_sheet(Scene& scene, const Sheet& sheet, const Point& point) {
     const auto first = static_cast<std::uint32_t>(scene.geometry.vertices.size());

@@ -7,8 +7,8 @@
 
 namespace etalon::bench {
 
-/// A unit sphere about the origin that bears nine of a third of its size, and so on `depth` times:
-/// (9^(depth + 1) - 1) / 8 spheres.
+/// Returns a unit sphere about the origin with nine spheres of a third of its size on it, and so on
+/// to `depth`: (9^(depth + 1) - 1) / 8 spheres.
 std::vector<Sphere> sphereflake_spheres(std::size_t depth);
 
 }  // namespace etalon::bench

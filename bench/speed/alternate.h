@@ -5,8 +5,9 @@
 
 namespace etalon::speed {
 
-/// Calls f(repeat, k) for every k below `count`, forwards and backwards in turn, so that a drift of
-/// the machine's speed meets all alike. False if it was over before the last call.
+/// Calls f(repeat, k) for every k below `count`, alternately forwards and backwards, so that a
+/// drift of the machine's speed affects all alike. Returns false if it was over before the last
+/// call.
 template <class F>
 bool alternate(int repeats, std::size_t count, const std::function<bool()>& is_over, const F& f) {
     for (int repeat = 0; repeat < repeats; ++repeat) {

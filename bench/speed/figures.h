@@ -16,14 +16,14 @@ namespace etalon::speed {
 inline constexpr const char* baseline = baseline_backend;
 inline constexpr const char* robust_baseline = "embree-builtin-robust";
 
-/// The same work over and over, on so many threads.
+/// Repeats of the same work on a number of threads.
 struct Runs {
     int threads = 1;
     std::vector<Duration> repeats;
     Estimate ratio,
         ratio_robust;  ///< of CPU seconds, the baseline's over these: above 1 is faster
-    /// Seconds on one thread over these: what the work of a thread is still worth, and how much
-    /// sooner it is done. 1 for one thread.
+    /// Seconds on one thread over these: the efficiency of a thread, and the speed-up. 1 for one
+    /// thread.
     Estimate cpu_scaling, wall_scaling;
 
     std::vector<double> cpu() const;
@@ -39,12 +39,12 @@ struct BuildFigures {
     std::vector<Runs> by_threads;
 };
 
-/// Errors of a tracer. A speed without them says nothing.
+/// Errors of a tracer, without which its speed means nothing.
 struct Errors {
-    std::string reference;      ///< the exact backend that all of its answers are compared with
-    Disagreement disagreement;  ///< with that one
-    OracleCheck sample;         ///< by the oracle, of rays spread evenly over all
-    /// Errors, by the oracle, among the rays to which not all tracers give the same answer: a
+    std::string reference;      ///< the exact backend with which all answers are compared
+    Disagreement disagreement;  ///< with the reference
+    OracleCheck sample;         ///< by the oracle, for rays spread evenly over all
+    /// Errors, by the oracle, among the rays to which not all tracers give the same answer. A
     /// tracer that alone is wrong is found here.
     OracleCheck disputed;
 };
@@ -56,22 +56,22 @@ struct RayFigures {
 };
 
 struct KindFigures {
-    std::string kind;        ///< of ray
-    std::size_t rays = 0;    ///< that each repeat traces
-    bool occlusion = false;  ///< only whether something is hit is asked
+    std::string kind;        ///< kind of ray
+    std::size_t rays = 0;    ///< number of rays of each repeat
+    bool occlusion = false;  ///< rays are occlusion queries
     std::vector<RayFigures> tracers;
 };
 
 struct SceneFigures {
     std::string scene;
     std::size_t primitives = 0;
-    std::string shape;  ///< of nearly all primitives; "mixed" where there is none
+    std::string shape;  ///< shape of nearly all primitives; "mixed" if there is none
     std::vector<BuildFigures> builds;
     std::vector<KindFigures> kinds;
 };
 
-/// Fills in what follows from comparing one tracer's repeats with another's, and with its own on
-/// one thread. The baselines must be among them.
+/// Fills in the comparisons of each tracer's repeats with the baselines', and with its own on one
+/// thread. The baselines must be among them.
 void compare_with_baselines(std::vector<BuildFigures>& all);
 void compare_with_baselines(std::vector<RayFigures>& all);
 

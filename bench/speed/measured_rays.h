@@ -11,20 +11,20 @@ namespace etalon::speed {
 
 class RayMeasurement {
   public:
-    /// The setup, of which only the scene and the tie matter, and the tracers, which are
-    /// built, must outlive it.
+    /// The setup, of which only the scene and the tie are used, and the tracers, which must be
+    /// built, must outlive this.
     RayMeasurement(const hard::CaseSetup& setup, const std::vector<Tracer>& tracers,
                    const Plan& plan);
 
-    /// Backend that decides where rays start.
+    /// Returns the backend that decides where rays start.
     const Intersector& exact() const { return *who(default_backend).intersector; }
 
-    /// Nothing if it was over before the last repeat.
+    /// Measures a set of rays; nothing if it was over before the last repeat.
     std::optional<KindFigures> measure(const RaySet& set,
                                        const std::function<bool()>& is_over) const;
 
   private:
-    using Answers = std::vector<std::vector<Answer>>;  ///< of each tracer
+    using Answers = std::vector<std::vector<Answer>>;  ///< for each tracer
 
     const Tracer& who(const std::string& name) const;
     std::vector<RayFigures> time(const RaySet& set, const std::function<bool()>& is_over,
@@ -39,7 +39,7 @@ class RayMeasurement {
     const std::vector<Tracer>& tracers_;
     const Plan plan_;
     const Oracle oracle_;
-    std::vector<Tracer> references_;  ///< others are compared with them; they do not take part
+    std::vector<Tracer> references_;  ///< others are compared with them; they are not measured
 };
 
 }  // namespace etalon::speed

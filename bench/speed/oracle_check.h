@@ -1,4 +1,4 @@
-// The oracle's word on as many rays as there is time for.
+// Checks by the oracle of as many rays as time allows.
 #pragma once
 
 #include "bench/accuracy/oracle_reference.h"
@@ -6,23 +6,23 @@
 
 namespace etalon::speed {
 
-/// See accuracy::ErrorStats for what each counts.
+/// Numbers of errors; see accuracy::ErrorStats for their meanings.
 struct OracleCheck {
     std::uint64_t rays = 0, undecidable = 0;
     std::uint64_t false_hits = 0, false_misses = 0;
-    std::uint64_t wrong_primitives = 0;  ///< of occlusion queries none is known
+    std::uint64_t wrong_primitives = 0;  ///< always 0 for occlusion queries
     double t_ulps = 0;                   ///< largest error of t, in ulp of a float
 
     std::uint64_t errors() const { return false_hits + false_misses + wrong_primitives; }
 };
 
-/// All numbers below `count` in an order of which every beginning is spread evenly over them.
+/// Returns all numbers below `count` in an order of which every prefix is spread evenly over them.
 std::vector<std::size_t> scattered(std::size_t count);
 
-/// Answers of the oracle to some of a set's rays: the same for all tracers.
+/// Answers of the oracle to some of a set's rays, used for all tracers.
 class OracleReferences {
   public:
-    /// Asks the oracle about the rays at these places of the set, in this order, for so many CPU
+    /// Asks the oracle about the rays with these indices in the set, in this order, for so many CPU
     /// seconds, but at least about one. The setup and the set must outlive this.
     OracleReferences(const hard::CaseSetup& setup, const Oracle& oracle, const RaySet& set,
                      const std::vector<std::size_t>& places, double seconds);
@@ -35,10 +35,9 @@ class OracleReferences {
     OracleCheck check_occlusion(std::span<const Answer> answers) const;
 
     const RaySet& set_;
-    std::vector<std::size_t> rays_;  ///< their places in the set
-    std::vector<accuracy::OracleReference>
-        references_;                               ///< of each, where the nearest hit is asked for
-    std::vector<OracleAnswer::Kind> is_occluded_;  ///< of each, where only occlusion is
+    std::vector<std::size_t> rays_;                      ///< their indices in the set
+    std::vector<accuracy::OracleReference> references_;  ///< one for each ray, for closest hits
+    std::vector<OracleAnswer::Kind> is_occluded_;  ///< one for each ray, for occlusion queries
 };
 
 }  // namespace etalon::speed

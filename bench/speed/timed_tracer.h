@@ -1,4 +1,4 @@
-// Tracers that take part in a measurement, and their construction.
+// Tracers of a measurement, and their construction.
 #pragma once
 
 #include <functional>
@@ -9,11 +9,11 @@
 
 namespace etalon::speed {
 
-/// Every backend there is, and embree-builtin-robust.
+/// Returns the names of all backends, and embree-builtin-robust.
 std::vector<std::string> tracer_names();
 const Backend& find_tracer(const std::string& name);
 
-/// Returns the tracers asked for and the baselines, in the order of tracer_names().
+/// Returns the requested tracers and the baselines, in the order of tracer_names().
 std::vector<std::string> with_baselines(const std::vector<std::string>& asked);
 
 struct Tracer {
@@ -23,8 +23,8 @@ struct Tracer {
     std::string name() const { return std::string(backend->name); }
 };
 
-/// Builds each tracer's intersector over and over and keeps the last one. With one thread it is
-/// pinned; of more, oneTBB decides where they run. Nothing if it was over before the last repeat.
+/// Builds each tracer's intersector repeatedly and keeps the last one. A single thread is pinned;
+/// for more, oneTBB decides where they run. Returns nothing if it was over before the last repeat.
 std::vector<BuildFigures> measure_builds(std::vector<Tracer>& tracers, const Scene& scene,
                                          const Plan& plan, const std::function<bool()>& is_over);
 

@@ -1,4 +1,4 @@
-// One tracer over several scenes and kinds of rays.
+// Totals of one tracer over several scenes and kinds of rays.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace etalon::speed {
 
-/// Wrong answers among those that the oracle judged.
+/// Wrong answers among those that the oracle checked.
 struct Judged {
     void add(const OracleCheck& check) {
         rays += check.rays;
@@ -20,9 +20,9 @@ struct Judged {
 
 struct Totals {
     std::string tracer;
-    std::vector<double> ratios, robust_ratios;  ///< on one thread, of each scene and kind of rays
+    std::vector<double> ratios, robust_ratios;  ///< on one thread, for each scene and kind of rays
     Judged sampled;                             ///< rays spread evenly over all
-    Judged disputed;                            ///< rays about which tracers differ
+    Judged disputed;                            ///< rays for which tracers differ
 };
 
 /// Returns the totals of every tracer, in order of appearance.

@@ -1,4 +1,4 @@
-// Rays through an intersector, against the clock.
+// Timing of rays through an intersector.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@ namespace etalon::speed {
 using accuracy::Answer;
 using accuracy::missed;
 
-/// Answers all rays of the set on so many pinned threads. Of a set of occlusion queries, primitive
+/// Traces all rays of the set on so many pinned threads. For a set of occlusion queries, primitive
 /// 0 means occluded.
 Duration trace(const Intersector& intersector, const RaySet& set, int threads,
                std::span<Answer> answers);

@@ -1,4 +1,4 @@
-// Tables for terminals: lines of cells under a heading of two lines.
+// Tables for terminals: rows of cells under a heading of two lines.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,18 +12,17 @@
 
 namespace etalon::table {
 
-/// How many of its columns a table shows: those that fit `line_width`, or all.
+/// Number of columns that a table shows: those that fit `line_width`, or all.
 enum class Detail { narrow, wide };
 
-/// Column of a table whose lines are of type `Line`, aligned to the right. A name above that ends
-/// in
-/// "-" goes on in the name below.
+/// Column of a table with rows of type `Line`, aligned to the right. A name above that ends in "-"
+/// continues in the name below.
 template <class Line>
 struct Column {
     std::string above, name;
     int width;
     std::function<std::string(const Line& line)> cell;
-    std::string meaning{};          ///< for the legend; empty if the name says it all
+    std::string meaning{};          ///< for the legend; empty if the name is clear
     Detail shown = Detail::narrow;  ///< narrow: always
 };
 
@@ -55,7 +54,7 @@ std::string line_of(std::string beginning, const Line& line, const Columns<Line>
     return without_trailing_blanks(beginning) + "\n";
 }
 
-/// Adds what the names of the columns shown mean.
+/// Adds the meanings of the names of the columns shown.
 template <class Line>
 void explain(const Columns<Line>& columns, Detail detail, Legend& legend) {
     for (const Column<Line>& c : columns) {

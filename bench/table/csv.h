@@ -6,8 +6,8 @@
 
 namespace etalon::table {
 
-/// Returns the fields with commas between them and the end of a line; those that hold a comma, a
-/// quote or an end of a line are in quotes.
+/// Returns the fields separated by commas, with the end of a line; those with a comma, a quote or
+/// an end of a line are in quotes.
 std::string csv_line(const std::vector<std::string>& fields);
 
 }  // namespace etalon::table

@@ -1,4 +1,4 @@
-// What the short names and marks of a table mean.
+// Meanings of the short names and marks of a table.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace etalon::table {
 
-/// Longest line of a table, in columns of the terminal, that is not asked to be wide.
+/// Longest line of a narrow table, in columns of the terminal.
 inline constexpr std::size_t line_width = 100;
 
-/// Returns "contra-" and "dicted" as one word, other names with a blank between them.
+/// Joins the two parts of a name: "contra-" and "dicted" to one word, others with a blank.
 std::string whole_name(const std::string& above, const std::string& name);
 
 class Legend {
   public:
-    /// Adds an entry, unless there is the same already or its meaning is empty.
+    /// Adds an entry, unless it exists already or its meaning is empty.
     void add(const std::string& name, const std::string& meaning);
 
     /// Returns a line for each entry, wrapped at words to `line_width`.

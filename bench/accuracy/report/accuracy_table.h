@@ -8,9 +8,9 @@
 
 namespace etalon::accuracy {
 
-/// The rows as a table for the terminal, by shape and case. A "." is a zero, so that errors stand
-/// out; a "-" is what the case's criterion does not look at. The shape that already has its heading
-/// gets none.
+/// Returns the rows as a table for the terminal, by shape and case. A "." is a zero, so that errors
+/// stand out; a "-" is a value that the case's criterion does not include. The shape whose heading
+/// has been printed already gets none.
 std::string table_of(const std::vector<Row>& rows, table::Detail detail,
                      const std::string& heading_above = {});
 

@@ -1,4 +1,4 @@
-// The two axes of a plot: where a value is on the page, and which values are worth a tick.
+// The two axes of a plot: positions of values on the page, and values of ticks.
 #pragma once
 
 #include "bench/accuracy/report/points.h"
@@ -7,7 +7,7 @@
 
 namespace etalon::accuracy {
 
-/// Cost by its logarithm, error by that of 1 + error, so that there is a place for none.
+/// Logarithmic axes: of cost, and of 1 + error, so that zero error has a place.
 class Axes {
   public:
     Axes(const Scatter& scatter, const plot::PlotArea& plot_area);

@@ -1,4 +1,4 @@
-// The rows of a report as its parts are arranged: by shape, then by case, in order of appearance.
+// The rows of a report grouped by shape, then by case, in order of appearance.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace etalon::accuracy {
 struct CaseRows {
     std::string name() const;  ///< "SPH-1, 1e3 radii"
 
-    /// Returns the tracer's row, or nullptr if it took no part.
+    /// Returns the tracer's row, or nullptr if it was not measured.
     const Row* find(std::string_view tracer) const;
 
     std::string id, variant, criterion;
@@ -24,14 +24,14 @@ struct CaseRows {
 std::vector<std::string> shapes_of(const std::vector<Row>& rows);
 std::vector<CaseRows> cases_of(const std::vector<Row>& rows, const std::string& shape);
 
-/// Names that the report looks for among the tracers.
+/// Names of tracers that the report uses.
 inline constexpr std::string_view baseline = baseline_backend;
 inline constexpr std::string_view bare_kernel = "kernel";
 
 /// Returns whether a tracer of that name is one of textbook_tracers().
 bool is_textbook(std::string_view tracer);
 
-/// All that went wrong, in a million rays.
+/// Returns the number of all errors, per million rays.
 double errors_per_million(const ErrorStats& stats);
 
 }  // namespace etalon::accuracy

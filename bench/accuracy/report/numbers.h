@@ -1,4 +1,4 @@
-// Numbers in reports for people: few digits, never wider than a column.
+// Formatting of numbers in reports: few digits, never wider than a column.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace etalon::accuracy {
 /// characters: "0", "0.25", "12.3", "9087", "4.6e4", "6e-17".
 std::string brief(double value);
 
-/// Exact up to six digits, then like "2.5e6".
+/// Returns a count: exact up to six digits, then like "2.5e6".
 std::string brief_count(std::uint64_t count);
 
 }  // namespace etalon::accuracy

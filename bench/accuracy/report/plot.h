@@ -1,4 +1,4 @@
-// Error against cost of all that took part in a shape's cases, as SVG.
+// Error over cost of all tracers of a shape's cases, as SVG.
 #pragma once
 
 #include <string>
@@ -9,21 +9,21 @@
 
 namespace etalon::accuracy {
 
-/// An image by itself, with titles, a key and remarks, where everybody has a label. Empty if nobody
-/// has a cost.
+/// Returns a separate image with titles, a key and remarks, where all tracers have labels. Empty if
+/// no tracer has a cost.
 std::string plot(const std::vector<Row>& rows, const std::string& shape,
                  const std::vector<std::string>& remarks);
 
-/// A part of a page, which has the titles and the key: small enough for a phone, so that only who
-/// is in the Pareto set has a label. Empty if nobody has a cost.
+/// Returns a part of a page, which has the titles and the key: small enough for a phone, so that
+/// only the tracers in the Pareto set have labels. Empty if no tracer has a cost.
 std::string small_plot(const std::vector<Row>& rows, const std::string& shape);
 
-/// What a plot is of: its title, and the texts at its axes.
+/// Texts of a plot: its title, and those at its axes.
 struct PlotTexts {
     std::string title, cost, error;
 };
 
-/// The same of any points, all of which have a label. Empty without points.
+/// The same for any points, all of which have a label. Empty without points.
 std::string small_plot(const Scatter& scatter, const PlotTexts& texts);
 
 }  // namespace etalon::accuracy

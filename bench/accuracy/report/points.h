@@ -1,4 +1,4 @@
-// Error against cost: where each tracer stands for a shape.
+// Points of error over cost for each tracer of a shape.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct Point {
     double cost = 0;   ///< median over the cases, in the unit of the scatter
     double error = 0;  ///< of the worst case: see error_of()
     std::string worst_case;
-    bool efficient = false;  ///< in the Pareto set: nobody is cheaper and as good, or better
+    bool efficient = false;  ///< in the Pareto set: no tracer is cheaper and as good, or better
 };
 
 struct Scatter {
@@ -23,18 +23,19 @@ struct Scatter {
     std::vector<Point> points;  ///< by cost
 };
 
-/// An error of t in ulp of a float from which on no digit of a float is right.
+/// Error of t in ulp of a float at which no digit of a float is right.
 inline constexpr double most_ulps = 0x1p24;
 
-/// The largest error of t in ulp of a float, taken as `most_ulps` at most, plus all that went wrong
-/// in a million rays.
+/// Returns the largest error of t in ulp of a float, at most `most_ulps`, plus the number of all
+/// errors per million rays.
 double error_of(const ErrorStats& stats);
 
-/// Cost is relative to the first textbook kernel where rows are, else to `baseline`, else in
-/// nanoseconds. Who has no cost has no point.
+/// Returns the points. Cost is relative to the first textbook kernel if there are rows of it, else
+/// to `baseline`, else in nanoseconds. Tracers without a cost have no point.
 Scatter scatter_of(const std::vector<Row>& rows, const std::string& shape);
 
-/// Costs or errors (plus one) within a hundredth count as equal: no plot shows less.
+/// Marks the Pareto set. Costs or errors (plus one) within a hundredth count as equal: no plot
+/// shows less.
 void mark_efficient(std::vector<Point>& points);
 
 }  // namespace etalon::accuracy

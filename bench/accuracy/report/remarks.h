@@ -1,4 +1,4 @@
-// What a plot of error against cost needs said beside it.
+// Remarks on a plot of error over cost.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace etalon::accuracy {
 
-/// Returns sentences, of what was measured alone: that some of the `cases` that the shape has are
-/// missing or were cut short; and why tracers that are never wrong have large errors all the same.
+/// Returns sentences about the measured data only: that some of the shape's `cases` are missing or
+/// were cut short, and why exact tracers may have large errors.
 std::vector<std::string> remarks_on(const std::vector<Row>& rows, const std::string& shape,
                                     std::size_t cases);
 

@@ -1,5 +1,6 @@
-// Images of shapes under affine maps, as renderers do them: the ray is moved into the shape's own
-// coordinates by an inverse that is rounded, too (Pharr, Jakob & Humphreys 2016, section 3.1.4).
+// Images of shapes under affine maps, as in other renderers: the ray is transformed to the shape's
+// own coordinates by an inverse that is rounded, too (Pharr, Jakob & Humphreys 2016, section
+// 3.1.4).
 #pragma once
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 
 namespace etalon::accuracy {
 
-/// Shape coordinates of a ray, whose direction keeps its length's meaning: t is the world's.
+/// A ray in shape coordinates. Its direction is not normalized: t is that of world space.
 template <class RayForm>
 class RayMover {
   public:
@@ -29,7 +30,7 @@ class RayMover {
     V origin_, x_, y_, z_;
 };
 
-/// The kernel of a unit sphere about the origin, asked about a moved ray.
+/// The kernel of a unit sphere about the origin, called for a transformed ray.
 template <class SphereKernel>
 struct MovedSphere {
     using RayForm = typename SphereKernel::RayForm;
@@ -48,7 +49,7 @@ inline auto textbook_kernels(const Scene&, const Ellipsoid& e) {
                       Named{"double textbook", MovedSphere<TextbookSphere<double>>(e)}};
 }
 
-/// The line's stretch inside the infinite cylinder x^2 + y^2 = 1 and inside the slab 0 <= z <= 1
+/// The line's interval inside the infinite cylinder x^2 + y^2 = 1 and inside the slab 0 <= z <= 1
 /// (Kay & Kajiya 1986, SIGGRAPH), by the quadratic formula.
 template <class Real>
 struct TextbookClosedCylinder {

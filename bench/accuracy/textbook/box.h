@@ -4,8 +4,8 @@
 
 namespace etalon::accuracy {
 
-/// Slabs by the smaller and the larger of each pair (Kay & Kajiya 1986, SIGGRAPH '86), with the
-/// reciprocals that a ray carries along.
+/// Slab test by the smaller and the larger of each pair (Kay & Kajiya 1986, SIGGRAPH '86), with the
+/// precomputed reciprocals of a ray.
 struct TextbookBox {
     using RayForm = PreparedRay;
 
@@ -25,8 +25,8 @@ struct TextbookBox {
     Vec3f min, max;
 };
 
-/// Bounds picked by the sign of the direction, comparisons that pass over a NaN, and the exit put
-/// off by two ulp, so that rounding cannot lose a hit (Ize 2013, JCGT 2(2)).
+/// Bounds selected by the sign of the direction, comparisons that ignore a NaN, and the exit
+/// increased by two ulp, so that rounding cannot lose a hit (Ize 2013, JCGT 2(2)).
 struct PaddedBox {
     using RayForm = PreparedRay;
 

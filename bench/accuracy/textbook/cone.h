@@ -4,8 +4,8 @@
 
 namespace etalon::accuracy {
 
-/// The surface |x - z u| = r0 + k z along the unit axis u, for 0 <= z <= height. That the radius is
-/// given at the base, and not the distance from an apex, makes a cylinder the case k = 0.
+/// The surface |x - z u| = r0 + k z along the unit axis u, for 0 <= z <= height. The radius is
+/// given at the base, not as the distance from an apex, so that a cylinder is the case k = 0.
 template <class Real>
 struct ConeCoefficients {
     explicit ConeCoefficients(const Cone& c) : base(c.base) {
@@ -16,7 +16,7 @@ struct ConeCoefficients {
         slope = (static_cast<Real>(c.top_radius) - radius) / height;
     }
 
-    /// a t^2 + 2 b t + c = 0 where the line f + t d, f seen from the base, meets the double cone.
+    /// a t^2 + 2 b t + c = 0 where the line f + t d, relative to the base, meets the double cone.
     struct Quadratic {
         Real a, b, c, discriminant;
     };
@@ -30,8 +30,8 @@ struct ConeCoefficients {
         return {a, b, c, b * b - a * c};
     }
 
-    /// t, or NaN where the line f + t d is beyond an end there; so the mirror nappe is left out
-    /// too.
+    /// Returns t, or NaN if the line f + t d is beyond an end there, which also excludes the mirror
+    /// nappe.
     Real clipped(const Vec<Real>& f, const Vec<Real>& d, Real t) const {
         const Real z = f.dot(axis) + t * d.dot(axis);
         return z >= 0 && z <= height ? t : no_root<Real>;
@@ -41,8 +41,8 @@ struct ConeCoefficients {
     Real height, radius, slope;
 };
 
-/// The quadratic formula, and the height clipped. Where a < 0 the far root comes first, but one of
-/// the two is on the mirror nappe then.
+/// The quadratic formula, and the height clipped. If a < 0 the far root comes first, but then one
+/// of the two is on the mirror nappe.
 template <class Real>
 struct TextbookCone : ConeCoefficients<Real> {
     using RayForm = PlainRay<Real>;
@@ -60,8 +60,8 @@ struct TextbookCone : ConeCoefficients<Real> {
     }
 };
 
-/// The origin moved along the ray to where it is closest to the middle of the axis, as Embree does
-/// for its curves, and the roots by the sum of like signs.
+/// The origin advanced to where it is closest to the middle of the axis, as Embree does for its
+/// curves, and the roots by the sum of like signs.
 struct RecentredCone : ConeCoefficients<float> {
     using RayForm = FloatRay;
 

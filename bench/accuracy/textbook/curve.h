@@ -5,9 +5,9 @@
 
 namespace etalon::accuracy {
 
-/// Takes the curve to axes along the ray, halves it until it is straight, and tests whether a piece
-/// is within half the width (Pharr, Jakob & Humphreys 2016, section 3.7). For bands that face the
-/// ray and for tubes.
+/// Transforms the curve to axes along the ray, halves it until it is straight, and tests whether a
+/// piece is within half the width (Pharr, Jakob & Humphreys 2016, section 3.7). For ray-facing
+/// ribbons and tubes.
 template <class Real>
 struct TextbookCurve {
     using RayForm = PlainRay<Real>;
