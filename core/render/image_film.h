@@ -9,41 +9,41 @@
 
 namespace etalon {
 
-/// The film of an image by its settings: what samples are multiplied by, and which pixels they
-/// count for. Threads may add samples to different tiles at the same time.
+/// The film of an image with its settings: the scaling of samples, and the pixels for which they
+/// count. Threads may add samples to different tiles at the same time.
 class ImageFilm {
   public:
-    /// Film for an image of `window` whose filter is that of the settings.
+    /// Makes a film for an image of `window` with the filter of the settings.
     ImageFilm(const Imath::Box2i& window, const RenderSettings& settings);
 
-    /// Adds samples, each at its place, in pixels, of the pixel in which it lies; `colors` becomes
-    /// what was added. One that is infinite or no number counts as black, as in pbrt-v3. Returns
-    /// how many were of that kind. `weights`: see CameraSamples.
+    /// Adds samples, each at its place, in pixels, of the pixel in which it lies. Sets `colors` to
+    /// what was added. A sample that is not finite counts as black, as in pbrt-v3; returns the
+    /// number of these. For `weights` see CameraSamples.
     std::size_t add(std::span<const Imath::V2i> pixels, std::span<const Vec2> places,
                     std::span<Color> colors, std::span<const float> weights = {});
 
     /// Adds the samples of another film of the same window and filter, in any order of films.
     void add(const ImageFilm& other);
 
-    /// Says how many of each pixel's samples count as one, before any is added.
+    /// Sets how many of each pixel's samples count as one. To be called before any sample is added.
     void set_rates(SampleRates rates) { rates_ = std::move(rates); }
     const SampleRates& rates() const { return rates_; }
 
-    /// The samples of each pixel. Where a filter is wider than a pixel, there are some beyond the
-    /// image's window.
+    /// Returns the samples of each pixel. With a filter wider than a pixel there are some beyond
+    /// the image's window.
     const Film& samples() const { return samples_; }
 
-    /// The tiles that threads may add samples to at the same time.
+    /// Returns the tiles to which threads may add samples at the same time.
     std::vector<Imath::Box2i> tiles() const;
 
     bool is_filtered() const { return splats_.has_value(); }
 
-    /// The image that the filter makes of them.
+    /// Returns the filtered image.
     Film filtered() const {
         return samples_.filtered(window_, splats_->means(window_, samples_, rates_));
     }
 
-    /// Takes the samples of an image that is not filtered.
+    /// Returns the samples of an image that is not filtered, by moving them.
     Film take_samples() { return std::move(samples_); }
 
     template <class Bytes>
@@ -54,14 +54,14 @@ class ImageFilm {
         if (splats_) splats_->transfer(bytes);
     }
 
-    /// The same of one of the tiles, of a film to which no other was added.
+    /// Transfers only one of the tiles, of a film to which no other was added.
     template <class Bytes>
     void transfer(Bytes& bytes, const Imath::Box2i& tile) {
         samples_.transfer(bytes, tile);
         if (splats_) splats_->transfer(bytes, tile);
     }
 
-    /// Bytes of memory for each pixel.
+    /// Returns the bytes of memory for each pixel.
     static double bytes_per_pixel(const RenderSettings& settings);
 
   private:
