@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kinds[] = {"camera", "bounce", "shadow", "aimed"};  // few chords are hard
 
-/// Leaves out the rays that a stop left without an answer.
+/// Removes the rays to which a stop left no answer.
 Trial answered(const RaySet& set, const std::vector<std::optional<OracleAnswer>>& answers) {
     Trial trial{set.kind, {}, {}};
     for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -19,7 +19,7 @@ Trial answered(const RaySet& set, const std::vector<std::optional<OracleAnswer>>
     return trial;
 }
 
-/// The oracle's answers, until a stop. `done` kinds of ray were answered before.
+/// Returns the oracle's answers, until a stop. `done` kinds of ray were answered before.
 Trial ask(const Oracle& oracle, const RaySet& set, std::size_t done, const RunControl& run) {
     std::vector<std::optional<OracleAnswer>> answers(set.rays.size());
     std::atomic<std::size_t> count = 0;
