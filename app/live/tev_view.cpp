@@ -58,8 +58,7 @@ std::string TevView::send_all(TcpSender& sender) {
 
 std::string TevView::send_changes(TcpSender& sender) {
     for (std::size_t tile = 0; tile < sent_.size(); ++tile) {
-        const std::uint64_t version =
-            image_.version(tile);  // the copy has this version or a newer one
+        const std::uint64_t version = image_.version(tile);  // the copy is as new or newer
         if (version == sent_[tile]) continue;
         std::vector<Color> colors = image_.pixels_of(tile).colors;
         if (image_.settings().decodes()) decode(colors);
