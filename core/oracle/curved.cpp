@@ -49,8 +49,8 @@ Crossings define(const Geometry&, const Cone& c, const Ray& ray) {
 
 namespace {
 
-/// Whether the root t is at a face of the box or within: o + t d, or, where that cannot be told,
-/// that the form a t^2 + 2 b t + c is known to vanish at the face, and not by the other root.
+/// Returns whether the root t is at a face of the box or within: o + t d, or, where that cannot be
+/// told, that the form a t^2 + 2 b t + c is known to vanish at the face, and not by the other root.
 Certainty is_within(const Box3& box, const Ray& ray, const Tracked& t, const Tracked* other,
                     const Tracked& a, const Tracked& b, const Tracked& c) {
     Certainty within = Certainty::yes;

@@ -99,7 +99,7 @@ struct Outline {
     std::vector<Tracked> sides;  ///< volume of corners i and i + 1
 };
 
-/// Whether the line along d passes through the closed side from corner i.
+/// Returns whether the line along d passes through the closed side from corner i.
 Certainty meets_side(const Outline& outline, std::size_t i) {
     const Certainty coplanar = is_zero(outline.sides[i]);
     if (coplanar == Certainty::no) return coplanar;

@@ -19,7 +19,7 @@ TrackedVec2 at_height(const TurningDirection& d, const Tracked& z, const Tracked
             Tracked(d.at.y) * unit + Tracked(d.per_height.y) * z};
 }
 
-/// Whether a point, given times `unit` > 0, is within the sector, its ends included.
+/// Returns whether a point, given times `unit` > 0, is within the sector, its ends included.
 Certainty is_within(const Sector& sector, const TrackedVec& p, const Tracked& unit) {
     if (sector.is_whole) return Certainty::yes;
     const TrackedVec2 across{p.x, p.y};
@@ -28,7 +28,7 @@ Certainty is_within(const Sector& sector, const TrackedVec& p, const Tracked& un
     return sector.is_convex ? after & before : after | before;
 }
 
-/// Whether a point, given times `unit` > 0, is within what bounds the curve.
+/// Returns whether a point, given times `unit` > 0, is within what bounds the curve.
 Certainty is_within(const Profile& profile, const TrackedVec& p, const Tracked& unit) {
     const Tracked low = Tracked(profile.low) * unit, high = Tracked(profile.high) * unit;
     if (!profile.is_flat()) return (low <= p.z) & (p.z <= high);

@@ -44,7 +44,7 @@ const SpotSource* brightest_spot(const PhysicalLook& look) {
     return brightest;
 }
 
-/// Whether some of a ball is not below the horizon of a receiver, if it has one.
+/// Returns whether some of a ball is not below the horizon of a receiver, if it has one.
 bool is_above(const Receiver& at, const Vec3& way, double radius) {
     return at.normal == Vec3(0) || at.normal.dot(way) > -radius;
 }

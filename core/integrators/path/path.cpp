@@ -7,7 +7,7 @@
 namespace etalon {
 namespace {
 
-/// Whether there are media, or surfaces without a material, through which lights shine.
+/// Returns whether there are media, or surfaces without a material, through which lights shine.
 bool has_media(const PhysicalLook& look) {
     return !look.media.empty() ||
            std::ranges::any_of(look.materials, [](const PhysicalMaterial& material) {

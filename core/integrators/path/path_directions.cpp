@@ -99,7 +99,7 @@ float PathBatch<in_media>::survival(const Path& path) const {
     return std::min(part_kept * most / shared_.roulette_threshold, 1.0F);
 }
 
-/// Whether a path from a surface goes on, which then carries what others would have.
+/// Returns whether a path from a surface goes on, which then carries what others would have.
 template <bool in_media>
 bool PathBatch<in_media>::survives(Path& path, double choice) const {
     constexpr int first_at_stake = 3;  // by measurement, too

@@ -156,8 +156,8 @@ void PathBatch<in_media>::attenuate(std::size_t answer, const Ray& ray, double e
     answers_[answer].color *= shared_.media.transmittance(medium, segment_of(ray, end), numbers);
 }
 
-/// Whether a shadow ray goes on beyond what it has met, if anything. What is left of it is `ray`
-/// then.
+/// Returns whether a shadow ray goes on beyond what it has met, if anything. What is left of it is
+/// `ray` then.
 template <bool in_media>
 bool PathBatch<in_media>::passes(std::size_t answer, Ray& ray, const Hit& hit) {
     if (hit.primitive == no_index) {
