@@ -14,6 +14,6 @@ Scene scaled(Scene scene, int k);
 std::vector<double*> numbers_of(Scene& scene);
 
 /// Recomputes the data that the shape derives from its numbers, after these have been changed.
-void settle(Scene& scene);
+void finalize(Scene& scene);
 
 }  // namespace etalon
