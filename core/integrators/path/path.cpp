@@ -15,7 +15,7 @@ bool has_media(const PhysicalLook& look) {
            });
 }
 
-/// What camera rays meet that shines, if no medium is in the way.
+/// Returns the emission that camera rays hit, if there is no medium in the way.
 void emission_of(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors) {
     RayCounts not_of_the_image;
     PathBatch<false>(scene, samples, colors, not_of_the_image, 0).run();

@@ -1,4 +1,4 @@
-// Light of point lights that media scatter anywhere along a ray.
+// Light of point lights that media scatter along a ray.
 #include "core/integrators/path/path_batch.h"
 #include "core/medium/homogeneous.h"
 #include "core/sampling/dimensions.h"
@@ -6,8 +6,8 @@
 
 namespace etalon {
 
-/// Asks a point light at a point of the ray, chosen by the light, beside those that flights end at.
-/// Each of the two strategies has its share by the balance heuristic (Veach 1997).
+/// Samples a point light at a point of the ray that depends on the light, in addition to the ends
+/// of flights. The balance heuristic weights the two strategies (Veach 1997).
 template <bool in_media>
 void PathBatch<in_media>::ask_along(std::size_t ray, const RaySegment& segment,
                                     const Vec2& choices) {
@@ -39,7 +39,7 @@ void PathBatch<in_media>::ask_along(std::size_t ray, const RaySegment& segment,
                                          static_cast<float>(1 / (along + flown))});
 }
 
-/// Share of a light's samples from points where flights end, beside those of ask_along().
+/// Returns the share of a light's samples at the ends of flights, beside those of ask_along().
 template <bool in_media>
 float PathBatch<in_media>::flight_share(const MediumVertex& at, const Question& question) const {
     if (at.density == 0) return 1;

@@ -1,4 +1,4 @@
-// The light that paths meet, and that their vertices ask for.
+// The light that paths hit, and that their vertices sample.
 #include "core/integrators/path/path_batch.h"
 #include "core/integrators/path/path_directions.h"
 #include "core/sampling/dimensions.h"
@@ -7,8 +7,8 @@
 namespace etalon {
 namespace {
 
-/// Weight of a direction chosen with density `a` that another strategy would have chosen with `b`
-/// (power heuristic: Veach 1997, section 9.2).
+/// Returns the weight of a direction sampled with density `a` that another strategy would have
+/// sampled with `b` (power heuristic: Veach 1997, section 9.2).
 float power_weight(float a, float b) {
     return a * a / (a * a + b * b);
 }
