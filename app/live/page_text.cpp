@@ -91,7 +91,7 @@ const element = (name, attributes, text = '') => {
   return made;
 };
 
-// Both axes are logarithmic: errors follow a power of the time.
+// Both axes are logarithmic: errors fall by a power of the time.
 function draw(errors) {
   const points = errors.filter(p => p.relmse > 0 && p.seconds > 0);
   by_id('no_errors').hidden = points.length > 0;
