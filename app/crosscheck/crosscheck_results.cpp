@@ -26,7 +26,7 @@ std::vector<Tracer> ask_all(const Plan& plan, const Scene& scene, const std::vec
     if (trials.empty()) return tracers;
     run.begin("backends");
     for (const std::string& name : plan.backends) {
-        std::optional<Tracer> tracer = ask(name, scene, trials, control);
+        std::optional<Tracer> tracer = trace(name, scene, trials, control);
         if (!tracer) break;
         tracers.push_back(std::move(*tracer));
         run.progress(static_cast<double>(tracers.size()) /

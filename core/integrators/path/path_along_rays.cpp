@@ -9,8 +9,8 @@ namespace etalon {
 /// Samples a point light at a point of the ray that depends on the light, in addition to the ends
 /// of flights. The balance heuristic weights the two strategies (Veach 1997).
 template <bool in_media>
-void PathBatch<in_media>::ask_along(std::size_t ray, const RaySegment& segment,
-                                    const Vec2& choices) {
+void PathBatch<in_media>::sample_along(std::size_t ray, const RaySegment& segment,
+                                       const Vec2& choices) {
     const Path& path = paths_[ray];
     const auto pick = shared_.lights.pick_point_light(choices.y);
     const auto range =
@@ -39,22 +39,22 @@ void PathBatch<in_media>::ask_along(std::size_t ray, const RaySegment& segment,
                                          static_cast<float>(1 / (along + flown))});
 }
 
-/// Returns the share of a light's samples at the ends of flights, beside those of ask_along().
+/// Returns the share of a light's samples at the ends of flights, beside those of sample_along().
 template <bool in_media>
-float PathBatch<in_media>::flight_share(const MediumVertex& at, const Question& question) const {
+float PathBatch<in_media>::flight_share(const MediumVertex& at, const LightQuery& query) const {
     if (at.density == 0) return 1;
-    const auto range = shared_.lights.lit_range(question.light, at.flight.origin,
-                                                at.flight.direction, at.flight.length);
+    const auto range = shared_.lights.lit_range(query.light, at.flight.origin, at.flight.direction,
+                                                at.flight.length);
     if (!range) return 1;
     const double distance = (at.position - at.flight.origin).dot(at.flight.direction);
-    const double flown = at.density * question.expected_samples;
+    const double flown = at.density * query.expected_samples;
     const double along =
-        shared_.lights.point_light_probability(question.light) * range->density(distance);
+        shared_.lights.point_light_probability(query.light) * range->density(distance);
     return static_cast<float>(flown / (flown + along));
 }
 
-template float PathBatch<false>::flight_share(const MediumVertex&, const Question&) const;
-template float PathBatch<true>::flight_share(const MediumVertex&, const Question&) const;
-template void PathBatch<true>::ask_along(std::size_t, const RaySegment&, const Vec2&);
+template float PathBatch<false>::flight_share(const MediumVertex&, const LightQuery&) const;
+template float PathBatch<true>::flight_share(const MediumVertex&, const LightQuery&) const;
+template void PathBatch<true>::sample_along(std::size_t, const RaySegment&, const Vec2&);
 
 }  // namespace etalon

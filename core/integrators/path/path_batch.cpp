@@ -149,7 +149,7 @@ void PathBatch<in_media>::shade(std::size_t ray, const VertexNumbers& numbers) {
                        : is_above                      ? surface.ng
                                                        : -surface.ng;
     if (lobes.has_smooth() && !lobes.has_smooth_transmission()) see_lit_regions(path.last, at);
-    if (lobes.has_smooth() && !shared_.lights.empty()) ask_lights(path, at);
+    if (lobes.has_smooth() && !shared_.lights.empty()) sample_lights(path, at);
     scatter(path, at);
 }
 
@@ -170,7 +170,7 @@ void PathBatch<in_media>::scatter_in_medium(std::size_t ray, const VertexNumbers
                     flight_densities_[ray]};
     at.survival = survival(path);  // the direction does not change the throughput
     see_lit_regions(path.last, at);
-    if (!shared_.lights.empty()) ask_lights(path, at);
+    if (!shared_.lights.empty()) sample_lights(path, at);
     scatter(path, at);
 }
 

@@ -57,7 +57,7 @@ class PathBatch {
     static constexpr std::uint32_t split_places = 2, dark_places = 4;
 
     /// A light sample that a vertex needs.
-    struct Question {
+    struct LightQuery {
         std::uint32_t light;
         float expected_samples;  ///< see PathScene::expected_samples
         Vec2 uv;
@@ -136,9 +136,9 @@ class PathBatch {
     void add_emitted(const Path& path, const PhysicalSurface& at, const Vec3& direction);
 
     template <class Vertex>
-    void ask_lights(Path& path, const Vertex& at);
+    void sample_lights(Path& path, const Vertex& at);
     template <class Vertex>
-    void ask_light(const Path& path, const Vertex& at, const Question& question);
+    void sample_light(const Path& path, const Vertex& at, const LightQuery& query);
     void add_answers();
 
     template <class Vertex>
@@ -168,8 +168,8 @@ class PathBatch {
     std::uint32_t places_of(std::size_t ray) const;
     void divide(std::size_t ray, std::size_t number);
     void add_scattered(std::size_t ray, const Path& path, const Vec2& choices);
-    void ask_along(std::size_t ray, const RaySegment& segment, const Vec2& choices);
-    float flight_share(const MediumVertex& at, const Question& question) const;
+    void sample_along(std::size_t ray, const RaySegment& segment, const Vec2& choices);
+    float flight_share(const MediumVertex& at, const LightQuery& query) const;
     void attenuate_answers();
     void attenuate(std::size_t answer, const Ray& ray, double end);
     bool passes(std::size_t answer, Ray& ray, const Hit& hit);

@@ -50,7 +50,7 @@ void PathBatch<in_media>::fly(std::size_t ray, std::size_t number) {
     const std::uint32_t medium = media_[ray];
     const RaySegment segment = segment_of(rays_[ray], end_of(hit));
     const bool asks = shared_.lights.has_point_lights() && shared_.media.knows_densities(medium);
-    if (asks) ask_along(ray, segment, flight_points_.choices(number));
+    if (asks) sample_along(ray, segment, flight_points_.choices(number));
     const FreeFlight flight = shared_.media.sample(
         medium, segment, path.throughput,
         {flight_points_.place(number), path.source.sequence(collision_dimension(path.name))});

@@ -126,7 +126,7 @@ void PathBatch<in_media>::leave(const Exit& exit, const VertexNumbers& numbers) 
     lobes.add(DiffuseExit(e.subsurface->eta));
     const SurfaceVertex at{
         {numbers, ways_of(e.path)}, surface, frame, BsdfFrom(frame, lobes, surface.ns), e.medium};
-    if (!shared_.lights.empty()) ask_lights(e.path, at);
+    if (!shared_.lights.empty()) sample_lights(e.path, at);
     scatter(e.path, at);
 }
 
