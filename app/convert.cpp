@@ -20,7 +20,8 @@ struct ConvertArguments {
     std::string output, output_format;
 };
 
-/// nullptr if the output's name tells no format that can be written.
+/// Returns the writer for the output's name; nullptr if its extension is no format that can be
+/// written.
 SceneWriter writer_of(const ConvertArguments& a) {
     if (a.output != "-") {
         return find_scene_writer(std::filesystem::path(a.output).extension().string());
@@ -28,13 +29,13 @@ SceneWriter writer_of(const ConvertArguments& a) {
     return find_scene_writer("." + (a.output_format.empty() ? "p3f" : a.output_format));
 }
 
-/// Returns whether both name one file.
+/// Returns whether both are the same file.
 bool is_same_file(const std::string& a, const std::string& b) {
     std::error_code none;
     return std::filesystem::equivalent(a, b, none);
 }
 
-/// Returns why the output cannot be had, and the exit status; an empty text if it can.
+/// Returns why the output cannot be written, and the exit status; an empty text if it can.
 std::pair<std::string, int> check_output(const ConvertArguments& a) {
     if (a.output == "-") return {};
     if (!a.output_format.empty()) {
@@ -52,7 +53,7 @@ std::pair<std::string, int> check_output(const ConvertArguments& a) {
     return {check_writable(a.output), exit_not_written};
 }
 
-/// Says what the format has no word for; false if that is an error.
+/// Reports what the format cannot express; returns false if that is an error.
 bool tolerates(const ConvertArguments& a, const WrittenScene& written) {
     const bool strict = a.scene.options.strict;
     for (const ConversionWarning& warning : written.lost) {
@@ -66,7 +67,7 @@ std::filesystem::path output_directory(const ConvertArguments& a) {
     return std::filesystem::path(a.output).parent_path();
 }
 
-/// Returns whether the output is to be PBRT as the scene is: then it says all that the scene says.
+/// Returns whether a PBRT scene is to be written as PBRT, which then keeps everything that it says.
 bool is_pbrt_to_pbrt(const ConvertArguments& a, std::string_view text) {
     return writer_of(a) == write_pbrt && a.scene.legacy.empty() && !text.empty() &&
            format_of(text, a.scene.path, a.scene.options) == "pbrt";

@@ -1,4 +1,4 @@
-// etalon: renders scene files, and shows what it does with them.
+// etalon: renders scene files and analyses them.
 #include "app/common/provenance.h"
 #include "app/subcommands.h"
 

@@ -9,8 +9,8 @@
 namespace etalon {
 namespace {
 
-/// The place of the statement that names the image that a problem begins with, and what stands in
-/// for it.
+/// Returns the place of the statement that names the image with which a problem begins, and what
+/// stands in for it.
 std::pair<std::string_view, std::string_view> statement_of(const Scene& scene,
                                                            const SceneArguments& arguments,
                                                            std::string_view problem) {
@@ -22,7 +22,7 @@ std::pair<std::string_view, std::string_view> statement_of(const Scene& scene,
     return {arguments.path, "the background colour"};
 }
 
-/// A lack of memory says nothing of the scene: another run would make another image.
+/// A lack of memory is no property of the scene: another run would render another image.
 bool is_tolerable(std::string_view problem, const SceneArguments& arguments) {
     return !arguments.options.strict && !problem.ends_with(lack_of_memory);
 }

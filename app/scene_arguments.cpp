@@ -15,7 +15,7 @@ std::vector<std::string> strings(std::span<const std::string_view> names) {
     return {names.begin(), names.end()};
 }
 
-/// Adds that there is nothing to see, as where a file was cut; an error if warnings are.
+/// Adds a warning that nothing is visible, as in a truncated file; an error if warnings are.
 void note_no_shapes(LoadResult& result, const SceneArguments& a) {
     if (!result.scene || result.scene->geometry.item_count() > 0) return;
     const bool strict = a.options.strict;

@@ -22,17 +22,17 @@ void declare_scene(Options& options, SceneArguments& arguments);
 
 struct LoadedScene {
     std::optional<Scene> scene;  ///< nothing: give up with `status`
-    RenderSettings settings;     ///< what the file says about how to render it
+    RenderSettings settings;     ///< the file's settings
     int status = 0;
     std::vector<Diagnostic> diagnostics;
-    int frames = 1;  ///< frames in the file
+    int frames = 1;  ///< number of frames in the file
 };
 
-/// Says that a file holds fewer frames than --frame asks for; false if it does not.
+/// Reports that a file has fewer frames than --frame requests; returns false if it has enough.
 bool refuse_frame(const SceneArguments& arguments, int frames);
 
 /// Limits the memory of the process, loads the scene and prints its diagnostics on standard error.
-/// `text` is that of the file where it was read already.
+/// `text` is that of the file, if it has been read already.
 LoadedScene load(SceneArguments arguments, std::optional<std::string_view> text = {});
 
 }  // namespace etalon

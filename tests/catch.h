@@ -19,9 +19,9 @@ inline int skipped_cases = 0;
 
 }  // namespace etalon::test
 
-/// Ends a test case, as skipped, on a machine that does not meet `condition`. The case has the tag
-/// [needs_...], by which it is a test of its own for ctest, which reports it as skipped. What has
-/// failed before in the same run stays a failure.
+/// Ends a test case, as skipped, on a machine that does not meet `condition`. The case must have a
+/// tag [needs_...], by which it is a test of its own for ctest, which reports it as skipped.
+/// Earlier failures of the same run remain failures.
 #define SKIP_UNLESS(condition, reason)     \
     do {                                   \
         if (!(condition)) {                \

@@ -1,5 +1,5 @@
-// Whether directions have the density that is said of them: Pearson's chi-square test over a grid
-// on the sphere, as Mitsuba and PBRT test their sampling.
+// Pearson's chi-square test of whether sampled directions have a given density, over a grid on the
+// sphere, as Mitsuba and PBRT test their sampling.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ inline Vec3 direction_at(double theta, double phi) {
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
-/// Integral of a density over a patch by Gauss and Legendre's rule of 4 x 4 points.
+/// Returns the integral of a density over a patch by the Gauss-Legendre rule of 4 x 4 points.
 inline double integral_by_rule(const SphereDensity& density, const SpherePatch& patch) {
     constexpr double nodes[] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
                                 0.8611363115940526};
@@ -44,8 +44,8 @@ inline double integral_by_rule(const SphereDensity& density, const SpherePatch& 
     return sum * half_theta * half_phi;
 }
 
-/// Integral over a patch, which is quartered twice, so that no sliver is overlooked, and then until
-/// that changes it by no more than 1e-6.
+/// Returns the integral over a patch, which is quartered twice, so that no narrow peak is missed,
+/// and then until that changes it by no more than 1e-6.
 inline double integral(const SphereDensity& density, const SpherePatch& patch, int level = 0) {
     constexpr int least = 2, most = 6;
     const double theta = (patch.theta + patch.theta_end) / 2;
@@ -64,8 +64,8 @@ inline double integral(const SphereDensity& density, const SpherePatch& patch, i
     return sum;
 }
 
-/// The sphere cut into `bands` x `sectors` patches; the equator lies between two where `bands` is
-/// even.
+/// Returns the sphere divided into `bands` x `sectors` patches; for an even number of bands the
+/// equator is a border.
 inline std::vector<SpherePatch> sphere_patches(int bands, int sectors) {
     constexpr double pi = std::numbers::pi;
     std::vector<SpherePatch> patches;
@@ -84,15 +84,16 @@ inline double integral_over_sphere(const SphereDensity& density) {
     return sum;
 }
 
-/// Probability that chi-square is no less than `statistic` (Wilson and Hilferty 1931, who are exact
-/// enough for ten degrees of freedom and more).
+/// Returns the probability that chi-square is no less than `statistic` (Wilson and Hilferty 1931,
+/// accurate enough for ten degrees of freedom and more).
 inline double chi_square_tail(double statistic, double degrees) {
     const double spread = 2 / (9 * degrees);
     const double z = (std::cbrt(statistic / degrees) - (1 - spread)) / std::sqrt(spread);
     return std::erfc(z / std::numbers::sqrt2) / 2;
 }
 
-/// Of `numbers` of draws and those expected, by cell; cells of fewer than five are thrown together.
+/// Returns the probability for observed and expected `numbers`, by cell; cells of fewer than five
+/// are pooled.
 inline double chi_square_probability(const std::vector<double>& numbers,
                                      const std::vector<double>& expected) {
     double statistic = 0, pooled = 0, pooled_expected = 0;
@@ -112,13 +113,14 @@ inline double chi_square_probability(const std::vector<double>& numbers,
     if (pooled_expected >= 5) {
         count(pooled, pooled_expected);
     } else if (pooled > 5 + 5 * std::sqrt(pooled_expected + 1)) {
-        return 0;  // far more than none where there should be next to none
+        return 0;  // many where there should be almost none
     }
     return cells < 2 ? 1 : chi_square_tail(statistic, cells - 1);
 }
 
-/// The probability that directions of this density are no nearer to it than those of the sampler
-/// are. A sampler that sometimes yields none has a density whose integral is so much below 1.
+/// Returns the probability that directions of this density deviate from it at least as much as the
+/// sampler's do. A sampler that sometimes yields none has a density whose integral is
+/// correspondingly below 1.
 inline double chi_square_probability(const SphereSampler& sample, const SphereDensity& density,
                                      std::uint64_t seed, int draws = 100000) {
     constexpr int bands = 14, sectors = 28;
@@ -145,8 +147,8 @@ inline double chi_square_probability(const SphereSampler& sample, const SphereDe
     return chi_square_probability(numbers, expected);
 }
 
-/// What a single one of `tests` independent tests must fall below so that the chance of any doing
-/// so by accident is `total` (Sidak).
+/// Returns the significance level of each of `tests` independent tests for which the chance of any
+/// false alarm is `total` (Sidak).
 inline double sidak(double total, std::size_t tests) {
     return 1 - std::pow(1 - total, 1.0 / static_cast<double>(tests));
 }

@@ -1,4 +1,4 @@
-// Code that is compiled for several instruction sets, tested in each.
+// Runs tests with each instruction set for which code is compiled.
 #pragma once
 
 #include <hwy/highway.h>
@@ -7,8 +7,8 @@
 
 namespace etalon::test {
 
-/// Calls body() once for each instruction set that the code is compiled for and this machine has,
-/// with that one in use.
+/// Calls body() once for each instruction set for which the code is compiled and which this machine
+/// has, with that one in use.
 template <class Body>
 void for_each_target(const Body& body) {
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {

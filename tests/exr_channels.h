@@ -1,4 +1,4 @@
-// Channels of an EXR file as another program reads them: by OpenEXR alone.
+// Channels of an EXR file read only by OpenEXR, as another program would.
 #pragma once
 
 #include <OpenEXR/ImfChannelList.h>
@@ -12,7 +12,7 @@
 
 namespace etalon::test {
 
-/// The names of all channels, in the order of the file, and their types.
+/// Returns the names of all channels, in the order of the file, and their types.
 inline std::map<std::string, Imf::PixelType> channel_types(const std::string& path) {
     const Imf::InputFile file(path.c_str());
     std::map<std::string, Imf::PixelType> types;
@@ -21,7 +21,7 @@ inline std::map<std::string, Imf::PixelType> channel_types(const std::string& pa
     return types;
 }
 
-/// A channel's values by rows. Value is float or unsigned, as the file has it.
+/// Returns a channel's values by rows. Value is float or unsigned, as in the file.
 template <class Value>
 std::vector<Value> channel(const std::string& path, const std::string& name) {
     Imf::InputFile file(path.c_str());

@@ -1,4 +1,4 @@
-// Tables of scattering for tests, and the bytes of files of them.
+// Fourier tables for tests, and the bytes of their files.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace etalon::test {
 
-/// Cosines that lie closer together where directions graze the surface; none is 0.
+/// Returns cosines that lie closer together near grazing directions; none is 0.
 inline std::vector<float> cosines_of_table(int on_each_side) {
     std::vector<float> cosines;
     for (int k = -on_each_side; k <= on_each_side; ++k) {
@@ -23,7 +23,7 @@ inline std::vector<float> cosines_of_table(int on_each_side) {
     return cosines;
 }
 
-/// Coefficient number `k` of an even function of an angle.
+/// Returns coefficient number `k` of an even function of an angle.
 template <class Function>
 double fourier_coefficient(const Function& f, int k) {
     constexpr int steps = 256;
@@ -35,8 +35,8 @@ double fourier_coefficient(const Function& f, int k) {
     return (k == 0 ? 1 : 2) * sum / steps;
 }
 
-/// The table of a BSDF `f(wo, wi)`, a colour, with series of at most `longest` coefficients: those
-/// at their ends that are below a ten thousandth of the first are left out.
+/// Returns the table of a BSDF `f(wo, wi)`, a colour, with series of at most `longest`
+/// coefficients; trailing ones below a ten thousandth of the first are left out.
 template <class Function>
 FourierTable table_of(const std::vector<float>& cosines, int longest, const Function& f) {
     const std::size_t n = cosines.size();
@@ -76,7 +76,7 @@ FourierTable table_of(const std::vector<float>& cosines, int longest, const Func
     return table;
 }
 
-/// Diffuse light to both sides and a wide gloss around the mirror's direction.
+/// Returns diffuse light to both sides and a wide gloss around the mirrored direction.
 inline Color glossy_both_sides(const Vec3& wo, const Vec3& wi) {
     const Vec3 mirrored(-wo.x, -wo.y, wo.z), through(-wo.x, -wo.y, -wo.z);
     const bool is_reflected = wo.z * wi.z > 0;
@@ -86,7 +86,7 @@ inline Color glossy_both_sides(const Vec3& wo, const Vec3& wi) {
                         : Color(0.01F, 0.02F, 0.05F) + Color(f / 4);
 }
 
-/// A file of a table.
+/// Returns the file of a table.
 inline std::string bytes_of(const FourierTable& table) {
     std::string bytes = "SCATFUN\x01";
     const auto append = [&](const void* from, std::size_t size) {

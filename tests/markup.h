@@ -8,8 +8,8 @@
 namespace etalon::test {
 
 /// Returns whether every tag that is opened is closed, in order, every "&" begins an entity, and
-/// every "<" a tag. Of XML, and of HTML as the project writes it: elements of the kinds that have
-/// no end tag have none.
+/// every "<" a tag. For XML, and for HTML as the project writes it, where elements without an end
+/// tag have none.
 inline bool is_well_formed(const std::string& markup) {
     const std::vector<std::string_view> entities{"amp", "lt", "gt", "quot"};
     const std::vector<std::string_view> empty{"!DOCTYPE", "meta", "link", "img"};

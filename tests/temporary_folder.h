@@ -13,7 +13,7 @@
 
 namespace etalon::test {
 
-/// An empty folder, gone with all it holds at the end of the test.
+/// An empty folder, removed with its contents at the end of the test.
 class TemporaryFolder {
   public:
     TemporaryFolder() {
@@ -30,7 +30,7 @@ class TemporaryFolder {
 
     std::string operator/(std::string_view name) const { return (path_ / name).string(); }
 
-    /// Its entries, hidden ones too.
+    /// Returns its entries, including hidden ones.
     std::vector<std::string> names() const {
         std::vector<std::string> list;
         for (const auto& entry : std::filesystem::directory_iterator(path_)) {

@@ -12,7 +12,7 @@
 namespace etalon {
 namespace {
 
-/// A case of the script, which says what the word may be; `before` sets the part of it to keep.
+/// A case of the script with the possible words; `before` sets the part of the word to keep.
 std::string script_case(const std::string& pattern, const std::vector<std::string>& words,
                         const char* before = "") {
     return fmt::format("        {}) words=\"{}\"{} ;;\n", pattern, fmt::join(words, " "), before);
@@ -26,7 +26,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
     return all;
 }
 
-/// Returns the cases of values: the word before is the name of an option.
+/// Returns the cases for values: the previous word is the name of an option.
 std::string value_cases(const CLI::App& command, const std::string& name,
                         const ValueChoices& choices) {
     std::string cases;
@@ -51,8 +51,8 @@ std::string command_cases(const CLI::App& command, const std::string& name,
            script_case(fmt::format("\"{} \"*", name), plain_words(command, choices));
 }
 
-/// What stands around the cases, which compare "COMMAND PREVIOUS-WORD WORD". Bash takes the "=" of
-/// "--option=value" for a word of its own.
+/// Text around the cases, which compare "COMMAND PREVIOUS-WORD WORD". Bash treats the "=" of
+/// "--option=value" as a word of its own.
 constexpr const char* script = R"(# Completion of {program} for bash, written by {program} itself.
 _{function}() {{
     local word=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}}

@@ -20,7 +20,7 @@ std::string fish_quoted(const std::string& text) {
     return quoted + "'";
 }
 
-/// Returns what follows the names of an option that has a value. A list grows by an entry.
+/// Returns the completion after the names of an option with a value. A list grows by an entry.
 std::string fish_value(const CLI::Option& option, const ValueChoices& choices) {
     const std::vector<std::string> known = values_of(option, choices);
     if (known.empty()) return " -r -F";
@@ -36,7 +36,7 @@ std::string fish_option(const CLI::Option& option, const ValueChoices& choices) 
     return text + " -d " + fish_quoted(summary_of(option)) + "\n";
 }
 
-/// Returns lines that begin as `begin`, for the words after the name of a command.
+/// Returns lines that begin with `begin`, for the words after the name of a command.
 std::string fish_lines(const CLI::App& command, const std::string& begin,
                        const ValueChoices& choices) {
     std::string lines;

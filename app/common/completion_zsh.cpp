@@ -17,7 +17,7 @@ std::string zsh_quoted(const std::string& text) {
     return quoted + "'";
 }
 
-/// Returns text in which _arguments and _describe find no mark of their own.
+/// Returns text without the special characters of _arguments and _describe.
 std::string zsh_literal(const std::string& text) {
     std::string literal;
     for (const char c : text) {
@@ -27,7 +27,7 @@ std::string zsh_literal(const std::string& text) {
     return literal;
 }
 
-/// Returns how _arguments finds a word that is one of these; none are known of a file.
+/// Returns the action of _arguments for one of these words; without words, for a file.
 std::string zsh_words(const std::vector<std::string>& words, bool list) {
     if (words.empty()) return "_files";
     const std::string all = fmt::format("{}", fmt::join(words, " "));
@@ -56,13 +56,13 @@ std::string zsh_options(const CLI::App& command, const ValueChoices& choices) {
     return lines;
 }
 
-/// Returns the call that completes what follows the name of a command without subcommands.
+/// Returns the call that completes the words after the name of a command without subcommands.
 std::string zsh_arguments(const CLI::App& command, const ValueChoices& choices) {
     return fmt::format("_arguments -s{} \\\n            {}\n", zsh_options(command, choices),
                        zsh_quoted("*: :" + zsh_words(plain_words(command, choices), false)));
 }
 
-/// What stands around the commands and a case for each of them.
+/// Text around the commands and their cases.
 constexpr const char* zsh_commands_script =
     R"(    local context state state_descr line curcontext=$curcontext
     local -A opt_args

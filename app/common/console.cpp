@@ -19,7 +19,7 @@ namespace {
 /// errno of the first failure to write to standard output; 0 if there was none.
 int result_failure = 0;
 
-/// Messages of a process that is not to write them.
+/// Messages that are stored instead of written.
 struct HeldMessages {
     std::atomic<bool> is_on = false;
     std::mutex mutex;
@@ -27,7 +27,7 @@ struct HeldMessages {
 };
 HeldMessages held;
 
-/// Keeps a message, as far as there is memory for it.
+/// Stores a message, as far as memory allows.
 void hold(std::string_view text) noexcept {
     try {
         const std::lock_guard lock(held.mutex);
@@ -50,7 +50,7 @@ void prepare_standard_streams() {
     std::signal(SIGPIPE, SIG_IGN);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(stream, F_GETFD) >= 0) continue;
-        // A directory is opened with the lowest free descriptor, and always there.
+        // A directory always exists, and gets the lowest free descriptor.
         if (::open("/", O_RDONLY | O_DIRECTORY) < 0) return;
     }
 }
@@ -74,7 +74,7 @@ void write_message(fmt::string_view format, fmt::format_args values) noexcept {
         fmt::memory_buffer text;
         fmt::vformat_to(fmt::appender(text), format, values);
         write_message(view_of(text));
-    } catch (const std::exception&) {  // out of memory: not even the message finds any
+    } catch (const std::exception&) {  // out of memory, even for the message
     }
 }
 

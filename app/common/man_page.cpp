@@ -14,7 +14,7 @@
 namespace etalon {
 namespace {
 
-/// Returns text in which roff finds no command; its "-" can be copied to a command line.
+/// Returns text with roff's commands escaped; its "-" can be copied to a command line.
 std::string literal(std::string_view text) {
     std::string roff;
     if (text.starts_with('.') || text.starts_with('\'')) roff = "\\&";
@@ -35,7 +35,7 @@ std::string upper_case(std::string text) {
     return text;
 }
 
-/// Returns "render a scene", as the line of a manual's index has it.
+/// Returns "render a scene", as in the index line of a manual.
 std::string index_line(std::string description) {
     description[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(description[0])));
     return literal(description);
@@ -80,7 +80,7 @@ std::string positionals(const CLI::App& command) {
     return entries(command, [](const auto* o) { return o->get_positional(); });
 }
 
-/// Returns the options, below the headings that the help gives them.
+/// Returns the options, under the headings of the help.
 std::string options(const CLI::App& command) {
     std::string roff;
     for (const std::string& group : command.get_groups()) {
@@ -101,8 +101,8 @@ std::string commands(const CLI::App& program, const std::string& name) {
     return roff.empty() ? roff : ".SH COMMANDS\n" + roff;
 }
 
-/// Returns text of which indented lines stay lines, and then all do; without indentation of the
-/// page's own where they would not fit beside it.
+/// Returns text whose indented lines, and all that follow, remain lines; without the page's own
+/// indentation if they would not fit beside it.
 std::string body_text(const std::string& text) {
     std::istringstream lines(text);
     std::string roff;
@@ -156,7 +156,7 @@ std::string see_also(const CLI::App& command, const std::string& name) {
 
 }  // namespace
 
-/// No word is hyphenated and no line is stretched: names of options stay whole.
+/// Disables hyphenation and justification, so that names of options are not broken.
 std::string man_page(const CLI::App& command, const std::string& name) {
     const std::string page = page_name(name);
     return fmt::format(".TH {} 1 \"\" \"Etalon {}\" \"Etalon Manual\"\n.nh\n.ad l\n",

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// Returns the factor of a unit as G, GB or GiB; 0 for what is none.
+/// Returns the factor of a unit such as G, GB or GiB; 0 for an unknown one.
 double unit(std::string_view text) {
     static constexpr std::string_view letters = "KMGT";
     if (text.empty() || text == "B") return 1;
@@ -33,14 +33,14 @@ double machine_bytes(bool with_swap) {
            info.mem_unit;
 }
 
-/// Memory of the control group that the process sees as its own, as in a container.
+/// Returns the memory of the control group that the process sees as its own, as in a container.
 double group_bytes() {
     std::ifstream file("/sys/fs/cgroup/memory.max");
     double bytes = 0;
-    return file >> bytes ? bytes : unlimited;  // "max" is no number
+    return file >> bytes ? bytes : unlimited;  // "max" is not a number
 }
 
-/// Bytes that count for RLIMIT_DATA and are taken already. Under a sanitizer these are terabytes of
+/// Returns the bytes that already count for RLIMIT_DATA. Under a sanitizer these are terabytes of
 /// addresses.
 double bytes_in_use() {
     std::ifstream status("/proc/self/status");

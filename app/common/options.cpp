@@ -33,7 +33,8 @@ struct ValueOf<std::optional<T>> {
 template <class T>
 constexpr bool is_whole = std::is_integral_v<T>;
 
-/// Reads a number as CLI11 does, but wraps none around: it takes -1 for the largest unsigned one.
+/// Reads a number as CLI11 does, but without wrapping around: CLI11 takes -1 for the largest
+/// unsigned one.
 template <class T>
 std::optional<T> parse(const std::string& text) {
     T value{};
@@ -62,7 +63,7 @@ auto range_check(T least, T most) {
 /// Name of the check that a narrower one replaces.
 constexpr const char* any_number = "any number";
 
-/// Takes all that T can hold but NaN.
+/// Accepts everything that T can hold except NaN.
 template <class T>
 CLI::Validator any_check() {
     std::string expected = "a number";

@@ -26,8 +26,8 @@
 namespace etalon {
 namespace {
 
-/// Keeps freed memory for the next allocation. Batches of rays take and free some hundred kilobytes
-/// at a time; given back to the system each time, they cost a page fault for every four.
+/// Keeps freed memory for the next allocation. Batches of rays allocate and free some hundred
+/// kilobytes at a time; returning them to the system would cost a page fault for every four.
 void keep_freed_memory() {
 #if defined(__GLIBC__)
     mallopt(M_TRIM_THRESHOLD, 64 << 20);
@@ -37,8 +37,8 @@ void keep_freed_memory() {
 
 std::terminate_handler usual_end = nullptr;
 
-/// Ends the program in words where memory runs out in what cannot throw: the destructors of JSON
-/// allocate.
+/// Ends the program with a message if memory runs out in code that cannot throw: the destructors of
+/// JSON allocate.
 void end_without_memory() {
     try {
         if (const std::exception_ptr reason = std::current_exception()) {
@@ -56,13 +56,13 @@ constexpr const char* exit_statuses =
     "Exit status: 0 done, 1 found more differences than allowed, 2 wrong usage,\n"
     "3 the scene (or another input) is unusable, 4 output could not be written.\n";
 
-/// The parser of a program.
+/// Returns the parser of a program.
 struct CommandLine {
     CLI::App program;
     ValueChoices choices;
 };
 
-/// Declares a command in the part of the parser that belongs to it; `name` is how it is called.
+/// Declares a command in its part of the parser; `name` is how it is called.
 Action declare(const Command& command, const std::string& name, CLI::App& parser,
                ValueChoices& choices) {
     Options options(parser, choices);
@@ -75,10 +75,10 @@ Action declare(const Command& command, const std::string& name, CLI::App& parser
     return run;
 }
 
-/// Parses the command line; returns an exit status if that is all, as after --help.
+/// Parses the command line; returns an exit status if nothing is to be run, as after --help.
 std::optional<int> parse(CommandLine& line, int argc, char** argv) {
     CLI::App& program = line.program;
-    // For the installation alone, so the help does not list it.
+    // Only for the installation, so the help does not list it.
     if (argc == 3 && std::string_view(argv[1]) == "--write-documentation") {
         return write_documentation(program, line.choices, argv[2]) ? exit_done : exit_not_written;
     }
@@ -86,7 +86,7 @@ std::optional<int> parse(CommandLine& line, int argc, char** argv) {
         program.parse(argc, argv);
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
-        const bool is_said = started_rank().rank > 0;  // by rank 0, started with the same line
+        const bool is_said = started_rank().rank > 0;  // by rank 0, which has the same command line
         if (is_said) return error.get_exit_code() == 0 ? exit_done : exit_usage;
         if (error.get_exit_code() != 0) {
             write_message(usage_error(program, error));
@@ -123,7 +123,7 @@ std::string version_text(const ProgramText& text) {
                        build.commit, build.compiler, build.flags, libraries);
 }
 
-/// Runs `task` with the parser of a program; what it throws becomes a message and a status.
+/// Runs `task` with the parser of a program; turns exceptions into a message and a status.
 template <class Task>
 int guarded(const ProgramText& text, const Task& task) {
     try {
@@ -140,7 +140,7 @@ int guarded(const ProgramText& text, const Task& task) {
     return exit_unusable;
 }
 
-/// Runs a program from its first line to its exit status.
+/// Runs a program and returns its exit status.
 template <class Task>
 int run_prepared(const ProgramText& text, int argc, char** argv, const Task& task) {
     note_command_line(argc, argv);

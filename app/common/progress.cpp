@@ -19,7 +19,7 @@ double seconds(std::chrono::steady_clock::duration d) {
     return std::chrono::duration<double>(d).count();
 }
 
-/// Columns of the terminal at standard error, less one: in the last, some go on to the next line.
+/// Returns the columns of the terminal at standard error, minus one: some wrap after the last.
 int columns() {
     winsize size = {};
     const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
@@ -40,7 +40,7 @@ Progress::~Progress() {
 
 void Progress::update(double part) {
     const std::unique_lock lock(mutex_, std::try_to_lock);
-    if (!lock) return;  // another thread is telling
+    if (!lock) return;  // another thread is printing
     const Clock::time_point now = Clock::now();
     if (now - last_ < (terminal_ ? Clock::duration(terminal_interval) : line_interval)) return;
     last_ = now;

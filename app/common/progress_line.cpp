@@ -41,7 +41,7 @@ int columns_of(const std::vector<Glyph>& glyphs) {
     return columns;
 }
 
-/// Number of glyphs from `first` on that fit into so many columns.
+/// Returns the number of glyphs from `first` on that fit into so many columns.
 template <class Iterator>
 std::ptrdiff_t fitting(Iterator first, Iterator last, int columns) {
     Iterator end = first;
@@ -55,7 +55,7 @@ std::string joined(const std::vector<Glyph>& glyphs, std::ptrdiff_t from, std::p
     return text;
 }
 
-/// The widest bar that leaves `columns` for the rest, or none.
+/// Returns the widest bar that leaves `columns` for the rest, or none.
 std::string bar(double part, int columns) {
     for (const int width : bar_widths) {
         if (width + 3 > columns) continue;

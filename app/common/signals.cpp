@@ -9,7 +9,7 @@ std::atomic<bool> was_raised = false;
 std::atomic<int> signal_number = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
-/// SIGHUP is what a closed terminal sends.
+/// Handled signals. A closed terminal sends SIGHUP.
 constexpr int caught[] = {SIGINT, SIGTERM, SIGHUP};
 
 void handle(int number) {
@@ -17,7 +17,7 @@ void handle(int number) {
     was_raised = true;
 }
 
-/// What a signal does now.
+/// Returns the current action of a signal.
 auto disposition(int number) {
     struct sigaction action = {};
     sigaction(number, nullptr, &action);

@@ -7,7 +7,7 @@
 namespace etalon {
 namespace {
 
-/// The value of the first of these variables that there is.
+/// Returns the value of the first of these variables that is set.
 std::optional<int> first_of(std::initializer_list<const char*> names) {
     for (const char* name : names) {
         if (const char* value = std::getenv(name)) return std::atoi(value);

@@ -12,12 +12,12 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Tells the kind by the exit code: the name of CLI11's ExtrasError is that of the subcommand.
+/// Tells the kind by the exit code, as the name of CLI11's ExtrasError is that of the subcommand.
 bool is_kind(const CLI::ParseError& error, CLI::ExitCodes kind) {
     return error.get_exit_code() == static_cast<int>(kind);
 }
 
-/// Returns the subcommand that the command line names, else the program.
+/// Returns the subcommand of the command line, else the program.
 const CLI::App& chosen_command(const CLI::App& program) {
     const auto chosen = program.get_subcommands();
     return chosen.empty() ? program : *chosen.front();
@@ -28,7 +28,7 @@ bool is_option(const std::string& argument) {
            argument.find_first_not_of("-0123456789.") != std::string::npos;
 }
 
-/// "no option --ssp; did you mean --spp?"
+/// Returns "no option --ssp; did you mean --spp?"
 std::string unknown_option(const CLI::App& command, const std::string& argument) {
     const std::string given = argument.substr(0, argument.find('='));
     Names names;
@@ -53,7 +53,7 @@ std::string unknown_command(const CLI::App& program, const Names& arguments) {
     return fmt::format("no command '{}'{}", arguments.front(), near.empty() ? list : near);
 }
 
-/// Says what is wrong with arguments that nothing takes.
+/// Returns the message for unknown arguments.
 std::string unknown_argument(const CLI::App& program, const Names& arguments) {
     const CLI::App& command = chosen_command(program);
     const bool needs_command = &command == &program && !program.get_subcommands({}).empty();
@@ -63,7 +63,7 @@ std::string unknown_argument(const CLI::App& program, const Names& arguments) {
     return fmt::format("unexpected argument '{}'", arguments.back());
 }
 
-/// Says how a value or the number of values is wrong, without CLI11's types and counts.
+/// Returns the message for a wrong value or number of values, without CLI11's types and counts.
 std::string wrong_value(const CLI::App& command, const CLI::ParseError& error) {
     std::string text = error.what();
     const std::size_t colon = text.find(": ");

@@ -1,4 +1,4 @@
-// etalon compare: how far an image is from another, in numbers and as a map.
+// etalon compare: the difference of two images, in numbers and as a map.
 #include <fmt/format.h>
 
 #include "app/common/console.h"
@@ -26,7 +26,8 @@ int fail(int status, const std::string& message) {
     return status;
 }
 
-/// A display shows no such pixel, and figures of two images that both have one do not tell.
+/// Warns of pixels that are not finite: displays cannot show them, and metrics do not count those
+/// that both images have.
 void warn_of_unbounded(const std::string& path, Pixels pixels) {
     const std::uint64_t count = unbounded_pixels(pixels);
     if (count == 0) return;

@@ -25,8 +25,8 @@ bool same_extent(const Image& a, const Image& b) {
     return size_of(a) == size_of(b) && same_place;
 }
 
-/// The place of an image in the frame that it shares with another one. One that does not say it, as
-/// no PNG of a whole image does, begins where the frame does if it can be all of it.
+/// Returns the position of an image in the frame that it shares with another one. An image without
+/// a position, as the PNG of a whole image, begins where the frame does if it can be all of it.
 std::optional<Imath::Box2i> place_of(const Image& image, const Image& other) {
     const Imath::V2i size = size_of(image);
     if (image.origin) return Imath::Box2i(*image.origin, *image.origin + size - Imath::V2i(1));
@@ -36,7 +36,7 @@ std::optional<Imath::Box2i> place_of(const Image& image, const Image& other) {
     return is_all ? std::optional(Imath::Box2i({0, 0}, size - Imath::V2i(1))) : std::nullopt;
 }
 
-/// The part of their frame that both show, if they are of one frame and there is any.
+/// Returns the part of their frame that both show, if they are of one frame and overlap.
 std::optional<Imath::Box2i> overlap(const Image& a, const Image& b) {
     if (a.frame && b.frame && *a.frame != *b.frame) return std::nullopt;
     const auto p = place_of(a, b), q = place_of(b, a);
@@ -46,7 +46,7 @@ std::optional<Imath::Box2i> overlap(const Image& a, const Image& b) {
     return both.isEmpty() ? std::nullopt : std::optional(both);
 }
 
-/// Leaves of both what lies in a window of the frame.
+/// Crops both to a window of the frame.
 void cut(ImagePair& images, const Image& a, const Image& b, const Imath::Box2i& window) {
     const auto cut_one = [&](std::vector<Color>& pixels, const Image& image, const Image& other) {
         const Imath::V2i first = place_of(image, other)->min;

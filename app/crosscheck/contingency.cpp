@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t few = 3;
 
-/// chi2 of one degree of freedom exceeds this in one of twenty cases by chance.
+/// Value that chi2 of one degree of freedom exceeds by chance in one of twenty cases.
 constexpr double five_percent = 3.841;
 
 std::string rays(std::size_t count) {

@@ -1,4 +1,4 @@
-// etalon crosscheck: the same rays through several backends and the oracle.
+// etalon crosscheck: traces the same rays with several backends and the oracle.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -23,7 +23,7 @@ struct Arguments {
     std::string json, rays_out;
 };
 
-/// Another program may be reading something else from standard output.
+/// Writes the tables to standard error if another program reads standard output.
 void print(const Arguments& a, const crosscheck::Results& results) {
     const std::string output = a.rays_out == "-" ? a.rays_out : a.json;
     write_table(output, crosscheck::as_text(results));

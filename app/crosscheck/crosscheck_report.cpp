@@ -7,8 +7,8 @@
 namespace etalon::crosscheck {
 namespace {
 
-/// `describe` of each backend, below a line with its name. Those of which the same is to be said,
-/// as of exact ones, share it.
+/// Returns `describe` of each backend below a line with its name. Backends with the same text, as
+/// exact ones, share it.
 template <class F>
 std::string by_backend(const Results& results, const std::string& before_name, const F& describe) {
     std::vector<std::string> names, texts;

@@ -16,7 +16,8 @@ BackendResults results_of(const Scene& scene, const std::vector<Trial>& trials,
     return results;
 }
 
-/// The backends' answers. The rays for which the oracle was stopped are few: all are asked them.
+/// Traces the rays with the backends. If the oracle was stopped there are few rays, and all are
+/// traced.
 std::vector<Tracer> ask_all(const Plan& plan, const Scene& scene, const std::vector<Trial>& trials,
                             const RunControl& run) {
     static const std::atomic<bool> never = false;
@@ -25,7 +26,7 @@ std::vector<Tracer> ask_all(const Plan& plan, const Scene& scene, const std::vec
     if (trials.empty()) return tracers;
     run.begin("backends");
     for (const std::string& name : plan.backends) {
-        std::optional<Tracer> tracer = ask(name, scene, trials, control);
+        std::optional<Tracer> tracer = trace(name, scene, trials, control);
         if (!tracer) break;
         tracers.push_back(std::move(*tracer));
         run.progress(static_cast<double>(tracers.size()) /

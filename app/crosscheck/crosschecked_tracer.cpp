@@ -6,8 +6,8 @@
 namespace etalon::crosscheck {
 namespace {
 
-Answers ask(const Intersector& intersector, const std::vector<Ray>& rays,
-            const std::atomic<bool>& stop) {
+Answers trace(const Intersector& intersector, const std::vector<Ray>& rays,
+              const std::atomic<bool>& stop) {
     Answers answers{std::vector<Answer>(rays.size())};
     Stopwatch watch;
     for (std::size_t i = 0; i < rays.size() && !stop; ++i) {
@@ -22,13 +22,13 @@ Answers ask(const Intersector& intersector, const std::vector<Ray>& rays,
 
 }  // namespace
 
-std::optional<Tracer> ask(const std::string& backend, const Scene& scene,
-                          const std::vector<Trial>& trials, const RunControl& run) {
+std::optional<Tracer> trace(const std::string& backend, const Scene& scene,
+                            const std::vector<Trial>& trials, const RunControl& run) {
     const Backend* found = find_backend(backend);
     const auto intersector = found->build(scene.geometry);
     Tracer tracer{backend, found->exact, {}};
     for (const Trial& trial : trials) {
-        tracer.answers.push_back(ask(*intersector, trial.rays, run.stop));
+        tracer.answers.push_back(trace(*intersector, trial.rays, run.stop));
     }
     if (run.stop) return std::nullopt;
     return tracer;

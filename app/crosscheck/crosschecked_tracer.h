@@ -24,7 +24,7 @@ struct Tracer {
 };
 
 /// Returns the backend's answers to all rays; nothing if it was stopped before the last one.
-std::optional<Tracer> ask(const std::string& backend, const Scene& scene,
-                          const std::vector<Trial>& trials, const RunControl& run);
+std::optional<Tracer> trace(const std::string& backend, const Scene& scene,
+                            const std::vector<Trial>& trials, const RunControl& run);
 
 }  // namespace etalon::crosscheck

@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kinds[] = {"camera", "bounce", "shadow", "aimed"};  // few chords are hard
 
-/// Leaves out the rays that a stop left without an answer.
+/// Removes the rays to which a stop left no answer.
 Trial answered(const RaySet& set, const std::vector<std::optional<OracleAnswer>>& answers) {
     Trial trial{set.kind, {}, {}};
     for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -19,8 +19,9 @@ Trial answered(const RaySet& set, const std::vector<std::optional<OracleAnswer>>
     return trial;
 }
 
-/// The oracle's answers, until a stop. `done` kinds of ray were answered before.
-Trial ask(const Oracle& oracle, const RaySet& set, std::size_t done, const RunControl& run) {
+/// Returns the oracle's answers, until a stop. `done` kinds of ray were answered before.
+Trial answered_trial(const Oracle& oracle, const RaySet& set, std::size_t done,
+                     const RunControl& run) {
     std::vector<std::optional<OracleAnswer>> answers(set.rays.size());
     std::atomic<std::size_t> count = 0;
     parallel_for(set.rays.size(), 16, [&](std::size_t begin, std::size_t end) {
@@ -44,7 +45,7 @@ std::vector<Trial> make_trials(const Scene& scene, const Imath::V2i& resolution,
     std::vector<Trial> trials;
     for (const char* kind : kinds) {
         const RaySet set = make_ray_set(kind, scene, resolution, *exact, limit);
-        Trial trial = ask(oracle, set, trials.size(), run);
+        Trial trial = answered_trial(oracle, set, trials.size(), run);
         if (run.stop && trial.rays.empty()) break;
         trials.push_back(std::move(trial));
         if (run.stop) break;

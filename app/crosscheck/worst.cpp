@@ -10,7 +10,7 @@
 namespace etalon::crosscheck {
 namespace {
 
-/// A ray among the trials', and how it was answered.
+/// A ray of the trials with its answer.
 struct Case {
     std::size_t trial, ray;
     Classification classification;

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Full vertical field of view, in degrees.
+/// Returns the full vertical field of view, in degrees.
 double field_of_view(const ProjectiveCamera& c) {
     constexpr double degree = std::numbers::pi / 180;
     if (c.projection == Projection::environment) return 180;
@@ -36,7 +36,7 @@ std::string_view name_of(Projection projection) {
     }
 }
 
-/// The camera as its numbers are for one without a space of its own.
+/// Returns the numbers of a camera that has no space of its own.
 Camera described(const Camera& c, const Imath::V2i& resolution) {
     if (!c.projective) return c;
     Camera result = c;
@@ -63,7 +63,7 @@ Json camera_json(const Camera& camera, const Imath::V2i& resolution) {
         {"focal", c.focal}};
 }
 
-/// Number of vertices of triangles, those of objects included.
+/// Returns the number of vertices of triangles, including those of objects.
 std::size_t vertices(const Geometry& geometry) {
     std::size_t count = geometry.vertices.size() + geometry.decimal_vertices.size();
     for (const Geometry& object : geometry.objects) count += vertices(object);

@@ -9,7 +9,7 @@
 namespace etalon {
 namespace {
 
-/// Binary logarithm of the highest cost over the lowest that is not black.
+/// Binary logarithm of the ratio of the highest cost to the lowest that is not black.
 constexpr double range = 8;
 
 Color color_of(double cost, double highest) {

@@ -16,7 +16,7 @@ constexpr int threads = 8;
 constexpr std::size_t largest_body = 1024;
 constexpr int seconds_to_read = 2;
 
-/// Nothing is kept, nothing comes from elsewhere, and nobody learns the address.
+/// Headers that disable caches, foreign content and referrers.
 const httplib::Headers headers = {
     {"Cache-Control", "no-store"},
     {"Content-Security-Policy",
@@ -32,7 +32,7 @@ class Server {
         server_.new_task_queue = [] { return new httplib::ThreadPool(threads); };
         server_.set_payload_max_length(largest_body);
         server_.set_read_timeout(seconds_to_read);
-        server_.set_keep_alive_max_count(1);  // a connection that waits would hold a thread
+        server_.set_keep_alive_max_count(1);  // an idle connection would occupy a thread
         server_.set_default_headers(headers);
         server_.set_pre_routing_handler([this](const auto& request, auto& response) {
             answer(request, response);

@@ -19,7 +19,7 @@ std::size_t area(const Imath::Box2i& box) {
     return static_cast<std::size_t>(box.max.x - box.min.x + 1) * (box.max.y - box.min.y + 1);
 }
 
-/// Number of tiles along so many pixels.
+/// Returns the number of tiles along so many pixels.
 int tiles_along(int pixels) {
     return (pixels + tile_side - 1) / tile_side;
 }
@@ -80,7 +80,7 @@ void LiveImage::put_film(const Film& film) {
     });
 }
 
-/// The row's mutex is held.
+/// The row's mutex must be held.
 void LiveImage::put_row(const Film& film, int y, int first, int last) {
     for (int x = first; x <= last; ++x) {
         const std::size_t to = index(x, y), from = film.index(x, y);

@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A page that is open asks more often than that; one in the background once a second.
+/// Longest interval between requests of an open page; in the background it asks once a second.
 constexpr double silence = 1.5;
 constexpr auto patience = 5s;
 

@@ -11,7 +11,7 @@
 namespace etalon {
 namespace {
 
-/// 128 bits from the system in hexadecimal digits; nothing where it has none.
+/// Returns 128 random bits from the system in hexadecimal digits; nothing if it has none.
 std::string random_token() {
     std::array<unsigned char, 16> bytes;
     if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) return {};
@@ -20,7 +20,7 @@ std::string random_token() {
     return token;
 }
 
-/// Compares in a time that does not tell how much is right.
+/// Compares in constant time, so that the time does not tell how much is right.
 bool is_same(std::string_view a, std::string_view b) {
     unsigned difference = a.size() == b.size() ? 0 : 1;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {

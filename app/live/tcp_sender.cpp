@@ -13,7 +13,7 @@
 namespace etalon {
 namespace {
 
-/// Milliseconds between two questions whether to go on.
+/// Milliseconds between two checks whether to go on.
 constexpr int interval = 20;
 
 std::string text_of(int error) {

@@ -10,12 +10,12 @@ enum Operation : std::uint8_t { create = 4, update_channels = 5 };
 
 constexpr const char* channel_names[] = {"R", "G", "B"};
 
-/// A message under way.
+/// A message under construction.
 class Packet {
   public:
-    /// Begins an operation on an image, which the viewer comes to show if `select`.
+    /// Begins an operation on an image, which the viewer selects if `select`.
     Packet(Operation operation, bool select, const std::string& image) {
-        integer(0);  // the length, at the end
+        integer(0);  // placeholder of the length
         bytes_ += static_cast<char>(operation);
         bytes_ += static_cast<char>(select ? 1 : 0);
         text(image);

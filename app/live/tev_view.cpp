@@ -11,10 +11,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Time between two looks at what has changed.
+/// Time between two checks for changes.
 constexpr auto interval = 100ms;
 
-/// How long the finished image waits for a viewer that takes nothing.
+/// Time for which the finished image waits for a viewer that takes nothing.
 constexpr auto patience = 1s;
 
 }  // namespace
@@ -48,7 +48,7 @@ std::string TevView::send_all(TcpSender& sender) {
     const Imath::V2i& size = image_.settings().resolution;
     if (error.empty()) error = sender.send(tev::create_image(name_, size.x, size.y));
     for (bool is_last = false; error.empty() && !is_last;) {
-        is_last = is_over_;  // before the image is looked at
+        is_last = is_over_;  // read before the image
         error = send_changes(sender);
         std::unique_lock lock(mutex_);
         if (!is_last) ending_.wait_for(lock, interval, [this] { return is_over_.load(); });
@@ -58,7 +58,7 @@ std::string TevView::send_all(TcpSender& sender) {
 
 std::string TevView::send_changes(TcpSender& sender) {
     for (std::size_t tile = 0; tile < sent_.size(); ++tile) {
-        const std::uint64_t version = image_.version(tile);  // what is copied is that or newer
+        const std::uint64_t version = image_.version(tile);  // the copy is as new or newer
         if (version == sent_[tile]) continue;
         std::vector<Color> colors = image_.pixels_of(tile).colors;
         if (image_.settings().decodes()) decode(colors);

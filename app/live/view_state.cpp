@@ -32,7 +32,7 @@ ViewState::Stage ViewState::stage() const {
     return stage_;
 }
 
-/// The mutex is held.
+/// The mutex must be held.
 double ViewState::seconds() const {
     if (stage_ == Stage::preparing) return 0;
     const Clock::time_point until = stage_ == Stage::rendering ? Clock::now() : end_;

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view first_line = "etalon-film 1\n";
 
-/// What the file ends with.
+/// Letters at the end of the file.
 struct Ending {
     std::uint64_t hash = 0, bytes = 0;
     std::array<char, 8> mark{};
@@ -52,8 +52,8 @@ FilmAppendix from_json(const Json& json) {
 
 constexpr int most_pixels_of_side = 65536;
 
-/// Returns whether a film may be that of an image of a size: a pixel has its sums and its number of
-/// samples.
+/// Returns whether a film of so many bytes may be that of an image of a size: a pixel has sums and
+/// a number of samples.
 bool is_possible(const StoredFilm& film, const Imath::V2i& size) {
     const Imath::V2i &min = film.window.min, &max = film.window.max;
     const bool is_inside = 0 <= min.x && min.x <= max.x && max.x < size.x && 0 <= min.y &&
@@ -63,7 +63,7 @@ bool is_possible(const StoredFilm& film, const Imath::V2i& size) {
     return pixels <= film.bytes / (sizeof(Vec3) + sizeof(std::uint32_t));
 }
 
-/// Returns whether an appendix can be that of an image: a hash tells damage, but not who wrote the
+/// Returns whether an appendix can be that of an image: a hash shows damage, but not who wrote the
 /// file. Throws as film_settings() does.
 bool is_possible(const FilmAppendix& appendix, std::uint64_t bytes) {
     const RenderSettings settings = film_settings(appendix.identity);
@@ -80,7 +80,7 @@ bool is_possible(const FilmAppendix& appendix, std::uint64_t bytes) {
     return true;
 }
 
-/// Reads the two lines, of a file that stands where they begin; hashes everything up to the end.
+/// Reads the two lines of a file, from its current position; hashes everything up to the end.
 Result<FilmAppendix> read_checked(std::ifstream& file, const Ending& ending) {
     Hash64 hash;
     std::string lines;

@@ -1,4 +1,4 @@
-// etalon merge: one image of parts of it.
+// etalon merge: merges parts of an image.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -26,14 +26,14 @@ int fail(int status, const std::string& message) {
     return status;
 }
 
-/// The smallest window with all films in it.
+/// Returns the smallest window that contains all films.
 Imath::Box2i window_of(const MergedFilms& merged) {
     Imath::Box2i window;
     for (const MergedFilm& m : merged.films) window.extendBy(m.stored.window);
     return window;
 }
 
-/// Number of samples per pixel, a mean.
+/// Returns the mean number of samples per pixel.
 float samples_per_pixel(const MergedFilms& merged) {
     double samples = 0, pixels = 0;
     for (const MergedFilm& m : merged.films) {
@@ -83,7 +83,7 @@ RenderedImage image_of(const MergedFilms& merged) {
     return image;
 }
 
-/// Bytes of a film as it is written.
+/// Returns the bytes of a film as it is written.
 std::uint64_t size_of(ImageFilm& film) {
     std::uint64_t size = 0;
     StateWriter counter([&](std::string_view bytes) { size += bytes.size(); });
@@ -91,7 +91,7 @@ std::uint64_t size_of(ImageFilm& film) {
     return size;
 }
 
-/// Takes the identity, so that no JSON is left when the file begins to change.
+/// Takes the identity by value, so that no JSON is left when the file begins to change.
 std::string line_of(MergedFilms& merged, const RenderedImage& image) {
     FilmAppendix appendix{std::move(merged.identity), metadata_json(image), {}};
     for (MergedFilm& m : merged.films) {

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What may differ among the parts of an image, whose shares tell it.
+/// Parts of the identity that may differ among the parts of an image; their shares record them.
 constexpr const char* free_names[] = {"crop", "spp", "seed", "part"};
 
 /// A film of one of the files.
@@ -22,7 +22,7 @@ struct Input {
 
     const StoredFilm& stored() const { return appendix->films[number]; }
 
-    /// The order in which films are added, whatever that of the files is.
+    /// Order in which films are added, independent of that of the files.
     auto key() const {
         const StoredFilm& film = stored();
         return std::tuple(film.window.min.y, film.window.min.x, film.window.max.y,
@@ -39,7 +39,7 @@ std::string pixels_text(const Imath::Box2i& w) {
     return fmt::format("{},{},{},{}", w.min.x, w.min.y, w.max.x + 1, w.max.y + 1);
 }
 
-/// Returns why two films cannot both be in an image, or nothing.
+/// Returns why two films cannot both be in an image, or an empty string.
 std::string conflict(const Input& a, const Input& b) {
     const Imath::Box2i &wa = a.stored().window, &wb = b.stored().window;
     if (!wa.intersects(wb)) return {};

@@ -1,7 +1,6 @@
-// The only file that includes MPI. It is a module of its own because its libraries would be loaded
-// with every program that is linked to them. All waiting is done by polls with sleep between them:
-// where ranks share processors, a library that waits by spinning takes one from a rank that
-// renders.
+// The only file that includes MPI. It is a module of its own, since MPI's libraries would be loaded
+// with every program that is linked to them. All waiting is by polling, with sleep in between:
+// where ranks share processors, a library that spins takes one from a rank that renders.
 #include <mpi.h>
 
 #include <chrono>
@@ -17,7 +16,7 @@
 
 namespace {
 
-/// A message that is on its way, out or in. A process that died may leave it there for ever.
+/// A message in transit, out or in. A process that died may leave it there for ever.
 struct Transfer {
     std::string bytes;
     int peer = 0;
@@ -37,7 +36,7 @@ const char* error_of(int code) {
     return error_text.c_str();
 }
 
-/// Calls what returns an error; so are exceptions.
+/// Calls a function that returns an error; exceptions become errors, too.
 template <class Call>
 const char* guarded(const Call& call) {
     try {
@@ -48,8 +47,8 @@ const char* guarded(const Call& call) {
 }
 
 const char* join(int* rank, int* size) {
-    // A message is copied by both its ends: a receiver that reads the memory of a sender which has
-    // died is ended by Open MPI, and could not keep its state.
+    // Both ends copy messages: Open MPI would end a receiver that reads the memory of a dead
+    // sender, which then could not save its state.
     setenv("OMPI_MCA_btl_vader_single_copy_mechanism", "none", 0);
     int provided = 0;
     int code = MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
@@ -61,8 +60,8 @@ const char* join(int* rank, int* size) {
     return error_of(code);
 }
 
-/// Takes a transfer that is complete out of the list; nothing if none is. Those of one peer keep
-/// their order.
+/// Removes a complete transfer from the list and returns it; nothing if none is. Those of one peer
+/// keep their order.
 int take_complete(std::list<Transfer>& transfers, std::optional<Transfer>& taken) {
     std::set<int> waiting;  // peers of transfers that are not complete
     for (auto i = transfers.begin(); i != transfers.end(); ++i) {
@@ -80,7 +79,7 @@ int take_complete(std::list<Transfer>& transfers, std::optional<Transfer>& taken
     return MPI_SUCCESS;
 }
 
-/// Forgets the messages that have been sent.
+/// Removes the messages that have been sent.
 int forget_sent() {
     std::optional<Transfer> sent;
     int code = MPI_SUCCESS;
@@ -137,7 +136,7 @@ const char* receive(const EtalonMpiReceiver* receiver, int* received) {
     });
 }
 
-/// Returns whether all processes have come here and have sent what they had to. To be called until
+/// Returns whether all processes have arrived here and have sent all messages. To be called until
 /// then; `barrier` is null at first.
 bool all_have_come(MPI_Request& barrier, bool& has_begun) {
     const EtalonMpiReceiver dropped = {nullptr, [](void*, int, const char*, std::size_t) {}};

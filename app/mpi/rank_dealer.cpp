@@ -12,11 +12,11 @@
 namespace etalon {
 namespace {
 
-/// Most tiles that a thread of another rank has ahead. Tiles of few samples take a fraction of a
-/// millisecond, and messages wait for some milliseconds until they are looked for.
+/// Most tiles that a thread of another rank has in advance. Tiles of few samples take a fraction of
+/// a millisecond, and messages wait for some milliseconds until they are polled.
 constexpr std::size_t most_ahead = 64;
 
-/// Time between two looks whether a stop ends the waiting for results.
+/// Time between two checks whether a stop ends the wait for results.
 constexpr auto stop_interval = std::chrono::milliseconds(5);
 
 }  // namespace
@@ -67,13 +67,13 @@ void RankDealer::wait_for_results(const DealtPass& pass) {
     while (dealt_ > 0 && !pass.stopped()) has_results_.wait_for(lock, stop_interval);
 }
 
-/// The next tile of the pass. To be called while there is one.
+/// Returns the next tile of the pass. May be called while there is one.
 std::optional<std::size_t> RankDealer::take() {
     const std::size_t place = next_.fetch_add(1);
     return place < pass_->tiles.size() ? std::optional(pass_->tiles[place]) : std::nullopt;
 }
 
-/// Does what is to be done for the other ranks now; returns whether there was anything.
+/// Handles the other ranks' messages and needs; returns whether there was anything to do.
 bool RankDealer::look() {
     const std::lock_guard lock(mutex_);
     try {
@@ -119,7 +119,7 @@ void RankDealer::note_ready(int from, std::string_view content) {
     all_threads_ += threads;
 }
 
-/// Results that come after a stop are nobody's.
+/// Results that come after a stop are discarded.
 void RankDealer::read_results(int from, std::string_view content) {
     if (!pass_) return;
     Worker& worker = workers_[from];
@@ -135,14 +135,14 @@ void RankDealer::read_results(int from, std::string_view content) {
     if (dealt_ == 0) has_results_.notify_one();
 }
 
-/// How many tiles the rank is to have: one for each of its threads, and some ahead as long as many
-/// are left for all.
+/// Returns how many tiles the rank is to have: one for each of its threads, and some in advance as
+/// long as many are left.
 std::size_t RankDealer::most_of(const Worker& worker) const {
     const std::size_t left = pass_->tiles.size() - std::min(next_.load(), pass_->tiles.size());
     return worker.threads * (1 + std::min(most_ahead, left / (2 * all_threads_)));
 }
 
-/// Gives a rank tiles up to what it is to have.
+/// Gives a rank tiles up to that number.
 void RankDealer::supply(int rank) {
     if (!pass_) return;
     Worker& worker = workers_[rank];

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Bytes of a piece of a file, and number of messages that may wait to be sent at a time.
+/// Bytes of a piece of a file, and number of messages that may wait to be sent.
 constexpr std::size_t piece_size = 4 << 20, most_unsent = 4;
 
 /// Name of standard input's copy.
@@ -28,7 +28,7 @@ void send_on(Ranks& ranks, std::string_view message) {
     ranks.wait_until_unsent(most_unsent);
 }
 
-/// The path, which a zero ends, and the bytes.
+/// A message of a file: the zero-terminated path, and the bytes.
 void send_piece(Ranks& ranks, const std::string& path, std::string_view bytes) {
     send_on(ranks, message_of(MessageKind::file, (path + '\0').append(bytes)));
 }

@@ -28,7 +28,7 @@ void TileWorker::render_tiles(const TileTask& task) {
     }
 }
 
-/// Waits for a task; nothing if no more is wanted.
+/// Waits for a task; nothing if there is no more work.
 std::optional<TileWorker::Tile> TileWorker::next() {
     std::unique_lock lock(mutex_);
     is_changed_.wait(lock, [&] { return is_over_ || !tasks_.empty(); });
@@ -47,7 +47,7 @@ std::string TileWorker::render(const Tile& tile, const TileTask& task) const {
     return result;
 }
 
-/// Exchanges messages with rank 0; returns whether one had come.
+/// Exchanges messages with rank 0; returns whether one had arrived.
 bool TileWorker::look() {
     const std::lock_guard lock(mutex_);
     try {
@@ -86,7 +86,7 @@ void TileWorker::send_results() {
     }
 }
 
-/// Says why this rank renders nothing more, and waits for the end.
+/// Reports why this rank renders nothing more, and waits for the end.
 void TileWorker::fail(const std::string& why) {
     failure_ = why;
     tasks_.clear();

@@ -10,7 +10,7 @@
 namespace etalon {
 namespace {
 
-/// Data from which channels are made. The film is always there.
+/// Data from which channels are made. The film is always present.
 struct AovInputs {
     const Film& film;
     std::optional<SurfaceMeans> means{};
@@ -27,7 +27,7 @@ struct Aov {
     std::string_view name;
     Source source;
     Values (*values)(const AovInputs&);
-    std::string_view axes = {};           ///< of several values: what their channels end in
+    std::string_view axes = {};           ///< suffixes of the channels, if there are several
     bool Backend::*is_counted = nullptr;  ///< what the backend must count
 };
 
@@ -37,7 +37,7 @@ Values tests(const CentreHits& hits, std::uint64_t TraversalCost::*count) {
     return values;
 }
 
-/// Table of all AOVs. To add one is to add a line.
+/// Table of all AOVs. To add one, add a line.
 constexpr Aov aovs[] = {
     {"albedo", Source::means, [](const AovInputs& i) -> Values { return i.means->albedo.pixels(); },
      "RGB"},
@@ -82,7 +82,7 @@ std::vector<std::string_view> all_names() {
     return names;
 }
 
-/// Returns the AOVs of these names, each once.
+/// Returns the AOVs of these names, without duplicates.
 std::vector<Aov> selected(const Names& names) {
     std::vector<Aov> list;
     std::copy_if(std::begin(aovs), std::end(aovs), std::back_inserter(list), [&](const Aov& aov) {

@@ -106,7 +106,7 @@ void declare_samples(Options& options, RenderArguments& a) {
         .group(group);
 }
 
-/// "Integrator (default: auto, the scene's own); whitted: ..., ao: ...".
+/// Returns "Integrator (default: auto, the scene's own); whitted: ..., ao: ...".
 std::string integrator_help() {
     std::string text =
         "Integrator, which computes the colour of a sample (default: auto, the scene's own)";

@@ -14,12 +14,12 @@
 namespace etalon {
 namespace {
 
-/// First line of all checkpoints; the number changes with what follows the second.
+/// First line of all checkpoints; its number changes with the format of the state.
 constexpr std::string_view kind = "etalon-checkpoint ";
 constexpr std::string_view layout = "1";
 
-/// The part of the time that checkpoints may take: 2 %, for the time between two is so many times
-/// that of the last one.
+/// Fraction of the time that checkpoints may take, 2 %: the interval to the next is so many times
+/// the duration of the last one.
 constexpr double least_ratio = 49;
 
 /// Longest text of an identity; a longer one is damaged.
@@ -99,7 +99,7 @@ std::string CheckpointWriter::write(const std::function<void(StateWriter&)>& sav
     return file.put_in_place();
 }
 
-/// Says the same thing once.
+/// Prints the same warning only once.
 void CheckpointWriter::report(const std::string& error) {
     if (error.empty()) ++written_;
     if (!error.empty() && error != error_) {

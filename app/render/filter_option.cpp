@@ -12,7 +12,7 @@
 namespace etalon {
 namespace {
 
-/// The two sides of the colon.
+/// The parts before and after the colon.
 struct FilterText {
     std::string name;
     std::optional<std::string> radius;
@@ -27,7 +27,7 @@ const FilterType* find_filter(const std::string& name) {
     return found == filter_list.end() ? nullptr : &*found;
 }
 
-/// The radius that a text says, or 0.
+/// Returns the radius in the text, or 0.
 double radius_of(const std::string& text) {
     double radius = 0;
     const char* const end = text.data() + text.size();

@@ -38,7 +38,7 @@ bool write_image_file(const RenderArguments& a, const std::string& path, const R
     auto file = encode_image(format_name(a, path), image, a.exposure);
     if (!file) return complain(name + ": cannot be written: " + file.error);
     if (can_hold_channels(format_name(a, path))) file.value += kept.appendix(image);
-    if (path == "-") return write_result(file.value);  // the end of the program says why not
+    if (path == "-") return write_result(file.value);  // a failure is reported at the end
     const std::string error = write_file_atomically(path, file.value);
     return error.empty() || complain(error);
 }

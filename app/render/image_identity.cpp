@@ -29,7 +29,7 @@ Json filter(const PixelFilter& f) {
     return shape;
 }
 
-/// JSON knows no infinity.
+/// Replaces infinity, which JSON cannot express.
 Json number(double value) {
     return value < infinity ? Json(value) : Json("infinite");
 }
@@ -38,7 +38,7 @@ Json whitted_rules(const WhittedRules& r) {
     return {r.schlick, r.clamp_each_ray, r.normalize_camera_rays, r.mirror_all_glass, r.fixed_bias};
 }
 
-/// The exact backends are one.
+/// Returns the backend's name in the identity; exact backends have one in common.
 std::string backend(const RenderSettings& settings, const Geometry& geometry) {
     const Backend& chosen = chosen_backend(settings);
     const bool is_own =

@@ -9,7 +9,7 @@
 namespace etalon {
 namespace {
 
-/// Time between two looks whether a page that stays is to go.
+/// Time between two checks whether a page that stays is to end.
 constexpr auto page_interval = std::chrono::milliseconds(50);
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace etalon {
 namespace {
 
-/// Least memory of a pixel: its part of the film while it is rendered, and its colour.
+/// Least memory of a pixel: its part of the film, and its colour.
 double bytes_per_pixel(const RenderSettings& settings) {
     return ImageFilm::bytes_per_pixel(settings) + sizeof(Color);
 }

@@ -10,7 +10,7 @@
 namespace etalon {
 namespace {
 
-/// What is partial says so; an error is given where it was asked for and estimated.
+/// Partial images say so in their metadata; an error is included if it was requested and estimated.
 void add_what_was_reached(const RenderStats& stats, RenderedImage& image) {
     if (!stats.stopped.empty()) image.metadata["stopped"] = stats.stopped;
     if (stats.target_error) {

@@ -15,11 +15,11 @@ namespace {
 
 constexpr int max_image_side = 65536;
 
-/// Samples per pixel, at most, of an image that ends by an error or a time limit.
+/// Largest number of samples per pixel of an image that ends by an error or a time limit.
 constexpr int ample_samples = 1 << 16;
 
-/// Returns the same part of an image of another size: a pixel at least, and none twice of windows
-/// side by side.
+/// Returns the same part of an image of another size: at least one pixel, and without overlap for
+/// adjacent windows.
 Imath::Box2i resized(const Imath::Box2i& window, const Imath::V2i& from, const Imath::V2i& to) {
     Imath::Box2i result;
     for (int k = 0; k < 2; ++k) {
@@ -66,7 +66,7 @@ std::string apply_crop(const std::string& text, RenderSettings& settings) {
     return {};
 }
 
-/// Applies sampling options, which a deterministic image cannot have, and a whole one need not.
+/// Applies sampling options, which a deterministic image cannot have.
 void apply_samples(const RenderArguments& a, RenderSettings& settings) {
     if (a.target_error > 0 || a.time_limit > 0) settings.samples_per_pixel = ample_samples;
     if (a.samples >= 0) settings.samples_per_pixel = a.samples;
@@ -76,7 +76,7 @@ void apply_samples(const RenderArguments& a, RenderSettings& settings) {
     if (a.sampler == "random") settings.sampler = Sampler::random;
 }
 
-/// The options given that only some integrators obey.
+/// The given options that only some integrators use.
 std::vector<std::string_view> integrator_options(const RenderArguments& a) {
     std::vector<std::string_view> given;
     if (a.max_depth > 0) given.push_back("--max-depth");
@@ -85,7 +85,7 @@ std::vector<std::string_view> integrator_options(const RenderArguments& a) {
     return given;
 }
 
-/// Refuses what the integrator would ignore.
+/// Rejects options that the integrator would ignore.
 std::string apply_integrator(const RenderArguments& a, const Scene& scene,
                              RenderSettings& settings) {
     choose_integrator(a.integrator, settings);
@@ -104,20 +104,20 @@ std::string apply_integrator(const RenderArguments& a, const Scene& scene,
     return {};
 }
 
-/// Returns whether an output is of a format of which `test` holds.
+/// Returns whether any output has a format for which `test` holds.
 template <class Test>
 bool any_output(const RenderArguments& a, const Test& test) {
     return std::ranges::any_of(
         a.outputs, [&](const std::string& output) { return test(format_name(a, output)); });
 }
 
-/// Refuses a format that no output would have.
+/// Rejects a format that no output has.
 std::string check_output_format(const RenderArguments& a) {
     const bool is_used = a.output_format.empty() || std::ranges::count(a.outputs, "-") > 0;
     return is_used ? "" : "--output-format: no output is -; the names of files tell their formats";
 }
 
-/// Refuses an exposure that no image would have.
+/// Rejects an exposure that applies to no output.
 std::string check_exposure(const RenderArguments& a) {
     const bool is_used = a.exposure == 0 || any_output(a, has_exposure);
     return is_used ? "" : "--exposure: no output is a PNG; expected -o FILE.png to have it";
@@ -139,7 +139,7 @@ std::string apply_part(const RenderArguments& a, RenderSettings& settings) {
     return is_kept ? "" : "--part: no output is an EXR; expected -o FILE.exr to be merged";
 }
 
-/// Refuses what a checkpoint would need.
+/// Rejects options that need a checkpoint if there is none.
 std::string check_checkpoint(const RenderArguments& a) {
     if (!a.checkpoint.empty()) return {};
     if (a.resume) return "--resume: expected --checkpoint FILE, from which to go on";

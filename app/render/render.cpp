@@ -10,7 +10,7 @@
 namespace etalon {
 namespace {
 
-/// Time that rank 0 waits for the others to leave after a signal: one of them may have died.
+/// Time that rank 0 waits for the others to leave after a signal, as one of them may have died.
 constexpr double patience_after_signal = 1;
 
 /// Runs the subcommand in this process alone, or with other ranks.
@@ -26,7 +26,7 @@ int run_first_rank(const RenderArguments& arguments, Ranks& ranks) {
     return status;
 }
 
-/// Runs it in a rank that says nothing but why it failed, to rank 0.
+/// Runs the subcommand in a rank that reports nothing but why it failed, to rank 0.
 int run_other_rank(const RenderArguments& arguments, Ranks& ranks) {
     hold_messages();
     int status = exit_unusable;

@@ -25,9 +25,9 @@
 namespace etalon {
 namespace {
 
-/// Limits the threads for as long as the process lives. As it lifts a limit oneTBB asks for more
-/// threads: where memory has run out it then ends the program, or waits for ever. So the limit has
-/// room that is never given back.
+/// Limits the threads for the lifetime of the process. When a limit is lifted, oneTBB starts more
+/// threads; if memory has run out it then ends the program, or waits for ever. So the limit is
+/// never lifted.
 void limit_threads(int threads) {
     alignas(ThreadLimit) static std::array<std::byte, sizeof(ThreadLimit)> room;
     [[maybe_unused]] static const auto* const limit = new (room.data()) ThreadLimit(threads);
@@ -109,7 +109,7 @@ bool RenderRun::report_ranks() const {
 bool RenderRun::open_reference() {
     if (a_.reference.empty()) return true;
     const std::string error = reference_.emplace().open(a_.reference, settings_);
-    watch_.lap();  // no part of the building
+    watch_.lap();  // excludes building
     return error.empty() || complain(error);
 }
 

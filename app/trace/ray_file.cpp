@@ -13,10 +13,10 @@ namespace {
 
 struct Number {
     double value;
-    int column;  ///< of its first character, counted from 1
+    int column;  ///< column of its first character, from 1
 };
 
-/// What is wrong with a line, and in which column; column 0 if nothing is.
+/// Error in a line, and its column; column 0 if there is none.
 struct Fault {
     int column = 0;
     std::string_view what{};
@@ -40,7 +40,7 @@ Fault parse_numbers(const std::string& line, std::vector<Number>& numbers) {
     }
 }
 
-/// Makes a ray of the numbers of a line that has some.
+/// Makes a ray from the numbers of a line that has some.
 Fault make_ray(const std::vector<Number>& n, Ray& ray) {
     if (n.size() != 6 && n.size() != 8 && n.size() != 9) {
         return {n.front().column, "wrong count of numbers"};

@@ -27,7 +27,7 @@ std::string describe(const Scene& scene, const Ray& ray, const std::optional<Hit
                        n.z);
 }
 
-/// Says what is wrong with the files that the arguments name; returns the exit status for it.
+/// Reports problems with the files of the arguments; returns the exit status.
 int check_files(const TraceArguments& a) {
     auto [error, status] = check_outputs({a.output});
     if (a.rays == "-" && a.scene.path == "-") {

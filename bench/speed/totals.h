@@ -9,7 +9,7 @@
 namespace etalon::speed {
 
 /// Wrong answers among those that the oracle checked.
-struct Judged {
+struct CheckedAnswers {
     void add(const OracleCheck& check) {
         rays += check.rays;
         wrong += check.errors();
@@ -21,8 +21,8 @@ struct Judged {
 struct Totals {
     std::string tracer;
     std::vector<double> ratios, robust_ratios;  ///< on one thread, for each scene and kind of rays
-    Judged sampled;                             ///< rays spread evenly over all
-    Judged disputed;                            ///< rays for which tracers differ
+    CheckedAnswers sampled;                     ///< rays spread evenly over all
+    CheckedAnswers disputed;                    ///< rays for which tracers differ
 };
 
 /// Returns the totals of every tracer, in order of appearance.

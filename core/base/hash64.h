@@ -7,8 +7,8 @@
 
 namespace etalon {
 
-/// Hash of 64 bits of bytes that come in pieces, however they are cut: by 128-bit products of eight
-/// bytes and the hash so far. Tells damage and other content, not forgery.
+/// Hash in 64 bits of bytes that come in pieces of any size: by 128-bit products of eight bytes and
+/// the hash so far. It detects damage and different contents, not forgery.
 class Hash64 {
   public:
     void add(std::string_view bytes) {
@@ -30,7 +30,7 @@ class Hash64 {
     }
 
   private:
-    /// Keeps bytes until there are eight. Returns how many it took.
+    /// Stores bytes until there are eight. Returns how many it took.
     std::size_t hold(std::string_view bytes) {
         const std::size_t count = std::min(bytes.size(), sizeof word_ - held_);
         std::memcpy(reinterpret_cast<char*>(&word_) + held_, bytes.data(), count);

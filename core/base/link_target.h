@@ -4,8 +4,8 @@
 
 namespace etalon {
 
-/// Returns where a file named by `path` is, or would come to be: symbolic links lead there, though
-/// there be nothing yet.
+/// Returns the path of the file that `path` names, following symbolic links, even if it does not
+/// exist yet.
 inline std::filesystem::path link_target(std::filesystem::path path) {
     constexpr int most_links = 40;  // as Linux follows
     std::error_code none;

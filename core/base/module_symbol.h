@@ -30,7 +30,7 @@ inline Result<void*> symbol_of(const std::filesystem::path& file, const char* sy
 }  // namespace detail
 
 /// Loads a module, a library that few runs of a program need, and returns its symbol of that name.
-/// The file is looked for in the folder ETALON_MODULE_PATH if that is set, else in ../lib and
+/// The file is searched in the folder ETALON_MODULE_PATH if that is set, else in ../lib and
 /// ../lib/etalon beside the program's own folder.
 inline Result<void*> module_symbol(const std::string& file_name, const char* symbol) {
     namespace fs = std::filesystem;

@@ -10,8 +10,8 @@
 
 namespace etalon {
 
-/// Notes what the files hold that a scene is made of: all that are read while it lives, by any
-/// thread. There is one at a time.
+/// Records the contents of all files that any thread reads during its lifetime: those of which a
+/// scene is made. Only one may exist at a time.
 class ReadLog {
   public:
     ReadLog() { current_ = this; }
@@ -19,8 +19,8 @@ class ReadLog {
     ReadLog(const ReadLog&) = delete;
     ReadLog& operator=(const ReadLog&) = delete;
 
-    /// Hash of the contents, whatever the files' names are, their order, and how often each was
-    /// read.
+    /// Returns a hash of the contents, independent of the files' names, of their order, and of how
+    /// often each was read.
     std::uint64_t fingerprint() const {
         const std::lock_guard lock(mutex_);
         Hash64 hash;
@@ -30,16 +30,16 @@ class ReadLog {
         return hash.value();
     }
 
-    /// The paths by which files were read.
+    /// Returns the paths by which files were read.
     std::set<std::string> paths() const {
         const std::lock_guard lock(mutex_);
         return paths_;
     }
 
-    /// Whether anybody wants to know of files.
+    /// Returns whether there is a log.
     static bool is_kept() { return current_ != nullptr; }
 
-    /// Notes the content of a file, if that is wanted.
+    /// Records the contents of a file, if there is a log.
     static void note(const std::string& path, std::string_view content) {
         if (is_kept()) note_hash(path, hash64(content));
     }

@@ -11,15 +11,15 @@ using Box = Imath::Box2d;
 
 constexpr int pupils = 64;
 
-/// Columns of the finest grid of points by which a pupil is known, as many as pbrt-v3's samples
-/// have of the same square.
+/// Number of columns of the finest grid of points that determines a pupil, the same as of pbrt-v3's
+/// samples of that square.
 constexpr int finest = 1024;
 
-/// Columns of the first grid, of which one point is in the middle. The pupil of a small stop is
-/// looked for where the last one was, too.
+/// Number of columns of the first grid, one point of which is in the middle. The pupil of a small
+/// stop is also searched where the last one was.
 constexpr int coarsest = 32;
 
-/// Finds the pupil of points of the film, of one after the other away from the middle.
+/// Finds the pupils of points of the film, one after the other away from the middle.
 class PupilFinder {
   public:
     explicit PupilFinder(const std::vector<LensSurface>& surfaces)
@@ -29,8 +29,8 @@ class PupilFinder {
 
     const Box& whole() const { return whole_; }
 
-    /// Bounds of the points of the plane of the last surface that light reaches the film through at
-    /// `x` from its middle.
+    /// Returns bounds of the points in the plane of the last surface through which light reaches
+    /// the film at `x` from its middle.
     Box find(double x) {
         film_ = {x, 0, 0};
         Box found;
@@ -66,7 +66,7 @@ class PupilFinder {
         }
     }
 
-    /// Extends the box by strips about it, ever finer, until they are as fine as the finest grid.
+    /// Extends the box by ever finer strips around it, until they are as fine as the finest grid.
     void refine(Box& found) const {
         const double end = 2 * half_ / finest;
         constexpr int points = 64;
@@ -85,7 +85,7 @@ class PupilFinder {
     }
 
     LensTracer tracer_;
-    double half_;  ///< side of the square that is looked at
+    double half_;  ///< half side of the square that is searched
     Box whole_, last_;
     Vec3 film_{0.0};
 };

@@ -6,8 +6,8 @@
 
 namespace etalon {
 
-/// Rectangles for LensSystem::exit_pupils: those of a focused lens, each with a margin as wide as
-/// pbrt-v3's. Where no light comes through, all that could see the last surface.
+/// Returns the rectangles for LensSystem::exit_pupils of a focused lens, each with a margin as wide
+/// as pbrt-v3's. If no light passes, a rectangle contains everything that can see the last surface.
 std::vector<Imath::Box2d> exit_pupils(const std::vector<LensSurface>& surfaces,
                                       double film_diagonal);
 

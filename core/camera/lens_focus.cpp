@@ -7,7 +7,8 @@
 namespace etalon {
 namespace {
 
-/// Where a lens turns a ray that comes parallel to its axis, and where that then meets the axis.
+/// Points at which a lens refracts a ray parallel to its axis, and at which that ray meets the
+/// axis.
 struct CardinalPoints {
     double principal, focal;
 };

@@ -7,14 +7,14 @@
 
 namespace etalon {
 
-/// How a lens is focused.
+/// Focus of a lens.
 struct LensFocus {
     double film_distance;   ///< from the last surface to the film
     double image_distance;  ///< from the principal plane on the film's side to the film
 };
 
-/// Where the film must be for what is at `distance` from it to be sharp, by the thick lens that the
-/// lens is to rays near its axis. The error says why there is no such place.
+/// Returns the position of the film for which objects at `distance` from it are sharp, by the thick
+/// lens approximation for rays near the axis. The error says why there is none.
 Result<LensFocus> focused(const LensSystem& lens, double distance);
 
 }  // namespace etalon

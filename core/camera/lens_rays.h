@@ -4,19 +4,20 @@
 
 namespace etalon {
 
-/// A ray from a film through a lens, in the camera's space, and what its light counts.
+/// A ray from a film through a lens, in the camera's space, with its weight.
 struct WeightedRay {
     LensRay ray;
-    float weight;  ///< 0: the lens stops it; the ray is then that of a pinhole
+    float weight;  ///< 0 if the lens blocks it; the ray is then that of a pinhole
 };
 
-/// Makes the rays of a camera with a lens of several surfaces.
+/// Generates the rays of a camera with a lens of several surfaces.
 class LensRays {
   public:
-    /// `resolution` is width and height of the image in pixels.
+    /// `resolution` is the width and height of the image in pixels.
     LensRays(const LensSystem& lens, const Imath::V2i& resolution);
 
-    /// `pixel` in pixels from the top left corner of the image; `on_pupil` in [0,1)^2.
+    /// Returns a ray; `pixel` is in pixels from the top left corner of the image; `on_pupil` in
+    /// [0,1)^2.
     WeightedRay ray(const Vec2& pixel, const Vec2& on_pupil) const;
 
   private:

@@ -6,8 +6,8 @@
 namespace etalon {
 namespace {
 
-/// The direction behind a surface with the unit normal `n` on the side of the incoming ray; `eta`
-/// is the index on that side over the other. Nothing where the reflection is total.
+/// Returns the direction behind a surface with the unit normal `n` on the side of the incoming ray;
+/// `eta` is the index on that side over the other. Nothing for total reflection.
 std::optional<Vec3> refracted(const Vec3& direction, const Vec3& n, double eta) {
     const double cosine = -n.dot(direction);
     const double sine2 = eta * eta * std::max(0.0, 1 - cosine * cosine);

@@ -11,19 +11,19 @@ namespace etalon {
 /// A ray in the space of a lens: the axis is z, the film is at z = 0, the scene at large z.
 struct LensRay {
     Vec3 origin;
-    Vec3 direction;  ///< unit where a surface has refracted it
+    Vec3 direction;  ///< a unit vector once a surface has refracted it
 };
 
-/// Follows rays through the surfaces of a lens (Kolb et al. 1995, section 3.1).
+/// Traces rays through the surfaces of a lens (Kolb et al. 1995, section 3.1).
 class LensTracer {
   public:
     explicit LensTracer(std::span<const LensSurface> surfaces);
 
-    /// The ray that leaves the lens towards the scene; nothing where a rim or a stop blocks the
-    /// ray, or a surface reflects all of it.
+    /// Returns the ray that leaves the lens towards the scene; nothing if a rim or a stop blocks
+    /// the ray, or a surface reflects it totally.
     std::optional<LensRay> from_film(LensRay ray) const;
 
-    /// The same the other way.
+    /// The same in the other direction.
     std::optional<LensRay> from_scene(LensRay ray) const;
 
     double front_z() const { return surfaces_.front().z; }
@@ -32,7 +32,7 @@ class LensTracer {
 
   private:
     struct Surface {
-        double z;  ///< where it meets the axis
+        double z;  ///< position on the axis
         double curvature_radius;
         double aperture2;
         double eta_front, eta_rear;  ///< on the sides of the scene and of the film

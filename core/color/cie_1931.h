@@ -7,11 +7,11 @@
 
 namespace etalon {
 
-/// Wavelengths at which they are known, in nm: 360, 361, ... 830.
+/// Tabulated wavelengths in nm: 360, 361, ... 830.
 inline constexpr int first_wavelength = 360;
 inline constexpr int wavelength_count = 471;
 
-/// Values of x-bar, y-bar and z-bar, one triple a wavelength.
+/// Values of x-bar, y-bar and z-bar, one triple for each wavelength.
 using MatchingFunctions = std::array<Vec3, wavelength_count>;
 
 /// Returns the functions in steps of 1 nm.

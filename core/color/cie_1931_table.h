@@ -1,5 +1,5 @@
-// The CIE 1931 standard colorimetric observer (2 degrees) as it is tabulated: x-bar, y-bar and
-// z-bar at 360, 365, ... 830 nm. CIE 018; ISO/CIE 11664-1.
+// Table of the CIE 1931 standard colorimetric observer (2 degrees): x-bar, y-bar and z-bar at 360,
+// 365, ... 830 nm. CIE 018; ISO/CIE 11664-1.
 #pragma once
 
 namespace etalon {

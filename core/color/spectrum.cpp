@@ -11,7 +11,7 @@ namespace {
 /// Integral of y-bar as PBRT v3 has it, nm.
 constexpr double y_integral = 106.856895;
 
-/// Sums value(wavelength) times the matching functions. `value` is asked in ascending order.
+/// Sums value(wavelength) times the matching functions. `value` is called in ascending order.
 template <class F>
 Color integrated(F&& value) {
     const MatchingFunctions& functions = cie_1931();

@@ -6,7 +6,7 @@
 
 namespace etalon {
 
-/// Linear value as a display shows it: in [0, 1], with NaN as black (the comparison is false).
+/// Returns a linear value as displayed: in [0, 1], with NaN as black (the comparison is false).
 inline double displayed(double linear) {
     return linear > 0 ? std::min(linear, 1.0) : 0.0;
 }
@@ -21,7 +21,7 @@ inline double srgb_decoded(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-/// Slope of srgb_decoded() at a value that it decodes to `linear`.
+/// Returns the slope of srgb_decoded() at a value that it decodes to `linear`.
 inline double srgb_slope(double encoded, double linear) {
     return encoded <= 0.04045 ? 1 / 12.92 : 2.4 * linear / (encoded + 0.055);
 }

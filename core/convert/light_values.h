@@ -5,8 +5,8 @@
 
 namespace etalon {
 
-/// The light that colours and weights stand for. A product of display values is about the display
-/// value of the product of what they stand for, so that weights are decoded like colours.
+/// Converts colours and weights to the light for which they stand. A product of display values is
+/// about the display value of the product of the light, so that weights are decoded like colours.
 class LightValues {
   public:
     /// `are_displayed`: colours are display values, not light already.

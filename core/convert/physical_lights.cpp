@@ -9,11 +9,11 @@ namespace {
 
 const Color black(0.0F);
 
-/// The smallest distance and cosine that a light's intensity makes up for, the first as a part of
-/// the distance from the eye to the point looked at: a light right there is not to go out.
+/// Least distance and cosine for which a light's intensity compensates, the first relative to the
+/// distance from the eye to the point looked at. Otherwise a light right there would go out.
 constexpr double smallest_part = 0.25;
 
-/// Makes the lights of one scene.
+/// Converts the lights of one scene.
 class LightMaker {
   public:
     LightMaker(const Camera& camera, const LightValues& light, Geometry& geometry, PhysicalLook& to)
@@ -35,8 +35,8 @@ class LightMaker {
     }
 
   private:
-    /// Makes up for the fall-off with the square of the distance, at the point looked at, and for
-    /// diffuse surfaces that send back 1 / pi of the light into every direction.
+    /// Compensates for the falloff with the square of the distance, at the point looked at, and for
+    /// diffuse surfaces, which reflect 1 / pi of the light into every direction.
     float intensity(const Vec3& position) const {
         const Vec3 way = camera_.at - position, view = camera_.at - camera_.eye;
         const double distance2 =

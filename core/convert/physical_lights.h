@@ -1,4 +1,4 @@
-// Lights and surroundings of the Whitted-style formats as physical ones.
+// Conversion of the lights and environments of the Whitted-style formats to physical ones.
 #pragma once
 
 #include "core/convert/light_values.h"
@@ -6,13 +6,14 @@
 
 namespace etalon {
 
-/// Adds what the lights become to the look, with bindings and, for those with an extent, triangles
-/// after the other primitives. A light has no falloff in these formats: it gets the intensity with
-/// which a diffuse surface that faces it at the point looked at is as bright as it was.
+/// Adds the converted lights to the look, with bindings and, for those with an extent, triangles
+/// after the other primitives. Lights of these formats have no falloff: a light gets the intensity
+/// for which a diffuse surface that faces it, at the point the camera looks at, is as bright as
+/// before.
 void add_physical_lights(const WhittedLook& from, const Camera& camera, const LightValues& light,
                          Geometry& geometry, PhysicalLook& to);
 
-/// Adds what the surroundings become: a light all around.
+/// Adds the converted environment: light from all directions.
 void add_physical_environment(const Environment& from, const LightValues& light, PhysicalLook& to);
 
 }  // namespace etalon

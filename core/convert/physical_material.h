@@ -1,4 +1,4 @@
-// Materials of the Whitted-style formats as physical ones.
+// Conversion of the materials of the Whitted-style formats to physical ones.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace etalon {
 
-/// Appends what a material becomes, and before it the parts of a mix. Returns its number.
+/// Appends the converted material, and before it the parts of a mix. Returns its number.
 std::uint32_t add_physical(const Material& material, const LightValues& light,
                            std::vector<PhysicalMaterial>& to);
 

@@ -9,27 +9,28 @@
 namespace etalon {
 namespace {
 
-constexpr int depths = 100;  ///< along the beam, as likely as the beam reaches them
+constexpr int depths = 100;  ///< number of depths, distributed like the beam's scattering events
 constexpr float inverse_4pi = std::numbers::inv_pi_v<float> / 4;
 
-/// How deep the beam is for depth number `i` of those, in free paths.
+/// Returns depth number `i` of those, in mean free paths.
 float free_paths(int i) {
     return -std::log(1 - (static_cast<float>(i) + 0.5F) / depths);
 }
 
-/// Henyey & Greenstein 1941, of the angle between the beam and the way back to the surface.
+/// Returns Henyey & Greenstein's phase function (1941) of the angle between the beam and the way
+/// back to the surface.
 float phase(float cosine, float g) {
     const float d = 1 + g * g + 2 * g * cosine;
     return inverse_4pi * (1 - g * g) / (d * std::sqrt(d));
 }
 
-/// Diffusion in the medium, whose scattering is reduced to an even one, after Grosjean 1956.
+/// Diffusion in the medium with reduced (isotropic) scattering, after Grosjean 1956.
 struct Diffusion {
-    float albedo, extinction;       ///< reduced
-    float coefficient;              ///< D
-    float decay;                    ///< sigma_tr
-    float mirror;                   ///< from the plane in which sources are mirrored to the surface
-    float by_fluence, by_gradient;  ///< what comes out
+    float albedo, extinction;  ///< reduced
+    float coefficient;         ///< D
+    float decay;               ///< sigma_tr
+    float mirror;              ///< distance of the plane of the mirror sources from the surface
+    float by_fluence, by_gradient;  ///< weights of the exitance
 
     explicit Diffusion(const HalfSpace& medium) {
         const float absorbed = 1 - medium.albedo, scattered = medium.albedo * (1 - medium.g);
@@ -43,7 +44,7 @@ struct Diffusion {
         by_gradient = 0.5F * (1 - 3 * m2);
     }
 
-    /// What comes out by a source at a depth and its mirror image.
+    /// Returns the exitance from a source at a depth and its mirror image.
     float of_dipole(float depth, float distance) const {
         const float image = -depth - 2 * mirror;
         const float to_depth = std::sqrt(distance * distance + depth * depth);
@@ -55,7 +56,7 @@ struct Diffusion {
         };
         const float irradiance =
             inverse_4pi * (gradient(depth, to_depth, here) - gradient(image, to_image, there));
-        // Less near the beam, where light did not spread yet.
+        // Less near the beam, where light has not spread yet.
         const float spread = 1 - std::exp(-2 * extinction * (to_depth + depth));
         return spread * albedo * albedo * (fluence * by_fluence + irradiance * by_gradient);
     }
@@ -73,7 +74,7 @@ float multiple_scattering(const HalfSpace& medium, float distance) {
 }
 
 float single_scattering(const HalfSpace& medium, float distance) {
-    // Above this depth all light is reflected back at the border.
+    // Above this depth all light is totally reflected at the interface.
     const float least = distance * std::sqrt(std::max(0.0F, medium.eta * medium.eta - 1));
     float sum = 0;
     for (int i = 0; i < depths; ++i) {

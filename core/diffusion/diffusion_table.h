@@ -5,8 +5,8 @@
 
 namespace etalon {
 
-/// How far from where it came in light comes out of media of one mean cosine and one index, for all
-/// albedos: the distribution of distances, in mean free paths. As pbrt-v3 tabulates it.
+/// Distributions of the distance between entry and exit of light in media of one mean cosine and
+/// one index, for all albedos, in mean free paths. Tabulated as by pbrt-v3.
 class DiffusionTable {
   public:
     static constexpr std::size_t albedos = 100, radii = 64;
@@ -15,20 +15,20 @@ class DiffusionTable {
     /// `g`: mean cosine, between -1 and 1; `eta`: index below the surface over that above.
     DiffusionTable(float g, float eta);
 
-    /// What one medium has: 2 pi r times the power per area at a distance r, and its integral up to
+    /// Data of one medium: 2 pi r times the power per area at a distance r, and its integral up to
     /// there.
     struct Rows {
         Row values, sums;
 
-        float albedo() const { return sums.back(); }  ///< part that comes out anywhere
+        float albedo() const { return sums.back(); }  ///< fraction of light that leaves anywhere
     };
-    /// Of the medium that scatters this part of what meets it, between 0 and 1.
+    /// Returns the rows of the medium with this single-scattering albedo, between 0 and 1.
     Rows at(float albedo) const;
 
-    /// How much of what meets it a medium scatters of which this part comes out.
+    /// Returns the single-scattering albedo of a medium of which this fraction of light leaves.
     float albedo_of(float effective_albedo) const;
 
-    /// The distances of the rows' numbers.
+    /// Returns the distances of the rows' values.
     static const Row& distances();
 
   private:

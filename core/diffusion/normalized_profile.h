@@ -11,8 +11,8 @@ namespace etalon {
 /// Scattering": two exponentials, whose integral over a plane is the albedo.
 class NormalizedProfile {
   public:
-    /// `distance`: mean one, which light goes in Burley's terms, of each channel; not below 0. One
-    /// of 0 lets nothing out.
+    /// `distance` is the mean distance of light in Burley's model, for each channel; not below 0.
+    /// With 0 no light leaves.
     NormalizedProfile(const Color& albedo, const Color& distance)
         : albedo_(albedo), scale_(part_of_distance * distance) {}
 
@@ -30,14 +30,14 @@ class NormalizedProfile {
     float sample(int channel, double u) const {
         const float d = scale_[channel];
         if (!(d > 0)) return -1;
-        // A quarter is in the first exponential.
+        // The first exponential has a quarter of the light.
         const bool is_first = u < 0.25;
         const double rest = is_first ? 4 * u : (u - 0.25) / 0.75;
         return static_cast<float>(-(is_first ? 1 : 3) * d * std::log1p(-rest));
     }
 
   private:
-    static constexpr float part_of_distance = 0.2F;  ///< pbrt-v3's, by its authors' word
+    static constexpr float part_of_distance = 0.2F;  ///< pbrt-v3's, from its authors
     static constexpr float least = 1e-6F;            ///< the value is infinite at a distance of 0
 
     Color albedo_, scale_;

@@ -8,10 +8,10 @@ namespace {
 
 constexpr std::array axis_probabilities = {0.25, 0.25, 0.5};
 
-/// Part of the light that is as near as probes are long.
+/// Fraction of the light within the length of probes.
 constexpr double part_within = 0.999;
 
-/// The axis that `choice` falls on; sets it to what is left of it, in [0, 1).
+/// Returns the axis that `choice` selects, and rescales `choice` to [0, 1).
 int take_axis(double& choice) {
     int axis = 2;
     while (choice >= axis_probabilities[axis] && axis > 0) choice -= axis_probabilities[axis--];

@@ -1,4 +1,4 @@
-// What scatters light below a surface, so that it comes out elsewhere.
+// Subsurface scattering at a point.
 #pragma once
 
 #include <variant>
@@ -8,13 +8,13 @@
 
 namespace etalon {
 
-/// How light spreads around the point at which it enters; of a channel and a distance from there:
-/// `value`, power per area; `density`, that is proportional to it and has the integral 1 over a
-/// plane; `sample(channel, u)`, a distance chosen with it, below 0 where the channel lets nothing
-/// out.
+/// Distribution of light around the point at which it enters. For a channel and a distance from
+/// there: `value` is the power per area; `density` is proportional to it and has the integral 1
+/// over a plane; `sample(channel, u)` samples a distance with that density, negative if no light of
+/// the channel leaves.
 using SpreadProfile = std::variant<TabulatedProfile, NormalizedProfile>;
 
-/// At a point of a surface.
+/// Subsurface scattering at a point of a surface.
 struct Subsurface {
     SpreadProfile profile;
     float eta;  ///< index below over index above

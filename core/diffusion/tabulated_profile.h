@@ -5,11 +5,12 @@
 
 namespace etalon {
 
-/// How far light goes below the surface of a medium with coefficients of its own for each channel.
+/// Distribution of light below the surface of a medium with different coefficients for each
+/// channel.
 class TabulatedProfile {
   public:
-    /// `absorption`, `scattering`: per unit of length, not below 0. A channel in which both are 0
-    /// lets nothing out.
+    /// `absorption`, `scattering`: per unit of length, not below 0. No light leaves of a channel in
+    /// which both are 0.
     TabulatedProfile(const DiffusionTable& table, const Color& absorption, const Color& scattering);
 
     float value(int channel, float distance) const;
@@ -17,7 +18,7 @@ class TabulatedProfile {
     float sample(int channel, double u) const;
 
   private:
-    /// The row's spline over 2 pi r, in free paths.
+    /// Evaluates the row's spline over 2 pi r, in free paths.
     float out_of(int channel, float free_paths) const;
 
     Color extinction_;

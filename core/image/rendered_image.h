@@ -33,7 +33,7 @@ struct RenderedImage {
 
     std::vector<Channel> channels{};  ///< each has one value for each pixel, in the same order
 
-    /// Whether an EXR stores display values unchanged, not the light for which they stand.
+    /// True if an EXR stores display values unchanged, not the light for which they stand.
     bool keep_display_values = false;
 };
 

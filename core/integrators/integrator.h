@@ -1,4 +1,4 @@
-// Interface between the renderer, which needs the colours of samples, and what computes them.
+// Interface between the renderer, which needs the colours of samples, and the integrators.
 #pragma once
 
 #include <span>
@@ -11,17 +11,17 @@
 
 namespace etalon {
 
-/// Samples of neighbouring pixels: for each its camera ray and the source of its random numbers.
-/// Spans of one length.
+/// Samples of neighbouring pixels: the camera ray of each and the source of its random numbers, in
+/// spans of one length.
 struct CameraSamples {
     RayStream rays;
     std::span<const SampleSource> sources;
-    /// Weights of the colours in the image, by which integrators need not multiply; empty if all
-    /// are equal.
+    /// Weights of the colours in the image, which integrators need not apply; empty if all are
+    /// equal.
     std::span<const float> weights{};
 };
 
-/// Computes the colours that camera rays see. Thread-safe.
+/// Computes the radiance along camera rays. Thread-safe.
 class Integrator {
   public:
     Integrator() = default;
@@ -34,20 +34,20 @@ class Integrator {
     static constexpr std::size_t batch_size = 512;
 
     /// Sets `colors`, one for each sample, to be averaged with the others of the pixel. Adds the
-    /// rays that it takes, the camera rays included, to `counts`. A colour does not depend on the
-    /// other samples.
+    /// number of rays, including camera rays, to `counts`. A colour does not depend on the other
+    /// samples.
     virtual void radiance(const CameraSamples& samples, std::span<Color> colors,
                           RayCounts& counts) const = 0;
 
-    /// Whether camera rays may hit lights.
+    /// Returns whether camera rays may hit lights.
     virtual bool shows_lights() const { return false; }
 
     /// Sets `colors` to the part of the samples' colours that is emitted by lights that camera rays
     /// hit. Black if shows_lights() is false.
     virtual void emission(const CameraSamples& samples, std::span<Color> colors) const;
 
-    /// Why parts of the scene were replaced after rendering began: a face of a skybox whose file
-    /// turned out damaged when it was first seen by the background's colour.
+    /// Returns why parts of the scene were replaced after rendering began: the face of a skybox
+    /// whose file turned out to be damaged when it was first needed, by the background's colour.
     virtual std::vector<std::string> late_problems() const { return {}; }
 };
 

@@ -32,7 +32,7 @@ constexpr IntegratorType integrators[] = {
      make<AmbientOcclusion>, true, true},
 };
 
-/// Names of the integrators for which `test` holds.
+/// Returns the names of the integrators for which `test` holds.
 template <class Test>
 std::vector<std::string> names_where(const Test& test) {
     std::vector<std::string> names;

@@ -11,7 +11,7 @@ class LocalRays {
   public:
     static constexpr std::size_t most = RayColumns::most;
 
-    /// How a ray is to be answered.
+    /// Kind of a ray, which determines how it is answered.
     enum class Kind : std::uint64_t {
         slow_path = 0,  ///< rare: not is_valid(), not resolves(), or with extreme numbers
         misses,         ///< misses everything that is bounded

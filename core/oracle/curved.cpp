@@ -5,7 +5,7 @@
 
 namespace etalon::definition {
 
-/// |o + t d - c| = r. The front is met where the distance shrinks.
+/// Solves |o + t d - c| = r. The front is hit where the distance decreases.
 Crossings define(const Geometry&, const Sphere& s, const Ray& ray) {
     Crossings found;
     if (!(s.radius > 0) || !std::isfinite(s.radius) || !is_finite(s.centre)) return found;
@@ -49,8 +49,9 @@ Crossings define(const Geometry&, const Cone& c, const Ray& ray) {
 
 namespace {
 
-/// Whether the root t is at a face of the box or within: o + t d, or, where that cannot be told,
-/// that the form a t^2 + 2 b t + c is known to vanish at the face, and not by the other root.
+/// Returns whether the root t is at a face of the box or within: by o + t d or, if that cannot be
+/// decided, because the form a t^2 + 2 b t + c is known to vanish at the face, and not by the other
+/// root.
 Certainty is_within(const Box3& box, const Ray& ray, const Tracked& t, const Tracked* other,
                     const Tracked& a, const Tracked& b, const Tracked& c) {
     Certainty within = Certainty::yes;
@@ -72,7 +73,7 @@ Certainty is_within(const Box3& box, const Ray& ray, const Tracked& t, const Tra
 
 }  // namespace
 
-/// The symmetric matrix of the coefficients, row by row, on (p - centre, 1).
+/// Returns the symmetric matrix of the coefficients, row by row, for (p - centre, 1).
 Crossings define(const Geometry&, const Quadric& s, const Ray& ray) {
     Crossings found;
     if (!is_finite(s.centre) || !is_finite(s.clip.min) || !is_finite(s.clip.max)) return found;
@@ -104,7 +105,7 @@ Crossings define(const Geometry&, const Quadric& s, const Ray& ray) {
     return found;
 }
 
-/// |o + t d| = 1 in the map's coordinates.
+/// Solves |o + t d| = 1 in the map's coordinates.
 Crossings define(const Geometry&, const Ellipsoid& e, const Ray& ray) {
     Crossings found;
     if (!is_finite(e.to_world)) return found;

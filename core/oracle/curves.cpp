@@ -4,8 +4,8 @@
 
 namespace etalon::definition {
 
-/// What the kernel finds: a curve is defined by that. The first crossing with either side beyond
-/// the ray's beginning.
+/// Returns what the kernel finds, since that defines a curve: the first crossing of either side
+/// beyond the ray's origin.
 Crossings define(const Geometry& geometry, const StoredCurve& c, const Ray& ray) {
     Crossings found;
     for (const Sides side : {Sides::front, Sides::back}) {

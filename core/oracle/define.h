@@ -1,4 +1,4 @@
-// One definition for each shape, of what is said of all in definitions.h.
+// One definition for each shape, as described in definitions.h.
 #pragma once
 
 #include "core/oracle/definitions.h"

@@ -1,5 +1,5 @@
-// Definition of each shape, evaluated in quad precision with error bounds: deliberately not the
-// kernels' formulas, which are to be checked against this.
+// Definition of each shape, evaluated in quad precision with error bounds. They are deliberately
+// not the kernels' formulas, which are checked against this.
 #pragma once
 
 #include <array>
@@ -10,15 +10,16 @@
 
 namespace etalon {
 
-/// A point where the ray's line meets a surface.
+/// A point where the ray's line crosses a surface.
 struct Crossing {
     Crossing() = default;
     Crossing(const Tracked& at, Certainty is_there, Certainty is_front)
         : t(at), passage(at), exists(is_there), front(is_front) {}
 
-    Tracked t;        ///< value that a kernel should return
-    Tracked passage;  ///< value that must also be beyond tmin; t, but for polygons with corners
-                      ///< off their plane: there the point where the plane is passed
+    Tracked t;  ///< value that a kernel should return
+    /// Value that must also be beyond tmin: t, except for polygons with corners off their plane;
+    /// there that of the plane.
+    Tracked passage;
     Certainty exists;
     Certainty front;  ///< whether the front is seen there
 };
@@ -35,8 +36,8 @@ class Crossings {
     std::size_t count_ = 0;
 };
 
-/// Finds where the line of `ray`, whose direction is not zero, meets a primitive. As in RayQuery, a
-/// component that is negligible against the largest is zero.
+/// Returns the crossings of the line of `ray`, whose direction is not zero, with a primitive. As in
+/// RayQuery, a component that is negligible against the largest is zero.
 Crossings crossings(const Geometry& geometry, std::uint32_t primitive, const Ray& ray);
 
 }  // namespace etalon

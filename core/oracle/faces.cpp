@@ -10,7 +10,7 @@
 namespace etalon::definition {
 namespace {
 
-/// A corner as seen from the ray's origin.
+/// A corner relative to the ray's origin.
 struct Corner {
     Corner() = default;
     explicit Corner(const TrackedVec& p)
@@ -22,8 +22,8 @@ struct Corner {
     Vec3 rounded;
 };
 
-/// d . (a x b): in double where that is enough to know its sign, as it is for all but the few edges
-/// that a ray is aimed at.
+/// Returns d . (a x b): in double if that determines its sign, as it does for all but the few edges
+/// at which a ray is aimed.
 Tracked volume(const Vec3& d, const Corner& a, const Corner& b) {
     double sum = 0, size = 0;
     for (int k = 0; k < 3; ++k) {
@@ -99,7 +99,7 @@ struct Outline {
     std::vector<Tracked> sides;  ///< volume of corners i and i + 1
 };
 
-/// Whether the line along d passes through the closed side from corner i.
+/// Returns whether the line along d passes through the closed side from corner i.
 Certainty meets_side(const Outline& outline, std::size_t i) {
     const Certainty coplanar = is_zero(outline.sides[i]);
     if (coplanar == Certainty::no) return coplanar;
@@ -107,8 +107,8 @@ Certainty meets_side(const Outline& outline, std::size_t i) {
     return coplanar & !is_positive(dot(cross(a, outline.d), cross(b, outline.d)));
 }
 
-/// Even-odd rule: a point is inside where an odd number of the triangles of a fan cover it. Unknown
-/// where it is on a side of one.
+/// Applies the even-odd rule: a point is inside if an odd number of the triangles of a fan cover
+/// it. Unknown if it is on a side of one.
 Certainty is_inside_fan(const Outline& outline, const Corner& hub) {
     bool odd = false;
     Tracked spoke = volume(outline.d, hub, outline.corners[0]);
@@ -139,8 +139,8 @@ Certainty is_inside(const Outline& outline) {
 
 }  // namespace
 
-/// The outline as the ray sees it, and the plane through the mean corner across Newell's normal,
-/// but never out of the corners' box.
+/// Crosses the outline as the ray sees it, and the plane through the mean corner perpendicular to
+/// Newell's normal, but never outside of the corners' box.
 Crossings define(const Geometry&, const Polygon& polygon, const Ray& ray) {
     Crossings found;
     std::vector<Corner> corners;

@@ -2,7 +2,7 @@
 
 namespace etalon::definition {
 
-/// n . (o + t d - p) = 0, and not a line in the plane.
+/// Solves n . (o + t d - p) = 0, for lines that are not in the plane.
 Crossings define(const Geometry&, const Plane& p, const Ray& ray) {
     Crossings found;
     if (!is_finite(p.point) || !is_finite(p.normal)) return found;
@@ -13,7 +13,7 @@ Crossings define(const Geometry&, const Plane& p, const Ray& ray) {
     return found;
 }
 
-/// The same, and inner <= |o + t d - c| <= outer, squared and freed of the quotient that t is.
+/// The same with inner <= |o + t d - c| <= outer, squared, and multiplied by the divisor of t.
 Crossings define(const Geometry&, const Ring& r, const Ray& ray) {
     Crossings found;
     if (!is_finite(r.centre) || !is_finite(r.normal)) return found;

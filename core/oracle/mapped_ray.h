@@ -4,8 +4,8 @@
 
 namespace etalon::definition {
 
-/// A ray in the coordinates that an affine map gives to its unit vectors, by Cramer's rule: origin
-/// and direction are what they say times `unit`, the determinant.
+/// A ray in the coordinates of an affine map, by Cramer's rule: origin and direction are multiplied
+/// by `unit`, the determinant.
 struct MappedRay {
     MappedRay(const Affine& map, const Ray& ray) {
         const TrackedVec x = map.x, y = map.y, z = map.z;

@@ -15,8 +15,8 @@ Certainty is_visible(const Crossing& c, Sides sides) {
     return sides == Sides::front ? c.front : !c.front;
 }
 
-/// A kernel compares its rounded t with the ray's ends, and has none beyond the range of double;
-/// nor can it tell from 0 what is below that range. It can tell 0 itself.
+/// A kernel compares its rounded t with the ray's ends, and has no t beyond the range of double. It
+/// cannot distinguish values below that range from 0, but it can recognise 0 itself.
 Certainty is_within(const Crossing& c, const Ray& ray, double tie) {
     const auto rounded = [tie](const Tracked& t) {
         const bool is_zero = t.value == 0 && t.error == 0;
@@ -36,7 +36,7 @@ struct Meeting {
     HitKey key;
 };
 
-/// Meetings so far, with the nearest certain one.
+/// Crossings so far, with the nearest certain one.
 struct Meetings {
     void add(const Meeting& m) {
         all.push_back(m);
@@ -49,14 +49,14 @@ struct Meetings {
 
 namespace {
 
-/// Relative error that an answer's t may have at most: far below that of any kernel.
+/// Largest relative error of an answer's t: far below that of any kernel.
 constexpr double finest_error = 0x1p-10 * t_tolerance;
 
 OracleAnswer answer_from(const Meetings& meetings, double tie) {
     OracleAnswer answer;
     const auto& nearest = meetings.nearest;
     for (const Meeting& m : meetings.all) {
-        // One root of a shape that may not be there is not as good as the next.
+        // A root of a shape that may not exist is not as good as the next.
         const bool is_other_root = nearest && m.exists != Certainty::yes && m.key == nearest->key &&
                                    m.t.value < nearest->t.value;
         const bool tied =
@@ -84,7 +84,7 @@ OracleAnswer answer_from(const Meetings& meetings, double tie) {
     return answer;
 }
 
-/// Slab test with a margin that dwarfs both its own roundings and any a bounding box may have.
+/// Slab test with a margin far above its own roundings and those of a bounding box.
 class WideSlabs {
   public:
     WideSlabs(const Ray& ray, double extent) : ray_(ray) {
@@ -133,7 +133,7 @@ Oracle::Oracle(const Geometry& geometry) : geometry_(geometry) {
     for (const Geometry& object : geometry.objects) objects_.emplace_back(object);
 }
 
-/// Primitives whose boxes the ray may meet, the nearest first.
+/// Returns the primitives whose boxes the ray may hit, the nearest first.
 std::vector<Oracle::Candidate> Oracle::candidates(const Ray& ray) const {
     const WideSlabs slabs(ray, extent_);
     std::vector<Candidate> found;
@@ -146,8 +146,8 @@ std::vector<Oracle::Candidate> Oracle::candidates(const Ray& ray) const {
     return found;
 }
 
-/// Adds meetings with the primitives of an instance, whose object this is, or with all primitives.
-/// Where holes are is for the kernels' function to say.
+/// Adds hits on the primitives of an instance, whose object this is, or on all primitives. Holes
+/// are decided by the kernels' function.
 void Oracle::meet(const Ray& ray, double tie, std::uint32_t instance, Meetings& meetings) const {
     if (!is_valid(ray)) return;
     const RayQuery query(ray);
@@ -163,7 +163,7 @@ void Oracle::meet(const Ray& ray, double tie, std::uint32_t instance, Meetings& 
     }
 }
 
-/// Objects are defined to see a ray of usual length: see RescaledRay.
+/// Objects are defined for rays of usual length: see RescaledRay.
 OracleAnswer Oracle::closest(const Ray& ray, double tie) const {
     if (!is_valid(ray)) return {};
     if (has_extreme_direction(ray)) {

@@ -1,5 +1,5 @@
-// Hits of a ray decided without a kernel: every primitive of the scene, in quad precision with
-// error bounds, on the exact bits of the input. For tests and measurements.
+// Hits of a ray decided without a kernel: every primitive of the scene is tested in quad precision
+// with error bounds, on the exact bits of the input. For tests and measurements.
 #pragma once
 
 #include <vector>
@@ -14,16 +14,16 @@ struct OracleAnswer {
     enum Kind {
         hit,
         miss,
-        undecidable  ///< even 113 bits cannot tell, or not how far away
+        undecidable  ///< even 113 bits cannot decide, or not at which distance
     };
 
     /// Returns |t - the true t| / |the true t|, for a hit.
     double relative_error(double t) const;
 
     Kind kind = miss;
-    double t = 0;      ///< the double nearest to the true t
-    Quad exact_t = 0;  ///< good to about 100 bits, to 46 where it is ill-conditioned
-    std::uint32_t primitive = no_index;  ///< that of the lowest key among `tied`
+    double t = 0;                        ///< the double nearest to the true t
+    Quad exact_t = 0;                    ///< good to about 100 bits, to 46 if it is ill-conditioned
+    std::uint32_t primitive = no_index;  ///< primitive of the lowest key among `tied`
     std::uint32_t instance = no_index;   ///< likewise
     std::vector<HitKey> tied;            ///< primitives (maybe) hit at t, to within `tie`; sorted
 };
@@ -35,23 +35,23 @@ class Oracle {
     /// The scene must outlive the oracle.
     explicit Oracle(const Geometry& geometry);
 
-    /// The nearest hit with tmin < t <= tmax. Hits whose distances differ by less than `tie` times
-    /// t are taken for equally near: a kernel's rounding may put either first.
+    /// Returns the nearest hit with tmin < t <= tmax. Hits whose distances differ by less than
+    /// `tie` times t count as equally near, since a kernel's rounding may put either first.
     OracleAnswer closest(const Ray& ray, double tie = 2 * t_tolerance) const;
 
   private:
     struct Candidate {
-        double entry;  ///< not after the primitive is met
+        double entry;  ///< a lower bound on the t of the hit
         std::uint32_t primitive;
     };
     std::vector<Candidate> candidates(const Ray& ray) const;
     void meet(const Ray& ray, double tie, std::uint32_t instance, Meetings& meetings) const;
 
     const Geometry& geometry_;
-    std::vector<Oracle> objects_;  ///< of the geometry's objects
+    std::vector<Oracle> objects_;  ///< oracles of the geometry's objects
     std::vector<Box3> boxes_;
-    Box3 whole_;         ///< of all boxes
-    double extent_ = 0;  ///< the largest coordinate of any finite box
+    Box3 whole_;         ///< union of all boxes
+    double extent_ = 0;  ///< largest coordinate of any finite box
 };
 
 }  // namespace etalon

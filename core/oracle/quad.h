@@ -1,4 +1,4 @@
-// IEEE binary128: 113 bits and an exponent no product of doubles leaves.
+// IEEE binary128: 113 bits, and an exponent that products of doubles do not overflow.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,7 @@ inline Quad magnitude(Quad x) {
     return x < 0 ? -x : x;
 }
 
-/// Square root to within one unit in the last place; x > 0.
+/// Returns the square root to within one unit in the last place; x > 0.
 inline Quad square_root(Quad x) {
     Quad scale = 1;
     while (x > Quad(0x1p900)) x *= Quad(0x1p-800), scale *= Quad(0x1p400);

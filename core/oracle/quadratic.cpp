@@ -19,7 +19,7 @@ Roots solve(const Tracked& a, const Tracked& b, const Tracked& c) {
     const bool rising = b.value > 0;
     const Tracked q = rising ? -b - root : root - b;
     roots.list[roots.count++] = {c / q, Certainty::yes, certainty(!rising)};
-    // Where A cannot be told from zero the other root is out of any bounded shape's reach.
+    // If A may be zero, the other root is beyond the reach of any bounded shape.
     if (is_zero(a) == Certainty::no)
         roots.list[roots.count++] = {q / a, Certainty::yes, certainty(rising)};
     return roots;

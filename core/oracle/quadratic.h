@@ -6,8 +6,8 @@
 
 namespace etalon::definition {
 
-/// A root of A t^2 + 2 B t + C, and whether the form falls there: what is outside where the form is
-/// positive is then being entered.
+/// A root of A t^2 + 2 B t + C, and whether the form decreases there: then the line enters the
+/// inside, where the form is negative.
 struct Root {
     Tracked t;
     Certainty exists, falling;
@@ -17,7 +17,7 @@ struct Roots {
     std::size_t count = 0;
 };
 
-/// Roots of the quadratic, with what is known of them.
+/// Returns the roots of the quadratic, with what is known of them.
 Roots solve(const Tracked& a, const Tracked& b, const Tracked& c);
 
 }  // namespace etalon::definition

@@ -19,7 +19,7 @@ TrackedVec2 at_height(const TurningDirection& d, const Tracked& z, const Tracked
             Tracked(d.at.y) * unit + Tracked(d.per_height.y) * z};
 }
 
-/// Whether a point, given times `unit` > 0, is within the sector, its ends included.
+/// Returns whether a point, given times `unit` > 0, is within the sector, its ends included.
 Certainty is_within(const Sector& sector, const TrackedVec& p, const Tracked& unit) {
     if (sector.is_whole) return Certainty::yes;
     const TrackedVec2 across{p.x, p.y};
@@ -28,7 +28,7 @@ Certainty is_within(const Sector& sector, const TrackedVec& p, const Tracked& un
     return sector.is_convex ? after & before : after | before;
 }
 
-/// Whether a point, given times `unit` > 0, is within what bounds the curve.
+/// Returns whether a point, given times `unit` > 0, is within the ends of the curve.
 Certainty is_within(const Profile& profile, const TrackedVec& p, const Tracked& unit) {
     const Tracked low = Tracked(profile.low) * unit, high = Tracked(profile.high) * unit;
     if (!profile.is_flat()) return (low <= p.z) & (p.z <= high);
@@ -44,7 +44,7 @@ Roots meet_curve(const Profile& profile, const TrackedVec& o, const TrackedVec& 
                  o.x * o.x + o.y * o.y - q2 * (o.z * o.z) - q1 * (o.z * unit) - q0 * (unit * unit));
 }
 
-/// The one point of a line in the plane z = 0.
+/// Returns the one point of a line in the plane z = 0.
 Roots meet_plane(const TrackedVec& o, const TrackedVec& d) {
     Roots roots;
     if (is_zero(d.z) == Certainty::yes) return roots;
@@ -54,7 +54,8 @@ Roots meet_plane(const TrackedVec& o, const TrackedVec& d) {
 
 }  // namespace
 
-/// x^2 + y^2 = q0 + q1 z + q2 z^2, or z = 0, in the map's coordinates; then the clips, at o + t d.
+/// Solves x^2 + y^2 = q0 + q1 z + q2 z^2, or z = 0, in the map's coordinates, then clips at o + t
+/// d.
 Crossings define(const Geometry&, const Revolved& s, const Ray& ray) {
     Crossings found;
     if (!s.exists()) return found;

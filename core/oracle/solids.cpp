@@ -9,10 +9,10 @@
 namespace etalon::definition {
 namespace {
 
-/// Distance beyond any point that two doubles can name.
+/// Distance greater than that between any two points with double coordinates.
 const Tracked beyond(Quad(0x1p1023) * Quad(0x1p1023), 0);
 
-/// The stretch of a line where a t^2 + 2 b t + c <= 0, for a >= 0.
+/// Returns the interval of a line where a t^2 + 2 b t + c <= 0, for a >= 0.
 Stretch where_not_positive(const Tracked& a, const Tracked& b, const Tracked& c) {
     Stretch stretch{-beyond, beyond, Certainty::yes};
     if ((is_zero(a) & is_zero(b)) == Certainty::yes) {
@@ -30,7 +30,7 @@ Stretch where_not_positive(const Tracked& a, const Tracked& b, const Tracked& c)
     return stretch;
 }
 
-/// The stretch of a line where 0 <= start + t rise <= top, for top > 0.
+/// Returns the interval of a line where 0 <= start + t rise <= top, for top > 0.
 Stretch where_between(const Tracked& start, const Tracked& rise, const Tracked& top) {
     if (is_zero(rise) == Certainty::yes) {
         return {-beyond, beyond, (!is_negative(start)) & (start <= top)};
@@ -53,7 +53,7 @@ Crossings define(const Geometry&, const Box& b, const Ray& ray) {
     return ends(within_box(b.min, b.max, ray));
 }
 
-/// x^2 + y^2 <= 1 and 0 <= z <= 1 in the map's coordinates.
+/// Intersects x^2 + y^2 <= 1 and 0 <= z <= 1 in the map's coordinates.
 Crossings define(const Geometry&, const ClosedCylinder& c, const Ray& ray) {
     if (!is_finite(c.to_world)) return {};
     const MappedRay r(c.to_world, ray);

@@ -6,7 +6,7 @@
 
 namespace etalon::definition {
 
-/// The stretch of a line within a closed box, if there may be one.
+/// The interval of a line within a closed box, if there may be one.
 struct Stretch {
     Tracked entry, exit;
     Certainty exists;
@@ -14,7 +14,7 @@ struct Stretch {
 
 std::optional<Stretch> within_box(const Vec3& min, const Vec3& max, const Ray& ray);
 
-/// Ends of a stretch, as crossings of the solid's surface.
+/// Returns the ends of an interval, as crossings of the solid's surface.
 Crossings ends(const std::optional<Stretch>& stretch);
 
 }  // namespace etalon::definition

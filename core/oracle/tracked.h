@@ -1,4 +1,4 @@
-// Numbers that know how far they may be from the truth, and answers that may be "unknown".
+// Numbers with error bounds, and decisions that may be "unknown".
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// Ordered, so that `and` is the least and `or` the greatest of the operands.
+/// Ordered such that `and` is the least and `or` the greatest of the operands.
 enum class Certainty { no, unknown, yes };
 
 inline Certainty certainty(bool b) {
@@ -24,10 +24,10 @@ inline Certainty operator!(Certainty a) {
     return a == Certainty::unknown ? a : certainty(a == Certainty::no);
 }
 
-/// A value computed in quad precision and a bound on its error (running error analysis, Higham
-/// 2002, section 3.3). Doubles come in exactly, and an operation whose result is exact adds
-/// nothing: a quantity that is zero by the input's structure, such as the distance from an edge
-/// aimed at exactly, is then *known* to be zero.
+/// A value computed in quad precision with a bound on its error (running error analysis, Higham
+/// 2002, section 3.3). Doubles are exact, and an operation whose result is exact adds nothing. So a
+/// quantity that is zero by the input's structure, such as the distance from an edge aimed at
+/// exactly, is *known* to be zero.
 struct Tracked {
     Tracked() = default;
     Tracked(double x) : value(x) {}
@@ -43,7 +43,7 @@ inline Tracked bounded(Quad value, Quad error) {
     return {value, error * Quad(1 + 0x1p-40)};
 }
 
-/// Whether a number has at most 53 bits, so that the product of two such is exact.
+/// Returns whether a number has at most 53 bits, so that the product of two such is exact.
 inline bool is_short(Quad x) {
     return static_cast<Quad>(static_cast<double>(x)) == x;
 }
@@ -75,7 +75,7 @@ inline Tracked operator*(const Tracked& a, const Tracked& b) {
     return detail::bounded(product, inherited + rounding);
 }
 
-/// Quotient, of no use (infinite error) where the divisor may be zero.
+/// Returns the quotient; its error is infinite if the divisor may be zero.
 inline Tracked operator/(const Tracked& a, const Tracked& b) {
     const Quad least = magnitude(b.value) - b.error;
     if (!(least > 0)) return {0, Quad(infinity)};
@@ -84,7 +84,7 @@ inline Tracked operator/(const Tracked& a, const Tracked& b) {
     return detail::bounded(quotient, inherited + magnitude(quotient) * quad_roundoff);
 }
 
-/// Square root; x must be known to be positive.
+/// Returns the square root; x must be known to be positive.
 inline Tracked square_root(const Tracked& x) {
     const Quad root = square_root(x.value);
     return detail::bounded(root, x.error / root + 2 * root * quad_roundoff);

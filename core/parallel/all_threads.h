@@ -7,8 +7,8 @@
 
 namespace etalon {
 
-/// Calls body() on as many threads as may work, and returns when all have. For bodies that wait for
-/// each other or for another process, which tasks of oneTBB must not.
+/// Calls body() on as many threads as allowed, and returns when all have returned. For bodies that
+/// wait for each other or for another process, which oneTBB's tasks must not.
 template <class Body>
 void on_all_threads(const Body& body) {
     const auto run = [&] {

@@ -6,8 +6,8 @@
 
 namespace etalon {
 
-/// [0, count) cut into pieces of one size (the last may be shorter): the same pieces for any number
-/// of threads, so what is found piece by piece does not depend on it either.
+/// [0, count) divided into pieces of one size (the last may be shorter). The pieces are the same
+/// for any number of threads, so results found piece by piece do not depend on it either.
 class Chunks {
   public:
     Chunks(std::size_t count, std::size_t size) : count_(count), size_(size) {}
@@ -16,7 +16,7 @@ class Chunks {
     std::size_t begin(std::size_t chunk) const { return chunk * size_; }
     std::size_t end(std::size_t chunk) const { return std::min(count_, begin(chunk) + size_); }
 
-    /// Calls body(chunk, begin, end) for each, perhaps at the same time.
+    /// Calls body(chunk, begin, end) for each, possibly in parallel.
     template <class Body>
     void parallel_for_each(const Body& body) const {
         parallel_for(number(), 1, [&](std::size_t first, std::size_t last) {

@@ -4,9 +4,9 @@
 
 namespace etalon {
 
-/// The floating-point environment a program starts with, for as long as it lives; then the one
-/// there was. Embree leaves threads that flush denormals to zero, and what an image looks like
-/// must not depend on which thread it was computed on.
+/// Sets the floating-point environment with which a program starts, and restores the previous one
+/// at the end of its lifetime. Embree leaves threads that flush denormals to zero, and an image
+/// must not depend on the thread that computed it.
 class DefaultFloatEnvironment {
   public:
     DefaultFloatEnvironment() {

@@ -1,4 +1,5 @@
-// Memory for what is read at random: where a page is 2 MiB, its address is seldom looked up anew.
+// Memory for random access. In pages of 2 MiB, fewer addresses miss the translation look-aside
+// buffer.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +16,8 @@ namespace etalon {
 
 inline constexpr std::size_t large_page = 1 << 21;
 
-/// Asks for large pages where those of `bytes` from `memory` on are whole. That is a hint: without
-/// them all is the same but slower.
+/// Asks for large pages for those that lie completely in the `bytes` from `memory` on. This is a
+/// hint: without them everything works the same, but slower.
 inline void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__)
     const std::size_t before = -reinterpret_cast<std::uintptr_t>(memory) % large_page;
@@ -26,7 +27,7 @@ inline void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] s
 #endif
 }
 
-/// An allocator that asks for large pages where they could be filled.
+/// An allocator that asks for large pages where the memory can fill them.
 template <class T>
 struct LargePages {
     using value_type = T;
@@ -51,11 +52,11 @@ struct LargePages {
     }
 };
 
-/// A vector for what may be long: growing costs a page fault for each 2 MiB instead of each 4 KiB.
+/// A vector that may be long: growing it costs a page fault for each 2 MiB instead of each 4 KiB.
 template <class T>
 using LargeVector = std::vector<T, LargePages<T>>;
 
-/// The same for what is filled later: elements without a value are left as the memory was.
+/// The same for elements that are filled later: those without a value are left uninitialized.
 template <class T>
 struct UninitializedLargePages : LargePages<T> {
     UninitializedLargePages() = default;

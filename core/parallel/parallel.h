@@ -1,5 +1,5 @@
-// The one place where work is handed to threads. They are oneTBB's; Embree builds on the same ones.
-// Results never depend on how work was split: callers write to disjoint places, or combine with an
+// The one place where work is given to threads. They are oneTBB's, which Embree uses, too. Results
+// never depend on how work was split: callers write to disjoint places, or combine with an
 // operation that gives the same bits in any order.
 #pragma once
 
@@ -18,8 +18,8 @@
 
 namespace etalon {
 
-/// Tells ThreadSanitizer what oneTBB's own, uninstrumented library guarantees: what was written
-/// before a hand-over is seen after it.
+/// Tells ThreadSanitizer what oneTBB's uninstrumented library guarantees: writes before a hand-over
+/// are visible after it.
 class HandOver {
   public:
 #if defined(__SANITIZE_THREAD__)
@@ -35,7 +35,7 @@ class HandOver {
 #endif
 };
 
-/// Limits the threads of everything below it in scope; 0 leaves them all.
+/// Limits the threads of everything below it in scope; 0 sets no limit.
 class ThreadLimit {
   public:
     explicit ThreadLimit(int threads)
@@ -47,13 +47,13 @@ class ThreadLimit {
     tbb::global_control control_;
 };
 
-/// How many threads may work now.
+/// Returns the number of threads that may work now.
 inline int max_threads() {
     return static_cast<int>(
         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 
-/// Calls body(begin, end) for ranges of at least `grain` that together make [0, count).
+/// Calls body(begin, end) for ranges of at least `grain` that together make up [0, count).
 template <class Body>
 void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
     HandOver begin, end;
@@ -67,7 +67,7 @@ void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
     end.take();
 }
 
-/// Calls both, perhaps at the same time, and returns when both are done.
+/// Calls both, possibly in parallel, and returns when both have returned.
 template <class F, class G>
 void parallel_invoke(const F& f, const G& g) {
     HandOver begin, end;

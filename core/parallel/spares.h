@@ -8,13 +8,13 @@
 
 namespace etalon {
 
-/// Objects that are dear to make and are needed for a while by one thread at a time: who is done
-/// with one leaves it for the next, unless an exception ends its use, which may have left the
-/// object half changed. Thread-safe.
+/// A pool of objects that are expensive to make and are used by one thread at a time. They are
+/// returned to the pool after use, unless an exception ends the use, which may have left the object
+/// half changed. Thread-safe.
 template <class T>
 class Spares {
   public:
-    /// One of the objects, until it is destroyed.
+    /// A borrowed object, returned by the destructor.
     class Loan {
       public:
         Loan(Spares& from, std::unique_ptr<T> object) : from_(from), object_(std::move(object)) {}
@@ -32,7 +32,8 @@ class Spares {
         int exceptions_ = std::uncaught_exceptions();
     };
 
-    /// Lends an object, as it was left, or a new one of these arguments.
+    /// Lends an object in the state in which it was returned, or a new one made with these
+    /// arguments.
     template <class... Arguments>
     Loan lend(Arguments&&... arguments) {
         const std::lock_guard lock(mutex_);
@@ -46,7 +47,7 @@ class Spares {
     }
 
   private:
-    /// There is room for all that were made, so this cannot fail.
+    /// There is room for all objects, so this cannot fail.
     void take_back(std::unique_ptr<T> object) noexcept {
         const std::lock_guard lock(mutex_);
         spare_.push_back(std::move(object));

@@ -23,7 +23,7 @@ enum class PixelRays : std::uint8_t {
     shared_corners  ///< one through each corner, which counts for all pixels around it
 };
 
-/// How the Whitted integrator follows the rules of a scene's format where formats differ.
+/// Rules of the Whitted integrator where scene formats differ.
 struct WhittedRules {
     bool schlick = false;         ///< Schlick's approximation instead of the Fresnel equations
     bool clamp_each_ray = false;  ///< clamp the colour of each ray to [0,1]

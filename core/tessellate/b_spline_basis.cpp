@@ -23,7 +23,7 @@ std::string knots_error(std::span<const float> knots, std::size_t order, std::si
 
 namespace {
 
-/// The number of the knot before the piece that `t` is in, which has a length.
+/// Returns the number of the knot before the piece that contains `t` and has a length.
 std::size_t piece_at(std::span<const float> knots, std::size_t order, double t) {
     const std::size_t last = knots.size() - order - 1;
     std::size_t piece = order - 1;
@@ -33,7 +33,7 @@ std::size_t piece_at(std::span<const float> knots, std::size_t order, double t) 
     return piece;
 }
 
-/// Turns the values of the functions of one degree into those of the next, in place.
+/// Replaces the values of the functions of one degree by those of the next, in place.
 void raise_degree(std::span<const float> knots, std::size_t piece, double t,
                   std::vector<double>& values) {
     const std::size_t degree = values.size();
@@ -48,7 +48,7 @@ void raise_degree(std::span<const float> knots, std::size_t piece, double t,
     values[degree] = saved;
 }
 
-/// The derivatives, from the values of one degree less.
+/// Computes the derivatives from the values of one degree less.
 std::vector<double> derivatives_from(std::span<const float> knots, std::size_t piece,
                                      const std::vector<double>& values) {
     const std::size_t degree = values.size();

@@ -5,10 +5,9 @@
 
 namespace etalon {
 
-/// Two triangles for each cell of a grid of vertices that are numbered row by row; three vertices a
-/// triangle. A cell is split from its corner of the lowest number to that of the highest, and its
-/// triangles run from columns to rows, as pbrt-v3's do. Nothing where there is a single row or
-/// column.
+/// Returns two triangles for each cell of a grid of vertices that are numbered row by row; three
+/// vertices for each. A cell is split from its corner of the lowest number to that of the highest,
+/// and its triangles wind from columns to rows, as pbrt-v3's do. Empty for a single row or column.
 inline std::vector<std::uint32_t> grid_corners(std::uint32_t columns, std::uint32_t rows) {
     std::vector<std::uint32_t> corners;
     if (columns < 2 || rows < 2) return corners;

@@ -14,7 +14,7 @@ struct Edge {
     bool joins_the_same(const Edge& e) const { return low == e.low && high == e.high; }
 };
 
-/// Says what is wrong with the indices themselves; empty if nothing is.
+/// Returns what is wrong with the indices themselves; empty if nothing is.
 std::string find_bad_index(std::span<const std::uint32_t> indices, std::size_t vertex_count) {
     if (indices.size() % 3 != 0) {
         return fmt::format("{} indices, which are not three for each triangle", indices.size());

@@ -6,7 +6,7 @@
 namespace etalon {
 namespace {
 
-/// Weight of each neighbour of an inner vertex.
+/// Returns the weight of each neighbour of an inner vertex.
 double even_weight(double valence) {
     return valence == 3 ? 3.0 / 16 : 3 / (8 * valence);
 }
@@ -15,19 +15,19 @@ double limit_weight(double valence) {
     return 1 / (valence + 3 / (8 * even_weight(valence)));
 }
 
-/// The mean of a vertex and its neighbours, each of which counts `weight`.
+/// Returns the weighted mean of a vertex and its neighbours, each of which has the weight `weight`.
 Vec3 inner_mean(const Vec3& vertex, const Ring& ring, double weight) {
     Vec3 sum(0);
     for (const Vec3& p : ring.points) sum += p;
     return (1 - static_cast<double>(ring.points.size()) * weight) * vertex + weight * sum;
 }
 
-/// The same along a boundary, which depends on nothing beside it.
+/// The same along a boundary, which depends only on the boundary.
 Vec3 boundary_mean(const Vec3& vertex, const Ring& ring, double weight) {
     return (1 - 2 * weight) * vertex + weight * (ring.points.front() + ring.points.back());
 }
 
-/// Tangent across a boundary.
+/// Returns the tangent across a boundary.
 Vec3 tangent_across(const Vec3& vertex, const std::vector<Vec3>& ring) {
     const std::size_t n = ring.size();
     if (n == 2) return ring[0] + ring[1] - 2.0 * vertex;

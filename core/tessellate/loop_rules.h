@@ -1,4 +1,4 @@
-// How vertices of a Loop subdivision surface follow from their neighbours.
+// Rules by which the vertices of a Loop subdivision surface are computed from their neighbours.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace etalon {
 
-/// A mesh on its way to the surface.
+/// A mesh that is being subdivided.
 struct LoopMesh {
     HalfEdges sides;
     std::vector<Vec3> positions;
-    std::vector<std::uint32_t> starts;  ///< a side from each vertex; none if no triangle names it
+    std::vector<std::uint32_t> starts;  ///< a side from each vertex; none if no triangle uses it
 };
 
 /// The vertices around one. At a boundary they go from one end of it to the other.
@@ -20,20 +20,21 @@ struct Ring {
     std::vector<Vec3> points;
     bool is_open = false;  ///< whether the vertex is at a boundary
 
-    /// Becomes the ring of a vertex that triangles name.
+    /// Collects the ring of a vertex that triangles use.
     void gather(const LoopMesh& mesh, std::uint32_t vertex);
 };
 
-/// Position in the next, finer mesh of a vertex that is in both.
+/// Returns the position in the next, finer mesh of a vertex that is in both.
 Vec3 even_position(const Vec3& vertex, const Ring& ring);
 
-/// Position in the next mesh of the vertex that splits a side.
+/// Returns the position in the next mesh of the vertex that splits a side.
 Vec3 odd_position(const LoopMesh& mesh, std::uint32_t side);
 
-/// Position on the surface.
+/// Returns the position on the limit surface.
 Vec3 limit_position(const Vec3& vertex, const Ring& ring);
 
-/// Normal of the surface, of any length, where vertex and ring have been moved to it.
+/// Returns a normal of the limit surface, of any length, after vertex and ring have been moved to
+/// it.
 Vec3 limit_normal(const Vec3& vertex, const Ring& ring);
 
 }  // namespace etalon

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t none = HalfEdges::none;
 
-/// Meshes above this would take more memory than most machines have: some 100 bytes a triangle.
+/// Largest number of triangles: more would exceed most machines' memory, at some 100 bytes each.
 constexpr std::size_t most_triangles = 50'000'000;
 
 std::size_t triangles_after(std::size_t count, int levels) {
@@ -17,7 +17,7 @@ std::size_t triangles_after(std::size_t count, int levels) {
     return count;
 }
 
-/// The side of vertex v's last triangle that starts from it, for each v.
+/// Returns, for each vertex v, the side of its last triangle that starts from it.
 std::vector<std::uint32_t> make_starts(const HalfEdges& sides, std::size_t vertex_count) {
     std::vector<std::uint32_t> starts(vertex_count, none);
     for (std::uint32_t side = 0; side < sides.origins.size(); ++side) {
@@ -26,14 +26,14 @@ std::vector<std::uint32_t> make_starts(const HalfEdges& sides, std::size_t verte
     return starts;
 }
 
-/// Number of a side of one of the four triangles that `triangle` is split into: those at its
-/// corners 0, 1, 2 and the inner one, 3. A corner's has that corner in the triangle's own place;
-/// the inner one has the middle of side k in place k.
+/// Returns the number of a side of one of the four triangles into which `triangle` is split: those
+/// at its corners 0, 1, 2 and the inner one, 3. A corner's triangle has that corner at the same
+/// index; the inner one has the middle of side k at index k.
 std::uint32_t side_of_part(std::uint32_t triangle, std::uint32_t part, std::uint32_t side) {
     return 3 * (4 * triangle + part) + side;
 }
 
-/// The part of a split side next to where it starts, and next to where it ends.
+/// Return the part of a split side next to its start, and next to its end.
 std::uint32_t first_half(std::uint32_t side) {
     return side_of_part(side / 3, side % 3, side % 3);
 }
@@ -97,7 +97,7 @@ LoopMesh refined(const LoopMesh& mesh) {
     return finer;
 }
 
-/// Calls f(vertex, ring) for each vertex that triangles name.
+/// Calls f(vertex, ring) for each vertex that triangles use.
 template <class F>
 void for_each_ring(const LoopMesh& mesh, const F& f) {
     Ring ring;

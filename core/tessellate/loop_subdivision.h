@@ -12,17 +12,17 @@ namespace etalon {
 
 /// Triangles with normals at their corners.
 struct SmoothMesh {
-    std::vector<Vec3> points, normals;   ///< as many; normals of any length, 0 where there is none
+    std::vector<Vec3> points, normals;   ///< one normal for each point, of any length; 0 for none
     std::vector<std::uint32_t> corners;  ///< three for each triangle
 };
 
-/// The limit surface of Loop's scheme (Loop 1987) over a control mesh, seen at the vertices of
-/// `levels` refinements: limit positions and normals, with boundaries as Hoppe et al. 1994 have
-/// them. Normals are on the side from which triangles run clockwise, as pbrt-v3's are, and weights
-/// and order of the result are pbrt-v3's too. `corners`: three vertices a triangle. Points that no
-/// triangle names stay where they are, without a normal. An error where a corner is no point, a
-/// triangle names one twice, an edge belongs to more than two triangles or they do not turn alike,
-/// or where the result would be too large.
+/// Returns the limit surface of Loop's scheme (Loop 1987) over a control mesh, at the vertices of
+/// `levels` refinements: limit positions and normals, with the boundary rules of Hoppe et al. 1994.
+/// Normals are on the side from which triangles run clockwise, like pbrt-v3's, and weights and
+/// order of the result are pbrt-v3's too. `corners` has three vertices for each triangle. Points
+/// that no triangle uses stay where they are, without a normal. Returns an error if a corner is not
+/// a point, a triangle names one twice, an edge belongs to more than two triangles or these are not
+/// consistently oriented, or if the result would be too large.
 Result<SmoothMesh> loop_subdivision(std::span<const Vec3> points,
                                     std::span<const std::uint32_t> corners, int levels);
 

@@ -32,7 +32,7 @@ struct Weighted {
     }
 };
 
-/// The derivative of the point in space, where `change` is that of the homogeneous one.
+/// Returns the derivative of the point in space, where `change` is that of the homogeneous point.
 Vec3 derivative(const Weighted& at, const Weighted& change) {
     return (change.point - (change.weight / at.weight) * at.point) / at.weight;
 }

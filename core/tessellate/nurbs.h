@@ -13,13 +13,13 @@ namespace etalon {
 struct NurbsAxis {
     std::size_t points, order;     ///< see knots_error() in b_spline_basis.h
     std::span<const float> knots;  ///< points + order
-    double begin, end;             ///< the part of the surface, within that of the knots
+    double begin, end;             ///< range of the surface, within that of the knots
 };
 
 /// A surface of non-uniform rational B-splines.
 struct Nurbs {
     NurbsAxis u, v;
-    std::span<const std::array<float, 4>> points;  ///< x, y, z and weight; u.points a row
+    std::span<const std::array<float, 4>> points;  ///< x, y, z and weight; u.points in a row
 };
 
 /// Points of a surface over an even grid of coordinates, row by row.
@@ -28,10 +28,10 @@ struct NurbsGrid {
     std::vector<std::array<float, 2>> uvs;  ///< in the units of the knots
 };
 
-/// What is wrong with a surface; empty if nothing is.
+/// Returns what is wrong with a surface; empty if it is valid.
 std::string nurbs_error(const Nurbs& surface);
 
-/// Evaluates a surface without errors at side x side places, from end to end of its part.
+/// Evaluates a valid surface at side x side places, from end to end of its range.
 NurbsGrid diced(const Nurbs& surface, std::size_t side);
 
 }  // namespace etalon

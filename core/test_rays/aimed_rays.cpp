@@ -8,11 +8,12 @@ namespace {
 
 constexpr std::uint64_t feature_seed = 7;
 
-/// Silhouettes, rims and tips are missed by 10^-1 down to this power of ten, evenly in the
-/// exponent: some of the rays ask too much of float, some of all but the last bits of double.
+/// Silhouettes, rims and tips are missed by 10^-1 down to this power of ten, uniformly in the
+/// exponent: some of the rays are too demanding for float, some need all but the last bits of
+/// double.
 constexpr double finest = -15;
 
-/// The numbers of the items of each kind that there are, degenerate ones left out.
+/// Returns the numbers of the existing items of each kind, without degenerate ones.
 std::vector<std::vector<std::uint32_t>> items_by_kind(const Geometry& geometry) {
     std::vector<std::vector<std::uint32_t>> kinds(item_kinds);
     for (std::uint32_t id = 0; id < geometry.primitives.size(); ++id) {
@@ -33,7 +34,7 @@ Vec3 anywhere_in(const Box3& box, Random& random) {
     return box.center() + 0.5 * box.size() * random.in_cube();
 }
 
-/// What a point of the camera's image shows, to find borders in it.
+/// Returns what a point of the camera's image shows, to find borders in it.
 class ImagePlane {
   public:
     ImagePlane(const Intersector& exact, const CameraRays& camera)
@@ -46,8 +47,8 @@ class ImagePlane {
         return hit ? key_of(hit->primitive, hit->instance) : key_of(no_index, no_index);
     }
 
-    /// Brings `a` and `b` together until there is no point between them; `a` goes on showing what
-    /// it shows, `b` something else.
+    /// Bisects between `a` and `b` until there is no point in between; `a` keeps its visible
+    /// primitive, `b` shows another.
     void approach_edge(Vec2& a, Vec2& b) const {
         const HitKey at_a = at(a);
         for (Vec2 middle = (a + b) / 2; middle != a && middle != b; middle = (a + b) / 2) {

@@ -19,21 +19,22 @@ class Frustum {
     double spread() const { return cone_.top_radius - cone_.base_radius; }
     double radius(double s) const { return cone_.base_radius + s * spread(); }
 
-    /// Of unit length, at `angle` about the axis.
+    /// Returns a unit vector at `angle` about the axis.
     Vec3 side(double angle) const { return std::cos(angle) * u_ + std::sin(angle) * v_; }
 
-    /// At the share `s` of the axis, `reach` radii from it.
+    /// Returns the point at the fraction `s` of the axis, `reach` radii from it.
     Vec3 point(double s, double reach, double angle) const {
         return cone_.base + s * length_ * axis_ + reach * radius(s) * side(angle);
     }
 
-    /// Of unit length, outward at the angle.
+    /// Returns the outward unit normal at the angle.
     Vec3 normal(double angle) const {
         return (length_ * side(angle) - spread() * axis_).normalized();
     }
 
-    /// A point of the surface at the share `s` that is seen edge-on from `from`, or the nearest to
-    /// that. There outward . f = r + (spread / length) (f . axis), f from the axis's point at s.
+    /// Returns a point of the surface at the fraction `s` that is seen edge-on from `from`, or the
+    /// nearest to that. There outward . f = r + (spread / length) (f . axis), f from the axis's
+    /// point at s.
     Vec3 silhouette(double s, double reach, const Vec3& from, double which_side) const {
         const Vec3 f = from - (cone_.base + s * length_ * axis_);
         const double x = f.dot(u_), y = f.dot(v_);

@@ -1,4 +1,4 @@
-// Triangles and polygons alike: a face is its corners.
+// Triangles and polygons by their corners.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace etalon {
 
-/// The corners of a primitive that is a triangle or a polygon.
+/// Returns the corners of a primitive that is a triangle or a polygon.
 class Outline {
   public:
     Outline(const Geometry& geometry, std::uint32_t primitive);
@@ -25,8 +25,8 @@ enum class Feature { vertices, edges, middles, points };
 inline constexpr std::array features = {Feature::vertices, Feature::edges, Feature::middles,
                                         Feature::points};
 
-/// A random point of the kind: a corner; on an edge a + s (b - a), as rounded; the middle of an
-/// edge; within the fan from the first corner, so on the face if it is convex.
+/// Returns a random point of the kind: a corner; on an edge a + s (b - a), as rounded; the middle
+/// of an edge; within the fan from the first corner, so on the face if it is convex.
 Vec3 point_of(const Outline& face, Feature feature, Random& random);
 
 }  // namespace etalon

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int attempts = 16;
 
-/// A root of a t^2 + 2 b t + c between 0 and 1.
+/// Returns a root of a t^2 + 2 b t + c between 0 and 1.
 std::optional<double> root_in_unit(double a, double b, double c) {
     const double discriminant = b * b - a * c;
     if (!(discriminant >= 0)) return std::nullopt;

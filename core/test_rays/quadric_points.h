@@ -15,7 +15,7 @@ class QuadricPoints {
     Vec3 in_clip(Random& random) const;
     Vec3 on_surface(Random& random) const;
 
-    /// Where the surface meets a face of the clip box.
+    /// Returns a point where the surface meets a face of the clip box.
     Vec3 on_rim(Random& random) const;
 
     /// In a direction from `from` in which the surface is seen edge-on, but for `off` times the

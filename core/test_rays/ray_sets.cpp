@@ -124,19 +124,19 @@ class RaySetMaker {
         for_each_hit([&](const SurfacePoint& p, const Vec3&, const SampleSource& sample) {
             const auto light = static_cast<std::uint32_t>(rays.size() % lights.size());
             const LightSample s = lights.sample(light, p.position, sample.point(shadow_dimension));
-            const Vec3 up = s.wi == Vec3(0) ? p.normal : s.wi;  // of a light that nobody samples
+            const Vec3 up = s.wi == Vec3(0) ? p.normal : s.wi;  // for a light that is not sampled
             rays.push_back(s.at_infinity ? spawn_ray(p, up) : spawn_ray_to(p, s.target));
             rays.back().set_coherent();
             rays.back().set_shadow();
         });
     }
 
-    /// Time of the ray of that number.
+    /// Returns the time of the ray with that number.
     ShutterTime time(std::uint32_t number) const {
         return scene_.camera.sees_motion ? shutter_time(ScrambledSobol(time_seed)(number).x) : 0;
     }
 
-    /// The ray through the pixel of that number.
+    /// Returns the ray through the pixel with that number.
     Ray through(std::uint32_t number) const {
         Ray ray = camera_.ray(pixels_[number], Vec2(0.5), time(number));
         ray.set_coherent();

@@ -26,7 +26,8 @@ inline constexpr std::array ray_kinds = {"camera", "bounce", "shadow", "aimed", 
 ///   aimed   at what there is to aim at on the scene's shapes, and at borders between primitives
 ///           as the camera sees them: see core/test_rays/aimed_rays.h
 ///   random  chords of the scene's bounding sphere
-/// Where something moves they are of times all over the shutter's; those at borders of its opening.
+/// In a moving scene rays have times over the whole shutter interval; those at borders, that of its
+/// opening.
 RaySet make_ray_set(const std::string& kind, const Scene& scene, const Imath::V2i& resolution,
                     const Intersector& exact, std::size_t limit);
 

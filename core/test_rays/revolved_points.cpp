@@ -34,7 +34,8 @@ Vec3 RevolvedPoints::on_side(double off, Random& random) const {
     return at(random.uniform(), end + off - 1);
 }
 
-/// Where the gradient, (x, y, -slope) with half of the squares' slope, is across the line of sight.
+/// Returns where the gradient, (x, y, -slope) with half of the squares' slope, is perpendicular to
+/// the line of sight.
 Vec3 RevolvedPoints::silhouette(const Vec3& from, double off, Random& random) const {
     const Vec3 p = on_surface(random);
     if (profile_.is_flat()) return p;
@@ -46,7 +47,7 @@ Vec3 RevolvedPoints::silhouette(const Vec3& from, double off, Random& random) co
     return {off * r * std::cos(angle), off * r * std::sin(angle), p.z};
 }
 
-/// Where the gradient vanishes.
+/// Returns where the gradient vanishes.
 bool RevolvedPoints::is_tip(double z) const {
     const double slope = 0.5 * profile_.squares[1] + profile_.squares[2] * z;
     return !profile_.is_flat() && profile_.square(z) == 0 && slope == 0;

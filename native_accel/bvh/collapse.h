@@ -53,7 +53,7 @@ class Collapse {
     /// Least cost of replacing a node by at most n nodes, and how many of these are below its first
     /// child; 0 if n - 1 nodes are as good.
     struct Plan {
-        std::array<float, node_width> cost;  ///< cost[0] is that of one node
+        std::array<float, node_width> cost;  ///< by number of nodes, from 1
         std::array<std::uint8_t, node_width + 1> first;
     };
 

@@ -25,8 +25,8 @@ struct CellRange {
 
 /// Shape of the cells of a box.
 enum class Cut {
-    cubes,  ///< as nearly as the proportions allow; axes shorter than a cell are not divided
-    alike,  ///< as many cells along each axis, for items as long as the box or as thin
+    cubes,         ///< as nearly as the proportions allow; axes shorter than a cell are not divided
+    equal_counts,  ///< as many cells along each axis, for items as long as the box or as thin
 };
 
 /// Division of a box into cells.

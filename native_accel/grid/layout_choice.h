@@ -46,8 +46,8 @@ class LayoutChoice {
         const Vec3 size = part_.box.size();
         const bool is_long = max_abs(size) > 4 * std::min({size.x, size.y, size.z});
         if (!is_long) return cubes.layout;
-        const Choice alike = best_layout(Cut::alike, as_list);
-        return is_safer(alike, cubes) ? alike.layout : cubes.layout;
+        const Choice equal = best_layout(Cut::equal_counts, as_list);
+        return is_safer(equal, cubes) ? equal.layout : cubes.layout;
     }
 
   private:

@@ -8,7 +8,7 @@
 namespace etalon::test {
 
 struct ProgramResult {
-    int status;  ///< exit status; 128 + n where signal n ended it
+    int status;  ///< exit status; 128 + n if signal n ended it
     std::string out, err;
     std::size_t peak_bytes;
 };
@@ -21,7 +21,7 @@ class Folder {
     bool has(const std::string& name) const;
     std::string read(const std::string& name) const;
 
-    /// Runs `etalon ARGUMENTS` (a shell's words) here, `input` on standard input.
+    /// Runs `etalon ARGUMENTS` (a shell's words) here, with `input` on standard input.
     ProgramResult etalon(const std::string& arguments, const std::string& input = "") const;
 
     /// Runs a shell command here.
@@ -36,7 +36,8 @@ class Folder {
 ProgramResult interrupted(const Folder& f, const std::string& command, const std::string& until,
                           const std::string& signal = "INT");
 
-/// For interrupted(): the program has used so many hundredths of a second of processor time.
+/// Returns a command for interrupted() that succeeds once the program has used so many hundredths
+/// of a second of processor time.
 std::string has_worked(int hundredths);
 
 /// A small complete P3F scene with a sphere, a plane, a light.

@@ -1,6 +1,6 @@
-// A listener for tev's network protocol, written from its documentation alone: the README of
-// Tom94/tev, and the order in which Ipc.cpp there reads each message. It shares nothing with what
-// it listens to.
+// A listener for tev's network protocol, written only from its documentation: the README of
+// Tom94/tev, and the order in which its Ipc.cpp reads each message. It shares no code with the
+// sender.
 #pragma once
 
 #include <atomic>
@@ -22,7 +22,7 @@ struct ViewedImage {
 /// Listens on a port of 127.0.0.1 that the system chooses, for one connection.
 class TevListener {
   public:
-    /// Does to the connection what a viewer might.
+    /// Behaviour of a viewer.
     enum class Manner { read_all, close_after_some, read_nothing };
 
     explicit TevListener(Manner manner = Manner::read_all);
@@ -32,8 +32,8 @@ class TevListener {
 
     std::string address() const;
 
-    /// Returns the images by their names, once the sender has closed the connection. Throws where a
-    /// message is none of the protocol.
+    /// Returns the images by their names, once the sender has closed the connection. Throws if a
+    /// message does not follow the protocol.
     std::map<std::string, ViewedImage> images();
 
   private:

@@ -1,4 +1,4 @@
-// Scenes on which backends could go different ways.
+// Scenes on which backends could disagree.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ struct SceneFamily {
 
 const std::vector<SceneFamily>& scene_families();
 
-/// The family's scene; fails the test if there is no such family.
+/// Returns the family's scene; fails the test if there is no such family.
 Scene make_scene(const std::string& family, std::size_t count);
 
 }  // namespace etalon::test

@@ -1,4 +1,4 @@
-// Rays on which backends could go different ways.
+// Rays on which backends could disagree.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace etalon::test {
 
-/// `count` rays at corners, edges, silhouettes and anywhere, from inside, outside and far away,
-/// some of them axis-parallel, with denormal components, or of finite range.
+/// Returns `count` rays at corners, edges, silhouettes and anywhere, from inside, outside and far
+/// away, some of them axis-parallel, with denormal components, or of finite range.
 std::vector<Ray> make_rays(const Scene& scene, std::size_t count, Random& random);
 
-/// A ray and those whose range ends, or begins, at its hit exactly or one double beside it.
+/// Returns a ray and those whose range ends, or begins, exactly at its hit or one double beside it.
 std::vector<Ray> around_hit(const Ray& ray, double t);
 
 }  // namespace etalon::test

@@ -1,4 +1,4 @@
-// The backends under test, and what they are measured by.
+// The backends under test, and their reference.
 #pragma once
 
 #include <optional>
@@ -10,18 +10,18 @@
 
 namespace etalon::test {
 
-/// Every backend that promises the kernels' own hits.
+/// Returns all backends that promise the kernels' own hits.
 std::vector<Backend> exact_backends();
 
 const Backend& backend_named(std::string_view name);
 
-/// Every primitive for this ray, with the one rule for ties; written out here so that no backend
-/// is its own judge. The ray must be valid.
+/// Tests every primitive for this ray, with the one rule for ties. Written out here so that no
+/// backend is compared with itself. The ray must be valid.
 std::optional<Hit> brute_force(const Scene& scene, const Ray& ray);
 
 bool same_bits(const std::optional<Hit>& a, const std::optional<Hit>& b);
 
-/// Returns how `intersector` answers `ray` otherwise than `expected`; empty if it does not.
+/// Returns how the answer of `intersector` to `ray` differs from `expected`; empty if it does not.
 std::string difference(const Intersector& intersector, const Ray& ray,
                        const std::optional<Hit>& expected);
 

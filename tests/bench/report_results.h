@@ -4,8 +4,8 @@
 
 namespace etalon::test {
 
-/// Figures for every section of a report, measured by nobody, with names full of what HTML takes
-/// for its own.
+/// Returns made-up figures for every section of a report, with names full of HTML's special
+/// characters.
 bench_report::Results sample_results();
 
 }  // namespace etalon::test

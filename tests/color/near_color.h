@@ -5,8 +5,8 @@
 
 namespace etalon {
 
-/// Returns whether no part of a colour is further from the expected one than `error` of its largest
-/// part.
+/// Returns whether each component of a colour is within `error`, relative to the largest component,
+/// of the expected one.
 inline bool is_near(const Color& color, const Color& expected, double error) {
     const auto size = std::max({std::abs(expected.x), std::abs(expected.y), std::abs(expected.z)});
     const Color d = color - expected;

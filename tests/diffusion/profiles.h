@@ -10,10 +10,10 @@ namespace etalon::test {
 struct ProfileCase {
     std::string name;
     SpreadProfile profile;
-    Color albedo;  ///< part of what goes in that comes out
+    Color albedo;  ///< fraction of the light that leaves
 };
 
-/// One whose numbers by pbrt-v3 are known.
+/// Returns a profile whose numbers in pbrt-v3 are known.
 inline TabulatedProfile tabulated() {
     static const DiffusionTable table(0.3F, 1.4F);
     return {table, {0.1F, 0.5F, 2}, {5, 4, 3}};

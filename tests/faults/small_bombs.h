@@ -9,9 +9,9 @@ namespace etalon::test {
 struct SmallBomb {
     std::string name;     ///< what it tries
     std::string format;   ///< extension of the scene
-    std::string text;     ///< of the scene
+    std::string text;     ///< text of the scene
     std::string file{};   ///< name of a file beside it, if it has one
-    std::string bytes{};  ///< content of that file
+    std::string bytes{};  ///< contents of that file
 };
 
 std::vector<SmallBomb> small_bombs();

@@ -6,7 +6,7 @@
 
 namespace etalon {
 
-/// Positions of the corners of the scene's triangle number i, among triangles.
+/// Returns the positions of the corners of the scene's i-th triangle.
 inline std::vector<Vec3> corners_of(const Scene& scene, std::size_t i) {
     std::vector<Vec3> corners;
     for (const std::uint32_t v : scene.geometry.all<Triangle>()[i]) {
@@ -15,12 +15,12 @@ inline std::vector<Vec3> corners_of(const Scene& scene, std::size_t i) {
     return corners;
 }
 
-/// Number of the scene's vertices.
+/// Returns the number of the scene's vertices.
 inline std::size_t vertex_count(const Scene& scene) {
     return scene.geometry.vertices.size() + scene.geometry.decimal_vertices.size();
 }
 
-/// The normals at the corners of the primitive, which is a triangle; empty if it has none.
+/// Returns the normals at the corners of the primitive, which is a triangle; empty if it has none.
 inline std::vector<Vec3> corner_normals(const Scene& scene, std::size_t primitive) {
     const Geometry& g = scene.geometry;
     const Triangle t = g.get<Triangle>(g.primitives[primitive]);

@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// A good camera, as the last thing of a text so that the lines of what is tested count from 1.
+/// A good camera. It comes last in a text, so that the lines under test count from 1.
 inline const std::string good_camera =
     "camera\neye 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 0.01\nresolution 40 30\n"
     "aperture 0\nfocal 1\n";

@@ -6,9 +6,8 @@
 
 namespace etalon {
 
-/// Returns a defect that no file may cause: an index out of bounds, a number that is not
-/// finite, a radius or an extent below zero. Empty if there is none. The result must have a
-/// scene.
+/// Returns a defect that no file may cause: an index out of bounds, a number that is not finite, a
+/// negative radius or extent. Empty if there is none. The result must have a scene.
 std::string insanity(const LoadResult& result);
 
 }  // namespace etalon

@@ -1,4 +1,4 @@
-// Real scenes, which this machine may have.
+// Real scenes, if this machine has them.
 #pragma once
 
 #include <cstdlib>
@@ -14,12 +14,12 @@ inline std::filesystem::path shared_scenes_folder() {
                  : std::filesystem::path(ETALON_SOURCE_DIR) / "../shared/scenes";
 }
 
-/// The file NAME.FORMAT in the format's folder, whether it is there or not.
+/// Returns the path of NAME.FORMAT in the format's folder, which need not exist.
 inline std::string shared_scene(const std::string& format, const std::string& name) {
     return shared_scenes_folder() / format / (name + "." + format);
 }
 
-/// All files of an extension in a folder of the scenes; none where the folder is not there.
+/// Returns all files of an extension in a folder of the scenes; none if the folder does not exist.
 inline std::vector<std::string> shared_scenes(const std::string& folder,
                                               const std::string& extension) {
     std::vector<std::string> list;

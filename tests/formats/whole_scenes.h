@@ -9,13 +9,13 @@ namespace etalon {
 struct WholeScene {
     std::string format;
     std::string text;         ///< every kind of statement, well formed
-    std::size_t diagnostics;  ///< how many it gives all the same
+    std::size_t diagnostics;  ///< number of diagnostics that it gives nevertheless
     std::size_t primitives;
     std::string camera;                ///< a good camera and nothing else
     std::string bad_statement;         ///< a line that gives one warning
-    std::string camera_keyword;        ///< what a camera starts with
-    std::vector<std::string> words;    ///< to throw together
-    std::size_t bytes_of_a_byte = 40;  ///< of text, that the scene may take at most
+    std::string camera_keyword;        ///< first word of a camera
+    std::vector<std::string> words;    ///< words for random texts
+    std::size_t bytes_of_a_byte = 40;  ///< most memory of the scene, per byte of text
 };
 
 const std::vector<WholeScene>& whole_scenes();

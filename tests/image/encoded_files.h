@@ -16,16 +16,16 @@ struct JpegKind {
     std::string name;
     J_COLOR_SPACE given = JCS_RGB, stored = JCS_YCbCr;
     int channels = 3;
-    int sampling = 2;  ///< of the first channel; 2 halves the others
+    int sampling = 2;  ///< of the first channel; 2 halves the resolution of the others
     bool progressive = false, arithmetic = false;
     int restart = 0;       ///< rows of blocks between restart markers
     std::string marker{};  ///< content of an APP1 segment
 };
 
-/// All that libjpeg can write and that differ in how they are decoded.
+/// Returns all kinds that libjpeg can write and that are decoded differently.
 std::vector<JpegKind> jpeg_kinds();
 
-/// An image of smooth ramps with noise.
+/// Returns an image of smooth ramps with noise.
 std::string encoded_jpeg(const JpegKind& kind, int width, int height);
 
 struct PngKind {
@@ -37,10 +37,10 @@ struct PngKind {
     std::string name() const;
 };
 
-/// All combinations that the format allows.
+/// Returns all combinations that the format allows.
 std::vector<PngKind> png_kinds();
 
-/// An image of random values.
+/// Returns an image of random values.
 std::string encoded_png(const PngKind& kind, int width, int height);
 
 }  // namespace etalon::test

@@ -1,5 +1,5 @@
-// Images by formula, that another program can make too: linear RGB by rows from the top. They use
-// +, -, * and integers alone, so that every machine and language makes the same floats.
+// Images by formulas that another program can evaluate too: linear RGB by rows from the top. They
+// use only +, -, * and integers, so that every machine and language gives the same floats.
 #pragma once
 
 #include <vector>
@@ -18,19 +18,19 @@ std::vector<Color> image_of(int width, int height, const Formula& color) {
     return pixels;
 }
 
-/// 0 to 255/256 in steps.
+/// Returns 0 to 255/256 in steps.
 inline float level(int n) {
     return static_cast<float>(n & 255) / 256.0F;
 }
 
-/// Slanted ramps of three widths.
+/// Returns slanted ramps of three widths.
 inline std::vector<Color> stripes(int width, int height) {
     return image_of(width, height, [](int x, int y) {
         return Color(level(5 * x + y), level(3 * x - 2 * y), level(x + 7 * y));
     });
 }
 
-/// Circles that come closer to each other from the upper left on.
+/// Returns circles that become denser from the upper left on.
 inline std::vector<Color> rings(int width, int height) {
     return image_of(width, height, [](int x, int y) {
         const int r = x * x + y * y;
@@ -38,7 +38,7 @@ inline std::vector<Color> rings(int width, int height) {
     });
 }
 
-/// The stripes with every value times `gain` plus `offset`.
+/// Returns the stripes with every value times `gain` plus `offset`.
 inline std::vector<Color> changed(int width, int height, float gain, float offset) {
     std::vector<Color> pixels = stripes(width, height);
     for (Color& c : pixels) c = c * gain + Color(offset);
@@ -49,7 +49,7 @@ inline std::vector<Color> faded(int width, int height) {
     return changed(width, height, 0.875F, 0.03125F);
 }
 
-/// Beyond black and white.
+/// Returns values beyond black and white.
 inline std::vector<Color> bright(int width, int height) {
     return changed(width, height, 3, -0.5F);
 }

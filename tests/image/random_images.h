@@ -7,7 +7,8 @@
 
 namespace etalon::test {
 
-/// Every bit pattern of a float, so infinities, NaNs and denormals too, in a window of a frame.
+/// Returns random bit patterns of floats, including infinities, NaNs and denormals, in a window of
+/// a frame.
 inline RenderedImage random_image(int width, int height, const Imath::Box2i& window) {
     RenderedImage image{width, height, window, {}, false, {}};
     const Imath::V2i size = window.size() + Imath::V2i(1);

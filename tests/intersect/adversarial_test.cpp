@@ -47,7 +47,7 @@ TEST_CASE("Kernels: given a shape with a number that is none, then nothing hits 
             const double original = *number;
             for (const double adversarial : adversarial_numbers) {
                 *number = adversarial;
-                settle(scene);
+                finalize(scene);
                 CAPTURE(shape.name, adversarial);
                 REQUIRE(primitive_bounds(scene.geometry, 0).isEmpty());
                 Random random(7);

@@ -13,16 +13,16 @@ enum class Classification {
     wrong
 };
 
-/// The kernel must answer as the oracle does, or as it does for a ray whose origin is off by
-/// `roundings` u (distance + size + coordinates), or its direction by `roundings` u: no method in
-/// double can do better where a rounding of the input decides. This is what replaces a tolerance:
-/// it is loose exactly where the geometry is ill-conditioned (grazing rays, far origins), and
-/// nowhere else. Whether the ray's line meets the shape must be the oracle's very answer for the
-/// shapes that promise it (ShapeCase::exact).
+/// Returns how a kernel's answer compares with the oracle's. It must be the oracle's answer for the
+/// ray, or for a ray whose origin is off by `roundings` u (distance + size + coordinates), or its
+/// direction by `roundings` u: no method in double can do better where a rounding of the input
+/// decides. This replaces a tolerance: it is loose exactly where the geometry is ill-conditioned
+/// (grazing rays, far origins), and nowhere else. For the shapes that promise it
+/// (ShapeCase::exact), whether the ray's line meets the shape must be exactly the oracle's answer.
 Classification classify(const ShapeCase& shape, const Oracle& oracle, const Ray& ray, double t,
                         double roundings = 8);
 
-/// |t - the true t| in units of the last place of the true t.
+/// Returns |t - the true t| in units of the last place of the true t.
 double ulps_off(const OracleAnswer& answer, double t);
 
 }  // namespace etalon

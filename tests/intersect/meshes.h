@@ -5,7 +5,7 @@
 
 namespace etalon {
 
-/// A closed surface around `centre`, and what to aim at.
+/// A closed surface around `centre`, and its faces to aim at.
 struct ClosedMesh {
     std::string name;
     Scene scene;
@@ -13,10 +13,10 @@ struct ClosedMesh {
     std::vector<std::vector<Vec3>> faces;
 };
 
-enum class Faces { triangles, mixed };  ///< mixed: quads and triangles by turns
+enum class Faces { triangles, mixed };  ///< mixed: alternating quads and triangles
 
-/// A latitude-longitude sphere, stretched to an ellipsoid; corners rounded to float. Its poles are
-/// shared by 2 x `rings` triangles each.
+/// Returns a latitude-longitude sphere, stretched to an ellipsoid, with corners rounded to float.
+/// Each pole is shared by 2 x `rings` triangles.
 ClosedMesh uv_sphere(const std::string& name, const Vec3& centre, const Vec3& radius, Faces faces,
                      int rings = 100);
 

@@ -1,5 +1,5 @@
-// Rays that find what is wrong: aimed at corners, edges, rims and silhouettes, from everywhere.
-// Random rays find nothing.
+// Rays aimed at corners, edges, rims and silhouettes, from everywhere. Random rays do not find
+// errors.
 #pragma once
 
 #include "core/intersect/ray.h"
@@ -13,8 +13,8 @@ struct AimedRay {
     const std::string* target;
 };
 
-/// `index` picks the target and the approach in turn, so that any run of consecutive numbers holds
-/// all of them.
+/// Returns a ray. `index` selects the target and the ray generator in turn, so that any run of
+/// consecutive numbers has all of them.
 AimedRay aimed_ray(const ShapeCase& shape, int index, Random& random);
 
 }  // namespace etalon

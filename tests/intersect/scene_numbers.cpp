@@ -79,7 +79,7 @@ std::vector<double*> numbers_of(Scene& scene) {
     return list;
 }
 
-void settle(Scene& scene) {
+void finalize(Scene& scene) {
     with_shape(scene.geometry.primitives[0].kind, [&]<class Shape>() {
         auto& all = scene.geometry.all<Shape>();
         if constexpr (std::is_same_v<Shape, Revolved>) {
@@ -101,7 +101,7 @@ Scene scaled(Scene scene, int k) {
     for (Quadric& s : scene.geometry.all<Quadric>()) {
         s.coefficients = scaled(s.coefficients, std::ldexp(1.0, k));
     }
-    settle(scene);
+    finalize(scene);
     return scene;
 }
 

@@ -1,4 +1,4 @@
-// A scene of one shape as the numbers that make it up.
+// The numbers of a scene of one shape.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,13 @@
 
 namespace etalon {
 
-/// The scene with every length multiplied by 2^k.
+/// Returns the scene with every length multiplied by 2^k.
 Scene scaled(Scene scene, int k);
 
-/// Every double that the scene's only shape is made of.
+/// Returns every double that defines the scene's only shape.
 std::vector<double*> numbers_of(Scene& scene);
 
-/// Works out again what the shape keeps beside its numbers, once these have been changed.
-void settle(Scene& scene);
+/// Recomputes the data that the shape derives from its numbers, after these have been changed.
+void finalize(Scene& scene);
 
 }  // namespace etalon

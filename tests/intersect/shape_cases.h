@@ -1,5 +1,5 @@
-// The table from which every kernel test is generated: its rows are in tests/intersect/shapes. A
-// new shape is new rows there; a hard case that once went wrong is a row too.
+// The table from which every kernel test is generated; its rows are in tests/intersect/shapes. A
+// new shape needs new rows there; a hard case that failed once is a row too.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace etalon {
 
-/// Points worth aiming at, some of which depend on where the ray comes from.
+/// Returns a point to aim at, which may depend on the origin of the ray.
 struct Target {
     std::string name;
     std::function<Vec3(Random&, const Vec3& from)> point;
@@ -23,15 +23,15 @@ struct ShapeCase {
     Vec3 centre;
     double size;
     /// True if hit or miss is right for every ray. Otherwise it is right for a ray that starts a
-    /// few roundings from the one asked for: see kernel_classification.h.
+    /// few roundings away: see kernel_classification.h.
     bool exact;
     std::vector<Target> targets;
-    std::vector<Vec3> tips;  ///< next to which the shape is thinner than a rounding
+    std::vector<Vec3> tips;  ///< points near which the shape is thinner than a rounding
 };
 
 std::vector<ShapeCase> shape_cases();
 
-/// Shapes that nothing may hit: of no extent, inside out, or not finite.
+/// Shapes that no ray may hit: of zero extent, inside out, or not finite.
 struct DegenerateCase {
     std::string name;
     Scene scene;

@@ -1,4 +1,4 @@
-// What a parameter of a PBRT plugin changes in a picture.
+// Effects of the parameters of PBRT plugins on an image.
 #pragma once
 
 #include <span>
@@ -11,24 +11,24 @@ namespace etalon::test {
 
 /// A parameter and another value for it. Every parameter of the tables of plugins needs a row.
 struct Row {
-    std::string_view plugin;  ///< or "*": all of the category that have no row of their own for it
+    std::string_view plugin;  ///< or "*": all of the category without a row of their own for it
     std::string_view parameter;
-    /// Values as in a file, without brackets and quotes, with which the picture is another; or @
-    /// and the name of one of the world's textures.
+    /// Values as in a file, without brackets and quotes, for which the image differs; or @ and the
+    /// name of one of the world's textures.
     std::string_view value;
-    std::string_view with{};   ///< other parameters, of both pictures
-    std::string_view other{};  ///< value for the first picture; none: it is not given there
-    /// Why the picture is the same: of parameters that have no effect. docs/pbrt.md tells of them.
+    std::string_view with{};   ///< other parameters, of both images
+    std::string_view other{};  ///< value for the first image; empty: it is not given there
+    /// Reason why the image is the same, for parameters without effect. docs/pbrt.md mentions them.
     std::string_view no_effect{};
 };
 
-/// The rows of a category.
+/// Returns the rows of a category.
 std::span<const Row> rows_of(pbrt::Category category);
 
-/// The row of a parameter; null if there is none.
+/// Returns the row of a parameter; null if there is none.
 const Row* find_row(const pbrt::PluginType& plugin, std::string_view parameter);
 
-/// The default of a parameter as a value; empty where it has none that can be written.
+/// Returns the default of a parameter as a value; empty if it has none that can be written.
 std::string default_of(const pbrt::ParameterSpec& spec);
 
 std::span<const Row> camera_rows();

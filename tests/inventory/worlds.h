@@ -7,8 +7,8 @@
 
 namespace etalon::test {
 
-/// The text of a scene with a plugin, whose parameters are `parameters`, to be seen; `textures` are
-/// statements of those that the parameters name.
+/// Returns the text of a scene in which a plugin with the parameters `parameters` is visible;
+/// `textures` are the statements of the textures that the parameters name.
 std::string world_with(const pbrt::PluginType& plugin, const std::string& parameters,
                        const std::string& textures = {});
 

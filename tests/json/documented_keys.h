@@ -1,4 +1,4 @@
-// What docs/json.md says of a JSON, as patterns that its values match.
+// The statements of docs/json.md about a JSON, as patterns for its values.
 #pragma once
 
 #include <map>
@@ -8,30 +8,31 @@
 
 namespace etalon::test {
 
-/// The way to a value: keys, and "[]" for the entries of a list. In a pattern "<name>" stands for
-/// any key of its kind.
+/// Path of a value: keys, and "[]" for the entries of a list. In a pattern "<name>" stands for any
+/// key of its kind.
 using Path = std::vector<std::string>;
 
-/// A kind of value at a place, as one line of the document has it.
+/// A kind of value at a path, as one line of the document describes it.
 struct Pattern {
     Path path;
     std::string type;  ///< "integer", "number", "string", "boolean", "null", "object"
-    std::string line;  ///< where it is said, and for which of the types: equal for what is shared
+    std::string line;  ///< its line and the index of the type: equal for shared descriptions
 };
 
 struct DocumentedSection {
     struct Row {
         std::string key, type;
     };
-    std::vector<std::string> includes;  ///< names of the sections whose keys it has, too
+    std::vector<std::string> includes;  ///< names of the sections whose keys it also has
     std::vector<Row> rows;
 };
 
-/// By the anchors of their headings. Throws std::runtime_error where a row is not understood.
+/// Sections by the anchors of their headings. Reading throws std::runtime_error if a row is
+/// malformed.
 using DocumentedSections = std::map<std::string, DocumentedSection>;
 DocumentedSections read_sections(const std::string& markdown);
 
-/// All that a section says, what it links to included.
+/// Returns the patterns of a section, including those of linked sections.
 std::vector<Pattern> patterns_of(const DocumentedSections& sections, const std::string& section);
 
 }  // namespace etalon::test

@@ -11,12 +11,12 @@ inline Roughness rough(float u, float v, bool remap = false) {
     return {{u}, {v}, remap};
 }
 
-/// A flat surface with the normal z, whose coordinates are x and y.
+/// Returns a point of a flat surface with the normal z, whose surface coordinates are x and y.
 inline MaterialPoint flat_point(const Vec2& uv = {0.25, 0.5}) {
     return {{0, 0, 1}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, uv, {uv.x, uv.y, 0}};
 }
 
-/// Scattering of a material at the flat point, where textures are constants of the slots.
+/// Returns the scattering of a material at the flat point; textures are constants.
 inline Bsdf flat_scattering(const std::vector<PhysicalMaterial>& all,
                             const Vec2& uv = {0.25, 0.5}) {
     static const Textures none;

@@ -1,5 +1,5 @@
 // Exact sums of products of three doubles, by a fixed-point number wide enough for all of them
-// (Kulisch's long accumulator). An independent judge of expansions: it shares no idea with them.
+// (Kulisch's long accumulator). An independent check of expansions, with which it shares no method.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ class LongSum {
         }
     }
 
-    /// -1, 0 or 1.
+    /// Returns -1, 0 or 1.
     int sign() const {
         std::int64_t carry = 0;
         bool zero = true;
@@ -35,7 +35,7 @@ class LongSum {
   private:
     __extension__ typedef __int128 Wide;
 
-    /// x = (part[0] + 2^27 part[1]) 2^exponent, with the sign in both parts.
+    /// A number x = (part[0] + 2^27 part[1]) 2^exponent, with the sign in both parts.
     struct SplitDouble {
         explicit SplitDouble(double x) {
             const double mantissa = std::ldexp(std::frexp(x, &exponent), 53);

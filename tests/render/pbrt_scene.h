@@ -1,4 +1,4 @@
-// Small scenes of PBRT's statements.
+// Small scenes of PBRT statements.
 #pragma once
 
 #include "core/formats/load.h"
@@ -8,8 +8,8 @@
 
 namespace etalon::test {
 
-/// A scene of PBRT's statements, 8 x 8 pixels through a narrow camera at (0, 0, -5) that looks
-/// along z. `options` may replace the integrator and the samples.
+/// Returns a scene of PBRT statements, 8 x 8 pixels through a narrow camera at (0, 0, -5) that
+/// looks along z. `options` may replace the integrator and the samples.
 inline TestScene pbrt_scene(const std::string& world, const std::string& options = "") {
     const std::string text =
         "LookAt 0 0 -5  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 4\n"

@@ -6,7 +6,7 @@
 
 namespace etalon::test {
 
-/// A scene and how to render it.
+/// A scene with its settings.
 struct TestScene : Scene {
     RenderSettings settings{};
 };
@@ -30,7 +30,7 @@ inline Material glass(double ior) {
     return m;
 }
 
-/// A camera at (0, 0, 5) looking at the origin, nothing to see yet.
+/// Returns a scene with a camera at (0, 0, 5) that looks at the origin, and nothing else.
 inline TestScene empty_scene(int width = 32, int height = 24) {
     TestScene scene;
     scene.format = "test";
@@ -40,8 +40,8 @@ inline TestScene empty_scene(int width = 32, int height = 24) {
     return scene;
 }
 
-/// Scene with some of everything: mirror, glass, matte; spheres, a box, a cone, a mesh, a plane; a
-/// point light and a quad light; a lens.
+/// Returns a scene with some of everything: mirror, glass, matte; spheres, a box, a cone, a mesh, a
+/// plane; a point light and a quad light; a lens.
 inline TestScene mixed_scene(int width = 48, int height = 36) {
     TestScene s = empty_scene(width, height);
     s.whitted().lights = {PointLight{Vec3(3, 6, 4), Color(0.6F)},

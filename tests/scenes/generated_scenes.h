@@ -10,7 +10,7 @@ namespace etalon::test {
 /// Returns the standard output of `etalon-scenes FAMILY --size N`.
 std::string family_text(const std::string& family, std::int64_t size);
 
-/// That, loaded; fails the test case unless it loads without a single diagnostic.
+/// Returns that scene; fails the test case unless it loads without a diagnostic.
 Scene family_scene(const std::string& family, std::int64_t size);
 
 }  // namespace etalon::test

@@ -21,13 +21,13 @@ double rate(const KindFigures& kind, const std::vector<double>& seconds) {
 }
 
 /// Wrong answers to the rays that the oracle was asked about: a sample and those in dispute.
-Cell wrong_of(const Judged& sampled, const Judged& disputed) {
+Cell wrong_of(const CheckedAnswers& sampled, const CheckedAnswers& disputed) {
     return bench_report::wrong_of(sampled.wrong + disputed.wrong, sampled.rays + disputed.rays);
 }
 
 Bar bar_of(const KindFigures& kind, const RayFigures& r) {
     const Runs& runs = r.by_threads.front();
-    Judged sampled, disputed;
+    CheckedAnswers sampled, disputed;
     sampled.add(r.errors.sample);
     disputed.add(r.errors.disputed);
     std::vector<double> rates;
@@ -56,7 +56,7 @@ Figure figure_of(const Results& results, const SceneFigures& scene) {
         speed_command(results.settings, scene.scene), results.scenes.date, std::move(bars)};
 }
 
-double per_million(const Judged& j) {
+double per_million(const CheckedAnswers& j) {
     return j.rays == 0 ? 0 : 1e6 * static_cast<double>(j.wrong) / static_cast<double>(j.rays);
 }
 

@@ -10,12 +10,12 @@ std::string mean_ratio(const Totals& totals) {
     return figure(geometric_mean(totals.*Ratios));
 }
 
-template <Judged Totals::*Which>
+template <CheckedAnswers Totals::*Which>
 std::string rays(const Totals& totals) {
     return count((totals.*Which).rays);
 }
 
-template <Judged Totals::*Which>
+template <CheckedAnswers Totals::*Which>
 std::string wrong(const Totals& totals) {
     return count((totals.*Which).wrong);
 }

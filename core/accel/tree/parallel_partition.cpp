@@ -68,7 +68,7 @@ BoundsSummary summarize_bounds(Primitives primitives) {
     const Chunks chunks(primitives.size(), chunk_size);
     std::vector<BoundsSummary> of_chunk(chunks.number());
     chunks.parallel_for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        BoundsSummary result{measured(primitives.subspan(begin, end - begin))};
+        BoundsSummary result{with_bounds(primitives.subspan(begin, end - begin))};
         for (const BoundedPrimitive& p : result.set.primitives) ++result.of_kind[p.kind];
         of_chunk[chunk] = result;
     });

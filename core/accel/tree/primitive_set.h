@@ -29,7 +29,7 @@ struct SplitSets {
 };
 
 /// Returns the set with its bounds.
-inline PrimitiveSet measured(std::span<BoundedPrimitive> primitives) {
+inline PrimitiveSet with_bounds(std::span<BoundedPrimitive> primitives) {
     PrimitiveSet set{primitives, {}, {}};
     for (const BoundedPrimitive& p : primitives) set.extend(Bounds::of(p));
     return set;

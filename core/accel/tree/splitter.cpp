@@ -12,7 +12,7 @@ bool is_of_one_kind(std::span<const BoundedPrimitive> primitives) {
 }
 
 SplitSets divide_at(std::span<BoundedPrimitive> primitives, std::size_t middle) {
-    return {measured(primitives.first(middle)), measured(primitives.subspan(middle))};
+    return {with_bounds(primitives.first(middle)), with_bounds(primitives.subspan(middle))};
 }
 
 /// Divides a set by kind: primitives of the first one's kind go left.

@@ -11,7 +11,7 @@ void read_view(SceneLoader& loader) {
     read_camera_block(loader, CameraDialect::nff);
 }
 
-/// A light may have a colour.
+/// Reads a light, which may have a colour.
 void read_light(SceneLoader& loader) {
     Reader& in = loader.in;
     const Vec3 position = in.vector("position");
@@ -20,7 +20,7 @@ void read_light(SceneLoader& loader) {
     if (in.ok()) loader.scene.whitted().lights.emplace_back(PointLight{position, color});
 }
 
-/// f r g b Kd Ks Shine T ior. Opaque things may have any index of refraction, 0 too.
+/// Reads f r g b Kd Ks Shine T ior. Opaque surfaces may have any index of refraction, even 0.
 void read_fill(SceneLoader& loader) {
     Reader& in = loader.in;
     const Color color = in.color("colour");

@@ -1,7 +1,7 @@
 // instance, end_instance and instance_of. The statements of an instance are read once where it is
-// defined, so that their errors are told, and again for the first reference after each surface that
-// its objects can inherit: they make an object, which every such reference puts somewhere. The
-// surfaces take effect at each reference, for what comes after it as well.
+// defined, so that their errors are reported, and again for the first reference after each surface
+// that its objects can inherit: they make an object, which every such reference instantiates. The
+// surfaces take effect at each reference, also for what follows it.
 #include <utility>
 
 #include "core/formats/prt/prt_loader.h"
@@ -10,10 +10,10 @@
 namespace etalon::prt {
 namespace {
 
-/// Limit of the text that is replayed, in bytes: a small file could ask for any amount.
+/// Limit of the text that is read again, in bytes: a small file could ask for any amount.
 constexpr std::size_t most_replayed = std::size_t{1} << 27;
 
-/// The end of the definition: its objects are no part of the scene. Returns them.
+/// Ends the definition, whose objects are not part of the scene. Returns them.
 Geometry close(Loader& loader) {
     OpenDefinition& open = *loader.open;
     Geometry objects = std::exchange(loader.scene.geometry, std::move(open.outer_geometry));
@@ -28,7 +28,7 @@ void close_definition(Loader& loader) {
     const std::uint32_t last_material = *loader.material;
     const Geometry objects = close(loader);
     const OpenDefinition open = *std::exchange(loader.open, std::nullopt);
-    bool inherits = false;  // whether it has objects of what stands in for a reference's surface
+    bool inherits = false;  // whether it has objects with a reference's surface
     for (const Primitive p : objects.primitives) inherits |= p.material == open.outer_materials;
     const std::size_t length = loader.in.start() - open.first;
     const Definition definition{loader.text.substr(open.first, length), inherits,
@@ -39,7 +39,7 @@ void close_definition(Loader& loader) {
     }
 }
 
-/// Reads the statements once more, silently. Returns what is in them.
+/// Reads the statements again, without diagnostics. Returns their contents.
 Geometry replay(Loader& loader, const Definition& definition) {
     Geometry scene_geometry = std::exchange(loader.scene.geometry, {});
     DiagnosticLog silent({}, definition.statements, false);
@@ -55,7 +55,7 @@ Geometry replay(Loader& loader, const Definition& definition) {
     return std::exchange(loader.scene.geometry, std::move(scene_geometry));
 }
 
-/// Makes an object of a definition, with the current material where it has none of its own.
+/// Makes an object from a definition, with the current material if it has none of its own.
 DefinedObject make_object(Loader& loader, const Definition& definition) {
     const std::optional<std::uint32_t> before = loader.material;
     DefinedObject made;
@@ -69,7 +69,7 @@ DefinedObject make_object(Loader& loader, const Definition& definition) {
     return made;
 }
 
-/// Counts the work of going through a definition once more. Returns whether it was too much.
+/// Adds the cost of reading a definition again. Returns whether the limit is exceeded.
 bool is_too_much(Loader& loader, const Definition& definition) {
     loader.replayed += definition.statements.size();
     if (loader.replayed <= most_replayed) return false;
@@ -77,7 +77,7 @@ bool is_too_much(Loader& loader, const Definition& definition) {
     return true;
 }
 
-/// Returns what a definition comes to behind the current material; nothing where that is too much.
+/// Returns the contents of a definition for the current material; nothing beyond the limit.
 const DefinedObject* defined_object(Loader& loader, Definition& definition) {
     const std::uint32_t inherited =
         definition.inherits_surface ? loader.current_material() : no_index;
@@ -89,7 +89,7 @@ const DefinedObject* defined_object(Loader& loader, Definition& definition) {
     return &known->second;
 }
 
-/// Adds an instance of what a definition comes to. Returns false where that cannot be.
+/// Adds an instance of a definition's contents. Returns false if that is impossible.
 bool add_instance(Loader& loader, const Definition& definition, std::uint32_t object,
                   const Vec3& offset) {
     constexpr double harmless = 0x1p969;  // half a unit in the last place of the largest double
@@ -107,7 +107,7 @@ bool add_instance(Loader& loader, const Definition& definition, std::uint32_t ob
     return true;
 }
 
-/// Puts what a definition comes to at `offset`, and its last surface in front of what follows.
+/// Instantiates a definition's contents at `offset`, and applies its last surface to what follows.
 void refer_to(Loader& loader, Definition& definition, const Vec3& offset) {
     const DefinedObject* const made = defined_object(loader, definition);
     if (made == nullptr) return;
@@ -134,7 +134,7 @@ void read_instance(Loader& loader) {
                    loader.material,
                    std::exchange(loader.surfaces, {})};
     loader.smooth_vertices = {};
-    loader.set_material(loader.default_material);  // stands in for that of a reference
+    loader.set_material(loader.default_material);  // replaces that of a reference
 }
 
 void read_end_instance(Loader& loader) {

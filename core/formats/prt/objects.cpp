@@ -1,4 +1,4 @@
-// surface, hsphere, ring and quadric. What cannot be seen is left out with a warning.
+// surface, hsphere, ring and quadric. Those that cannot be seen are left out with a warning.
 #include <algorithm>
 
 #include "core/formats/degenerate.h"
@@ -13,7 +13,7 @@ Color read_weighted(Reader& in, std::string_view color_name, std::string_view we
     return color * static_cast<float>(in.number(weight_name));
 }
 
-/// The inner side of a shell: matter in front of it, nothing behind.
+/// Returns the material of the inner side of a shell: matter in front of it, nothing behind.
 std::uint32_t hollow(Loader& loader) {
     Material inner = loader.scene.whitted().materials[loader.current_material()];
     inner.ior = 1 / inner.ior;
@@ -23,7 +23,7 @@ std::uint32_t hollow(Loader& loader) {
 
 }  // namespace
 
-/// Reads a material, unless the same words have made one. With an exponent of 0 it has no
+/// Reads a material, unless the same text has been read before. With an exponent of 0 it has no
 /// highlight.
 void read_surface(Loader& loader) {
     Reader& in = loader.in;
@@ -49,7 +49,7 @@ void read_surface(Loader& loader) {
     }
 }
 
-/// A shell of matter about a hollow: two spheres, the inner one with the outside of matter.
+/// Reads a hollow sphere: two spheres, the inner one with the outside of matter.
 void read_hollow_sphere(Loader& loader) {
     Reader& in = loader.in;
     const Vec3 centre = in.vector("centre");
@@ -66,8 +66,8 @@ void read_hollow_sphere(Loader& loader) {
                               sides == Sides::both ? Sides::both : Sides::back);
 }
 
-/// Reads a ring. Its two points about the centre only give the plane. (The document's text has the
-/// inner radius first; its synopsis and its program have the outer one.)
+/// Reads a ring. Its two points about the centre only define the plane. (The document's text has
+/// the inner radius first; its synopsis and its program have the outer one.)
 void read_ring(Loader& loader) {
     Reader& in = loader.in;
     const std::array points = {in.vector("centre"), in.vector("first point"),
@@ -95,7 +95,7 @@ void read_quadric(Loader& loader) {
     if (!in.ok()) return;
     q.clip.extendBy(a);
     q.clip.extendBy(b);
-    const auto end = q.coefficients.end() - 1;  // the last alone makes no surface
+    const auto end = q.coefficients.end() - 1;  // the last alone defines no surface
     if (std::all_of(q.coefficients.begin(), end, [](double c) { return c == 0; })) {
         return loader.skip_degenerate("its coefficients are all 0");
     }

@@ -8,49 +8,50 @@
 
 namespace etalon::prt {
 
-/// What the statements of an instance come to for one surface in front of them.
+/// An instance's contents for one surface in front of its statements.
 struct DefinedObject {
-    std::optional<std::uint32_t> object;    ///< among Geometry::objects, unless nothing is in it
-    std::optional<std::uint32_t> material;  ///< that they leave behind, if they have one
+    std::optional<std::uint32_t> object;    ///< among Geometry::objects; nothing if it is empty
+    std::optional<std::uint32_t> material;  ///< material after the statements, if they set one
 };
 
 /// The statements of an instance.
 struct Definition {
     std::string_view statements;
-    bool inherits_surface;  ///< whether they have an object before any surface
-    bool sets_surface;      ///< whether they have a surface
-    /// By the material that is inherited; no_index if none is.
+    bool inherits_surface;  ///< they have an object before any surface
+    bool sets_surface;      ///< they have a surface
+    /// Contents by the inherited material; no_index if none is inherited.
     std::map<std::uint32_t, DefinedObject> objects{};
 };
 
-/// The numbers of the materials that surfaces have made, by the text of the statement.
+/// Numbers of the materials of surfaces, by the text of the statement.
 using KnownSurfaces = std::map<std::string_view, std::uint32_t>;
 
-/// An instance whose end has not come yet.
+/// An instance that has not ended yet.
 struct OpenDefinition {
     std::string_view name;
     std::size_t keyword;          ///< offset of the statement
     std::size_t first;            ///< offset of the statements
-    int nested = 0;               ///< instances inside it, which are errors
-    Geometry outer_geometry;      ///< the scene's, whose place that of the definition takes
-    std::size_t outer_materials;  ///< how many the scene had
+    int nested = 0;               ///< number of instances inside it, which are errors
+    Geometry outer_geometry;      ///< the scene's, replaced by that of the definition
+    std::size_t outer_materials;  ///< number of the scene's materials before it
     std::optional<std::uint32_t> outer_material;
     KnownSurfaces outer_surfaces;
 };
 
-/// A PRT file being read.
+/// State of reading a PRT file.
 struct Loader : SceneLoader {
     std::string_view text;
     CameraBlock camera{};
     bool has_camera_lines = false;
-    std::array<bool, 5> camera_lines{};  ///< those of from, at, up, angle, resolution so far
+    std::array<bool, 5> camera_lines{};  ///< which of from, at, up, angle, resolution were read
     std::map<std::string_view, Definition> definitions{};
     std::optional<OpenDefinition> open{};
-    KnownSurfaces surfaces{};  ///< so that the same surface makes the same material
-    std::size_t replayed = 0;  ///< bytes of statements
+    KnownSurfaces surfaces{};  ///< so that equal surfaces share a material
+    std::size_t replayed = 0;  ///< bytes of statements that were read again
 };
 
-// One per kind of statement: reads what follows the keyword and adds it to the scene.
+// One function for each kind of statement. It reads the values after the keyword and adds them to
+// the scene.
 void read_from(Loader&);
 void read_at(Loader&);
 void read_up(Loader&);
@@ -66,14 +67,14 @@ void read_instance(Loader&);
 void read_end_instance(Loader&);
 void read_instance_of(Loader&);
 
-/// Reads the objects and surfaces of a text, and nothing else; and their keywords.
+/// Reads only the objects and surfaces of a text.
 void read_objects(Loader&);
 std::span<const std::string_view> object_names();
 
-/// The end of the file inside a definition.
+/// Handles the end of the file inside a definition.
 void drop_open_definition(Loader&);
 
-/// The end of the file: what was read of the camera becomes the scene's.
+/// Handles the end of the file: makes the scene's camera.
 void finalize_view(Loader&);
 
 }  // namespace etalon::prt

@@ -58,8 +58,8 @@ std::string missing_lines(const Loader& loader) {
     return fmt::format("{}", fmt::join(missing, ", "));
 }
 
-/// The program took half the image's extent for tan(angle) / sqrt(2), which turns the image
-/// over beyond 90 degrees.
+/// The program used half the image's extent as tan(angle) / sqrt(2), which mirrors the image beyond
+/// 90 degrees.
 double legacy_fov(double degrees) {
     const double half = std::tan(degrees * (std::numbers::pi / 180)) / std::numbers::sqrt2;
     return 2 * std::atan(half) * (180 / std::numbers::pi);
@@ -69,8 +69,8 @@ void set_quadric_centres(Geometry& geometry, const Vec3& centre) {
     for (Quadric& q : geometry.all<Quadric>()) q.centre = centre;
 }
 
-/// Puts quadrics where PRT's program had them, which read their centre and then ignored it: about
-/// the world's origin. An instance moved the box of one alone, so that each needs its own object.
+/// Moves quadrics to where PRT's program had them: about the world's origin, as it ignored their
+/// centre. An instance moved only their box, so that each needs its own object.
 void ignore_quadric_centres(Geometry& geometry) {
     set_quadric_centres(geometry, Vec3(0));
     std::vector<bool> taken(geometry.objects.size());
@@ -123,7 +123,7 @@ void read_light(Loader& loader) {
     if (loader.in.ok()) loader.add_light(position);
 }
 
-/// The colour may be followed by a letter, whose meaning the program never gave it.
+/// The colour may be followed by a letter, which the program ignored.
 void read_background(Loader& loader) {
     etalon::read_background(loader);
     const std::string_view word = loader.in.tokens().peek();

@@ -24,8 +24,8 @@ MeshFile read_mesh(Loader& loader, const std::string& path) {
     return result;
 }
 
-/// The mesh of the file that the statement names, beside the scene; null, and a warning, if there
-/// is none.
+/// Returns the mesh of the file that the statement names, relative to the scene. Null, and a
+/// warning, if there is none.
 const ObjMesh* find_mesh(Loader& loader, Reader& in) {
     const std::size_t offset = in.tokens().offset();
     const std::string_view name = in.word("file");
@@ -44,14 +44,14 @@ const ObjMesh* find_mesh(Loader& loader, Reader& in) {
     return nullptr;
 }
 
-/// Returns whether the vertices' numbers of 31 bits can still count what the mesh brings.
+/// Returns whether vertex numbers of 31 bits suffice for the mesh.
 bool fits(const Geometry& geometry, const ObjMesh& mesh) {
     return geometry.vertices.size() + mesh.vertices.size() + 3 * mesh.triangles.size() <
            decimal_vertex;
 }
 
-/// The corners' normals, the longest of them at unit length: only the ratios of lengths matter, and
-/// those that a mesh has of one length stay so. Nothing where one has overflowed.
+/// Returns the corners' normals, scaled so that the longest is a unit vector: only the ratios of
+/// lengths matter, and normals of equal length stay so. Nothing if one has overflowed.
 std::optional<std::array<Vec3, 3>> corner_normals(const ObjMesh& mesh, const NormalMap& to_world,
                                                   const std::array<ObjMesh::Corner, 3>& corners) {
     std::array<Vec3, 3> normals;
@@ -67,8 +67,8 @@ std::optional<std::array<Vec3, 3>> corner_normals(const ObjMesh& mesh, const Nor
 
 using Order = std::array<ObjMesh::Corner, 3>;
 
-/// The order of a face's corners in the world: a map that mirrors turns it round, and the front
-/// stays the front.
+/// Returns the order of a face's corners in the world. A mirroring map reverses it, so that the
+/// front stays the front.
 Order world_order(const Order& face, bool mirrored) {
     return mirrored ? Order{face[0], face[2], face[1]} : face;
 }

@@ -13,7 +13,7 @@ using sce::Loader;
 
 struct Command {
     std::string_view name;
-    std::size_t values;  ///< how many follow it
+    std::size_t values;  ///< number of its values
     sce::Handler read;
 };
 
@@ -54,7 +54,7 @@ constexpr std::array commands = {
     Command{"end", 0, do_nothing},
 };
 
-/// Material commands that a single program added for itself.
+/// Material commands that a single program has added.
 constexpr std::array<std::string_view, 2> private_commands = {"alpha", "ri"};
 
 constexpr auto names = [] {
@@ -95,7 +95,7 @@ void read_command(Loader& loader, Reader& in) {
     }
 }
 
-/// Reads the lines up to `end`; what follows is no part of the scene.
+/// Reads the lines up to `end`; the rest is not part of the scene.
 void read_lines(Loader& loader, std::string_view text) {
     Tokenizer lines(text);
     while (!lines.at_end()) {

@@ -1,5 +1,5 @@
-// SCE, the scene format of a ray tracing course (EECS 487, University of Michigan): a line, a
-// command, as the OpenGL of its time drew.
+// SCE, the scene format of a ray tracing course (EECS 487, University of Michigan): one command per
+// line, in the style of the OpenGL of its time.
 #pragma once
 
 #include "core/formats/load.h"

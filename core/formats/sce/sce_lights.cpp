@@ -1,4 +1,4 @@
-// Lights, where the current matrix takes them.
+// Lights, transformed by the current matrix.
 #include "core/formats/sce/sce_loader.h"
 
 namespace etalon::sce {
@@ -19,8 +19,9 @@ void read_point_light(Loader& loader, Reader& in) {
     loader.scene.whitted().lights.emplace_back(PointLight{position, color});
 }
 
-/// A square about the origin in the plane of x and y. Each sample of a pixel takes one point of it;
-/// all points of a pixel are spread well over the square, and a single one is its centre.
+/// Reads a square about the origin in the plane of x and y. Each sample of a pixel uses one point
+/// of it. The points of a pixel are well distributed over the square, and a single one is its
+/// centre.
 void read_area_light(Loader& loader, Reader& in) {
     const double w = in.number("half side");
     const Color color = in.color("colour");

@@ -22,11 +22,11 @@ struct Surface {
     double shininess = 1;
 };
 
-/// State that a block restores: pop_matrix the matrix alone, '}' all of it.
+/// State that a block restores: pop_matrix only the matrix, '}' all of it.
 struct State {
     Affine matrix;
     Surface surface;
-    std::optional<std::uint32_t> material;  ///< the number of the surface, once a shape has it
+    std::optional<std::uint32_t> material;  ///< number of the surface, once a shape uses it
 };
 
 struct Block {
@@ -35,7 +35,7 @@ struct Block {
     State outside;
 };
 
-/// Line of sight and upward direction, wherever they were last given.
+/// Line of sight and upward direction, as given last.
 struct View {
     Vec3 direction{0, 0, -1};
     std::size_t offset = 0;
@@ -43,10 +43,10 @@ struct View {
 
 struct MeshFile {
     ObjMesh mesh;
-    std::string why;  ///< there is no mesh; empty if there is one
+    std::string why;  ///< reason why there is no mesh; empty if there is one
 };
 
-/// An SCE file being read.
+/// State of reading an SCE file.
 struct Loader {
     const LoadOptions& options;
     DiagnosticLog& log;
@@ -62,10 +62,10 @@ struct Loader {
 
     Sides sides() const { return options.one_sided ? Sides::front : Sides::both; }
 
-    /// The number of the current surface in the scene's materials.
+    /// Returns the number of the current surface in the scene's materials.
     std::uint32_t current_material();
 
-    /// Returns whether a shape can be had under the current matrix; if not, says why.
+    /// Returns whether a shape is possible under the current matrix; if not, reports why.
     bool has_usable_matrix(Reader& in) const;
 
     template <class Shape>
@@ -76,7 +76,8 @@ struct Loader {
 
 using Handler = void (*)(Loader&, Reader&);
 
-// One per command: reads the arguments, whose number is right already, and does what they say.
+// One function for each command. It reads the arguments, whose number has been checked, and
+// executes it.
 void open_braces(Loader&, Reader&);
 void close_braces(Loader&, Reader&);
 void push_matrix(Loader&, Reader&);
@@ -110,7 +111,7 @@ void read_recursion(Loader&, Reader&);
 void read_samples(Loader&, Reader&);
 void read_background(Loader&, Reader&);
 
-/// Makes the scene's camera of what was read, or says why nothing can be seen.
+/// Makes the scene's camera, or reports why nothing can be seen.
 void finalize_camera(Loader&);
 
 }  // namespace etalon::sce

@@ -1,4 +1,4 @@
-// The camera and the image: the last value given counts, whatever the matrix.
+// The camera and the image: the last value counts; the matrix has no effect.
 #include <cmath>
 
 #include "core/formats/degenerate.h"
@@ -8,7 +8,7 @@
 namespace etalon::sce {
 namespace {
 
-/// A whole number in [least, most], or a complaint.
+/// Reads an integer in [least, most], or reports an error.
 std::optional<int> read_integer(Reader& in, std::int64_t least, std::int64_t most) {
     const std::size_t offset = in.tokens().offset();
     const std::int64_t n = in.integer("number");
@@ -59,7 +59,7 @@ void read_height(Loader& loader, Reader& in) {
     if (const auto n = read_integer(in, 1, 65536)) loader.settings.resolution.y = *n;
 }
 
-/// The number of mirrored rays after the camera ray.
+/// Reads the number of mirrored rays after the camera ray.
 void read_recursion(Loader& loader, Reader& in) {
     if (const auto n = read_integer(in, 0, 999)) loader.settings.max_depth = *n + 1;
 }
@@ -74,8 +74,8 @@ void read_background(Loader& loader, Reader& in) {
     if (in.ok()) loader.scene.whitted().environment.background = color;
 }
 
-/// The point looked at is as far away as the eye is from the origin, or twice, or half: so it takes
-/// up the direction without losing digits.
+/// The point looked at is as far away as the eye is from the origin, up to a factor of two, so that
+/// it keeps the digits of the direction.
 void finalize_camera(Loader& loader) {
     Camera& camera = loader.scene.camera;
     const Vec3 direction = to_unit_magnitude(loader.view.direction);

@@ -7,8 +7,8 @@
 namespace etalon::sce {
 namespace {
 
-/// The scale of a map that certainly takes spheres to spheres: its columns lie along axes and are
-/// of one length. 0 for any other.
+/// Returns the scale of a map that certainly takes spheres to spheres: its columns lie along axes
+/// and have one length. 0 for any other.
 double uniform_scale(const Affine& m) {
     for (const Vec3& column : {m.x, m.y, m.z}) {
         const bool along_axis =
@@ -18,7 +18,7 @@ double uniform_scale(const Affine& m) {
     return max_abs(m.x);
 }
 
-/// A shape whose numbers have overflowed or vanished cannot be found by any ray.
+/// A shape whose numbers have overflowed or underflowed cannot be hit by any ray.
 template <class Shape>
 void add_image(Loader& loader, Reader& in, const Affine& map) {
     const Shape shape(map);

@@ -15,8 +15,8 @@ void open_block(Loader& loader, const Reader& in, bool braces) {
     loader.blocks.push_back({braces, in.start(), loader.state});
 }
 
-/// Closes a block. Both kinds save the same matrix, so they must not cross. What closes none has no
-/// effect.
+/// Closes a block. Both kinds save the same matrix, so they must not overlap. Ends without a block
+/// have no effect.
 std::optional<State> close_block(Loader& loader, Reader& in, bool braces) {
     if (loader.blocks.empty()) {
         in.warn("block", "'{}' without a '{}' before it; left out", in.keyword(), name_of(braces));
@@ -54,7 +54,7 @@ void pop_matrix(Loader& loader, Reader& in) {
     if (const auto outside = close_block(loader, in, false)) loader.state.matrix = outside->matrix;
 }
 
-/// The course's own program had the sign of one sine wrong.
+/// Reproduces the course's own program, which had the sign of one sine wrong.
 void rotate(Loader& loader, Reader& in) {
     const double degrees = in.number("angle");
     const Vec3 axis = in.vector("axis");

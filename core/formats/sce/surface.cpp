@@ -1,10 +1,10 @@
-// ca, cr, cp and shininess: the surface of the shapes to come.
+// ca, cr, cp and shininess: the surface of subsequent shapes.
 #include "core/formats/sce/sce_loader.h"
 
 namespace etalon::sce {
 namespace {
 
-/// Ambient light that a surface sends back: the part `cr` of the light from all around, `ca`.
+/// Returns the reflected ambient light: `cr` times the ambient light `ca`.
 Color sent_back(const Surface& s) {
     return s.ambient * s.diffuse;
 }

@@ -14,7 +14,7 @@ bool begins_number(char c) {
     return (c >= '0' && c <= '9') || c == '.' || c == '+' || c == '-';
 }
 
-/// Reads the numbers of a word, of which commas and the like may make several.
+/// Reads the numbers of a word, which commas and the like may separate.
 void read_word(std::string_view word, std::size_t offset, DiagnosticLog& log,
                std::vector<PlacedNumber>& numbers) {
     const char* const last = word.data() + word.size();

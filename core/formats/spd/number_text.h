@@ -1,4 +1,4 @@
-// Text of numbers and comments, as pbrt-v3 keeps spectra and lenses in.
+// Text of numbers and comments, as pbrt-v3 stores spectra and lenses.
 #pragma once
 
 #include <string_view>
@@ -9,12 +9,12 @@
 namespace etalon {
 
 struct PlacedNumber {
-    double value;  ///< NaN for one that a float cannot hold
+    double value;  ///< NaN if it does not fit a float
     std::size_t offset;
 };
 
-/// Reads the numbers of a text. Comments reach from '#' to the end of the line; what is no number
-/// is passed over with a warning.
+/// Reads the numbers of a text. Comments reach from '#' to the end of the line; words that are not
+/// numbers are skipped with a warning.
 std::vector<PlacedNumber> read_number_text(std::string_view text, DiagnosticLog& log);
 
 }  // namespace etalon

@@ -1,4 +1,4 @@
-// Spectra in files: text of numbers, a wavelength in nm and a value in turn.
+// Spectra in files: text of alternating wavelengths in nm and values.
 #pragma once
 
 #include <string_view>
@@ -10,8 +10,8 @@
 namespace etalon {
 
 /// Reads the samples in the order of the text, which need not be sorted. Comments reach from '#' to
-/// the end of the line. What is no number is passed over with a warning, as a number without a
-/// partner at the end is, and a pair of which one is too large.
+/// the end of the line. Words that are not numbers, an unpaired number at the end, and pairs with a
+/// number that is too large are skipped with a warning.
 std::vector<SpectralSample> read_spd(std::string_view text, DiagnosticLog& log);
 
 }  // namespace etalon

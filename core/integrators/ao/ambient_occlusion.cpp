@@ -9,8 +9,8 @@
 namespace etalon {
 namespace {
 
-/// Number of occlusion rays of a pixel that has one camera ray only. Where pixels have samples each
-/// has one occlusion ray, so that --spp alone decides the noise and the time.
+/// Number of occlusion rays of a pixel with a single camera ray. Otherwise each sample has one
+/// occlusion ray, so that --spp alone determines the noise and the time.
 constexpr std::uint32_t rays_without_samples = 64;
 
 }  // namespace
@@ -50,7 +50,7 @@ void AmbientOcclusion::radiance(const CameraSamples& samples, std::span<Color> c
     }
 }
 
-/// Appends rays from the point that a camera ray has hit to its hemisphere.
+/// Appends rays from the hit of a camera ray into its hemisphere.
 void AmbientOcclusion::append_occlusion_rays(const Ray& ray, const SampleSource& sample,
                                              const Hit& hit, std::vector<Ray>& to) const {
     const SurfaceInteraction at = surface_interaction(scene_, ray, hit);

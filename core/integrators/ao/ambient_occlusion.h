@@ -10,10 +10,10 @@
 
 namespace etalon {
 
-/// Ambient occlusion (Zhukov, Iones & Kronin 1998): the share of the hemisphere above a surface
-/// that is open, cosine-weighted, between 0 and 1. The hemisphere is that of the geometric normal
-/// on the camera's side; materials and lights do not count. A camera ray that meets nothing is
-/// black, as in pbrt-v3, whose values are pi times these.
+/// Ambient occlusion (Zhukov, Iones & Kronin 1998): the cosine-weighted fraction of the hemisphere
+/// above a surface that is open, between 0 and 1. The hemisphere is that of the geometric normal on
+/// the camera's side; materials and lights are ignored. A camera ray that misses is black, as in
+/// pbrt-v3, whose values are pi times these.
 class AmbientOcclusion final : public Integrator {
   public:
     /// Scene and intersector must outlive the integrator.

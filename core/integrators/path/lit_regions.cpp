@@ -13,7 +13,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr int rays_of_beam = 256;
 
-/// The direction of number i of `count` that are spread evenly over a spot's cone (Vogel 1979).
+/// Returns direction number i of `count` that are spread evenly over a spotlight's cone (Vogel
+/// 1979).
 Vec3 spread_direction(const SpotSource& spot, int i, int count) {
     Vec3 x, y;
     orthonormal_basis(spot.axis, x, y);
@@ -22,14 +23,14 @@ Vec3 spread_direction(const SpotSource& spot, int i, int count) {
     return sine * std::cos(angle) * x + sine * std::sin(angle) * y + cosine * spot.axis;
 }
 
-/// The homogeneous medium about the camera if it scatters, else null.
+/// Returns the homogeneous medium about the camera if it scatters, else null.
 const PhysicalMedium* fog_of(const PhysicalLook& look) {
     if (look.camera_medium == no_index) return nullptr;
     const PhysicalMedium& medium = look.media[look.camera_medium];
     return medium.grid || medium.scattering == Color(0.0F) ? nullptr : &medium;
 }
 
-/// The spot of most power with a narrow cone, or null.
+/// Returns the spotlight of most power with a narrow cone, or null.
 const SpotSource* brightest_spot(const PhysicalLook& look) {
     constexpr double narrow = 0.7;
     const auto power = [](const SpotSource& spot) {
@@ -44,7 +45,7 @@ const SpotSource* brightest_spot(const PhysicalLook& look) {
     return brightest;
 }
 
-/// Whether some of a ball is not below the horizon of a receiver, if it has one.
+/// Returns whether some of a ball is not below the horizon of a receiver, if it has one.
 bool is_above(const Receiver& at, const Vec3& way, double radius) {
     return at.normal == Vec3(0) || at.normal.dot(way) > -radius;
 }
@@ -77,7 +78,7 @@ LitRegions::LitRegions(const Scene& scene, const Lights& lights,
     part_ = static_cast<float>(most_guided * lights.power_share_of_spots());
 }
 
-/// Follows rays of a spot up to a surface, or over a distance of `range` if they meet none.
+/// Traces rays of a spotlight to a surface, or over a distance of `range` if they miss.
 std::vector<LitRegions::BeamRay> LitRegions::trace(const SpotSource& spot, double range,
                                                    const Scene& scene,
                                                    const BatchIntersector& intersector) {
@@ -102,8 +103,8 @@ std::vector<LitRegions::BeamRay> LitRegions::trace(const SpotSource& spot, doubl
     return beam;
 }
 
-/// The sphere around the beam from half the distance `end` to `end`; its power is what the medium
-/// scatters there.
+/// Returns the sphere around the beam from half the distance `end` to `end`; its power is that of
+/// the light scattered there.
 LitRegions::Sphere LitRegions::sphere_around(const Beam& beam, double end) {
     const double begin = end / 2, cosine = beam.spot.cos_total;
     double power = 0;
@@ -117,8 +118,8 @@ LitRegions::Sphere LitRegions::sphere_around(const Beam& beam, double end) {
             static_cast<float>(end * std::sqrt(1.0 / 16 + tangent2)), static_cast<float>(power)};
 }
 
-/// A disk as large as the spread of the rays that end in the plane where `first` does; its power is
-/// that of light from a surface of an albedo of a quarter.
+/// Returns a disk as large as the spread of the rays that end in the plane where `first` does; its
+/// power is that of light from a surface with an albedo of a quarter.
 LitRegions::Disk LitRegions::disk_about(const Beam& beam, const BeamRay& first) {
     constexpr double flat = 1e-3;
     const auto power = [&](const BeamRay& ray) {
@@ -149,7 +150,7 @@ LitRegionsFrom::LitRegionsFrom(const LitRegions& regions, const Receiver& at)
     }
 }
 
-/// Without branches, for all spheres side by side.
+/// Without branches, so that all spheres are processed in SIMD lanes.
 void LitRegionsFrom::see_spheres(const LitRegions::Spheres& spheres, const Receiver& at) {
     const Vec3& p = at.position;
     const auto nx = static_cast<float>(at.normal.x), ny = static_cast<float>(at.normal.y),
@@ -168,7 +169,7 @@ void LitRegionsFrom::see_spheres(const LitRegions::Spheres& spheres, const Recei
         const float sine2 = radius2 * scale * scale;
         const float outside = sine2 / (1 + std::sqrt(std::max(1 - sine2, 0.0F)));
         sagitta_[k] = is_outside ? outside : 2;
-        // A sphere below the horizon of a receiver, if that has one, is not seen.
+        // A sphere below the horizon of a receiver, if that has one, is not visible.
         const float above = nx * x + ny * y + nz * z;
         const bool is_seen = (nx == 0 && ny == 0 && nz == 0) || above > -radius;
         weights_[k] = is_seen ? spheres.power[k] / std::max(distance2, radius2) : 0;
@@ -179,7 +180,7 @@ void LitRegionsFrom::see_spheres(const LitRegions::Spheres& spheres, const Recei
 void LitRegionsFrom::see(const LitRegions::Disk& disk, const Receiver& at) {
     const double height = -to_disk_.dot(disk.normal), distance2 = to_disk_.length2();
     const double radius = std::sqrt(disk.radius2);
-    constexpr double flat = 1e-3;  // of the radius: seen from its own plane
+    constexpr double flat = 1e-3;  // of the radius: for a disk seen from its own plane
     if (!(height > flat * radius) || !is_above(at, to_disk_, radius)) return;
     // From near by some of the disk is seen under larger cosines than its centre.
     const double cosine = (height + radius / 4) / std::sqrt(distance2 + disk.radius2);

@@ -8,19 +8,20 @@
 
 namespace etalon {
 
-/// What a spot lights up in a medium about the camera: a disk about the largest flat patch at the
-/// end of its beam, and spheres around the beam, each half as large as the one before on the way to
-/// the spot, where the beam is narrow and bright. Much of the light that is scattered twice comes
-/// from there, and few of the directions that a phase function or a BSDF chooses meet it.
+/// Regions of a medium about the camera that a spotlight illuminates: a disk about the largest flat
+/// patch at the end of its beam, and spheres around the beam, each half as large as the one before
+/// on the way to the light, where the beam is narrow and bright. Much of the light that is
+/// scattered twice comes from there, and few of the directions that a phase function or a BSDF
+/// samples hit it.
 class LitRegions {
   public:
-    /// Those of the spot of most power; none where no narrow spot shines in such a medium, or the
-    /// sky does beside it.
+    /// Makes those of the spotlight of most power; none if no narrow spotlight shines in such a
+    /// medium, or if there is also light from the sky.
     LitRegions(const Scene& scene, const Lights& lights, const BatchIntersector& intersector);
 
     bool empty() const { return part_ == 0; }
 
-    /// The part of a vertex's directions that should go to them.
+    /// Returns the fraction of a vertex's directions that should go to them.
     float part() const { return part_; }
 
   private:
@@ -31,18 +32,18 @@ class LitRegions {
         float radius, power;
     };
     struct Disk {
-        Vec3 centre, normal;  ///< unit, on the side of the spot
+        Vec3 centre, normal;  ///< normal: unit, on the side of the light
         double radius2 = 0;
         float power = 0;
     };
-    /// A ray of the beam, and how long it is.
+    /// A ray of the beam with its length.
     struct BeamRay {
         double intensity, length;
-        Vec3 end, normal;  ///< of the surface that it meets, on its side; 0 if there is none
+        Vec3 end, normal;  ///< of the surface that it hits, on its side; 0 if it misses
     };
     struct Beam {
         const SpotSource& spot;
-        double extinction, scattering;  ///< of the medium
+        double extinction, scattering;  ///< coefficients of the medium
         std::vector<BeamRay> rays;
     };
     static std::vector<BeamRay> trace(const SpotSource& spot, double range, const Scene& scene,
@@ -61,7 +62,7 @@ class LitRegions {
     Disk disk_;
 };
 
-/// The regions as a point sees them.
+/// The regions as seen from a point.
 class LitRegionsFrom {
   public:
     LitRegionsFrom(const LitRegions& regions, const Receiver& at);
@@ -69,10 +70,10 @@ class LitRegionsFrom {
     bool empty() const { return !(sum_ > 0); }
     float part() const { return part_; }
 
-    /// A direction to one of them, for numbers in [0, 1).
+    /// Samples a direction to one of them, with numbers in [0, 1).
     Vec3 sample(double choice, const Vec2& uv) const;
 
-    /// Density of sample() per steradian.
+    /// Returns the density of sample() per steradian.
     float density(const Vec3& direction) const;
 
   private:
@@ -82,16 +83,16 @@ class LitRegionsFrom {
     Vec3 sample_sphere(float wanted, const Vec2& uv) const;
     float disk_density(const Vec3& direction) const;
 
-    // Of the spheres, side by side. A cone is told by 1 - cos of half its angle, which is half the
+    // The spheres in SoA layout. A cone is given by 1 - cos of its half angle, which is half the
     // largest squared distance between the ends of its unit vectors and of its axis.
     std::array<float, LitRegions::count> x_, y_, z_;  ///< axes
-    std::array<float, LitRegions::count> sagitta_;    ///< 1 - cos, 2 of all directions
+    std::array<float, LitRegions::count> sagitta_;    ///< 1 - cos; 2 for all directions
     std::array<float, LitRegions::count> weights_, densities_;
 
     const LitRegions::Disk& disk_;
     Vec3 to_disk_;
     float disk_weight_ = 0;
-    float sum_ = 0;  ///< of all weights
+    float sum_ = 0;  ///< sum of all weights
     float part_;
 };
 

@@ -7,7 +7,7 @@
 namespace etalon {
 namespace {
 
-/// Whether there are media, or surfaces without a material, through which lights shine.
+/// Returns whether there are media, or surfaces without a material, through which lights shine.
 bool has_media(const PhysicalLook& look) {
     return !look.media.empty() ||
            std::ranges::any_of(look.materials, [](const PhysicalMaterial& material) {
@@ -15,7 +15,7 @@ bool has_media(const PhysicalLook& look) {
            });
 }
 
-/// What camera rays meet that shines, if no medium is in the way.
+/// Returns the emission that camera rays hit, if there is no medium in the way.
 void emission_of(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors) {
     RayCounts not_of_the_image;
     PathBatch<false>(scene, samples, colors, not_of_the_image, 0).run();

@@ -7,8 +7,8 @@
 
 namespace etalon {
 
-/// Follows the paths of a batch together, vertex by vertex. At each vertex one light is asked for
-/// one direction; the same direction as continues the path gives the other estimate of the light.
+/// Follows the paths of a batch together, vertex by vertex. At each vertex one light is sampled for
+/// one direction; the direction in which the path continues gives the other estimate of the light.
 class PathTracer final : public Integrator {
   public:
     /// Scene and intersector must outlive the integrator. `problems` gets the reasons why images
@@ -27,7 +27,7 @@ class PathTracer final : public Integrator {
     PathScene scene_;
 };
 
-/// The same in scenes with media. Surfaces without a material hide no light from others.
+/// The same for scenes with media. Surfaces without a material do not block light.
 class VolumePathTracer final : public Integrator {
   public:
     /// See PathTracer.
@@ -37,12 +37,12 @@ class VolumePathTracer final : public Integrator {
     void radiance(const CameraSamples& samples, std::span<Color> colors,
                   RayCounts& counts) const override;
 
-    /// Not through media, in which a lamp has no outline that is worth samples.
+    /// False in media, through which the outline of a light is not worth additional samples.
     bool shows_lights() const override { return !in_media_ && scene_.lights.can_be_seen(); }
     void emission(const CameraSamples& samples, std::span<Color> colors) const override;
 
   private:
-    bool in_media_;  ///< whether the scene has anything that PathTracer does not render
+    bool in_media_;  ///< the scene has something that PathTracer does not render
     PathScene scene_;
 };
 

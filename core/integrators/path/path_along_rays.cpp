@@ -1,4 +1,4 @@
-// Light of point lights that media scatter anywhere along a ray.
+// Light of point lights that media scatter along a ray.
 #include "core/integrators/path/path_batch.h"
 #include "core/medium/homogeneous.h"
 #include "core/sampling/dimensions.h"
@@ -6,11 +6,11 @@
 
 namespace etalon {
 
-/// Asks a point light at a point of the ray, chosen by the light, beside those that flights end at.
-/// Each of the two strategies has its share by the balance heuristic (Veach 1997).
+/// Samples a point light at a point of the ray that depends on the light, in addition to the ends
+/// of flights. The balance heuristic weights the two strategies (Veach 1997).
 template <bool in_media>
-void PathBatch<in_media>::ask_along(std::size_t ray, const RaySegment& segment,
-                                    const Vec2& choices) {
+void PathBatch<in_media>::sample_along(std::size_t ray, const RaySegment& segment,
+                                       const Vec2& choices) {
     const Path& path = paths_[ray];
     const auto pick = shared_.lights.pick_point_light(choices.y);
     const auto range =
@@ -39,22 +39,22 @@ void PathBatch<in_media>::ask_along(std::size_t ray, const RaySegment& segment,
                                          static_cast<float>(1 / (along + flown))});
 }
 
-/// Share of a light's samples from points where flights end, beside those of ask_along().
+/// Returns the share of a light's samples at the ends of flights, beside those of sample_along().
 template <bool in_media>
-float PathBatch<in_media>::flight_share(const MediumVertex& at, const Question& question) const {
+float PathBatch<in_media>::flight_share(const MediumVertex& at, const LightQuery& query) const {
     if (at.density == 0) return 1;
-    const auto range = shared_.lights.lit_range(question.light, at.flight.origin,
-                                                at.flight.direction, at.flight.length);
+    const auto range = shared_.lights.lit_range(query.light, at.flight.origin, at.flight.direction,
+                                                at.flight.length);
     if (!range) return 1;
     const double distance = (at.position - at.flight.origin).dot(at.flight.direction);
-    const double flown = at.density * question.expected_samples;
+    const double flown = at.density * query.expected_samples;
     const double along =
-        shared_.lights.point_light_probability(question.light) * range->density(distance);
+        shared_.lights.point_light_probability(query.light) * range->density(distance);
     return static_cast<float>(flown / (flown + along));
 }
 
-template float PathBatch<false>::flight_share(const MediumVertex&, const Question&) const;
-template float PathBatch<true>::flight_share(const MediumVertex&, const Question&) const;
-template void PathBatch<true>::ask_along(std::size_t, const RaySegment&, const Vec2&);
+template float PathBatch<false>::flight_share(const MediumVertex&, const LightQuery&) const;
+template float PathBatch<true>::flight_share(const MediumVertex&, const LightQuery&) const;
+template void PathBatch<true>::sample_along(std::size_t, const RaySegment&, const Vec2&);
 
 }  // namespace etalon

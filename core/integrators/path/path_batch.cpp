@@ -63,7 +63,7 @@ void PathBatch<in_media>::clear_points() {
     light_points_.clear();
 }
 
-/// Adds the choices of a path's next vertex to those that are made together.
+/// Adds the choices of a path's next vertex to those that are generated together.
 template <bool in_media>
 void PathBatch<in_media>::add_points(const Path& path) {
     const std::uint32_t ways = ways_of(path);
@@ -149,11 +149,11 @@ void PathBatch<in_media>::shade(std::size_t ray, const VertexNumbers& numbers) {
                        : is_above                      ? surface.ng
                                                        : -surface.ng;
     if (lobes.has_smooth() && !lobes.has_smooth_transmission()) see_lit_regions(path.last, at);
-    if (lobes.has_smooth() && !shared_.lights.empty()) ask_lights(path, at);
+    if (lobes.has_smooth() && !shared_.lights.empty()) sample_lights(path, at);
     scatter(path, at);
 }
 
-/// Scatters a path in the medium that its ray goes through.
+/// Scatters a path in the medium that its ray passes.
 template <bool in_media>
 void PathBatch<in_media>::scatter_in_medium(std::size_t ray, const VertexNumbers& numbers) {
     Path& path = paths_[ray];
@@ -168,9 +168,9 @@ void PathBatch<in_media>::scatter_in_medium(std::size_t ray, const VertexNumbers
                     rays_[ray].time(),
                     segment_of(rays_[ray], end_of(hits_[ray])),
                     flight_densities_[ray]};
-    at.survival = survival(path);  // no direction changes what it carries
+    at.survival = survival(path);  // the direction does not change the throughput
     see_lit_regions(path.last, at);
-    if (!shared_.lights.empty()) ask_lights(path, at);
+    if (!shared_.lights.empty()) sample_lights(path, at);
     scatter(path, at);
 }
 

@@ -10,10 +10,10 @@
 
 namespace etalon {
 
-/// The paths of some camera samples, which go on together: a wave of rays is intersected, each hit
-/// is shaded on its own, and what it asks (shadow rays) and how it goes on (the next wave) is put
-/// beside that of the others. `in_media`: rays are attenuated and scattered by the media that they
-/// go through, and shadow rays pass surfaces without a material.
+/// The paths of some camera samples, which are followed together as a wavefront. A wave of rays is
+/// intersected and each hit is shaded; the resulting shadow rays, and the rays of the next wave,
+/// are collected and traced together. `in_media`: rays are attenuated and scattered by the media
+/// that they pass, and shadow rays pass surfaces without a material.
 template <bool in_media>
 class PathBatch {
   public:
@@ -21,105 +21,105 @@ class PathBatch {
               RayCounts& counts)
         : PathBatch(scene, samples, colors, counts, scene.most_vertices) {}
 
-    /// Follows paths of at most so many vertices that scatter, whatever the scene's setting.
+    /// Follows paths of at most so many scattering vertices, whatever the scene's setting.
     PathBatch(const PathScene& scene, const CameraSamples& samples, std::span<Color> colors,
               RayCounts& counts, int most_vertices);
 
     void run();
 
   private:
-    /// A path on its way: what its camera ray will see, and what the last vertex must know to weigh
-    /// the light that the next one finds.
+    /// State of a path: the contribution of its camera ray, and the data of the last vertex that
+    /// are needed to weight the light that the next one finds.
     struct Path {
         std::uint32_t sample;  ///< number in the batch
-        std::uint32_t name;    ///< of its ray, for sample dimensions
-        SampleSource source;   ///< of its choices
+        std::uint32_t name;    ///< name of its ray, for sample dimensions
+        SampleSource source;   ///< source of its random numbers
         Color throughput{1.0F};
         float density = 0;         ///< of the last vertex's rays in this direction, per steradian
-        Receiver last{};           ///< that vertex
+        Receiver last{};           ///< the last vertex
         float roulette_scale = 1;  ///< factor of throughput for Russian roulette: the square of the
                                    ///< index that it has been divided by, the number of ways among
                                    ///< which it was, and how much its directions were favoured
-        int depth = 0;             ///< number of vertices that scattered
-        bool specular = true;      ///< no light could have been asked for that direction
-        bool last_ray = false;     ///< only what shines at its end counts
-        bool is_split = false;  ///< one of the ways on from the first vertex with a smooth lobe, or
-                                ///< one of what passes a medium and what is scattered in it
+        int depth = 0;             ///< number of scattering vertices
+        bool specular = true;      ///< no light could have been sampled for that direction
+        bool last_ray = false;     ///< only emission at its end counts
+        /// One of the paths split at the first vertex with a smooth lobe, or at the first medium
+        /// with a grid.
+        bool is_split = false;
     };
 
-    /// Number of ways in which a path goes on from its first vertex with a smooth lobe. The
-    /// camera's ray and the light asked there are shared by them, and are less noisy than what
-    /// comes after.
+    /// Number of paths into which a path is split at its first vertex with a smooth lobe. They
+    /// share the camera ray and the light sampled there, which are less noisy than what follows.
     static constexpr std::uint32_t split_ways = 2;
 
-    /// Number of places of a grid's medium at which a path is scattered where it first meets one.
-    /// By measurement, as the number of ways: from dark ones few paths go on.
+    /// Number of points of a grid medium at which a path is scattered where it first enters one.
+    /// Chosen by measurement, like the number of split paths: few paths continue from dark ones.
     static constexpr std::uint32_t split_places = 2, dark_places = 4;
 
-    /// A direction to a light that a vertex asks for.
-    struct Question {
+    /// A light sample that a vertex needs.
+    struct LightQuery {
         std::uint32_t light;
         float expected_samples;  ///< see PathScene::expected_samples
         Vec2 uv;
         std::size_t number;  ///< among those of the vertex
     };
 
-    /// What a light gives if nothing is in the way.
+    /// Unoccluded contribution of a light.
     struct Answer {
         std::uint32_t sample;
         Color color;
     };
 
-    /// The media that a shadow ray goes through.
+    /// The media along a shadow ray.
     struct ShadowMedium {
-        std::uint32_t medium;  ///< in which the rest of the ray begins
+        std::uint32_t medium;  ///< medium in which the rest of the ray begins
         RandomSequence numbers;
     };
 
-    /// A path that went below a surface and comes out elsewhere.
+    /// A path that went below a surface and leaves it elsewhere.
     struct Entry {
         Path path;
         Vec3 position;
         BsdfFrame frame;
         const Subsurface* subsurface;
-        std::uint32_t material;  ///< of the surfaces at which it may come out
-        std::uint32_t medium;    ///< through which it came
+        std::uint32_t material;  ///< material of the surfaces at which it may leave
+        std::uint32_t medium;    ///< medium through which it came
         ShutterTime time;
     };
 
-    /// A surface that the probe of an entry met.
+    /// A surface that the probe of an entry hit.
     struct ProbeHit {
         std::uint32_t entry;
         Ray ray;
         Hit hit;
     };
 
-    /// Where a path comes out from below.
+    /// Point where a path leaves a surface from below.
     struct Exit {
         std::uint32_t entry;
         PhysicalSurface surface;
     };
 
-    /// Whether a path may be scattered where it meets something.
+    /// Returns whether a path may be scattered at its next vertex.
     bool may_go_on(const Path& path) const { return !path.last_ray && path.depth < most_vertices_; }
 
-    /// Whether a ray's path is scattered by the medium that the ray goes through.
+    /// Returns whether a ray's path is scattered by the medium that the ray passes.
     bool is_in_medium(std::size_t ray) const {
         if constexpr (in_media) return flights_[ray] < infinity;
         return false;
     }
 
-    /// Whether a ray's path may be scattered where the ray ends.
+    /// Returns whether a ray's path may be scattered at the end of the ray.
     bool may_scatter(std::size_t ray) const {
         return (hits_[ray].primitive != no_index || is_in_medium(ray)) && may_go_on(paths_[ray]);
     }
 
-    /// Number of ways in which the path goes on where it meets a smooth lobe.
+    /// Returns the number of paths into which the path is split at a smooth lobe.
     std::uint32_t ways_of(const Path& path) const {
         return path.is_split || shared_.asks_all ? 1 : split_ways;
     }
 
-    /// Makes the choices of all vertices.
+    /// Generates the random numbers of all vertices.
     void make_points();
     void clear_points();
     void add_points(const Path& path);
@@ -136,9 +136,9 @@ class PathBatch {
     void add_emitted(const Path& path, const PhysicalSurface& at, const Vec3& direction);
 
     template <class Vertex>
-    void ask_lights(Path& path, const Vertex& at);
+    void sample_lights(Path& path, const Vertex& at);
     template <class Vertex>
-    void ask_light(const Path& path, const Vertex& at, const Question& question);
+    void sample_light(const Path& path, const Vertex& at, const LightQuery& query);
     void add_answers();
 
     template <class Vertex>
@@ -149,7 +149,7 @@ class PathBatch {
     bool survives(Path& path, double choice) const;
     void see_lit_regions(const Receiver& at, PathVertex& vertex);
 
-    // Of paths below surfaces.
+    // Paths below surfaces.
     void enter(const Path& path, const SurfaceVertex& at, const BsdfSample& sample);
     void scatter_below();
     void send_probes();
@@ -158,7 +158,7 @@ class PathBatch {
     void take_exit(const ProbeHit& met, std::uint32_t count);
     void leave(const Exit& exit, const VertexNumbers& numbers);
 
-    // Of paths in media.
+    // Paths in media.
     void fly_all();
     void add_flight_points(std::size_t ray);
     void fly(std::size_t ray, std::size_t number);
@@ -168,8 +168,8 @@ class PathBatch {
     std::uint32_t places_of(std::size_t ray) const;
     void divide(std::size_t ray, std::size_t number);
     void add_scattered(std::size_t ray, const Path& path, const Vec2& choices);
-    void ask_along(std::size_t ray, const RaySegment& segment, const Vec2& choices);
-    float flight_share(const MediumVertex& at, const Question& question) const;
+    void sample_along(std::size_t ray, const RaySegment& segment, const Vec2& choices);
+    float flight_share(const MediumVertex& at, const LightQuery& query) const;
     void attenuate_answers();
     void attenuate(std::size_t answer, const Ray& ray, double end);
     bool passes(std::size_t answer, Ray& ray, const Hit& hit);
@@ -183,34 +183,35 @@ class PathBatch {
     std::vector<Ray> rays_, next_rays_;
     std::vector<Path> paths_, next_paths_;
     std::vector<Hit> hits_;
-    VertexPoints asked_{Decision::light};  ///< of the rays that may scatter, in their order
-    VertexPoints ways_{Decision::way};     ///< of all ways that they may go on
+    VertexPoints asked_{Decision::light};  ///< for the rays that may scatter, in their order
+    VertexPoints ways_{Decision::way};     ///< for all paths into which they may be split
     PointBatch light_points_;
-    std::span<const Vec2> on_lights_;  ///< of each of these for all samples of all lights
+    std::span<const Vec2> on_lights_;  ///< for each of these, for all samples of all lights
 
     std::vector<Ray> shadow_rays_;
     std::vector<Answer> answers_;
     std::vector<std::uint8_t> blocked_;
 
-    // Of paths below surfaces.
+    // Paths below surfaces.
     std::vector<Entry> entries_;
-    std::deque<Subsurface> textured_;  ///< those of entries that are not the same everywhere
+    std::deque<Subsurface> textured_;  ///< of entries with textured subsurface scattering
     VertexPoints probe_points_{Decision::probe};
-    std::vector<ProbeHit> probes_;      ///< on their way
-    std::vector<ProbeHit> probe_hits_;  ///< on surfaces of the entry's material
+    std::vector<ProbeHit> probes_;      ///< probes in progress
+    std::vector<ProbeHit> probe_hits_;  ///< hits on surfaces of the entry's material
     std::vector<Ray> probe_rays_;
     std::vector<Hit> found_;
     std::vector<Exit> exits_;
 
-    // Of paths in media.
-    std::vector<std::uint32_t> media_, next_media_;  ///< in which rays go; no_index: in none
-    std::vector<double> flights_;          ///< where rays are scattered by media; infinity: nowhere
-    std::vector<float> flight_densities_;  ///< of those beside which a light was asked, else 0
+    // Paths in media.
+    std::vector<std::uint32_t> media_, next_media_;  ///< medium of each ray; no_index for none
+    std::vector<double> flights_;  ///< distances of scattering in media; infinity for none
+    /// Densities of these distances if a light was sampled along the ray, else 0.
+    std::vector<float> flight_densities_;
     VertexPoints flight_points_{Decision::flight};
-    std::optional<LitRegionsFrom> lit_regions_;  ///< as the present vertex sees them
+    std::optional<LitRegionsFrom> lit_regions_;  ///< as seen from the current vertex
     DensityProfile profile_;
     std::vector<ShadowMedium> shadow_media_;
-    std::vector<std::uint32_t> passing_;  ///< numbers of shadow rays that are on their way
+    std::vector<std::uint32_t> passing_;  ///< numbers of shadow rays in progress
     std::vector<Ray> passing_rays_;
     std::vector<Hit> passing_hits_;
 };

@@ -1,4 +1,4 @@
-// The ways in which paths go on from their vertices.
+// Directions in which paths continue from their vertices.
 #include <algorithm>
 
 #include "core/integrators/path/path_batch.h"
@@ -8,9 +8,8 @@
 namespace etalon {
 namespace {
 
-/// Chooses a direction in which a path goes on: by the scattering, and partly by where lit regions
-/// are. `favour` is set to its density over the one with which scattering alone chooses it, if that
-/// is another.
+/// Samples the direction in which a path continues: by its scattering, and partly towards lit
+/// regions. Sets `favour` to its density over that of scattering alone, if they differ.
 template <bool in_media, class Vertex>
 std::optional<BsdfSample> sample_direction(const Vertex& at, double choice, const Vec2& uv,
                                            float& favour) {
@@ -34,7 +33,7 @@ std::optional<BsdfSample> sample_direction(const Vertex& at, double choice, cons
 
 }  // namespace
 
-/// Lets a vertex choose directions by the lit regions, if it sees any.
+/// Lets a vertex sample directions to the lit regions, if it sees any.
 template <bool in_media>
 void PathBatch<in_media>::see_lit_regions(const Receiver& at, PathVertex& vertex) {
     if constexpr (in_media) {
@@ -75,7 +74,7 @@ void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_
     next.throughput *= s->f * (cosine / (s->pdf * at.survival));
     next.density = at.expected_ways() * s->pdf;
     next.specular = s->specular;
-    // From between the horizons pbrt-v3 takes the light of lights only.
+    // Like pbrt-v3, uses only sampled lights for directions between the horizons.
     next.last_ray = s->turned || (shared_.direct_only && !s->specular);
     next.roulette_scale *= s->eta * s->eta * favour;
     ++next.depth;
@@ -89,17 +88,17 @@ void PathBatch<in_media>::scatter(const Path& path, const Vertex& at, std::size_
     ++(s->transmission ? counts_.refracted : counts_.reflected);
 }
 
-/// Probability with which a path goes on, in proportion to what it may still carry, so that those
-/// that do carry about the same (Russian roulette by throughput).
+/// Returns the probability with which a path continues, in proportion to its throughput, so that
+/// those that do have about the same (Russian roulette).
 template <bool in_media>
 float PathBatch<in_media>::survival(const Path& path) const {
-    constexpr float part_kept = 2.5F;  // by measurement: less costs more by the survivors' noise
+    constexpr float part_kept = 2.5F;  // by measurement: below, the survivors' noise costs more
     const Color expected = path.throughput * path.roulette_scale;
     const float most = std::max({expected.x, expected.y, expected.z});
     return std::min(part_kept * most / shared_.roulette_threshold, 1.0F);
 }
 
-/// Whether a path from a surface goes on, which then carries what others would have.
+/// Returns whether a path from a surface continues; it then gets the weight of those that end.
 template <bool in_media>
 bool PathBatch<in_media>::survives(Path& path, double choice) const {
     constexpr int first_at_stake = 3;  // by measurement, too

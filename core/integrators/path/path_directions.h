@@ -4,7 +4,8 @@
 
 namespace etalon {
 
-/// Density with which a vertex chooses a direction that its scattering chooses with `own`.
+/// Returns the density with which a vertex samples a direction for which its scattering alone has
+/// `own`.
 template <bool in_media, class Vertex>
 float density_of(const Vertex& at, const Vec3& wi, float own) {
     if (!in_media || !at.lit_regions) return own;

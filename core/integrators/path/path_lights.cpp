@@ -1,4 +1,4 @@
-// The light that paths meet, and that their vertices ask for.
+// The light that paths hit, and that their vertices sample.
 #include "core/integrators/path/path_batch.h"
 #include "core/integrators/path/path_directions.h"
 #include "core/sampling/dimensions.h"
@@ -7,8 +7,8 @@
 namespace etalon {
 namespace {
 
-/// Weight of a direction chosen with density `a` that another strategy would have chosen with `b`
-/// (power heuristic: Veach 1997, section 9.2).
+/// Returns the weight of a direction sampled with density `a` that another strategy would have
+/// sampled with `b` (power heuristic: Veach 1997, section 9.2).
 float power_weight(float a, float b) {
     return a * a / (a * a + b * b);
 }
@@ -55,21 +55,21 @@ void PathBatch<in_media>::add_emitted(const Path& path, const PhysicalSurface& a
 
 template <bool in_media>
 template <class Vertex>
-void PathBatch<in_media>::ask_lights(Path& path, const Vertex& at) {
+void PathBatch<in_media>::sample_lights(Path& path, const Vertex& at) {
     if (!shared_.asks_all) {
         const std::size_t number = at.numbers.vertex;
         const auto pick = shared_.lights.pick(path.last, asked_.choices(number).x);
         if (!pick) return;
-        ask_light(path, at,
-                  {pick->light, static_cast<float>(pick->probability), asked_.place(number), 0});
+        sample_light(path, at,
+                     {pick->light, static_cast<float>(pick->probability), asked_.place(number), 0});
         return;
     }
     std::size_t first = at.numbers.vertex * shared_.lights.samples(), next = first;
     for (std::uint32_t light = 0; light < shared_.lights.size(); ++light) {
         const int samples = shared_.lights.samples(light);
         for (int k = 0; k < samples; ++k) {
-            ask_light(path, at,
-                      {light, static_cast<float>(samples), on_lights_[next], next - first});
+            sample_light(path, at,
+                         {light, static_cast<float>(samples), on_lights_[next], next - first});
             ++next;
         }
     }
@@ -77,14 +77,14 @@ void PathBatch<in_media>::ask_lights(Path& path, const Vertex& at) {
 
 template <bool in_media>
 template <class Vertex>
-void PathBatch<in_media>::ask_light(const Path& path, const Vertex& at, const Question& question) {
-    const LightSample light =
-        shared_.lights.sample(question.light, path.last.position, question.uv);
+void PathBatch<in_media>::sample_light(const Path& path, const Vertex& at,
+                                       const LightQuery& query) {
+    const LightSample light = shared_.lights.sample(query.light, path.last.position, query.uv);
     if (!(light.pdf > 0) || light.radiance == Color(0.0F)) return;
     const Evaluation scattered = at.evaluate(light.wi);
     if (scattered.f == Color(0.0F)) return;
 
-    const float asked = question.expected_samples * light.pdf;
+    const float asked = query.expected_samples * light.pdf;
     float weight = 1;
     if (!light.is_delta) {
         const float scattered_density =
@@ -93,7 +93,7 @@ void PathBatch<in_media>::ask_light(const Path& path, const Vertex& at, const Qu
                                    : power_weight(asked, scattered_density);
     }
     if constexpr (std::is_same_v<Vertex, MediumVertex>) {
-        if (light.is_delta && !light.at_infinity) weight = flight_share(at, question);
+        if (light.is_delta && !light.at_infinity) weight = flight_share(at, query);
     }
     const float cosine = at.cosine(light.wi);
     const Color color = scattered.f * light.radiance * (cosine * weight / asked);
@@ -103,7 +103,7 @@ void PathBatch<in_media>::ask_light(const Path& path, const Vertex& at, const Qu
         if (light.at_infinity && light.is_delta) ray.tmax = 2 * shared_.lights.scene_radius();
         shadow_media_.push_back(
             {at.medium_towards(light.wi),
-             path.source.sequence(shadow_collision_dimension(path.name, question.number))});
+             path.source.sequence(shadow_collision_dimension(path.name, query.number))});
     }
     ray.set_shadow();
     shadow_rays_.push_back(ray);
@@ -129,10 +129,10 @@ template void PathBatch<false>::add_escaped(const Path&, const Vec3&);
 template void PathBatch<true>::add_escaped(const Path&, const Vec3&);
 template void PathBatch<false>::add_emitted(const Path&, const PhysicalSurface&, const Vec3&);
 template void PathBatch<true>::add_emitted(const Path&, const PhysicalSurface&, const Vec3&);
-template void PathBatch<false>::ask_lights(Path&, const SurfaceVertex&);
-template void PathBatch<true>::ask_lights(Path&, const SurfaceVertex&);
-template void PathBatch<false>::ask_lights(Path&, const MediumVertex&);
-template void PathBatch<true>::ask_lights(Path&, const MediumVertex&);
+template void PathBatch<false>::sample_lights(Path&, const SurfaceVertex&);
+template void PathBatch<true>::sample_lights(Path&, const SurfaceVertex&);
+template void PathBatch<false>::sample_lights(Path&, const MediumVertex&);
+template void PathBatch<true>::sample_lights(Path&, const MediumVertex&);
 template void PathBatch<false>::add_answers();
 template void PathBatch<true>::add_answers();
 

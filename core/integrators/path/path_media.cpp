@@ -1,4 +1,4 @@
-// What paths meet on their way through media.
+// Scattering of paths in media.
 #include <numeric>
 
 #include "core/integrators/path/path_batch.h"
@@ -7,7 +7,7 @@
 
 namespace etalon {
 
-/// Chooses how far all rays go in their media.
+/// Samples how far all rays go in their media.
 template <bool in_media>
 void PathBatch<in_media>::fly_all() {
     flights_.assign(rays_.size(), infinity);
@@ -42,7 +42,7 @@ void PathBatch<in_media>::add_flight_points(std::size_t ray) {
         paths_[ray].source.part(i, parts).add_vertex(paths_[ray].name, flight_points_);
 }
 
-/// Chooses how far a ray goes in its medium, by the points of that number.
+/// Samples how far a ray goes in its medium, with the points of that number.
 template <bool in_media>
 void PathBatch<in_media>::fly(std::size_t ray, std::size_t number) {
     Path& path = paths_[ray];
@@ -50,13 +50,13 @@ void PathBatch<in_media>::fly(std::size_t ray, std::size_t number) {
     const std::uint32_t medium = media_[ray];
     const RaySegment segment = segment_of(rays_[ray], end_of(hit));
     const bool asks = shared_.lights.has_point_lights() && shared_.media.knows_densities(medium);
-    if (asks) ask_along(ray, segment, flight_points_.choices(number));
+    if (asks) sample_along(ray, segment, flight_points_.choices(number));
     const FreeFlight flight = shared_.media.sample(
         medium, segment, path.throughput,
         {flight_points_.place(number), path.source.sequence(collision_dimension(path.name))});
     path.throughput *= flight.weight;
     if (path.throughput == Color(0.0F)) {
-        hit.primitive = no_index;  // nothing is seen by what is left of the path
+        hit.primitive = no_index;  // the rest of the path contributes nothing
     } else if (flight.scatters()) {
         flights_[ray] =
             std::max(rays_[ray].tmin, 0.0) + flight.distance / rays_[ray].direction.length();
@@ -66,14 +66,14 @@ void PathBatch<in_media>::fly(std::size_t ray, std::size_t number) {
 
 template <bool in_media>
 std::uint32_t PathBatch<in_media>::places_of(std::size_t ray) const {
-    constexpr float dark = 0.4F;  // albedo below which not all paths go on from the first place
+    constexpr float dark = 0.4F;  // albedo below which not all paths continue from the first point
     const Color& albedo = shared_.media.grid(media_[ray])->albedo();
     return std::max({albedo.x, albedo.y, albedo.z}) < dark ? dark_places : split_places;
 }
 
-/// Splits a path into what passes a grid and what is scattered at some places of it, instead of
-/// choosing one of these. Of the two what carries little is left out by Russian roulette; a path
-/// that passes alone is not split. The parts come after all other rays.
+/// Splits a path into the part that passes a grid and the part that is scattered at some points of
+/// it, instead of choosing one of these. Russian roulette may end the part that carries little; a
+/// path that only passes is not split. The parts come after all other rays.
 template <bool in_media>
 void PathBatch<in_media>::divide(std::size_t ray, std::size_t number) {
     constexpr float surely_kept = 8;  // times the share of the light
@@ -100,7 +100,7 @@ void PathBatch<in_media>::divide(std::size_t ray, std::size_t number) {
     }
     paths_[ray].is_split = true;
     paths_[ray].name = passing_name(path.name);
-    if (weight(passes) == 0) hits_[ray].primitive = no_index;  // nothing is seen by what is left
+    if (weight(passes) == 0) hits_[ray].primitive = no_index;  // the rest contributes nothing
 }
 
 /// Adds a part of a ray's path that is scattered in the profile's medium.
@@ -119,7 +119,7 @@ void PathBatch<in_media>::add_scattered(std::size_t ray, const Path& path, const
     flight_densities_.push_back(0);
 }
 
-/// Weakens what lights send by what is in the way: all of it by a surface, a part by media.
+/// Attenuates the light of lights by what is in the way: surfaces block it, media let a part pass.
 template <bool in_media>
 void PathBatch<in_media>::attenuate_answers() {
     if (!shared_.shading.has_passages()) {
@@ -148,7 +148,7 @@ void PathBatch<in_media>::attenuate_answers() {
     }
 }
 
-/// Weakens an answer by the medium that its ray goes through up to `end`.
+/// Attenuates an answer by the medium that its ray passes up to `end`.
 template <bool in_media>
 void PathBatch<in_media>::attenuate(std::size_t answer, const Ray& ray, double end) {
     auto& [medium, numbers] = shadow_media_[answer];
@@ -156,8 +156,8 @@ void PathBatch<in_media>::attenuate(std::size_t answer, const Ray& ray, double e
     answers_[answer].color *= shared_.media.transmittance(medium, segment_of(ray, end), numbers);
 }
 
-/// Whether a shadow ray goes on beyond what it has met, if anything. What is left of it is `ray`
-/// then.
+/// Returns whether a shadow ray continues beyond its hit, if there is one. `ray` becomes the rest
+/// of it.
 template <bool in_media>
 bool PathBatch<in_media>::passes(std::size_t answer, Ray& ray, const Hit& hit) {
     if (hit.primitive == no_index) {

@@ -10,10 +10,10 @@
 
 namespace etalon {
 
-/// What all paths of an image share. Scene and intersector must outlive it.
+/// Data that all paths of an image share. Scene and intersector must outlive it.
 struct PathScene {
-    /// `problems` gets the reasons why images are replaced by constants. `in_media`: whether rays
-    /// are weakened and scattered by media.
+    /// `problems` gets the reasons why images are replaced by constants. `in_media`: rays are
+    /// attenuated and scattered by media.
     PathScene(const Scene& of, const BatchIntersector& by, const RenderSettings& settings,
               std::vector<std::string>& problems, bool in_media)
         : scene(of),
@@ -30,7 +30,7 @@ struct PathScene {
         if (lit_regions && lit_regions->empty()) lit_regions.reset();
     }
 
-    /// How many samples of the light a vertex takes, on average.
+    /// Returns how many samples of the light a vertex takes, on average.
     double expected_samples(const Receiver& at, std::uint32_t light) const {
         return asks_all ? lights.samples(light) : lights.pick_probability(at, light);
     }
@@ -41,10 +41,10 @@ struct PathScene {
     Media media;
     PhysicalShading shading;
     std::optional<LitRegions> lit_regions;  ///< if there are any
-    int most_vertices;                      ///< that scatter
+    int most_vertices;                      ///< largest number of scattering vertices
     float roulette_threshold;
-    bool asks_all;     ///< all lights at each vertex
-    bool direct_only;  ///< no light from surfaces that are not mirrors or glass
+    bool asks_all;     ///< sample all lights at each vertex
+    bool direct_only;  ///< no indirect light, except in mirrors and glass
     Sampler sampler;
 };
 

@@ -1,5 +1,5 @@
-// Paths that go below a surface, where light is scattered until it comes out elsewhere: they go on
-// from other points of surfaces of the same material, which probes find, as in pbrt-v3.
+// Paths that enter a surface below which light is scattered: they continue from other points of
+// surfaces of the same material, found by probe rays, as in pbrt-v3.
 #include <algorithm>
 
 #include "core/diffusion/profile_sampling.h"
@@ -8,7 +8,7 @@
 
 namespace etalon {
 
-/// Notes a path that goes through the surface of a vertex.
+/// Records a path that passes the surface of a vertex.
 template <bool in_media>
 void PathBatch<in_media>::enter(const Path& path, const SurfaceVertex& at,
                                 const BsdfSample& sample) {
@@ -20,7 +20,7 @@ void PathBatch<in_media>::enter(const Path& path, const SurfaceVertex& at,
     entries_.back().path.throughput *= sample.f * (at.cosine(sample.wi) / sample.pdf);
 }
 
-/// Goes on with all paths that went below surfaces.
+/// Continues all paths that went below surfaces.
 template <bool in_media>
 void PathBatch<in_media>::scatter_below() {
     send_probes();
@@ -57,7 +57,7 @@ void PathBatch<in_media>::send_probes() {
     }
 }
 
-/// Finds all surfaces of the entries' materials that the probes meet.
+/// Finds all surfaces of the entries' materials that the probes hit.
 template <bool in_media>
 void PathBatch<in_media>::trace_probes() {
     probe_hits_.clear();
@@ -84,7 +84,7 @@ void PathBatch<in_media>::trace_probes() {
     }
 }
 
-/// Chooses one of the surfaces that each probe met.
+/// Chooses one of the surfaces that each probe hit.
 template <bool in_media>
 void PathBatch<in_media>::choose_exits() {
     exits_.clear();
@@ -99,7 +99,7 @@ void PathBatch<in_media>::choose_exits() {
     }
 }
 
-/// Lets a path come out where its probe met one of `count` surfaces, if any light comes from there.
+/// Lets a path leave where its probe hit one of `count` surfaces, if any light comes from there.
 template <bool in_media>
 void PathBatch<in_media>::take_exit(const ProbeHit& met, std::uint32_t count) {
     Entry& e = entries_[met.entry];
@@ -116,7 +116,7 @@ void PathBatch<in_media>::take_exit(const ProbeHit& met, std::uint32_t count) {
     exits_.push_back({met.entry, at});
 }
 
-/// Asks lights at such a point, and goes on from there.
+/// Samples lights at such a point, and continues from there.
 template <bool in_media>
 void PathBatch<in_media>::leave(const Exit& exit, const VertexNumbers& numbers) {
     Entry& e = entries_[exit.entry];
@@ -126,7 +126,7 @@ void PathBatch<in_media>::leave(const Exit& exit, const VertexNumbers& numbers) 
     lobes.add(DiffuseExit(e.subsurface->eta));
     const SurfaceVertex at{
         {numbers, ways_of(e.path)}, surface, frame, BsdfFrom(frame, lobes, surface.ns), e.medium};
-    if (!shared_.lights.empty()) ask_lights(e.path, at);
+    if (!shared_.lights.empty()) sample_lights(e.path, at);
     scatter(e.path, at);
 }
 

@@ -1,4 +1,4 @@
-// What scatters a path at its vertices: surfaces and media, with the same functions.
+// Vertices at which a path is scattered: on surfaces and in media, with the same interface.
 #pragma once
 
 #include "core/bsdf/bsdf_from.h"
@@ -10,24 +10,24 @@
 
 namespace etalon {
 
-/// Where the choices of a vertex are.
+/// Indices of the random numbers of a vertex.
 struct VertexNumbers {
-    std::size_t vertex = 0;     ///< among those that may scatter
-    std::size_t first_way = 0;  ///< among the ways that they may go on
+    std::size_t vertex = 0;     ///< among the vertices that may scatter
+    std::size_t first_way = 0;  ///< among the paths into which they may be split
 };
 
 struct PathVertex {
     VertexNumbers numbers;
-    std::uint32_t ways;  ///< in which the path goes on
-    float survival = 1;  ///< probability of each, where it is chosen before the direction
-    const LitRegionsFrom* lit_regions = nullptr;  ///< to which some of its directions go, if to any
+    std::uint32_t ways;  ///< number of paths that continue
+    float survival = 1;  ///< probability of each, if it is decided before the direction
+    const LitRegionsFrom* lit_regions = nullptr;  ///< regions to which some directions go, or null
 
-    /// How many ways the path goes on, on average.
+    /// Returns how many paths continue, on average.
     float expected_ways() const { return static_cast<float>(ways) * survival; }
 };
 
-/// The medium on the side of a surface to which `direction` leaves it; `medium` is the one that the
-/// ray to the surface came through.
+/// Returns the medium on the side of a surface to which `direction` leaves it; `medium` is that of
+/// the incoming ray.
 inline std::uint32_t medium_beyond(const PhysicalSurface& at, const Vec3& direction,
                                    std::uint32_t medium) {
     const MediumInterface& media = at.binding->media;
@@ -35,16 +35,16 @@ inline std::uint32_t medium_beyond(const PhysicalSurface& at, const Vec3& direct
     return direction.dot(at.ng) > 0 ? media.outside : media.inside;
 }
 
-/// A point of a surface.
+/// A vertex on a surface.
 struct SurfaceVertex : PathVertex {
     const PhysicalSurface& surface;
     const BsdfFrame& frame;
-    BsdfFrom scattering;                     ///< to where the path came from
-    std::uint32_t medium;                    ///< through which it came
-    const Subsurface* subsurface = nullptr;  ///< what scatters light below the surface, if anything
+    BsdfFrom scattering;                     ///< for the direction from which the path came
+    std::uint32_t medium;                    ///< medium through which it came
+    const Subsurface* subsurface = nullptr;  ///< subsurface scattering, or null
 
-    /// Light straight through a surface that scatters it below is no other than that of lights that
-    /// are asked: the path comes out elsewhere.
+    /// With subsurface scattering, transmitted directions have the density 0: the path leaves the
+    /// surface elsewhere, so only sampled lights give this light.
     Evaluation evaluate(const Vec3& wi) const {
         Evaluation e = scattering.evaluate(wi);
         if (subsurface && scattering.passes(wi)) e.pdf = 0;
@@ -53,7 +53,7 @@ struct SurfaceVertex : PathVertex {
     std::optional<BsdfSample> sample(float choice, const Vec2& uv) const {
         return scattering.sample(choice, uv);
     }
-    /// Whether the direction is on the side that the path came from, above both horizons.
+    /// Returns whether the direction is on the side from which the path came, above both horizons.
     bool reflects(const Vec3& wi) const {
         const double above = surface.ng.dot(wi);
         return !scattering.passes(wi) && above * frame.ns.dot(wi) * surface.ng.dot(frame.ns) > 0;
@@ -66,15 +66,15 @@ struct SurfaceVertex : PathVertex {
     }
 };
 
-/// A point of a medium.
+/// A vertex in a medium.
 struct MediumVertex : PathVertex {
     Vec3 position;
     Vec3 direction;  ///< unit, from where the path came
     const HenyeyGreenstein& phase;
     std::uint32_t medium;
     ShutterTime time;
-    RaySegment flight;  ///< all of the ray on which it was chosen
-    float density;      ///< with which it was, per unit of length, if a light was asked beside
+    RaySegment flight;  ///< the whole ray on which it was sampled
+    float density;      ///< of that, per unit of length, if a light was sampled beside
 
     Evaluation evaluate(const Vec3& wi) const {
         const float value = phase.value(direction.dot(wi));

@@ -11,7 +11,7 @@ inline RaySegment segment_of(const Ray& ray, double end) {
     return {ray.origin + begin * ray.direction, ray.direction / length, (end - begin) * length};
 }
 
-/// Where a ray ends.
+/// Returns the end of a ray.
 inline double end_of(const Hit& hit) {
     return hit.primitive == no_index ? infinity : hit.t;
 }

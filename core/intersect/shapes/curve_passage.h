@@ -1,4 +1,4 @@
-// Where a ray passes a curve: code that all kernels of a curve share.
+// Passage of a ray by a curve: code that all kernels of a curve share.
 #pragma once
 
 #include <cmath>
@@ -34,7 +34,7 @@ inline Vec3 ribbon_normal(const BezierCurve& c, double u) {
     return (std::sin((1 - u) * angle) / sine) * a + (std::sin(u * angle) / sine) * b;
 }
 
-/// Where a ray passes a curve.
+/// Point at which a ray passes a curve.
 struct CurvePassage {
     double t;
     double u, v;

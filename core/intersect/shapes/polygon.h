@@ -20,7 +20,7 @@ inline Box3 bounds(const Geometry&, const StoredPolygon& polygon) {
 /// Point where a ray's line passes a polygon's plane.
 struct PlanePassage {
     double t;
-    double cosine;  ///< cosine of the plane's normal and the ray, but for a positive factor
+    double cosine;  ///< cosine of the plane's normal and the ray, up to a positive factor
 };
 
 /// Computes the passage exactly; slow. t is good to a few ulp, and NaN where the ray runs along the

@@ -27,7 +27,7 @@ inline ParsedFile parse_world(const std::string& text) {
     return parse_text("WorldBegin " + text + "\nWorldEnd");
 }
 
-/// Returns the one frame of a text about which nothing is to be said.
+/// Returns the one frame of a text without diagnostics.
 inline Frame good_frame(const std::string& text) {
     ParsedFile file = parse_text(text);
     CAPTURE(text);
@@ -42,7 +42,7 @@ inline Frame good_world(const std::string& text) {
     return good_frame("WorldBegin\n" + text + "\nWorldEnd");
 }
 
-/// Returns the frame of a world about which one thing is said, and checks what.
+/// Returns the frame of a world with one diagnostic, whose message is checked.
 inline Frame world_with(const std::string& text, const std::string& message) {
     ParsedFile file = parse_world(text);
     CAPTURE(text);
@@ -59,7 +59,7 @@ inline const Matrix4& end(const Frame& frame, const Shape& shape) {
     return frame.transforms[shape.to_world.end];
 }
 
-/// Returns where the point is carried, in affine coordinates.
+/// Returns the image of a point, in affine coordinates.
 inline Vec3 image(const Matrix4& m, const Vec3& p) {
     Vec3 q;
     for (int r = 0; r < 3; ++r) {

@@ -1,5 +1,5 @@
-// Frames of the same content: numbers of transforms and area lights, which are a matter of order,
-// and names of objects and media aside.
+// Comparison of frames, ignoring numbers of transforms and area lights, which depend on order, and
+// names of objects and media.
 #pragma once
 
 #include <string>

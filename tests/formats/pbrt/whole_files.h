@@ -1,4 +1,4 @@
-// Small files that between them have every kind of statement.
+// Small files that together have every kind of statement.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace etalon::pbrt {
 
-/// The first is without fault, the second names what it does not define and has two frames.
+/// The first has no error; the second uses undefined names and has two frames.
 const std::vector<std::string>& whole_files();
 
 }  // namespace etalon::pbrt

@@ -17,16 +17,16 @@ class Median final : public etalon::Intersector {
                           const etalon::NormalizedRay& local) const override;
 
   private:
-    /// Nodes follow their parents, the first child at once.
+    /// A node. Nodes follow their parents, the first child immediately.
     struct Node {
         etalon::Box3f box;
-        std::uint32_t begin, end;  ///< in primitives_; empty but for leaves
-        std::uint32_t next;        ///< node after all those below this one
+        std::uint32_t begin, end;  ///< in primitives_; empty except for leaves
+        std::uint32_t next;        ///< next node outside of this subtree
     };
 
     void build(std::span<etalon::BoundedPrimitive> primitives, std::uint32_t first);
 
-    /// Calls offer(primitive) for those that the ray could hit up to tmax(), until that is true.
+    /// Calls offer(primitive) for those that the ray could hit up to tmax(), until it returns true.
     template <class Tmax, class Offer>
     bool traverse(const etalon::RayQuery& query, const etalon::NormalizedRay& local,
                   const Tmax& tmax, const Offer& offer) const;

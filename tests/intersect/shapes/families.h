@@ -23,7 +23,7 @@ inline constexpr Family* families[] = {sphere_cases,   cone_cases, flat_cases,  
 ShapeCase sphere_case(const std::string& name, const Sphere& sphere);
 ShapeCase cone_case(const std::string& name, const Cone& cone);
 
-/// A triangle or a polygon of these corners.
+/// Returns the case of a triangle or a polygon with these corners.
 ShapeCase flat_case(const std::string& name, const std::vector<Vec3>& corners);
 
 }  // namespace etalon

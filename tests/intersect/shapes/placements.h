@@ -1,4 +1,4 @@
-// Where the tests of shapes put them: aligned with nothing by accident, and far away.
+// Positions of shapes in tests: aligned with nothing by accident, and far away.
 #pragma once
 
 #include "core/numerics/affine.h"
