@@ -4,6 +4,7 @@
 
 #include "core/intersect/kernels.h"
 #include "core/intersect/local_rays.h"
+#include "core/intersect/object_space.h"
 #include "core/intersect/placement.h"
 #include "core/intersect/rescaled_ray.h"
 #include "core/numerics/denormals.h"
@@ -11,6 +12,13 @@
 namespace etalon {
 Intersector::Intersector(const Geometry& geometry, SceneBounds bounds)
     : geometry_(geometry), bounds_(std::move(bounds)) {}
+
+std::vector<ObjectSpace> Intersector::object_spaces() const {
+    std::vector<ObjectSpace> spaces;
+    spaces.reserve(objects_.size());
+    for (const auto& object : objects_) spaces.emplace_back(object->bounds_);
+    return spaces;
+}
 
 std::size_t Intersector::memory_bytes() const {
     std::size_t bytes = own_bytes();

@@ -16,6 +16,7 @@
 namespace etalon {
 
 class LocalRays;
+struct ObjectSpace;
 
 /// Finds hits in a scene. A backend derives from it and decides only *which* kernels are called;
 /// ties, unbounded primitives and instances are handled here, in the same way for all backends.
@@ -47,6 +48,9 @@ class Intersector : public BatchIntersector {
 
     /// Whether an instance is hit with t <= query.ray.tmax.
     bool instance_occludes(std::uint32_t item, const RayQuery& query) const;
+
+    /// The spaces of the intersectors of all objects.
+    std::vector<ObjectSpace> object_spaces() const;
 
     /// Bytes of the backend's structures, those of objects included.
     std::size_t memory_bytes() const;

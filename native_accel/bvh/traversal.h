@@ -3,11 +3,14 @@
 #pragma once
 
 #include "core/intersect/intersector.h"
+#include "core/intersect/object_space.h"
 #include "core/intersect/ray.h"
 #include "core/intersect/traversal_cost.h"
 #include "native_accel/bvh/wide_tree.h"
 
 namespace etalon {
+
+struct BvhObject;
 
 /// View of the data that a traversal needs.
 struct BvhView {
@@ -16,12 +19,26 @@ struct BvhView {
     const WideTree& tree;
     const Clusters& clusters;
     const Intersector& instances;
+    const BvhObject* objects;  ///< one for each object of the geometry
 
     /// Whether the ray is likely to take the same way through the tree as those before it: hardly
     /// where it enters very many nodes.
     bool predicts_branches(const Ray& ray) const {
         return ray.coherent() && tree.expected_nodes < 16;
     }
+};
+
+/// An object as a ray of the world enters it.
+struct BvhObject {
+    explicit BvhObject(const BvhView& v)
+        : space(v.bounds),
+          view(v),
+          is_plain(space.is_usual() && v.geometry.instances.empty() && v.bounds.unbounded.empty() &&
+                   !v.tree.empty()) {}
+
+    ObjectSpace space;
+    BvhView view;
+    bool is_plain;  ///< whether its tree is all that there is to it
 };
 
 /// The code for one instruction set.
