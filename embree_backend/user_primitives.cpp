@@ -77,6 +77,7 @@ void UserPrimitives::build(const EmbreeDevice& device, RTCScene target, unsigned
     empty_ = primitives.empty();
     const std::vector<BoundedPrimitive> singles = take_singles(primitives);
     singles_ = ids_of(singles);
+    objects_ = instances_.object_spaces();
     std::array<Boxes, 3> boxes;
     boxes[ClusterRef::list] = boxes_of(singles);
     clusters_ =

@@ -30,7 +30,10 @@ class UserPrimitives {
                const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives);
 
     bool empty() const { return empty_; }
-    std::size_t memory_bytes() const { return clusters_.memory_bytes() + singles_.memory_bytes(); }
+    std::size_t memory_bytes() const {
+        return clusters_.memory_bytes() + singles_.memory_bytes() +
+               objects_.capacity() * sizeof(ObjectSpace);
+    }
 
     /// Does what UserTracing::intersect does.
     void intersect(RTCScene target, const RayQuery& query, const NormalizedRay& local,
@@ -44,7 +47,7 @@ class UserPrimitives {
 
   private:
     UserView view(RTCScene target) const {
-        return {target, geometry_, clusters_, singles_, instances_};
+        return {target, geometry_, clusters_, singles_, instances_, objects_.data()};
     }
 
     const Geometry& geometry_;
@@ -52,6 +55,7 @@ class UserPrimitives {
     bool empty_ = true;
     Clusters clusters_;
     PrimitiveIds singles_;
+    std::vector<ObjectSpace> objects_;
     UserTracing tracing_ = user_tracing();
 };
 

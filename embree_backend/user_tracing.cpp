@@ -12,6 +12,7 @@
 #include <hwy/highway.h>
 
 #include "core/accel/clusters/filter-inl.h"
+#include "core/intersect/object_ray-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
@@ -44,6 +45,7 @@ struct UserQuery : EmbreeContext {
           clusters(view.clusters),
           singles(view.singles),
           instances(view.instances),
+          objects(view.objects),
           query(q),
           local(l),
           nearest(n) {
@@ -72,6 +74,7 @@ struct UserQuery : EmbreeContext {
     const Clusters& clusters;
     const PrimitiveIds& singles;
     const Intersector& instances;
+    const ObjectSpace* objects;
     const RayQuery& query;
     const NormalizedRay& local;
     NearestHit* nearest;
@@ -99,6 +102,20 @@ HWY_INLINE void ask(const UserQuery& query, std::uint32_t cluster, std::uint32_t
             if (!offer(t, id)) return;
         }
     }
+}
+
+/// Whether the ray surely passes the object of an instance by: most of those it is taken to.
+HWY_INLINE bool passes(const UserQuery& query, std::uint32_t item) {
+#if HWY_MAX_BYTES >= 32
+    const Instance& instance = query.geometry.instances[query.geometry.instance_number(item)];
+    if (instance.moves()) return false;
+    const ObjectRay way(instance, WorldRayLanes(query.query.ray));
+    return way.surely_passes(query.objects[instance.object]);
+#else
+    static_cast<void>(query);
+    static_cast<void>(item);
+    return false;
+#endif
 }
 
 /// Intersects an instance; see intersect_candidates.
@@ -134,7 +151,10 @@ HWY_NOINLINE void intersect_candidates(const RTCIntersectFunctionNArguments* arg
     auto& query = *static_cast<UserQuery*>(arguments->context);
     if constexpr (kind == ClusterRef::list) {
         const std::uint32_t item = query.singles[arguments->primID];
-        if (query.geometry.is_instance(item)) return intersect_instance(arguments, item);
+        if (query.geometry.is_instance(item)) {
+            if (passes(query, item)) return report(*arguments, false);
+            return intersect_instance(arguments, item);
+        }
     }
     auto& asked = single<RTCRayHit>(arguments->rayhit);
     bool found = false;
@@ -156,7 +176,10 @@ HWY_NOINLINE void occluded_candidates(const RTCOccludedFunctionNArguments* argum
     auto& query = *static_cast<UserQuery*>(arguments->context);
     if constexpr (kind == ClusterRef::list) {
         const std::uint32_t item = query.singles[arguments->primID];
-        if (query.geometry.is_instance(item)) return occluded_by_instance(arguments, item);
+        if (query.geometry.is_instance(item)) {
+            if (passes(query, item)) return report(*arguments, false);
+            return occluded_by_instance(arguments, item);
+        }
     }
     auto& ray = single<RTCRay>(arguments->ray);
     bool found = false;

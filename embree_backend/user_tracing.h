@@ -6,6 +6,7 @@
 
 #include "core/accel/clusters/clusters.h"
 #include "core/intersect/intersector.h"
+#include "core/intersect/object_space.h"
 #include "embree_backend/embree_shim.h"
 #include "embree_backend/primitive_ids.h"
 
@@ -18,6 +19,7 @@ struct UserView {
     const Clusters& clusters;
     const PrimitiveIds& singles;  ///< items that no filter is for, in place of lists
     const Intersector& instances;
+    const ObjectSpace* objects;  ///< one for each object of the geometry
 };
 
 /// Callbacks and queries, which belong together: callbacks read the context that a query passes.
