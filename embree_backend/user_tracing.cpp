@@ -104,19 +104,52 @@ HWY_INLINE void ask(const UserQuery& query, std::uint32_t cluster, std::uint32_t
     }
 }
 
-/// Whether the ray surely passes the object of an instance by: most of those it is taken to.
-HWY_INLINE bool passes(const UserQuery& query, std::uint32_t item) {
 #if HWY_MAX_BYTES >= 32
+
+/// Offers `nearest` an instance: most objects that a ray is taken to are passed.
+HWY_INLINE void offer_instance(const UserQuery& query, std::uint32_t item, NearestHit& nearest) {
     const Instance& instance = query.geometry.instances[query.geometry.instance_number(item)];
-    if (instance.moves()) return false;
-    const ObjectRay way(instance, WorldRayLanes(query.query.ray));
-    return way.surely_passes(query.objects[instance.object]);
-#else
-    static_cast<void>(query);
-    static_cast<void>(item);
-    return false;
-#endif
+    if (HWY_UNLIKELY(instance.moves())) {
+        return query.instances.offer_instance(item, query.query, nearest);
+    }
+    const ObjectRay ray(instance, WorldRayLanes(query.query.ray));
+    NormalizedRay local;
+    const ObjectWay way = ray.way(query.objects[instance.object], local);
+    if (way == ObjectWay::passes) return;
+    if (HWY_UNLIKELY(way == ObjectWay::unusual)) {
+        return query.instances.offer_instance(item, query.query, nearest);
+    }
+    query.instances.offer_entered(item, RayQuery(ray.ray(query.query.ray, nearest.t)), local,
+                                  nearest);
 }
+
+HWY_INLINE bool instance_occludes(const UserQuery& query, std::uint32_t item) {
+    const Instance& instance = query.geometry.instances[query.geometry.instance_number(item)];
+    if (HWY_UNLIKELY(instance.moves())) {
+        return query.instances.instance_occludes(item, query.query);
+    }
+    const ObjectRay ray(instance, WorldRayLanes(query.query.ray));
+    NormalizedRay local;
+    const ObjectWay way = ray.way(query.objects[instance.object], local);
+    if (way == ObjectWay::passes) return false;
+    if (HWY_UNLIKELY(way == ObjectWay::unusual)) {
+        return query.instances.instance_occludes(item, query.query);
+    }
+    const double until = query.query.ray.tmax;
+    return query.instances.entered_occludes(item, RayQuery(ray.ray(query.query.ray, until)), local);
+}
+
+#else
+
+HWY_INLINE void offer_instance(const UserQuery& query, std::uint32_t item, NearestHit& nearest) {
+    query.instances.offer_instance(item, query.query, nearest);
+}
+
+HWY_INLINE bool instance_occludes(const UserQuery& query, std::uint32_t item) {
+    return query.instances.instance_occludes(item, query.query);
+}
+
+#endif
 
 /// Intersects an instance; see intersect_candidates.
 HWY_NOINLINE void intersect_instance(const RTCIntersectFunctionNArguments* arguments,
@@ -124,9 +157,10 @@ HWY_NOINLINE void intersect_instance(const RTCIntersectFunctionNArguments* argum
     auto& query = *static_cast<UserQuery*>(arguments->context);
     auto& [ray, hit] = single<RTCRayHit>(arguments->rayhit);
     NearestHit nearest = *query.nearest;
-    query.instances.offer_instance(item, query.query, nearest);
-    const float tfar = query.local.tmax(nearest.t);
-    const bool found = nearest.item == item && !(tfar > ray.tfar);
+    offer_instance(query, item, nearest);
+    const bool beats = nearest.item == item;
+    const float tfar = beats ? query.local.tmax(nearest.t) : 0;
+    const bool found = beats && !(tfar > ray.tfar);
     if (found) {
         *query.nearest = nearest;
         ray.tfar = tfar;
@@ -138,7 +172,7 @@ HWY_NOINLINE void intersect_instance(const RTCIntersectFunctionNArguments* argum
 HWY_NOINLINE void occluded_by_instance(const RTCOccludedFunctionNArguments* arguments,
                                        std::uint32_t item) {
     const auto& query = *static_cast<const UserQuery*>(arguments->context);
-    const bool found = query.instances.instance_occludes(item, query.query);
+    const bool found = instance_occludes(query, item);
     if (found) single<RTCRay>(arguments->ray).tfar = -std::numeric_limits<float>::infinity();
     report(*arguments, found);
 }
@@ -151,10 +185,7 @@ HWY_NOINLINE void intersect_candidates(const RTCIntersectFunctionNArguments* arg
     auto& query = *static_cast<UserQuery*>(arguments->context);
     if constexpr (kind == ClusterRef::list) {
         const std::uint32_t item = query.singles[arguments->primID];
-        if (query.geometry.is_instance(item)) {
-            if (passes(query, item)) return report(*arguments, false);
-            return intersect_instance(arguments, item);
-        }
+        if (query.geometry.is_instance(item)) return intersect_instance(arguments, item);
     }
     auto& asked = single<RTCRayHit>(arguments->rayhit);
     bool found = false;
@@ -176,10 +207,7 @@ HWY_NOINLINE void occluded_candidates(const RTCOccludedFunctionNArguments* argum
     auto& query = *static_cast<UserQuery*>(arguments->context);
     if constexpr (kind == ClusterRef::list) {
         const std::uint32_t item = query.singles[arguments->primID];
-        if (query.geometry.is_instance(item)) {
-            if (passes(query, item)) return report(*arguments, false);
-            return occluded_by_instance(arguments, item);
-        }
+        if (query.geometry.is_instance(item)) return occluded_by_instance(arguments, item);
     }
     auto& ray = single<RTCRay>(arguments->ray);
     bool found = false;

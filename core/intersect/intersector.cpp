@@ -46,6 +46,22 @@ bool Intersector::instance_occludes(std::uint32_t item, const RayQuery& query) c
     return !(passes && object.bounds_.unbounded.empty()) && object.is_occluded(ray, passes);
 }
 
+void Intersector::offer_entered(std::uint32_t item, const RayQuery& in_object,
+                                const NormalizedRay& local, NearestHit& nearest) const {
+    NearestHit hit(nearest.t);
+    object_of(item).closest_bounded(in_object, local, hit);
+    if (hit.found()) nearest.offer(hit.t, item, hit.item);
+}
+
+bool Intersector::entered_occludes(std::uint32_t item, const RayQuery& in_object,
+                                   const NormalizedRay& local) const {
+    return object_of(item).occluded_bounded(in_object, local);
+}
+
+const Intersector& Intersector::object_of(std::uint32_t item) const {
+    return *objects_[geometry_.instances[geometry_.instance_number(item)].object];
+}
+
 inline void Intersector::offer(std::uint32_t item, const RayQuery& query, NearestHit& nearest,
                                TraversalCost* cost) const {
     if (geometry_.is_instance(item)) return offer_instance(item, query, nearest, cost);

@@ -49,6 +49,12 @@ class Intersector : public BatchIntersector {
     /// Whether an instance is hit with t <= query.ray.tmax.
     bool instance_occludes(std::uint32_t item, const RayQuery& query) const;
 
+    /// The same two for whoever has taken the ray into the object's space already (ObjectRay).
+    void offer_entered(std::uint32_t item, const RayQuery& in_object, const NormalizedRay& local,
+                       NearestHit& nearest) const;
+    bool entered_occludes(std::uint32_t item, const RayQuery& in_object,
+                          const NormalizedRay& local) const;
+
     /// The spaces of the intersectors of all objects.
     std::vector<ObjectSpace> object_spaces() const;
 
@@ -108,6 +114,8 @@ class Intersector : public BatchIntersector {
     /// primitive, or only the unbounded ones if it surely misses the rest.
     NearestHit nearest_unresolved(const Ray& ray, TraversalCost* cost) const;
     bool is_occluded_unresolved(const Ray& ray) const;
+
+    const Intersector& object_of(std::uint32_t instance_item) const;
 
     /// `passes`: whether the ray surely_passes() the bounded part of the scene.
     NearestHit nearest_hit(const Ray& ray, bool passes, TraversalCost* cost) const;

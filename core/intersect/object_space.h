@@ -16,8 +16,11 @@ struct alignas(32) ObjectSpace {
         : ObjectSpace(object.space,
                       object.unbounded.empty() ? object.space.reach() : Vec3(infinity)) {}
 
-    /// Whether every ray with a direction of usual length passes it in a t that is resolved.
-    bool is_usual() const { return scale > 1 / largest_scale && scale < largest_scale; }
+    /// Whether it is bounded, and every ray with a direction of usual length passes it in a t that
+    /// is resolved.
+    bool is_usual() const {
+        return reach[0] < infinity && scale > 1 / largest_scale && scale < largest_scale;
+    }
 
     Axes centre, reach;
     Axes next_reach;  ///< of the axis after each

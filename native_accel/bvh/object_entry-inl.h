@@ -51,14 +51,14 @@ class EnteredInstances {
         if (HWY_UNLIKELY(placed.moves() || !object.is_plain)) {
             return bvh_.instances.offer_instance(item, query, nearest);
         }
-        const ObjectRay way(placed, world_);
-        if (way.surely_passes(object.space)) return;
-        if (HWY_UNLIKELY(!way.is_usual(object.space))) {
+        const ObjectRay ray(placed, world_);
+        NormalizedRay local;
+        const ObjectWay way = ray.way(object.space, local);
+        if (way == ObjectWay::passes) return;
+        if (HWY_UNLIKELY(way == ObjectWay::unusual)) {
             return bvh_.instances.offer_instance(item, query, nearest);
         }
-        NormalizedRay local;
-        if (!way.normalize(object.space, local)) return;
-        enter(object.view, way, local, query.ray, item, nearest);
+        enter(object.view, ray, local, query.ray, item, nearest);
     }
 
     HWY_INLINE bool occludes(std::uint32_t item, const RayQuery& query) const {
@@ -67,22 +67,23 @@ class EnteredInstances {
         if (HWY_UNLIKELY(placed.moves() || !object.is_plain)) {
             return bvh_.instances.instance_occludes(item, query);
         }
-        const ObjectRay way(placed, world_);
-        if (way.surely_passes(object.space)) return false;
-        if (HWY_UNLIKELY(!way.is_usual(object.space))) {
+        const ObjectRay ray(placed, world_);
+        NormalizedRay local;
+        const ObjectWay way = ray.way(object.space, local);
+        if (way == ObjectWay::passes) return false;
+        if (HWY_UNLIKELY(way == ObjectWay::unusual)) {
             return bvh_.instances.instance_occludes(item, query);
         }
-        NormalizedRay local;
-        return way.normalize(object.space, local) && is_met(object.view, way, local, query.ray);
+        return is_met(object.view, ray, local, query.ray);
     }
 
-    static HWY_NOINLINE void enter(const BvhView& object, const ObjectRay& way,
+    static HWY_NOINLINE void enter(const BvhView& object, const ObjectRay& ray,
                                    const NormalizedRay& local, const Ray& world, std::uint32_t item,
                                    NearestHit& nearest) {
         const float tmin = local.tmin(world.tmin);
         const Slabs boxes(local, tmin);
         NearestHit inside(nearest.t);
-        const auto make_query = [&]() HWY_ATTR { return RayQuery(way.ray(world, nearest.t)); };
+        const auto make_query = [&]() HWY_ATTR { return RayQuery(ray.ray(world, nearest.t)); };
         const AnyInstances none(object);
         if (object.predicts_branches(world)) {
             find_closest<BranchingLaneSelect>(object, make_query, local, tmin, boxes, none, inside,
@@ -94,11 +95,11 @@ class EnteredInstances {
         if (inside.found()) nearest.offer(inside.t, item, inside.item);
     }
 
-    static HWY_NOINLINE bool is_met(const BvhView& object, const ObjectRay& way,
+    static HWY_NOINLINE bool is_met(const BvhView& object, const ObjectRay& ray,
                                     const NormalizedRay& local, const Ray& world) {
         const float tmin = local.tmin(world.tmin);
         const Slabs boxes(local, tmin);
-        const auto make_query = [&]() HWY_ATTR { return RayQuery(way.ray(world, world.tmax)); };
+        const auto make_query = [&]() HWY_ATTR { return RayQuery(ray.ray(world, world.tmax)); };
         const AnyInstances none(object);
         return object.predicts_branches(world)
                    ? find_any<BranchingLaneSelect>(object, make_query, world.tmax, local, tmin,

@@ -19,7 +19,7 @@ struct BvhView {
     const WideTree& tree;
     const Clusters& clusters;
     const Intersector& instances;
-    const BvhObject* objects;  ///< one for each object of the geometry
+    const BvhObject* objects = nullptr;  ///< one for each object of the geometry
 
     /// Whether the ray is likely to take the same way through the tree as those before it: hardly
     /// where it enters very many nodes.
@@ -31,10 +31,7 @@ struct BvhView {
 /// An object as a ray of the world enters it.
 struct BvhObject {
     explicit BvhObject(const BvhView& v)
-        : space(v.bounds),
-          view(v),
-          is_plain(space.is_usual() && v.geometry.instances.empty() && v.bounds.unbounded.empty() &&
-                   !v.tree.empty()) {}
+        : space(v.bounds), view(v), is_plain(v.geometry.instances.empty() && !v.tree.empty()) {}
 
     ObjectSpace space;
     BvhView view;
