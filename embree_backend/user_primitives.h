@@ -8,6 +8,9 @@
 
 namespace etalon {
 
+struct FineBoxes;
+class Nest;
+
 /// Primitives of which Embree knows only the boxes: those of clusters, and of single primitives
 /// where there is no filter for a cluster. It finds the boxes that a ray meets, nearest first;
 /// filters say what in them the ray could hit, and the kernels decide. Its robust flag does nothing
@@ -16,8 +19,8 @@ namespace etalon {
 class UserPrimitives {
   public:
     /// `instances` answers for the geometry's instances.
-    UserPrimitives(const Geometry& geometry, const Intersector& instances)
-        : geometry_(geometry), instances_(instances) {}
+    UserPrimitives(const Geometry& geometry, const Intersector& instances);
+    ~UserPrimitives();
     UserPrimitives(const UserPrimitives&) = delete;
     UserPrimitives& operator=(const UserPrimitives&) = delete;
 
@@ -25,15 +28,13 @@ class UserPrimitives {
     static constexpr unsigned geometries = 3;
 
     /// Puts `primitives`, of this frame, into `target` as geometries from the number `first` on,
-    /// and builds it with whatever else is in it.
+    /// and builds it with whatever else is in it. `fine`: if they are in a nest already.
     void build(const EmbreeDevice& device, RTCScene target, unsigned first,
-               const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives);
+               const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives,
+               std::shared_ptr<const FineBoxes> fine = nullptr);
 
     bool empty() const { return empty_; }
-    std::size_t memory_bytes() const {
-        return clusters_.memory_bytes() + singles_.memory_bytes() +
-               objects_.capacity() * sizeof(ObjectSpace);
-    }
+    std::size_t memory_bytes() const;
 
     /// Does what UserTracing::intersect does.
     void intersect(RTCScene target, const RayQuery& query, const NormalizedRay& local,
@@ -47,8 +48,12 @@ class UserPrimitives {
 
   private:
     UserView view(RTCScene target) const {
-        return {target, geometry_, clusters_, singles_, instances_, objects_.data()};
+        return {target, geometry_, clusters_, singles_, instances_, objects_.data(), nests_.data()};
     }
+
+    /// Puts a nest's box in the place of its instances.
+    void make_nests(const EmbreeDevice& device, const NormalizedSpace& space,
+                    std::shared_ptr<const FineBoxes> fine, std::vector<BoundedPrimitive>& singles);
 
     const Geometry& geometry_;
     const Intersector& instances_;
@@ -56,6 +61,7 @@ class UserPrimitives {
     Clusters clusters_;
     PrimitiveIds singles_;
     std::vector<ObjectSpace> objects_;
+    std::vector<std::unique_ptr<const Nest>> nests_;
     UserTracing tracing_ = user_tracing();
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/intersect/kernels.h"
 #include "core/numerics/instruction_sets.h"
+#include "embree_backend/nest.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "embree_backend/user_tracing.cpp"
@@ -46,10 +47,17 @@ struct UserQuery : EmbreeContext {
           singles(view.singles),
           instances(view.instances),
           objects(view.objects),
+          nests(view.nests),
           query(q),
           local(l),
           nearest(n) {
         initialise(*this);
+    }
+
+    /// The nest of a number that is none of an item.
+    const Nest* nest(std::uint32_t number) const {
+        const std::uint32_t items = geometry.item_count();
+        return number < items ? nullptr : nests[number - items].get();
     }
 
     /// The lanes, lowest first, that the ray could hit from its tnear to its tfar; of what no
@@ -75,6 +83,7 @@ struct UserQuery : EmbreeContext {
     const PrimitiveIds& singles;
     const Intersector& instances;
     const ObjectSpace* objects;
+    const std::unique_ptr<const Nest>* nests;
     const RayQuery& query;
     const NormalizedRay& local;
     NearestHit* nearest;
@@ -151,14 +160,18 @@ HWY_INLINE bool instance_occludes(const UserQuery& query, std::uint32_t item) {
 
 #endif
 
-/// Intersects an instance; see intersect_candidates.
+/// Intersects an instance or a nest; see intersect_candidates.
 HWY_NOINLINE void intersect_instance(const RTCIntersectFunctionNArguments* arguments,
                                      std::uint32_t item) {
     auto& query = *static_cast<UserQuery*>(arguments->context);
     auto& [ray, hit] = single<RTCRayHit>(arguments->rayhit);
     NearestHit nearest = *query.nearest;
-    offer_instance(query, item, nearest);
-    const bool beats = nearest.item == item;
+    if (const Nest* nest = query.nest(item)) {
+        nest->offer(query.query, nearest);
+    } else {
+        offer_instance(query, item, nearest);
+    }
+    const bool beats = nearest.t < query.nearest->t || nearest.item != query.nearest->item;
     const float tfar = beats ? query.local.tmax(nearest.t) : 0;
     const bool found = beats && !(tfar > ray.tfar);
     if (found) {
@@ -172,7 +185,9 @@ HWY_NOINLINE void intersect_instance(const RTCIntersectFunctionNArguments* argum
 HWY_NOINLINE void occluded_by_instance(const RTCOccludedFunctionNArguments* arguments,
                                        std::uint32_t item) {
     const auto& query = *static_cast<const UserQuery*>(arguments->context);
-    const bool found = instance_occludes(query, item);
+    const Nest* nest = query.nest(item);
+    const bool found =
+        nest != nullptr ? nest->occludes(query.query) : instance_occludes(query, item);
     if (found) single<RTCRay>(arguments->ray).tfar = -std::numeric_limits<float>::infinity();
     report(*arguments, found);
 }

@@ -12,14 +12,18 @@
 
 namespace etalon {
 
+class Nest;
+
 /// View of all that a ray can meet.
 struct UserView {
     RTCScene target;
     const Geometry& geometry;
     const Clusters& clusters;
-    const PrimitiveIds& singles;  ///< items that no filter is for, in place of lists
+    /// Items that no filter is for, in place of lists; the numbers after all items are nests'.
+    const PrimitiveIds& singles;
     const Intersector& instances;
     const ObjectSpace* objects;  ///< one for each object of the geometry
+    const std::unique_ptr<const Nest>* nests;
 };
 
 /// Callbacks and queries, which belong together: callbacks read the context that a query passes.
