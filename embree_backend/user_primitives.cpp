@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/accel/tree/scene_tree.h"
+#include "embree_backend/nest.h"
 
 namespace etalon {
 namespace {
@@ -73,11 +74,47 @@ void attach(const EmbreeDevice& device, RTCScene target, unsigned number, Boxes&
 
 }  // namespace
 
+UserPrimitives::UserPrimitives(const Geometry& geometry, const Intersector& instances)
+    : geometry_(geometry), instances_(instances) {}
+
+UserPrimitives::~UserPrimitives() = default;
+
+std::size_t UserPrimitives::memory_bytes() const {
+    std::size_t bytes = clusters_.memory_bytes() + singles_.memory_bytes() +
+                        objects_.capacity() * sizeof(ObjectSpace);
+    for (const auto& nest : nests_) bytes += nest->memory_bytes();
+    return bytes;
+}
+
+void UserPrimitives::make_nests(const EmbreeDevice& device, const NormalizedSpace& space,
+                                std::shared_ptr<const FineBoxes> fine,
+                                std::vector<BoundedPrimitive>& singles) {
+    const double scene_scale = fine ? fine->scale : space.scale();
+    const auto least = static_cast<float>(smallest_nest * space.scale() / scene_scale);
+    std::vector<FoundNest> found = find_nests(singles, least);
+    if (found.empty()) return;
+    if (!fine) fine = std::make_shared<const FineBoxes>(geometry_, space);
+    std::vector<bool> is_nested(geometry_.item_count());
+    for (const FoundNest& nest : found) {
+        for (const std::uint32_t item : nest.items) is_nested[item] = true;
+    }
+    std::erase_if(singles, [&](const BoundedPrimitive& p) { return is_nested[p.id]; });
+    for (FoundNest& nest : found) {
+        const auto number = geometry_.item_count() + static_cast<std::uint32_t>(nests_.size());
+        singles.emplace_back(nest.box, number, instance_kind);
+        nests_.push_back(std::make_unique<const Nest>(device, geometry_, instances_, fine,
+                                                      std::move(nest.items)));
+    }
+}
+
 void UserPrimitives::build(const EmbreeDevice& device, RTCScene target, unsigned first,
-                           const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives) {
+                           const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives,
+                           std::shared_ptr<const FineBoxes> fine) {
     empty_ = primitives.empty();
-    const std::vector<BoundedPrimitive> singles = take_singles(primitives);
+    std::vector<BoundedPrimitive> singles = take_singles(primitives);
+    make_nests(device, space, std::move(fine), singles);
     singles_ = ids_of(singles);
+    objects_ = instances_.object_spaces();
     std::array<Boxes, 3> boxes;
     boxes[ClusterRef::list] = boxes_of(singles);
     clusters_ =

@@ -8,6 +8,9 @@
 
 namespace etalon {
 
+struct FineBoxes;
+class Nest;
+
 /// Primitives of which Embree knows only the boxes: those of clusters, and of single primitives
 /// that have no filter. Embree finds the boxes that a ray enters, nearest first; filters find what
 /// the ray could hit in them, and the kernels decide. Its robust flag has no effect on these. A
@@ -15,8 +18,8 @@ namespace etalon {
 class UserPrimitives {
   public:
     /// `instances` answers queries for the geometry's instances.
-    UserPrimitives(const Geometry& geometry, const Intersector& instances)
-        : geometry_(geometry), instances_(instances) {}
+    UserPrimitives(const Geometry& geometry, const Intersector& instances);
+    ~UserPrimitives();
     UserPrimitives(const UserPrimitives&) = delete;
     UserPrimitives& operator=(const UserPrimitives&) = delete;
 
@@ -24,12 +27,14 @@ class UserPrimitives {
     static constexpr unsigned geometries = 3;
 
     /// Attaches `primitives`, in this normalized space, to `target` as geometries from the number
-    /// `first` on, and builds `target` with whatever else is in it.
+    /// `first` on, and builds `target` with whatever else is in it. `fine` is not null if they are in
+    /// a nest already.
     void build(const EmbreeDevice& device, RTCScene target, unsigned first,
-               const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives);
+               const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives,
+               std::shared_ptr<const FineBoxes> fine = nullptr);
 
     bool empty() const { return empty_; }
-    std::size_t memory_bytes() const { return clusters_.memory_bytes() + singles_.memory_bytes(); }
+    std::size_t memory_bytes() const;
 
     /// Does the same as UserTracing::intersect.
     void intersect(RTCScene target, const RayQuery& query, const NormalizedRay& local,
@@ -43,14 +48,20 @@ class UserPrimitives {
 
   private:
     UserView view(RTCScene target) const {
-        return {target, geometry_, clusters_, singles_, instances_};
+        return {target, geometry_, clusters_, singles_, instances_, objects_.data(), nests_.data()};
     }
+
+    /// Puts a nest's box in the place of its instances.
+    void make_nests(const EmbreeDevice& device, const NormalizedSpace& space,
+                    std::shared_ptr<const FineBoxes> fine, std::vector<BoundedPrimitive>& singles);
 
     const Geometry& geometry_;
     const Intersector& instances_;
     bool empty_ = true;
     Clusters clusters_;
     PrimitiveIds singles_;
+    std::vector<ObjectSpace> objects_;
+    std::vector<std::unique_ptr<const Nest>> nests_;
     UserTracing tracing_ = user_tracing();
 };
 

@@ -5,6 +5,7 @@
 
 #include "core/intersect/kernels.h"
 #include "core/numerics/instruction_sets.h"
+#include "embree_backend/nest.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "embree_backend/user_tracing.cpp"
@@ -12,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include "core/accel/clusters/filter-inl.h"
+#include "core/intersect/object_ray-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace etalon::HWY_NAMESPACE {
@@ -44,10 +46,18 @@ struct UserQuery : EmbreeContext {
           clusters(view.clusters),
           singles(view.singles),
           instances(view.instances),
+          objects(view.objects),
+          nests(view.nests),
           query(q),
           local(l),
           nearest(n) {
         initialise(*this);
+    }
+
+    /// Returns the nest with a number that is not an item's, else null.
+    const Nest* nest(std::uint32_t number) const {
+        const std::uint32_t items = geometry.item_count();
+        return number < items ? nullptr : nests[number - items].get();
     }
 
     /// Returns the lanes, lowest first, that the ray could hit from its tnear to its tfar; one lane
@@ -72,6 +82,8 @@ struct UserQuery : EmbreeContext {
     const Clusters& clusters;
     const PrimitiveIds& singles;
     const Intersector& instances;
+    const ObjectSpace* objects;
+    const std::unique_ptr<const Nest>* nests;
     const RayQuery& query;
     const NormalizedRay& local;
     NearestHit* nearest;
@@ -101,15 +113,67 @@ HWY_INLINE void test_lanes(const UserQuery& query, std::uint32_t cluster, std::u
     }
 }
 
-/// Intersects an instance; see intersect_candidates.
+#if HWY_MAX_BYTES >= 32
+
+/// Offers `nearest` an instance: most objects that a ray is taken to are passed.
+HWY_INLINE void offer_instance(const UserQuery& query, std::uint32_t item, NearestHit& nearest) {
+    const Instance& instance = query.geometry.instances[query.geometry.instance_number(item)];
+    if (HWY_UNLIKELY(instance.moves())) {
+        return query.instances.offer_instance(item, query.query, nearest);
+    }
+    const ObjectRay ray(instance, WorldRayLanes(query.query.ray));
+    NormalizedRay local;
+    const ObjectWay way = ray.way(query.objects[instance.object], local);
+    if (way == ObjectWay::passes) return;
+    if (HWY_UNLIKELY(way == ObjectWay::unusual)) {
+        return query.instances.offer_instance(item, query.query, nearest);
+    }
+    query.instances.offer_entered(item, RayQuery(ray.ray(query.query.ray, nearest.t)), local,
+                                  nearest);
+}
+
+HWY_INLINE bool instance_occludes(const UserQuery& query, std::uint32_t item) {
+    const Instance& instance = query.geometry.instances[query.geometry.instance_number(item)];
+    if (HWY_UNLIKELY(instance.moves())) {
+        return query.instances.instance_occludes(item, query.query);
+    }
+    const ObjectRay ray(instance, WorldRayLanes(query.query.ray));
+    NormalizedRay local;
+    const ObjectWay way = ray.way(query.objects[instance.object], local);
+    if (way == ObjectWay::passes) return false;
+    if (HWY_UNLIKELY(way == ObjectWay::unusual)) {
+        return query.instances.instance_occludes(item, query.query);
+    }
+    const double until = query.query.ray.tmax;
+    return query.instances.entered_occludes(item, RayQuery(ray.ray(query.query.ray, until)), local);
+}
+
+#else
+
+HWY_INLINE void offer_instance(const UserQuery& query, std::uint32_t item, NearestHit& nearest) {
+    query.instances.offer_instance(item, query.query, nearest);
+}
+
+HWY_INLINE bool instance_occludes(const UserQuery& query, std::uint32_t item) {
+    return query.instances.instance_occludes(item, query.query);
+}
+
+#endif
+
+/// Intersects an instance or a nest; see intersect_candidates.
 HWY_NOINLINE void intersect_instance(const RTCIntersectFunctionNArguments* arguments,
                                      std::uint32_t item) {
     auto& query = *static_cast<UserQuery*>(arguments->context);
     auto& [ray, hit] = single<RTCRayHit>(arguments->rayhit);
     NearestHit nearest = *query.nearest;
-    query.instances.offer_instance(item, query.query, nearest);
-    const float tfar = query.local.tmax(nearest.t);
-    const bool found = nearest.item == item && !(tfar > ray.tfar);
+    if (const Nest* nest = query.nest(item)) {
+        nest->offer(query.query, nearest);
+    } else {
+        offer_instance(query, item, nearest);
+    }
+    const bool beats = nearest.t < query.nearest->t || nearest.item != query.nearest->item;
+    const float tfar = beats ? query.local.tmax(nearest.t) : 0;
+    const bool found = beats && !(tfar > ray.tfar);
     if (found) {
         *query.nearest = nearest;
         ray.tfar = tfar;
@@ -121,7 +185,9 @@ HWY_NOINLINE void intersect_instance(const RTCIntersectFunctionNArguments* argum
 HWY_NOINLINE void occluded_by_instance(const RTCOccludedFunctionNArguments* arguments,
                                        std::uint32_t item) {
     const auto& query = *static_cast<const UserQuery*>(arguments->context);
-    const bool found = query.instances.instance_occludes(item, query.query);
+    const Nest* nest = query.nest(item);
+    const bool found =
+        nest != nullptr ? nest->occludes(query.query) : instance_occludes(query, item);
     if (found) single<RTCRay>(arguments->ray).tfar = -std::numeric_limits<float>::infinity();
     report(*arguments, found);
 }

@@ -6,18 +6,24 @@
 
 #include "core/accel/clusters/clusters.h"
 #include "core/intersect/intersector.h"
+#include "core/intersect/object_space.h"
 #include "embree_backend/embree_shim.h"
 #include "embree_backend/primitive_ids.h"
 
 namespace etalon {
+
+class Nest;
 
 /// View of everything that a ray can hit.
 struct UserView {
     RTCScene target;
     const Geometry& geometry;
     const Clusters& clusters;
-    const PrimitiveIds& singles;  ///< items without a filter, in place of lists
+    /// Items without a filter, in place of lists; the numbers after all items are those of nests.
+    const PrimitiveIds& singles;
     const Intersector& instances;
+    const ObjectSpace* objects;  ///< one for each object of the geometry
+    const std::unique_ptr<const Nest>* nests;
 };
 
 /// Callbacks and queries, which belong together: callbacks read the context that a query passes.

@@ -4,6 +4,7 @@
 
 #include "core/intersect/kernels.h"
 #include "core/intersect/local_rays.h"
+#include "core/intersect/object_space.h"
 #include "core/intersect/placement.h"
 #include "core/intersect/rescaled_ray.h"
 #include "core/numerics/denormals.h"
@@ -11,6 +12,13 @@
 namespace etalon {
 Intersector::Intersector(const Geometry& geometry, SceneBounds bounds)
     : geometry_(geometry), bounds_(std::move(bounds)) {}
+
+std::vector<ObjectSpace> Intersector::object_spaces() const {
+    std::vector<ObjectSpace> spaces;
+    spaces.reserve(objects_.size());
+    for (const auto& object : objects_) spaces.emplace_back(object->bounds_);
+    return spaces;
+}
 
 std::size_t Intersector::memory_bytes() const {
     std::size_t bytes = own_bytes();
@@ -36,6 +44,22 @@ bool Intersector::instance_occludes(std::uint32_t item, const RayQuery& query) c
     const Intersector& object = *objects_[instance->object];
     const bool misses = misses_bounds(object.bounds_.space, ray);
     return !(misses && object.bounds_.unbounded.empty()) && object.is_occluded(ray, misses);
+}
+
+void Intersector::offer_entered(std::uint32_t item, const RayQuery& in_object,
+                                const NormalizedRay& local, NearestHit& nearest) const {
+    NearestHit hit(nearest.t);
+    object_of(item).closest_bounded(in_object, local, hit);
+    if (hit.found()) nearest.offer(hit.t, item, hit.item);
+}
+
+bool Intersector::entered_occludes(std::uint32_t item, const RayQuery& in_object,
+                                   const NormalizedRay& local) const {
+    return object_of(item).occluded_bounded(in_object, local);
+}
+
+const Intersector& Intersector::object_of(std::uint32_t item) const {
+    return *objects_[geometry_.instances[geometry_.instance_number(item)].object];
 }
 
 inline void Intersector::offer(std::uint32_t item, const RayQuery& query, NearestHit& nearest,

@@ -16,6 +16,7 @@
 namespace etalon {
 
 class LocalRays;
+struct ObjectSpace;
 
 /// Finds hits in a scene. A backend derives from it and decides only *which* kernels are called;
 /// ties, unbounded primitives and instances are handled here, in the same way for all backends.
@@ -47,6 +48,15 @@ class Intersector : public BatchIntersector {
 
     /// Returns whether an instance is hit with t <= query.ray.tmax.
     bool instance_occludes(std::uint32_t item, const RayQuery& query) const;
+
+    /// The same two for callers that have already transformed the ray to object space (ObjectRay).
+    void offer_entered(std::uint32_t item, const RayQuery& in_object, const NormalizedRay& local,
+                       NearestHit& nearest) const;
+    bool entered_occludes(std::uint32_t item, const RayQuery& in_object,
+                          const NormalizedRay& local) const;
+
+    /// Returns the spaces of the intersectors of all objects.
+    std::vector<ObjectSpace> object_spaces() const;
 
     /// Returns the bytes of the backend's structures, including those of objects.
     std::size_t memory_bytes() const;
@@ -105,6 +115,8 @@ class Intersector : public BatchIntersector {
     /// primitive, or only the unbounded ones if the ray surely misses the rest.
     NearestHit nearest_unresolved(const Ray& ray, TraversalCost* cost) const;
     bool is_occluded_unresolved(const Ray& ray) const;
+
+    const Intersector& object_of(std::uint32_t instance_item) const;
 
     /// `misses` is the result of misses_bounds().
     NearestHit nearest_hit(const Ray& ray, bool misses, TraversalCost* cost) const;

@@ -27,6 +27,9 @@ Bvh::Bvh(const Geometry& geometry)
     : Intersector(geometry, SceneBounds::of(geometry, padding_for(geometry))),
       traversal_(geometry.instances.empty() ? bvh_traversal() : bvh_instance_traversal()) {
     build_objects<Bvh>();
+    for (std::uint32_t i = 0; i < geometry.objects.size(); ++i) {
+        entries_.emplace_back(static_cast<const Bvh&>(object(i)).view());
+    }
     BvhTree tree = build_scene_bvh(geometry, scene_bounds().space, take_bounded());
     if (tree.nodes.empty()) return;
     const std::vector<Range> ranges = number_leaves(tree);
@@ -37,7 +40,8 @@ Bvh::Bvh(const Geometry& geometry)
 }
 
 std::size_t Bvh::own_bytes() const {
-    return tree_.nodes.capacity() * sizeof(WideNode) + clusters_.memory_bytes();
+    return tree_.nodes.capacity() * sizeof(WideNode) + clusters_.memory_bytes() +
+           entries_.capacity() * sizeof(BvhObject);
 }
 
 std::string Bvh::isa() const {

@@ -20,8 +20,11 @@ class Bvh final : public Intersector {
     bool occluded_bounded(const RayQuery& query, const NormalizedRay& local) const override;
 
   private:
-    BvhView view() const { return {geometry(), scene_bounds(), tree_, clusters_, *this}; }
+    BvhView view() const {
+        return {geometry(), scene_bounds(), tree_, clusters_, *this, entries_.data()};
+    }
 
+    std::vector<BvhObject> entries_;  ///< of the objects
     WideTree tree_;
     Clusters clusters_;
     const BvhTraversal traversal_;

@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include "native_accel/bvh/fine_slabs-inl.h"
+#include "native_accel/bvh/object_entry-inl.h"
 #include "native_accel/bvh/queries-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,10 +22,14 @@ void traverse_closest(const BvhView& bvh, const RayQuery& query, const Normalize
     const float tmin = local.tmin(query.ray.tmin);
     const FineSlabs boxes(local, tmin,
                           fine_ray(bvh.bounds.space, bvh.bounds.spread, query.ray, local));
+    const auto same = [&]() HWY_ATTR -> const RayQuery& { return query; };
+    const EnteredInstances instances(bvh, query.ray);
     if (bvh.predicts_branches(query.ray)) {
-        find_closest<BranchingLaneSelect>(bvh, query, local, tmin, boxes, nearest, Uncounted());
+        find_closest<BranchingLaneSelect>(bvh, same, local, tmin, boxes, instances, nearest,
+                                          Uncounted());
     } else {
-        find_closest<BranchlessLaneSelect>(bvh, query, local, tmin, boxes, nearest, Uncounted());
+        find_closest<BranchlessLaneSelect>(bvh, same, local, tmin, boxes, instances, nearest,
+                                           Uncounted());
     }
 }
 
@@ -33,14 +38,16 @@ void traverse_closest_counted(const BvhView& bvh, const RayQuery& query, const N
     const float tmin = local.tmin(query.ray.tmin);
     const FineSlabs boxes(local, tmin,
                           fine_ray(bvh.bounds.space, bvh.bounds.spread, query.ray, local));
-    find_closest<BranchlessLaneSelect>(bvh, query, local, tmin, boxes, nearest, Counted{cost});
+    const auto same = [&]() HWY_ATTR -> const RayQuery& { return query; };
+    find_closest<BranchlessLaneSelect>(bvh, same, local, tmin, boxes, AnyInstances(bvh), nearest,
+                                       Counted{cost});
 }
 
 bool traverse_occluded(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local) {
     const float tmin = local.tmin(query.ray.tmin);
     const FineSlabs boxes(local, tmin,
                           fine_ray(bvh.bounds.space, bvh.bounds.spread, query.ray, local));
-    return find_any_in_pairs(bvh, query, local, tmin, boxes);
+    return find_any_in_pairs(bvh, query, local, tmin, boxes, EnteredInstances(bvh, query.ray));
 }
 
 }  // namespace

@@ -18,10 +18,14 @@ void traverse_closest(const BvhView& bvh, const RayQuery& query, const Normalize
                       NearestHit& nearest) {
     const float tmin = local.tmin(query.ray.tmin);
     const Slabs boxes(local, tmin);
+    const auto same = [&]() HWY_ATTR -> const RayQuery& { return query; };
+    const AnyInstances instances(bvh);
     if (bvh.predicts_branches(query.ray)) {
-        find_closest<BranchingLaneSelect>(bvh, query, local, tmin, boxes, nearest, Uncounted());
+        find_closest<BranchingLaneSelect>(bvh, same, local, tmin, boxes, instances, nearest,
+                                          Uncounted());
     } else {
-        find_closest<BranchlessLaneSelect>(bvh, query, local, tmin, boxes, nearest, Uncounted());
+        find_closest<BranchlessLaneSelect>(bvh, same, local, tmin, boxes, instances, nearest,
+                                           Uncounted());
     }
 }
 
@@ -29,15 +33,20 @@ void traverse_closest_counted(const BvhView& bvh, const RayQuery& query, const N
                               NearestHit& nearest, TraversalCost& cost) {
     const float tmin = local.tmin(query.ray.tmin);
     const Slabs boxes(local, tmin);
-    find_closest<BranchlessLaneSelect>(bvh, query, local, tmin, boxes, nearest, Counted{cost});
+    const auto same = [&]() HWY_ATTR -> const RayQuery& { return query; };
+    find_closest<BranchlessLaneSelect>(bvh, same, local, tmin, boxes, AnyInstances(bvh), nearest,
+                                       Counted{cost});
 }
 
 bool traverse_occluded(const BvhView& bvh, const RayQuery& query, const NormalizedRay& local) {
     const float tmin = local.tmin(query.ray.tmin);
     const Slabs boxes(local, tmin);
+    const auto same = [&]() HWY_ATTR -> const RayQuery& { return query; };
+    const double until = query.ray.tmax;
+    const AnyInstances instances(bvh);
     return bvh.predicts_branches(query.ray)
-               ? find_any<BranchingLaneSelect>(bvh, query, local, tmin, boxes)
-               : find_any<BranchlessLaneSelect>(bvh, query, local, tmin, boxes);
+               ? find_any<BranchingLaneSelect>(bvh, same, until, local, tmin, boxes, instances)
+               : find_any<BranchlessLaneSelect>(bvh, same, until, local, tmin, boxes, instances);
 }
 
 }  // namespace

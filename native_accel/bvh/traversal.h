@@ -3,11 +3,14 @@
 #pragma once
 
 #include "core/intersect/intersector.h"
+#include "core/intersect/object_space.h"
 #include "core/intersect/ray.h"
 #include "core/intersect/traversal_cost.h"
 #include "native_accel/bvh/wide_tree.h"
 
 namespace etalon {
+
+struct BvhObject;
 
 /// View of the data that a traversal needs.
 struct BvhView {
@@ -16,12 +19,23 @@ struct BvhView {
     const WideTree& tree;
     const Clusters& clusters;
     const Intersector& instances;
+    const BvhObject* objects = nullptr;  ///< one for each object of the geometry
 
     /// Returns whether the ray is likely to take the same path through the tree as those before it.
     /// That is unlikely if it enters very many nodes.
     bool predicts_branches(const Ray& ray) const {
         return ray.coherent() && tree.expected_nodes < 16;
     }
+};
+
+/// An object as a ray in world space enters it.
+struct BvhObject {
+    explicit BvhObject(const BvhView& v)
+        : space(v.bounds), view(v), is_plain(v.geometry.instances.empty() && !v.tree.empty()) {}
+
+    ObjectSpace space;
+    BvhView view;
+    bool is_plain;  ///< true if all of its primitives are in its tree
 };
 
 /// Traversal functions for one instruction set.

@@ -146,15 +146,16 @@ TEST_CASE("Given an instance just before a primitive, it is found after that", "
 
 namespace {
 
-/// Boxes of sizes from 1e-7 to 10, by instances of one box, anywhere within 10 of the origin.
-Geometry boxes_of_all_sizes() {
+/// Boxes of sizes from 1e-7 to 10, by instances of one box, each at place(size, random).
+template <class Place>
+Geometry boxes_of_all_sizes(int count, const Place& place) {
     Geometry geometry;
     geometry.objects.resize(1);
     geometry.objects[0].add(Box{{-1, -1, -1}, {1, 1, 1}}, 0);
     Random random(31);
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < count; ++i) {
         const double size = random.magnitude(-7, 1);
-        const Affine map{{size, 0, 0}, {0, size, 0}, {0, 0, size}, random.in_cube(10)};
+        const Affine map{{size, 0, 0}, {0, size, 0}, {0, 0, size}, place(size, random)};
         geometry.instances.emplace_back(map, 0);
     }
     return geometry;
@@ -178,7 +179,15 @@ Ray ray_at_edge(const Geometry& geometry, Random& random) {
 
 TEST_CASE("Given instances of all sizes and rays at their edges, none is culled that is hit",
           "[instances]") {
-    const Geometry geometry = boxes_of_all_sizes();
+    const bool is_nested = GENERATE(false, true);
+    CAPTURE(is_nested);
+    const Geometry geometry =
+        is_nested
+            ? boxes_of_all_sizes(1000,
+                                 [](double size, Random& random) {
+                                     return Vec3(3, -4, 5) + 4 * size * random.direction();
+                                 })
+            : boxes_of_all_sizes(400, [](double, Random& random) { return random.in_cube(10); });
     Random random(32);
     std::vector<Ray> rays;
     std::vector<Hit> expected;
