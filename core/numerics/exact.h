@@ -116,7 +116,8 @@ double exact_edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3
 /// The exact sign, with a value that is off by 2^-100 of the terms of the sum; less slow.
 double exact_edge_sign(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b);
 
-/// (a - o) . ((b - o) x (c - o)): six times the signed volume of the tetrahedron. As good as that.
+/// (a - o) . ((b - o) x (c - o)): six times the signed volume of the tetrahedron. As good as that,
+/// but NaN where its terms leave the range of double, or are all 0.
 double exact_volume(const Vec3& o, const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// n . d, and n . (p - o), with the exact sign, and good to a few ulp; slow.
