@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 
 namespace etalon {
 namespace {
@@ -33,6 +35,19 @@ std::size_t typing_errors(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
+/// Returns the letters of a word as bits; some share a bit.
+std::uint64_t letters_of(std::string_view word) {
+    std::uint64_t letters = 0;
+    for (const char c : word) letters |= std::uint64_t{1} << (lower(c) & 63);
+    return letters;
+}
+
+/// Returns a lower bound on the typing errors between words of these letters: an error adds at most
+/// one letter that the other word lacks. It rules out most names.
+std::size_t fewest_errors(std::uint64_t a, std::uint64_t b) {
+    return static_cast<std::size_t>(std::max(std::popcount(a & ~b), std::popcount(b & ~a)));
+}
+
 /// Returns the number of letters of the common prefix.
 std::size_t common_start(std::string_view a, std::string_view b) {
     std::size_t n = 0;
@@ -44,6 +59,7 @@ std::size_t common_start(std::string_view a, std::string_view b) {
 
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> names) {
     if (word.size() > longest) return {};
+    const std::uint64_t letters = letters_of(word);
     std::string_view nearest;
     std::size_t fewest = longest, longest_start = 0;
     for (const std::string_view name : names) {
@@ -51,6 +67,7 @@ std::string_view nearest_name(std::string_view word, std::span<const std::string
         const auto [shorter, longer] = std::minmax({word.size(), name.size()});
         const std::size_t unbearable = std::min({shorter / 3 + 2, shorter, fewest + 1});
         if (longer - shorter >= unbearable) continue;  // each missing letter is an error
+        if (fewest_errors(letters, letters_of(name)) >= unbearable) continue;
         const std::size_t errors = typing_errors(word, name);
         const std::size_t start = common_start(word, name);
         if (errors < unbearable && (errors < fewest || start > longest_start)) {

@@ -26,25 +26,34 @@ struct Refused {};
 
 /// First bytes of the files of a format.
 struct Signature {
-    std::string_view start, name;
+    std::string_view start;
+    std::string_view name;    ///< for messages
+    std::string_view format;  ///< OpenImageIO's
 };
-constexpr Signature signatures[] = {{"#?", "HDR"},         {"PF\n", "PFM"},        {"Pf\n", "PFM"},
-                                    {"\xff\xd8", "JPEG"},  {"BM", "BMP"},          {"GIF8", "GIF"},
-                                    {"RIFF", "WebP"},      {{"II*\0", 4}, "TIFF"}, {"8BPS", "PSD"},
-                                    {{"MM\0*", 4}, "TIFF"}};
+constexpr Signature signatures[] = {{"#?", "HDR", "hdr"},           {"PF\n", "PFM", "pnm"},
+                                    {"Pf\n", "PFM", "pnm"},         {"\xff\xd8", "JPEG", "jpeg"},
+                                    {"BM", "BMP", "bmp"},           {"GIF8", "GIF", "gif"},
+                                    {"RIFF", "WebP", "webp"},       {{"II*\0", 4}, "TIFF", "tiff"},
+                                    {{"MM\0*", 4}, "TIFF", "tiff"}, {"8BPS", "PSD", "psd"}};
 
-/// Throws the reason why OpenImageIO cannot read a file, as its own messages are about internal
-/// steps. `otherwise` is the reason if the format is unknown.
-[[noreturn]] void fail_by_content(const char* path, const char* otherwise) {
+/// Returns the signature of a file, or null if its format is unknown.
+const Signature* signature_of(const char* path) {
     char bytes[4] = {};
     std::ifstream file(path, std::ios::binary);
     file.read(bytes, sizeof bytes);
     const std::string_view start(bytes, static_cast<std::size_t>(file.gcount()));
     for (const Signature& s : signatures) {
-        if (start.substr(0, s.start.size()) != s.start) continue;
-        fail("the " + std::string(s.name) + " is damaged, cut short or of a kind not supported");
+        if (start.substr(0, s.start.size()) == s.start) return &s;
     }
-    fail(otherwise);
+    return nullptr;
+}
+
+/// Throws the reason why OpenImageIO cannot read a file, as its own messages are about internal
+/// steps. `otherwise` is the reason if the format is unknown.
+[[noreturn]] void fail_by_content(const Signature* signature, const char* otherwise) {
+    if (signature == nullptr) fail(otherwise);
+    fail("the " + std::string(signature->name) +
+         " is damaged, cut short or of a kind not supported");
 }
 
 /// Runs `task` and catches whatever it throws.
@@ -64,13 +73,26 @@ void append(const EtalonSink& sink, const void* data, std::size_t size) {
     if (sink.append(sink.context, data, size) == 0) throw Refused();
 }
 
-std::unique_ptr<OIIO::ImageInput> open(const char* path) {
-    OIIO::ImageSpec options;
+/// Opens a file by the reader for what it begins with, or else for its name. No other is tried:
+/// OpenImageIO would offer what one refuses to all that it has, those of films and raw photographs
+/// too, which takes a hundred times as long and is more for a damaged file to break. Null if the
+/// file cannot be opened.
+std::unique_ptr<OIIO::ImageInput> open_by_kind(const char* path, const Signature* signature) {
+    OIIO::attribute("try_all_readers", 0);
+    OIIO::ImageSpec found, options;
     options["oiio:UnassociatedAlpha"] = 1;  // colours as stored, not multiplied by alpha
-    auto input = OIIO::ImageInput::open(path, &options);
+    auto input = OIIO::ImageInput::create(signature != nullptr ? signature->format : path);
+    if (input && input->open(path, found, options)) return input;
+    // What is not asked for is printed at the end.
+    if (input) static_cast<void>(input->geterror());
+    static_cast<void>(OIIO::geterror());
+    return nullptr;
+}
+
+std::unique_ptr<OIIO::ImageInput> open(const char* path, const Signature* signature) {
+    auto input = open_by_kind(path, signature);
     if (!input) {
-        static_cast<void>(OIIO::geterror());  // or it is printed at the end
-        fail_by_content(path, "it is not an image; expected EXR, PNG, JPEG, HDR or PFM");
+        fail_by_content(signature, "it is not an image; expected EXR, PNG, JPEG, HDR or PFM");
     }
     const OIIO::ImageSpec& spec = input->spec();
     if (spec.depth != 1 || spec.deep) fail("volumes and deep pictures are not supported");
@@ -105,14 +127,15 @@ bool read_rows(OIIO::ImageInput& input, const EtalonImageFormat& format, const E
 
 int read(const char* path, int header_only, const EtalonSink* sink) {
     return guarded(*sink, [&] {
-        const auto input = open(path);
+        const Signature* const signature = signature_of(path);
+        const auto input = open(path, signature);
         const OIIO::ImageSpec& spec = input->spec();
         const EtalonImageFormat format{
             spec.width, spec.height, std::min(spec.nchannels, max_channels),
             spec.format != OIIO::TypeDesc::UINT8, !spec.format.is_floating_point()};
         if (sink->begin(sink->context, &format) == 0) throw Refused();
         if (header_only == 0 && !read_rows(*input, format, *sink)) {
-            fail_by_content(path, "the image is damaged or cut short");
+            fail_by_content(signature, "the image is damaged or cut short");
         }
     });
 }

@@ -117,7 +117,7 @@ double exact_edge_volume(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3
 double exact_edge_sign(const Vec3& o, const Vec3& d, const Vec3& a, const Vec3& b);
 
 /// Returns (a - o) . ((b - o) x (c - o)), six times the signed volume of the tetrahedron, with the
-/// exact sign and good to 2^-38.
+/// exact sign and good to 2^-38; NaN if its terms leave the range of double, or are all 0.
 double exact_volume(const Vec3& o, const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Return n . d and n . (p - o), with the exact sign and good to a few ulp; slow.

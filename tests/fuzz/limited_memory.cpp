@@ -45,6 +45,10 @@ LimitedMemory::~LimitedMemory() {
     calls_left = 0;
 }
 
+bool LimitedMemory::has_failed() const {
+    return calls_left <= 0;
+}
+
 }  // namespace etalon::fuzz
 
 // clang-format off

@@ -10,6 +10,10 @@ class LimitedMemory {
     /// Lets the operator new also throw once, at its call of this number; 0: at none.
     explicit LimitedMemory(std::uint32_t failing_call = 0);
     ~LimitedMemory();
+
+    /// Whether the call of that number has come.
+    bool has_failed() const;
+
     LimitedMemory(const LimitedMemory&) = delete;
     LimitedMemory& operator=(const LimitedMemory&) = delete;
 };

@@ -136,3 +136,12 @@ TEST_CASE("tiles are put in their places, cut at the edge") {
     for (int i = 0; i < 32 * 20; ++i) wrong += bytes[i] != (7 * (i % 32) + i / 32) % 256;
     CHECK(wrong == 0);
 }
+
+TEST_CASE("a file is read by what it begins with, or else by its name, and by no other reader") {
+    const TemporaryFolder folder;
+    CHECK(read(folder, "tiff.hdr", tiled_tiff()).width == 32);
+    const std::string grey = std::string("P5 2 1 255\n") + "ab";
+    CHECK(read(folder, "grey.pgm", grey).width == 2);
+    put(folder / "grey.hdr", grey);
+    CHECK(read_image(folder / "grey.hdr").error != "");
+}

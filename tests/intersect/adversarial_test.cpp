@@ -1,4 +1,5 @@
 #include "core/intersect/kernels.h"
+#include "core/intersect/placement.h"
 #include "tests/catch.h"
 #include "tests/intersect/rays_at_shapes.h"
 #include "tests/intersect/scene_numbers.h"
@@ -155,6 +156,31 @@ TEST_CASE("Flat shapes: given a ray from any distance, then hit and miss are exa
             REQUIRE(std::isnan(hit({std::nextafter(origin.x, 0), origin.y, 0})));
             REQUIRE(std::isnan(hit({origin.x, std::nextafter(origin.y, 0), 0})));
             REQUIRE(std::isnan(hit({origin.x, origin.y, 10})));
+        }
+    }
+}
+
+TEST_CASE("Flat shapes: given a ray that begins next to their plane, then t is exact") {
+    Scene scene;
+    const std::array corners = {Vec3(0, 4, -3), Vec3(0, 4, 5), Vec3(0, -4, 5), Vec3(0, -4, -3)};
+    for (const Vec3& v : corners) scene.geometry.add_vertex(v);
+    scene.geometry.add(Triangle{{0, 1, 2}}, 0);
+    scene.geometry.add(Polygon{corners}, 0);
+    for (int k = 0; k < 1000; k += 20) {
+        for (const Vec3& to : {Vec3(0, 1, 3), Vec3(0, 4, 0), Vec3(0, 4, 5)}) {
+            const double step = std::ldexp(1, -k);
+            const Ray ray{to - Vec3(step, 0, 0), {1, 0, 0}}, leaving{ray.origin, {-1, 0, 0}};
+            const Ray small{ray.origin, {step, 0, 0}}, aslant{ray.origin, {0x1p-60, -1, 0}};
+            for (const std::uint32_t primitive : {0U, 1U}) {
+                CAPTURE(k, to, primitive);
+                const auto hit = [&](const Ray& r) {
+                    return first_hit(scene.geometry, key_of(primitive, no_index), r);
+                };
+                REQUIRE(hit(ray) == step);
+                REQUIRE(hit(small) == 1);
+                REQUIRE(std::isnan(hit(leaving)));
+                REQUIRE((k < 60 || hit(aslant) == 0x1p60 * step));
+            }
         }
     }
 }

@@ -61,9 +61,12 @@ void finalize_weights(TriangleCrossing& c, const TriangleCorners& p, const RayQu
 /// between the corners. For a ray that has just left the triangle they are accurate enough; it is
 /// the volume that nearly vanishes.
 double exact_distance(const TriangleCrossing& c, const TriangleCorners& p, const RayQuery& q) {
-    if (!c.is_in_range()) return are_finite(p, q.ray) ? widest_distance(p, q) : no_hit;
     const Vec3 &o = q.ray.origin, &d = q.ray.direction;
     const double volume = exact_volume(o, p[0], p[1], p[2]);
+    // Next to the plane the volume may leave the range of double where the weights do not.
+    if (!c.is_in_range() || std::isnan(volume)) {
+        return are_finite(p, q.ray) ? widest_distance(p, q) : no_hit;
+    }
     if (4 * c.error_bound <= t_tolerance * std::abs(c.sum)) return volume / (c.sum / q.dz);
     double sum = 0;
     for (int k = 0; k < 3; ++k) {

@@ -1,0 +1,81 @@
+// Scenes are loaded, built and rendered in this process while one call of operator new fails,
+// whichever it is: nothing is lost or used after its end then, which builds with the address
+// sanitizer see.
+#include <memory>
+#include <new>
+
+#include "core/formats/load.h"
+#include "core/parallel/parallel.h"
+#include "core/shading/textured_cut_outs.h"
+#include "tests/catch.h"
+#include "tests/fuzz/limited_memory.h"
+#include "tests/render/test_images.h"
+
+using namespace etalon;
+using namespace etalon::test;
+using etalon::fuzz::LimitedMemory;
+
+namespace {
+
+struct Task {
+    std::string scene;  ///< below scenes/
+    std::string backend;
+};
+
+// Not by Embree, of whose allocators one may be used after its end where its own calls have failed:
+// a program ends then.
+const std::vector<Task> tasks = {
+    {"features/glass.p3f", "bvh"},
+    {"features/meshes.p3f", "grid"},
+    {"pbrt/materials.pbrt", "none"},
+};
+
+using Pixels = std::vector<Color>;
+
+/// Returns nothing where a lack of memory is told in words.
+std::optional<Pixels> pixels_of(const Task& task) {
+    LoadResult loaded = load_scene(std::string(ETALON_SOURCE_DIR "/scenes/") + task.scene);
+    if (!loaded.scene) return std::nullopt;
+    loaded.settings.resolution = {8, 6};
+    loaded.settings.samples_per_pixel = 1;
+    find_integrator(loaded.settings.integrator)->prepare_scene(*loaded.scene, loaded.settings);
+    std::vector<std::string> problems;
+    make_cut_outs(*loaded.scene, problems);
+    return render_with(*loaded.scene, *find_backend(task.backend), loaded.settings).film.pixels();
+}
+
+struct Outcome {
+    std::optional<Pixels> pixels;
+    bool call_has_come;
+};
+
+/// Checks nothing itself, as that would ask for memory too.
+Outcome outcome_with_failing(std::uint32_t call, const Task& task) {
+    const LimitedMemory memory(call);
+    try {
+        std::optional<Pixels> pixels = pixels_of(task);
+        return {std::move(pixels), memory.has_failed()};
+    } catch (const std::bad_alloc&) {
+        return {std::nullopt, memory.has_failed()};
+    }
+}
+
+}  // namespace
+
+TEST_CASE("Every call of operator new that fails loses nothing", "[faults]") {
+    const ThreadLimit one_thread(1);
+    for (const Task& task : tasks) {
+        const std::optional<Pixels> expected = pixels_of(task);
+        REQUIRE(expected);
+        std::uint32_t call = 1;
+        Outcome outcome = outcome_with_failing(call, task);
+        while (outcome.call_has_come) {
+            CAPTURE(task.scene, call);
+            CHECK((!outcome.pixels || *outcome.pixels == *expected));
+            outcome = outcome_with_failing(++call, task);
+        }
+        CAPTURE(task.scene, call);
+        CHECK(outcome.pixels == expected);
+        CHECK(call > 100);
+    }
+}
