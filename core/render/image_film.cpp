@@ -1,5 +1,10 @@
 #include "core/render/image_film.h"
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
+
 #include "core/numerics/luminance.h"
 #include "core/render/tiles.h"
 
@@ -13,6 +18,18 @@ Film sample_film(const Imath::Box2i& window, const RenderSettings& settings) {
 /// Side of the pixels that always have the same number of samples.
 int cell_side(const RenderSettings& settings) {
     return settings.target_error > 0 ? 1 : tile_side;
+}
+
+/// Returns whether all components are finite. The largest bits of a magnitude tell: integers, other
+/// than floats, are compared several at a time.
+bool are_finite(std::span<const Color> colors) {
+    std::uint32_t largest = 0;
+    for (const Color& c : colors) {
+        for (const float x : {c.x, c.y, c.z}) {
+            largest = std::max(largest, std::bit_cast<std::uint32_t>(x) & 0x7fffffffU);
+        }
+    }
+    return largest < std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity());
 }
 
 }  // namespace
@@ -38,10 +55,16 @@ bool ImageFilm::prepare(Color& sample) const {
     return false;
 }
 
+std::size_t ImageFilm::prepare(std::span<Color> samples) const {
+    if (!changes_samples_ && are_finite(samples)) return 0;
+    std::size_t dropped = 0;
+    for (Color& sample : samples) dropped += prepare(sample) ? 0 : 1;
+    return dropped;
+}
+
 std::size_t ImageFilm::add(std::span<const Imath::V2i> pixels, std::span<const Vec2> places,
                            std::span<Color> colors, std::span<const float> weights) {
-    std::size_t good = 0;
-    for (Color& color : colors) good += prepare(color) ? 1 : 0;
+    const std::size_t dropped = prepare(colors);
     for (std::size_t i = 0; i < weights.size(); ++i) colors[i] *= weights[i];
     samples_.add(pixels, colors);
     if (splats_) {
@@ -50,7 +73,7 @@ std::size_t ImageFilm::add(std::span<const Imath::V2i> pixels, std::span<const V
             splats_->add(pixels[i], places[i], colors[i], rates_.empty() ? 1 : 1.0 / rates_[pixel]);
         }
     }
-    return colors.size() - good;
+    return dropped;
 }
 
 void ImageFilm::add(const ImageFilm& other) {

@@ -65,8 +65,11 @@ class ImageFilm {
     static double bytes_per_pixel(const RenderSettings& settings);
 
   private:
-    /// Makes of a colour what the film takes. Returns whether it was a number.
+    /// Scales, limits and replaces a colour as the film takes it. Returns whether it was finite.
     bool prepare(Color& sample) const;
+
+    /// The same for many. Returns how many were not finite.
+    std::size_t prepare(std::span<Color> samples) const;
 
     Imath::Box2i window_;
     Film samples_;

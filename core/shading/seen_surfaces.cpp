@@ -84,6 +84,7 @@ void SeenSurfaces::reset(std::size_t most) {
     }
     traits.clear();
     traits.reserve(most);
+    runs.clear();
 }
 
 void SeenSurfaces::find(const Scene& scene, const RayStream& rays, std::span<const Hit> hits) {
@@ -124,6 +125,10 @@ void SeenSurfaces::add_traits(const SurfaceInteraction& any,
     fill(outward_excludes, is_flat || convexity == Convexity::convex ? primitive : none);
     fill(inward_excludes, is_flat ? primitive : none);
     for (const std::uint32_t ray : numbers) traits.push_back({ray, any.material});
+    if (runs.empty() || runs.back().material != any.material) {
+        runs.push_back({any.material, begin, begin});
+    }
+    runs.back().last = size();
 }
 
 void SeenSurfaces::set(std::size_t i, const SurfaceInteraction& at) {

@@ -19,6 +19,12 @@ class SeenSurfaces {
         const Material* material;
     };
 
+    /// Consecutive surfaces of one material: those from number `first` to before `last`.
+    struct MaterialRun {
+        const Material* material;
+        std::size_t first, last;
+    };
+
     /// Makes room for so many surfaces, of which there are none yet.
     void reset(std::size_t most);
 
@@ -41,6 +47,7 @@ class SeenSurfaces {
     /// See Ray::exclude, of rays that leave on the side of the normal, and on the other.
     PaddedColumn<double> outward_excludes, inward_excludes;
     std::vector<Traits> traits;
+    std::vector<MaterialRun> runs;  ///< one after another, of all surfaces
 
   private:
     void set(std::size_t i, const SurfaceInteraction& at);

@@ -21,6 +21,9 @@ class ShadowRays {
 
     std::size_t size() const { return count_; }
 
+    /// Number of the surface that ray number i leaves; ascending.
+    std::size_t surface(std::size_t i) const { return static_cast<std::size_t>(surfaces[i]); }
+
     RayStream rays() const {
         RayStream stream = rays_.view(count_);
         stream.tmax = shadow_end;

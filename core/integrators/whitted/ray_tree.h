@@ -34,6 +34,7 @@ class RayTree {
         ShadowRays shadow;
         std::vector<ShutterTime> shadow_times;
         std::vector<std::uint8_t> blocked;  ///< whether these rays are
+        PaddedColumn<float> highlights;     ///< at the surfaces that these rays leave
         std::vector<Color> reflected;       ///< part of a white light that surfaces send back
         std::vector<Color> lit;             ///< what all lights give
     };

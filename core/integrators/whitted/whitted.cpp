@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/sampling/dimensions.h"
-#include "core/shading/fresnel.h"
+#include "core/shading/highlights.h"
 
 namespace etalon {
 namespace {
@@ -28,28 +28,6 @@ Color transmittance(const Color& absorption, double distance) {
     return {along(absorption.x), along(absorption.y), along(absorption.z)};
 }
 
-/// Factor of the highlight for unit vectors; `normal` is on the light's side. Kept out of line:
-/// most surfaces have none.
-[[gnu::noinline]] double highlight_of(const Material& m, const Vec3& direction, const Vec3& normal,
-                                      const Vec3& towards) {
-    const double cosine = m.highlight == Highlight::phong
-                              ? reflect(direction, normal).dot(towards)
-                              : normal.dot(normalized(towards - direction));
-    if (!(cosine > 0) && m.shininess > 0) return 0;
-    return std::pow(std::max(0.0, cosine), m.shininess);
-}
-
-/// Part of a white light from `towards` that a surface sends back along the ray.
-[[gnu::always_inline]] inline Color scattered(const SeenSurfaces& surfaces, std::size_t i,
-                                              const Vec3& towards, double cosine) {
-    const Material& m = *surfaces.traits[i].material;
-    Color sum = m.diffuse * static_cast<float>(cosine);
-    if (is_black(m.specular)) return sum;
-    return sum +=
-           m.specular * static_cast<float>(highlight_of(m, surfaces.directions[i],
-                                                        surfaces.shading_normals[i], towards));
-}
-
 /// Gives rays, which begin at surfaces of those numbers, the traits and times of those that have
 /// seen these. `times` must outlive the stream.
 template <class Numbers>
@@ -71,6 +49,8 @@ Whitted::Whitted(const Scene& scene, const BatchIntersector& intersector,
     : scene_(scene),
       intersector_(intersector),
       environment_(scene.whitted().environment, problems),
+      any_absorbs_(std::ranges::any_of(scene.whitted().materials,
+                                       [](const Material& m) { return !is_black(m.absorption); })),
       max_depth_(settings.max_depth),
       rules_(settings.whitted) {
     for (const Light& light : scene.whitted().lights)
@@ -100,10 +80,10 @@ void Whitted::trace(RayTree& tree, int depth, const RayBatch& batch, std::span<C
     if (depth < max_depth_) add_secondary(tree, depth, batch, counts);
     for (std::size_t j = 0; j < surfaces.size(); ++j) {
         const std::uint32_t ray = surfaces.traits[j].ray;
+        colors[ray] = level.colors[j];
+        if (!any_absorbs_) continue;
         const Color& absorption = batch.paths[ray].absorption;
-        colors[ray] = is_black(absorption)
-                          ? level.colors[j]
-                          : level.colors[j] * transmittance(absorption, level.hits[ray].t);
+        if (!is_black(absorption)) colors[ray] *= transmittance(absorption, level.hits[ray].t);
     }
     if (!rules_.clamp_each_ray) return;
     for (Color& color : colors) color = clamped(color);
@@ -121,8 +101,9 @@ void Whitted::find_surfaces(RayTree::Level& level, const RayBatch& batch,
     }
     level.surfaces.find(scene_, batch.rays, level.hits);
     level.colors.resize(level.surfaces.size());
-    for (std::size_t j = 0; j < level.colors.size(); ++j) {
-        level.colors[j] = level.surfaces.traits[j].material->ambient;
+    for (const SeenSurfaces::MaterialRun& run : level.surfaces.runs) {
+        std::fill_n(level.colors.begin() + static_cast<std::ptrdiff_t>(run.first),
+                    run.last - run.first, run.material->ambient);
     }
 }
 
@@ -147,8 +128,36 @@ void Whitted::find_light_points(std::size_t light, int k, RayTree::Level& level,
     for (const Vec2& uv : points.make()) level.light_points.set(j++, samples.position(uv));
 }
 
-/// Calls add(j, sent) with the part of the light's point k, taken as white, that surface j sends
-/// back, for all that do.
+/// Calls add(j, reflected) for each surface j whose shadow ray is not blocked, with what it
+/// reflects of a white light.
+template <class Add>
+void Whitted::reflect_light(RayTree::Level& level, const Add& add) const {
+    const ShadowRays& shadow = level.shadow;
+    level.highlights.make_room(shadow.size());
+    std::size_t first = 0, last = 0;
+    for (const SeenSurfaces::MaterialRun& run : level.surfaces.runs) {
+        first = last;
+        while (last < shadow.size() && shadow.surface(last) < run.last) ++last;
+        const Material& m = *run.material;
+        const auto reflect = [&](const auto& highlight) {
+            for (std::size_t i = first; i < last; ++i) {
+                if (level.blocked[i] != 0) continue;
+                Color reflected = m.diffuse * static_cast<float>(shadow.cosines[i]);
+                highlight(i, reflected);
+                add(shadow.surface(i), reflected);
+            }
+        };
+        if (is_black(m.specular)) {
+            reflect([](std::size_t, const Color&) {});
+        } else {
+            find_highlights(m, level.surfaces, shadow, first, last, level.highlights);
+            reflect([&](std::size_t i, Color& sum) { sum += m.specular * level.highlights[i]; });
+        }
+    }
+}
+
+/// Calls add(j, reflected) with what surface j reflects of the light's point k, taken as white, for
+/// all that are lit by it.
 template <class Add>
 void Whitted::add_light(std::size_t light, int k, RayTree::Level& level, const RayBatch& batch,
                         RayCounts& counts, const Add& add) const {
@@ -162,11 +171,7 @@ void Whitted::add_light(std::size_t light, int k, RayTree::Level& level, const R
     intersector_.occluded(rays, level.blocked);
     counts.shadow += shadow.size();
     counts.shadow_blocked += std::ranges::count(level.blocked, 1);
-    for (std::size_t i = 0; i < shadow.size(); ++i) {
-        if (level.blocked[i] != 0) continue;
-        const std::size_t j = shadow.surfaces[i];
-        add(j, scattered(surfaces, j, shadow.towards[i], shadow.cosines[i]));
-    }
+    reflect_light(level, add);
 }
 
 /// Adds what the lights send along each ray, by surfaces that scatter or shine.

@@ -33,6 +33,8 @@ class Whitted final : public Integrator {
     void find_light_points(std::size_t light, int k, RayTree::Level& level,
                            const RayBatch& batch) const;
     template <class Add>
+    void reflect_light(RayTree::Level& level, const Add& add) const;
+    template <class Add>
     void add_light(std::size_t light, int k, RayTree::Level& level, const RayBatch& batch,
                    RayCounts& counts, const Add& add) const;
     void add_secondary(RayTree& tree, int depth, const RayBatch& batch, RayCounts& counts) const;
@@ -41,6 +43,7 @@ class Whitted final : public Integrator {
     const BatchIntersector& intersector_;
     EnvironmentMap environment_;
     std::vector<LightSamples> lights_;
+    bool any_absorbs_;  ///< light is absorbed behind some surface
     int max_depth_;
     WhittedRules rules_;
     mutable Spares<RayTree> trees_;
