@@ -1,5 +1,7 @@
 #include "core/image/jpeg_read.h"
 
+#include <sys/stat.h>
+
 #include <cstdio>  // jpeglib.h needs it
 
 #include <jerror.h>
@@ -58,10 +60,13 @@ void note(j_common_ptr info, int level) {
     if (warning == JWRN_JPEG_EOF || (warning == JWRN_HIT_MARKER && lacks_rows(decoder))) fail(info);
 }
 
-/// What of a file has not been read yet.
-std::vector<std::uint8_t> rest_of(std::FILE* file) {
+/// What of a file has not been read yet. Its size is a hint only, which a pipe does not have.
+PixelBytes rest_of(std::FILE* file) {
     constexpr std::size_t most = 1 << 16;  // bytes at a time
-    std::vector<std::uint8_t> bytes;
+    PixelBytes bytes;
+    struct stat facts = {};
+    if (::fstat(::fileno(file), &facts) == 0 && facts.st_size > 0)
+        bytes.reserve(facts.st_size + most);
     for (std::size_t read = most; read == most;) {
         const std::size_t done = bytes.size();
         bytes.resize(done + most);
@@ -143,7 +148,7 @@ class JpegReader {
     LibraryJump jump_;
     jpeg_error_mgr errors_ = {};
     jpeg_decompress_struct info_ = {};
-    std::vector<std::uint8_t> bytes_;
+    PixelBytes bytes_;
     std::vector<std::uint8_t> inks_;  ///< of a row
     bool opened_ = false;
 };
