@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/accel/tree/scene_tree.h"
-#include "embree_backend/nest.h"
+#include "embree_backend/nested_scene.h"
 
 namespace etalon {
 namespace {
@@ -82,7 +82,7 @@ UserPrimitives::~UserPrimitives() = default;
 std::size_t UserPrimitives::memory_bytes() const {
     std::size_t bytes = clusters_.memory_bytes() + singles_.memory_bytes() +
                         objects_.capacity() * sizeof(ObjectSpace);
-    for (const auto& nest : nests_) bytes += nest->memory_bytes();
+    for (const auto& nested : nested_scenes_) bytes += nested->memory_bytes();
     return bytes;
 }
 
@@ -90,20 +90,21 @@ void UserPrimitives::make_nests(const EmbreeDevice& device, const NormalizedSpac
                                 std::shared_ptr<const FineBoxes> fine,
                                 std::vector<BoundedPrimitive>& singles) {
     const double scene_scale = fine ? fine->scale : space.scale();
-    const auto least = static_cast<float>(smallest_nest * space.scale() / scene_scale);
-    std::vector<FoundNest> found = find_nests(singles, least);
+    const auto least = static_cast<float>(smallest_nested_scene * space.scale() / scene_scale);
+    std::vector<NestedSceneItems> found = find_nested_scenes(singles, least);
     if (found.empty()) return;
     if (!fine) fine = std::make_shared<const FineBoxes>(geometry_, space);
     std::vector<bool> is_nested(geometry_.item_count());
-    for (const FoundNest& nest : found) {
-        for (const std::uint32_t item : nest.items) is_nested[item] = true;
+    for (const NestedSceneItems& nested : found) {
+        for (const std::uint32_t item : nested.items) is_nested[item] = true;
     }
     std::erase_if(singles, [&](const BoundedPrimitive& p) { return is_nested[p.id]; });
-    for (FoundNest& nest : found) {
-        const auto number = geometry_.item_count() + static_cast<std::uint32_t>(nests_.size());
-        singles.emplace_back(nest.box, number, instance_kind);
-        nests_.push_back(std::make_unique<const Nest>(device, geometry_, instances_, fine,
-                                                      std::move(nest.items)));
+    for (NestedSceneItems& nested : found) {
+        const auto number =
+            geometry_.item_count() + static_cast<std::uint32_t>(nested_scenes_.size());
+        singles.emplace_back(nested.box, number, instance_kind);
+        nested_scenes_.push_back(std::make_unique<const NestedScene>(
+            device, geometry_, instances_, fine, std::move(nested.items)));
     }
 }
 

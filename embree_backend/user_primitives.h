@@ -9,7 +9,7 @@
 namespace etalon {
 
 struct FineBoxes;
-class Nest;
+class NestedScene;
 
 /// Primitives of which Embree knows only the boxes: those of clusters, and of single primitives
 /// that have no filter. Embree finds the boxes that a ray enters, nearest first; filters find what
@@ -27,8 +27,8 @@ class UserPrimitives {
     static constexpr unsigned geometries = 3;
 
     /// Attaches `primitives`, in this normalized space, to `target` as geometries from the number
-    /// `first` on, and builds `target` with whatever else is in it. `fine` is not null if they are in
-    /// a nest already.
+    /// `first` on, and builds `target` with whatever else is in it. `fine` is not null if they are
+    /// in a nested scene already.
     void build(const EmbreeDevice& device, RTCScene target, unsigned first,
                const NormalizedSpace& space, std::vector<BoundedPrimitive> primitives,
                std::shared_ptr<const FineBoxes> fine = nullptr);
@@ -48,10 +48,16 @@ class UserPrimitives {
 
   private:
     UserView view(RTCScene target) const {
-        return {target, geometry_, clusters_, singles_, instances_, objects_.data(), nests_.data()};
+        return {target,
+                geometry_,
+                clusters_,
+                singles_,
+                instances_,
+                objects_.data(),
+                nested_scenes_.data()};
     }
 
-    /// Puts a nest's box in the place of its instances.
+    /// Puts a nested scene's box in the place of its instances.
     void make_nests(const EmbreeDevice& device, const NormalizedSpace& space,
                     std::shared_ptr<const FineBoxes> fine, std::vector<BoundedPrimitive>& singles);
 
@@ -61,7 +67,7 @@ class UserPrimitives {
     Clusters clusters_;
     PrimitiveIds singles_;
     std::vector<ObjectSpace> objects_;
-    std::vector<std::unique_ptr<const Nest>> nests_;
+    std::vector<std::unique_ptr<const NestedScene>> nested_scenes_;
     UserTracing tracing_ = user_tracing();
 };
 

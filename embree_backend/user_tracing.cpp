@@ -5,7 +5,7 @@
 
 #include "core/intersect/kernels.h"
 #include "core/numerics/instruction_sets.h"
-#include "embree_backend/nest.h"
+#include "embree_backend/nested_scene.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "embree_backend/user_tracing.cpp"
@@ -47,17 +47,17 @@ struct UserQuery : EmbreeContext {
           singles(view.singles),
           instances(view.instances),
           objects(view.objects),
-          nests(view.nests),
+          nested_scenes(view.nested_scenes),
           query(q),
           local(l),
           nearest(n) {
         initialise(*this);
     }
 
-    /// Returns the nest with a number that is not an item's, else null.
-    const Nest* nest(std::uint32_t number) const {
+    /// Returns the nested scene with a number that is not an item's, else null.
+    const NestedScene* nested(std::uint32_t number) const {
         const std::uint32_t items = geometry.item_count();
-        return number < items ? nullptr : nests[number - items].get();
+        return number < items ? nullptr : nested_scenes[number - items].get();
     }
 
     /// Returns the lanes, lowest first, that the ray could hit from its tnear to its tfar; one lane
@@ -83,7 +83,7 @@ struct UserQuery : EmbreeContext {
     const PrimitiveIds& singles;
     const Intersector& instances;
     const ObjectSpace* objects;
-    const std::unique_ptr<const Nest>* nests;
+    const std::unique_ptr<const NestedScene>* nested_scenes;
     const RayQuery& query;
     const NormalizedRay& local;
     NearestHit* nearest;
@@ -123,9 +123,9 @@ HWY_INLINE void offer_instance(const UserQuery& query, std::uint32_t item, Neare
     }
     const ObjectRay ray(instance, WorldRayLanes(query.query.ray));
     NormalizedRay local;
-    const ObjectWay way = ray.way(query.objects[instance.object], local);
-    if (way == ObjectWay::passes) return;
-    if (HWY_UNLIKELY(way == ObjectWay::unusual)) {
+    const ObjectEntry entry = ray.entry(query.objects[instance.object], local);
+    if (entry == ObjectEntry::misses) return;
+    if (HWY_UNLIKELY(entry == ObjectEntry::slow_path)) {
         return query.instances.offer_instance(item, query.query, nearest);
     }
     query.instances.offer_entered(item, RayQuery(ray.ray(query.query.ray, nearest.t)), local,
@@ -139,9 +139,9 @@ HWY_INLINE bool instance_occludes(const UserQuery& query, std::uint32_t item) {
     }
     const ObjectRay ray(instance, WorldRayLanes(query.query.ray));
     NormalizedRay local;
-    const ObjectWay way = ray.way(query.objects[instance.object], local);
-    if (way == ObjectWay::passes) return false;
-    if (HWY_UNLIKELY(way == ObjectWay::unusual)) {
+    const ObjectEntry entry = ray.entry(query.objects[instance.object], local);
+    if (entry == ObjectEntry::misses) return false;
+    if (HWY_UNLIKELY(entry == ObjectEntry::slow_path)) {
         return query.instances.instance_occludes(item, query.query);
     }
     const double until = query.query.ray.tmax;
@@ -160,14 +160,14 @@ HWY_INLINE bool instance_occludes(const UserQuery& query, std::uint32_t item) {
 
 #endif
 
-/// Intersects an instance or a nest; see intersect_candidates.
+/// Intersects an instance or a nested scene; see intersect_candidates.
 HWY_NOINLINE void intersect_instance(const RTCIntersectFunctionNArguments* arguments,
                                      std::uint32_t item) {
     auto& query = *static_cast<UserQuery*>(arguments->context);
     auto& [ray, hit] = single<RTCRayHit>(arguments->rayhit);
     NearestHit nearest = *query.nearest;
-    if (const Nest* nest = query.nest(item)) {
-        nest->offer(query.query, nearest);
+    if (const NestedScene* nested = query.nested(item)) {
+        nested->offer(query.query, nearest);
     } else {
         offer_instance(query, item, nearest);
     }
@@ -185,9 +185,9 @@ HWY_NOINLINE void intersect_instance(const RTCIntersectFunctionNArguments* argum
 HWY_NOINLINE void occluded_by_instance(const RTCOccludedFunctionNArguments* arguments,
                                        std::uint32_t item) {
     const auto& query = *static_cast<const UserQuery*>(arguments->context);
-    const Nest* nest = query.nest(item);
+    const NestedScene* nested = query.nested(item);
     const bool found =
-        nest != nullptr ? nest->occludes(query.query) : instance_occludes(query, item);
+        nested != nullptr ? nested->occludes(query.query) : instance_occludes(query, item);
     if (found) single<RTCRay>(arguments->ray).tfar = -std::numeric_limits<float>::infinity();
     report(*arguments, found);
 }

@@ -12,18 +12,19 @@
 
 namespace etalon {
 
-class Nest;
+class NestedScene;
 
 /// View of everything that a ray can hit.
 struct UserView {
     RTCScene target;
     const Geometry& geometry;
     const Clusters& clusters;
-    /// Items without a filter, in place of lists; the numbers after all items are those of nests.
+    /// Items without a filter, in place of lists; the numbers after all items are those of nested
+    /// scenes.
     const PrimitiveIds& singles;
     const Intersector& instances;
     const ObjectSpace* objects;  ///< one for each object of the geometry
-    const std::unique_ptr<const Nest>* nests;
+    const std::unique_ptr<const NestedScene>* nested_scenes;
 };
 
 /// Callbacks and queries, which belong together: callbacks read the context that a query passes.

@@ -32,20 +32,20 @@ HWY_INLINE AxesLanes axes(const ObjectSpace::Axes& v) {
     return hn::Load(AxesTag(), v.data());
 }
 
-/// The bits, lowest first, of the axes at which a mask holds.
+/// Returns the bits, lowest first, of the axes for which a mask is set.
 HWY_INLINE std::uint32_t axes_where(hn::Mask<AxesTag> mask) {
     std::uint8_t byte = 0;
     hn::StoreMaskBits(AxesTag(), mask, &byte);
     return byte & 7U;
 }
 
-/// y, z and x.
+/// Returns y, z and x.
 HWY_INLINE AxesLanes next_axis(AxesLanes v) {
     alignas(32) constexpr std::int64_t order[4] = {1, 2, 0, 3};
     return hn::TableLookupLanes(v, hn::SetTableIndices(AxesTag(), order));
 }
 
-/// A ray of the world, each of its numbers in all lanes.
+/// A ray in world space, with each of its components broadcast to all lanes.
 struct WorldRayLanes {
     HWY_INLINE explicit WorldRayLanes(const Ray& ray)
         : origin{axes(ray.origin.x), axes(ray.origin.y), axes(ray.origin.z)},
@@ -54,14 +54,14 @@ struct WorldRayLanes {
     AxesLanes origin[3], direction[3];
 };
 
-enum class ObjectWay {
-    passes,   ///< the object is not met
-    enters,   ///< it may be met
-    unusual,  ///< left to Intersector::offer_instance
+enum class ObjectEntry {
+    passes,   ///< the ray misses the object
+    enters,   ///< the ray may hit it
+    unusual,  ///< Intersector::offer_instance decides
 };
 
-/// What to_object() (placement.h) makes of a ray, to the bit, and what normalized_ray() and
-/// surely_passes() make of that.
+/// A ray in object space, with the bits of to_object() (placement.h), and the results of
+/// misses_bounds() and normalized_ray() for it.
 class ObjectRay {
   public:
     HWY_INLINE ObjectRay(const Instance& instance, const WorldRayLanes& ray) {
@@ -74,15 +74,14 @@ class ObjectRay {
         direction_ = x * ray.direction[0] + y * ray.direction[1] + z * ray.direction[2];
     }
 
-    /// Tells what is to be done about an object, whose space is given; sets `to` where the ray
-    /// enters.
-    HWY_INLINE ObjectWay way(const ObjectSpace& space, NormalizedRay& to) const {
-        if (surely_passes(space)) return ObjectWay::passes;
-        if (HWY_UNLIKELY(!is_usual(space))) return ObjectWay::unusual;
-        return normalize(space, to) ? ObjectWay::enters : ObjectWay::passes;
+    /// Returns how the ray meets an object with the given space. Sets `to` if the ray enters it.
+    HWY_INLINE ObjectEntry entry(const ObjectSpace& space, NormalizedRay& to) const {
+        if (misses_bounds(space)) return ObjectEntry::misses;
+        if (HWY_UNLIKELY(!is_usual(space))) return ObjectEntry::slow_path;
+        return normalize(space, to) ? ObjectEntry::enters : ObjectEntry::misses;
     }
 
-    /// The ray itself, until `tmax`; `world` has the rest of it.
+    /// Returns the ray up to `tmax`. Everything else is that of `world`.
     HWY_INLINE Ray ray(const Ray& world, double tmax) const {
         alignas(32) ObjectSpace::Axes o, d;
         hn::Store(origin_, AxesTag(), o.data());
@@ -93,7 +92,7 @@ class ObjectRay {
     }
 
   private:
-    HWY_INLINE bool surely_passes(const ObjectSpace& space) const {
+    HWY_INLINE bool misses_bounds(const ObjectSpace& space) const {
         const AxesLanes o = origin_ - axes(space.centre), &d = direction_;
         const auto away = hn::And(hn::Abs(o) > axes(space.outside), o * d > axes(0.0));
         const AxesLanes next_o = next_axis(o), next_d = next_axis(d);
@@ -104,7 +103,8 @@ class ObjectRay {
         return axes_where(hn::Or(away, hn::Abs(a - b) > within + roundings)) != 0;
     }
 
-    /// Whether the numbers are of usual size, as nearly all are, so that is_resolved() holds.
+    /// Returns whether the numbers are of usual size, as nearly all are, so that is_resolved()
+    /// holds.
     HWY_INLINE bool is_usual(const ObjectSpace& space) const {
         const AxesLanes distance = hn::Abs(origin_ - axes(space.centre)),
                         size = hn::Abs(direction_);
@@ -114,7 +114,7 @@ class ObjectRay {
                axes_where(size >= axes(1 / largest_usual_direction)) != 0 && space.is_usual();
     }
 
-    /// Of a ray that is_usual(); false if its line passes the object by.
+    /// Normalizes a ray that is_usual(). Returns false if its line misses the object.
     HWY_INLINE bool normalize(const ObjectSpace& space, NormalizedRay& to) const {
         const hn::RebindToUnsigned<AxesTag> words;
         const AxesLanes size = hn::Abs(direction_), two = hn::Max(size, next_axis(size)),

@@ -6,9 +6,8 @@
 
 namespace etalon {
 
-/// What a ray into an object needs to know of the object's normalized space, with the numbers of
-/// the three axes side by side, as vector instructions load them. An object that is not bounded
-/// reaches everywhere.
+/// Normalized space of an object in the form in which rays enter it, with the three axes side by
+/// side for vector loads. An unbounded object has infinite reach.
 struct alignas(32) ObjectSpace {
     using Axes = std::array<double, 4>;
 
@@ -16,8 +15,8 @@ struct alignas(32) ObjectSpace {
         : ObjectSpace(object.space,
                       object.unbounded.empty() ? object.space.reach() : Vec3(infinity)) {}
 
-    /// Whether it is bounded, and every ray with a direction of usual length passes it in a t that
-    /// is resolved.
+    /// Returns whether it is bounded and of a size for which t is resolved for every ray with a
+    /// direction of usual length.
     bool is_usual() const {
         return reach[0] < infinity && scale > 1 / largest_scale && scale < largest_scale;
     }

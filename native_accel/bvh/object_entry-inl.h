@@ -1,4 +1,4 @@
-// The way of a ray from the tree of instances into the trees of their objects. Compiled for each
+// Rays that go from the tree of instances into the trees of their objects. Compiled for each
 // instruction set.
 #if defined(ETALON_BVH_OBJECT_ENTRY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ETALON_BVH_OBJECT_ENTRY_INL_H
@@ -15,9 +15,9 @@ namespace etalon::HWY_NAMESPACE {
 
 #if HWY_MAX_BYTES >= 32
 
-/// Instances whose objects are traversed right here, without a call of their intersectors: most of
-/// those that a ray is taken to are passed, or met by no more than a node or two. What is rare is
-/// left to AnyInstances.
+/// Traverses the trees of objects without calling their intersectors, as most instances that a ray
+/// is tested against are missed, or left after a node or two. Rare cases take the path of
+/// AnyInstances.
 class EnteredInstances {
   public:
     HWY_INLINE EnteredInstances(const BvhView& bvh, const Ray& ray) : bvh_(bvh), world_(ray) {}
@@ -53,9 +53,9 @@ class EnteredInstances {
         }
         const ObjectRay ray(placed, world_);
         NormalizedRay local;
-        const ObjectWay way = ray.way(object.space, local);
-        if (way == ObjectWay::passes) return;
-        if (HWY_UNLIKELY(way == ObjectWay::unusual)) {
+        const ObjectEntry entry = ray.entry(object.space, local);
+        if (entry == ObjectEntry::misses) return;
+        if (HWY_UNLIKELY(entry == ObjectEntry::slow_path)) {
             return bvh_.instances.offer_instance(item, query, nearest);
         }
         enter(object.view, ray, local, query.ray, item, nearest);
@@ -69,9 +69,9 @@ class EnteredInstances {
         }
         const ObjectRay ray(placed, world_);
         NormalizedRay local;
-        const ObjectWay way = ray.way(object.space, local);
-        if (way == ObjectWay::passes) return false;
-        if (HWY_UNLIKELY(way == ObjectWay::unusual)) {
+        const ObjectEntry entry = ray.entry(object.space, local);
+        if (entry == ObjectEntry::misses) return false;
+        if (HWY_UNLIKELY(entry == ObjectEntry::slow_path)) {
             return bvh_.instances.instance_occludes(item, query);
         }
         return is_met(object.view, ray, local, query.ray);

@@ -92,7 +92,8 @@ HWY_INLINE bool is_hit(const BvhView& bvh, ClusterRef ref, const ClusterFilter& 
     return found;
 }
 
-/// Returns whether anything is hit at t <= `until`, the ray's tmax; arguments as for find_closest().
+/// Returns whether anything is hit at t <= `until`, the ray's tmax; arguments as for
+/// find_closest().
 template <class LowestLane, class MakeQuery, class Boxes, class Instances>
 HWY_INLINE bool find_any(const BvhView& bvh, const MakeQuery& make_query, double until,
                          const NormalizedRay& local, float tmin, const Boxes& boxes,

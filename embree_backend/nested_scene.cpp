@@ -1,4 +1,4 @@
-#include "embree_backend/nest.h"
+#include "embree_backend/nested_scene.h"
 
 #include <algorithm>
 
@@ -14,8 +14,9 @@ namespace {
 constexpr InstancePadding nest_padding = {NormalizedSpace::padding, 0x1p-36};
 constexpr double largest_distance = 64;  ///< in the scene's normalized space
 
-/// In the normalized space of a scene or nest: boxes are padded by 2^-19 on each side, which is
-/// little to one of 2^-14, and a nest 64 times as fine as what it is in is worth its entry.
+/// Largest size of a nested scene in the normalized space of the scene around it. Boxes are padded
+/// by 2^-19 on each side, which is little for a box of 2^-14, and a space 64 times as fine is worth
+/// the cost of entering it.
 constexpr float small = 0x1p-14F, largest_nest = 0x1p-6F;
 constexpr std::ptrdiff_t fewest = 64;
 
@@ -29,12 +30,13 @@ bool is_small(const BoundedPrimitive& p) {
     return p.kind == instance_kind && extent(p.box()) < small + padding;
 }
 
-/// The nodes of a tree that are so small, and have so many instances, that they are nests.
+/// Collects the nodes of a tree that are so small, and have so many instances, that they should be
+/// nested scenes.
 class NestFinder {
   public:
     NestFinder(const BvhTree& tree, float least) : tree_(tree), least_(least) { visit(0); }
 
-    std::vector<FoundNest> take() { return std::move(found_); }
+    std::vector<NestedSceneItems> take() { return std::move(found_); }
 
   private:
     void visit(std::size_t index) {
@@ -63,7 +65,7 @@ class NestFinder {
 
     const BvhTree& tree_;
     const float least_;
-    std::vector<FoundNest> found_;
+    std::vector<NestedSceneItems> found_;
 };
 
 Box3 box_of(const Geometry& geometry, const FineBoxes& fine,
@@ -87,8 +89,9 @@ bool FineBoxes::hold_for(const Ray& ray) const {
     return max_abs(ray.origin - centre) * scale < largest_distance;
 }
 
-Nest::Nest(const EmbreeDevice& device, const Geometry& geometry, const Intersector& instances,
-           const std::shared_ptr<const FineBoxes>& fine, std::vector<std::uint32_t> items)
+NestedScene::NestedScene(const EmbreeDevice& device, const Geometry& geometry,
+                         const Intersector& instances, const std::shared_ptr<const FineBoxes>& fine,
+                         std::vector<std::uint32_t> items)
     : instances_(instances),
       fine_(fine),
       items_(std::move(items)),
@@ -105,11 +108,11 @@ Nest::Nest(const EmbreeDevice& device, const Geometry& geometry, const Intersect
     primitives_.build(device, embree_scene_.get(), 0, space_, std::move(bounded), fine);
 }
 
-bool Nest::resolves(const Ray& ray) const {
+bool NestedScene::resolves(const Ray& ray) const {
     return fine_->hold_for(ray) && is_resolved(space_, ray);
 }
 
-void Nest::offer(const RayQuery& query, NearestHit& nearest) const {
+void NestedScene::offer(const RayQuery& query, NearestHit& nearest) const {
     if (!resolves(query.ray)) {
         for (const std::uint32_t item : items_) instances_.offer_instance(item, query, nearest);
         return;
@@ -121,7 +124,7 @@ void Nest::offer(const RayQuery& query, NearestHit& nearest) const {
     primitives_.intersect(embree_scene_.get(), query, *local, nearest, ray);
 }
 
-bool Nest::occludes(const RayQuery& query) const {
+bool NestedScene::occludes(const RayQuery& query) const {
     if (!resolves(query.ray)) {
         return std::ranges::any_of(
             items_, [&](std::uint32_t item) { return instances_.instance_occludes(item, query); });
@@ -136,7 +139,8 @@ bool Nest::occludes(const RayQuery& query) const {
     return ray.tfar < 0;
 }
 
-std::vector<FoundNest> find_nests(const std::vector<BoundedPrimitive>& singles, float least) {
+std::vector<NestedSceneItems> find_nested_scenes(const std::vector<BoundedPrimitive>& singles,
+                                                 float least) {
     std::vector<BoundedPrimitive> smalls;
     std::ranges::copy_if(singles, std::back_inserter(smalls), is_small);
     if (std::ssize(smalls) < fewest) return {};
