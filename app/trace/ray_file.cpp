@@ -70,7 +70,7 @@ Result<std::vector<Ray>> read_rays(const std::string& path) {
         numbers.clear();
         Fault fault = parse_numbers(line, numbers);
         if (numbers.empty()) continue;
-        Ray ray{};
+        Ray ray{Vec3(0), Vec3(0)};
         if (fault.column == 0) fault = make_ray(numbers, ray);
         if (fault.column != 0) {
             return {{},

@@ -46,7 +46,7 @@ HWY_INLINE HitRays hits_of(const SurfaceGroup& g, std::size_t i) {
     const std::uint32_t* numbers = g.numbers + i;
     const std::size_t first = numbers[0], others = std::min(hn::Lanes(tag), g.count - i) - 1;
     if (numbers[others] == first + others && first + hn::Lanes(tag) <= g.rays.count) {
-        HitRays hits{load(g.rays.origins, first), load(g.rays.directions, first)};
+        HitRays hits{load(g.rays.origins, first), load(g.rays.directions, first), hn::Zero(tag)};
         Doubles ignored;
         hn::LoadInterleaved2(tag, &g.hits[first].t, hits.t, ignored);
         return hits;

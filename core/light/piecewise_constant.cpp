@@ -81,7 +81,7 @@ CellValues joined_cells(CellValues cells, std::size_t enough, double most_moment
     while (cells.values.size() > enough) {
         CellValues next = joined_by_fours(cells);
         squares = joined_by_fours(squares);
-        count *= static_cast<double>(cells.values.size()) / next.values.size();
+        count *= static_cast<double>(cells.values.size()) / static_cast<double>(next.values.size());
         if (!(second_moment(next, squares, count) < most_moment)) break;
         cells = std::move(next);
     }

@@ -7,13 +7,13 @@ using namespace etalon;
 namespace {
 
 LoadOptions strict() {
-    return {"", true, false, false};
+    return {.strict = true};
 }
 LoadOptions legacy() {
-    return {"", false, true, false};
+    return {.legacy = true};
 }
 LoadOptions one_sided() {
-    return {"", false, false, true};
+    return {.one_sided = true};
 }
 
 }  // namespace
