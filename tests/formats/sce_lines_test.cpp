@@ -1,9 +1,28 @@
 // Forms that a line of an SCE file may have.
+#include <array>
+
 #include "tests/catch.h"
 #include "tests/formats/corners.h"
 #include "tests/formats/sce_text.h"
 
 using namespace etalon;
+
+namespace {
+
+/// Leaves other bytes than 0 where functions called next keep what they do not set.
+[[gnu::noinline]] void fill_stack() {
+    std::array<volatile unsigned char, 1 << 16> bytes;
+    for (volatile unsigned char& byte : bytes) byte = 0x3f;
+}
+
+}  // namespace
+
+TEST_CASE("where no eye is given it is at the origin, whatever memory held") {
+    fill_stack();
+    const LoadResult r = load_sce_text("# nothing\n");
+    REQUIRE(r.scene);
+    CHECK(r.scene->camera.eye == Vec3(0));
+}
 
 TEST_CASE("an empty SCE scene has the course's defaults") {
     const LoadResult r = load_sce_text("# nothing\n");

@@ -47,7 +47,8 @@ void write(const LoadResult& result) {
     LoadOptions options;
     options.format = "p3f";
     const LoadResult again = load_scene_text(text, "again.p3f", options);
-    require(again.scene.has_value(), "what was written cannot be read");
+    const std::string why = again.diagnostics.empty() ? "" : again.diagnostics.front().message;
+    require(again.scene.has_value(), "what was written cannot be read: " + why);
     check(again);
 }
 

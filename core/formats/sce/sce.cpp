@@ -119,6 +119,7 @@ LoadResult load_sce(std::string_view text, const std::string& path, const LoadOp
     loader.settings.display_colors = true;
     loader.settings.max_depth = 6 + 1;
     loader.settings.resolution = {100, 100};
+    scene.camera.eye = Vec3(0);
     scene.camera.up = Vec3(0, 1, 0);
     read_lines(loader, text);
     finalize_camera(loader);
