@@ -55,9 +55,9 @@ struct WorldRayLanes {
 };
 
 enum class ObjectEntry {
-    passes,   ///< the ray misses the object
-    enters,   ///< the ray may hit it
-    unusual,  ///< Intersector::offer_instance decides
+    misses,     ///< the ray misses the object
+    enters,     ///< the ray may hit it
+    slow_path,  ///< Intersector::offer_instance decides
 };
 
 /// A ray in object space, with the bits of to_object() (placement.h), and the results of
