@@ -7,13 +7,19 @@ using namespace etalon;
 namespace {
 
 LoadOptions strict() {
-    return {.strict = true};
+    LoadOptions options;
+    options.strict = true;
+    return options;
 }
 LoadOptions legacy() {
-    return {.legacy = true};
+    LoadOptions options;
+    options.legacy = true;
+    return options;
 }
 LoadOptions one_sided() {
-    return {.one_sided = true};
+    LoadOptions options;
+    options.one_sided = true;
+    return options;
 }
 
 }  // namespace
