@@ -29,7 +29,7 @@ enum class Cut {
     equal_counts,  ///< as many cells along each axis, for items as long as the box or as thin
 };
 
-/// Division of a box into cells.
+/// Cells into which a box is divided.
 struct GridLayout {
     GridLayout(const Box3& box, double cell_count, Cut cut = Cut::cubes);  ///< about `cell_count`
 

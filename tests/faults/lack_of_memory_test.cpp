@@ -44,13 +44,14 @@ std::optional<Pixels> pixels_of(const Task& task) {
     return render_with(*loaded.scene, *find_backend(task.backend), loaded.settings).film.pixels();
 }
 
-struct Outcome {
+struct TaskResult {
     std::optional<Pixels> pixels;
-    bool call_has_come;
+    bool has_failed_call;
 };
 
-/// Checks nothing itself, as that would ask for memory too.
-Outcome outcome_with_failing(std::uint32_t call, const Task& task) {
+/// Renders a task in which one call of operator new fails. Checks nothing itself, as a check would
+/// allocate memory, too.
+TaskResult result_with_failing(std::uint32_t call, const Task& task) {
     const LimitedMemory memory(call);
     try {
         std::optional<Pixels> pixels = pixels_of(task);
@@ -68,14 +69,14 @@ TEST_CASE("Every call of operator new that fails loses nothing", "[faults]") {
         const std::optional<Pixels> expected = pixels_of(task);
         REQUIRE(expected);
         std::uint32_t call = 1;
-        Outcome outcome = outcome_with_failing(call, task);
-        while (outcome.call_has_come) {
+        TaskResult result = result_with_failing(call, task);
+        while (result.has_failed_call) {
             CAPTURE(task.scene, call);
-            CHECK((!outcome.pixels || *outcome.pixels == *expected));
-            outcome = outcome_with_failing(++call, task);
+            CHECK((!result.pixels || *result.pixels == *expected));
+            result = result_with_failing(++call, task);
         }
         CAPTURE(task.scene, call);
-        CHECK(outcome.pixels == expected);
+        CHECK(result.pixels == expected);
         CHECK(call > 100);
     }
 }
