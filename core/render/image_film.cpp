@@ -20,8 +20,8 @@ int cell_side(const RenderSettings& settings) {
     return settings.target_error > 0 ? 1 : tile_side;
 }
 
-/// Returns whether all components are finite. The largest bits of a magnitude tell: integers, other
-/// than floats, are compared several at a time.
+/// Returns whether all components are finite. Compares the bits of their magnitudes as integers,
+/// since the compiler vectorizes a maximum of integers, but not of floats.
 bool are_finite(std::span<const Color> colors) {
     std::uint32_t largest = 0;
     for (const Color& c : colors) {

@@ -128,8 +128,8 @@ void Whitted::find_light_points(std::size_t light, int k, RayTree::Level& level,
     for (const Vec2& uv : points.make()) level.light_points.set(j++, samples.position(uv));
 }
 
-/// Calls add(j, reflected) for each surface j whose shadow ray is not blocked, with what it
-/// reflects of a white light.
+/// Calls add(j, reflected) for each surface j whose shadow ray is not blocked, with the light that
+/// it reflects from a white light.
 template <class Add>
 void Whitted::reflect_light(RayTree::Level& level, const Add& add) const {
     const ShadowRays& shadow = level.shadow;
@@ -156,8 +156,8 @@ void Whitted::reflect_light(RayTree::Level& level, const Add& add) const {
     }
 }
 
-/// Calls add(j, reflected) with what surface j reflects of the light's point k, taken as white, for
-/// all that are lit by it.
+/// Calls add(j, reflected) for each surface j that point k of the light illuminates, with the light
+/// that it reflects if the point is white.
 template <class Add>
 void Whitted::add_light(std::size_t light, int k, RayTree::Level& level, const RayBatch& batch,
                         RayCounts& counts, const Add& add) const {
