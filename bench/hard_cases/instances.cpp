@@ -11,8 +11,8 @@ namespace {
 
 using Kinds = std::vector<ShapeKind>;
 
-/// Shapes that a ray which leaves them to the outside never hits again, and neither does a ray that
-/// leaves a back face inwards.
+/// Convex shapes: a ray that leaves one to the outside never hits it again, and a ray that goes
+/// inside never hits it from the outside.
 const Kinds convex = {kind_of<Sphere>(),        kind_of<Triangle>(), kind_of<Polygon>(),
                       kind_of<Box>(),           kind_of<Ring>(),     kind_of<Ellipsoid>(),
                       kind_of<ClosedCylinder>()};
