@@ -1,4 +1,4 @@
-// `etalon render --aov`: what is known of a pixel beside its colour.
+// `etalon render --aov`: further channels of an image.
 #include <nlohmann/json.hpp>
 #include <sstream>
 

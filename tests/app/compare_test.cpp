@@ -1,4 +1,4 @@
-// etalon compare from outside: what it says of two images, and how it ends.
+// etalon compare as a process: its output for two images, and its exit status.
 #include <nlohmann/json.hpp>
 
 #include "core/image/io.h"

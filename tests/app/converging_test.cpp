@@ -1,4 +1,4 @@
-// render and etalon-bench convergence against references and limits, from outside.
+// render and etalon-bench convergence with references and limits.
 #include <OpenEXR/ImfFloatAttribute.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
@@ -155,7 +155,7 @@ TEST_CASE("convergence renders by every integrator asked for", "[app]") {
     for (int i : {0, 1}) {
         const json& points = j["curves"][i]["points"];
         CHECK(j["curves"][i]["integrator"] == (i == 0 ? "whitted" : "ao"));
-        CHECK(points.back()["mse"] < points.front()["mse"]);  // each to a reference of its own
+        CHECK(points.back()["mse"] < points.front()["mse"]);  // each against a separate reference
     }
     CHECK(j["curves"][0]["points"][0]["mse"] != j["curves"][1]["points"][0]["mse"]);
     const auto unknown = f.shell(command + "--integrators bdpt");

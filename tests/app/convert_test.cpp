@@ -1,4 +1,4 @@
-// etalon convert from outside: files that say the same, and what is said of those that cannot.
+// etalon convert as a process: equivalent files, and warnings about features that are lost.
 #include <filesystem>
 
 #include "core/image/io.h"

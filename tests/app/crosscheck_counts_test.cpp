@@ -1,4 +1,4 @@
-// Counts of crosscheck, on answers made up for the purpose, and what a stop leaves of them.
+// Counts of crosscheck for made-up answers, and the partial counts after an interruption.
 #include "app/crosscheck/crosscheck_results.h"
 #include "core/formats/load.h"
 #include "tests/app/run_program.h"

@@ -1,4 +1,4 @@
-// Files of several frames from outside: which one is shown, and what is said of it.
+// Files of several frames: which one is rendered, and the messages about it.
 #include <nlohmann/json.hpp>
 
 #include "core/image/io.h"
@@ -17,7 +17,7 @@ const std::string first =
     "WorldBegin\nTranslate 0 0 5\nMaterial \"mirror\"\nShape \"sphere\"\n"
     "LightSource \"infinite\"\nWorldEnd\n";
 
-// Of the first frame's options and attributes it has none.
+// It has none of the first frame's options and attributes.
 const std::string second =
     "Film \"image\" \"integer xresolution\" 9 \"integer yresolution\" 7\n"
     "WorldBegin\nLightSource \"distant\"\nShape \"disk\" \"float height\" 2\n"

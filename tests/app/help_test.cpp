@@ -1,4 +1,4 @@
-// What the programs say of their command lines: the help, and what is wrong with one.
+// Help texts of the programs, and their messages about wrong command lines.
 #include <algorithm>
 #include <sstream>
 #include <tuple>
@@ -32,7 +32,7 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-/// Returns the words of a text with single blanks between them.
+/// Returns the words of a text, separated by single spaces.
 std::string words_of(const std::string& text) {
     std::string words;
     std::istringstream stream(text);
@@ -153,7 +153,7 @@ TEST_CASE("the examples in the help of etalon and etalon-scenes run", "[app]") {
 TEST_CASE("the examples in the help of etalon-bench are right up to what they measure", "[app]") {
     const Folder f;
     put_inputs(f);
-    // Outputs that cannot be written are noticed before anything is measured.
+    // Outputs that cannot be written are reported before anything is measured.
     f.shell("mkdir speed.json accuracy.json convergence.json frames.json; touch report results");
     for (const std::string& command : programs[1].commands) {
         for (const auto& example : examples_in(run(f, "etalon-bench " + command + " --help").out)) {

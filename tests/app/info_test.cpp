@@ -1,4 +1,4 @@
-// What info tells of a scene.
+// Output of etalon info.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/run_program.h"

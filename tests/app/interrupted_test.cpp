@@ -1,4 +1,4 @@
-// What long commands keep when they are interrupted.
+// Results that long commands keep when they are interrupted.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/image_pixels.h"
@@ -111,6 +111,5 @@ TEST_CASE("An interrupted render writes what there is", "[app]") {
         CHECK(r.status == status);
         CHECK(pixels(f.path("cut.exr")).size() == 32 * 24 * 3);
     }
-    CHECK(f.shell("rm out err loop; ls").out ==
-          "ball.p3f\ncut.exr\n");  // nothing half-written stays
+    CHECK(f.shell("rm out err loop; ls").out == "ball.p3f\ncut.exr\n");  // no partial file remains
 }

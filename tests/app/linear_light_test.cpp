@@ -1,4 +1,4 @@
-// Images of scenes whose colours are display values, from outside.
+// Images of scenes whose colours are display values, written by the programs.
 #include <nlohmann/json.hpp>
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// Parts of images, and what `etalon merge` makes of them.
+// Parts of images, and their merged images.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,8 +46,8 @@ void merge_well(const Folder& f, const std::vector<std::string>& parts, const st
     REQUIRE(r.status == 0);
 }
 
-/// Filters and samplers, samples that cannot be shared evenly, lights at whose outlines there are
-/// more samples.
+/// Cases with filters and samplers, sample numbers that cannot be divided evenly, and lights with
+/// more samples at their outlines.
 const std::vector<std::pair<std::string, int>> shared = {
     {"features/glass.p3f --spp 13", 4},
     {"features/soft_shadows.p3f --spp 16 --sampler random --filter triangle", 5},

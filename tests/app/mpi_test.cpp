@@ -1,4 +1,4 @@
-// Images that several processes render together, started by mpirun.
+// Images rendered by several processes started by mpirun.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Something to render, of a second or less: uniform and adaptive, with and without filter.
+/// A rendering that takes a second or less: uniform and adaptive, with and without a filter.
 const std::vector<std::string> tasks = {
     "glass.p3f --spp 24",
     "soft_shadows.p3f --integrator path --spp 12 --filter gaussian",
@@ -146,7 +146,7 @@ TEST_CASE("When a rank is killed, what was done can be resumed", "[app][needs_mp
                         "-o image.exr --checkpoint c --checkpoint-every 0.1 --resume");
     for (const int victim : {2, 0}) {
         f.shell("rm -f c pid*");
-        // Waits for the first checkpoint, but not of a program that has ended.
+        // Waits for the first checkpoint, unless the program has ended.
         const auto r = f.shell(fmt::format(
             "{}sh rank & run=$!; while kill -0 $run && ! test -s c; do sleep 0.02; done; "
             "kill -KILL $(cat pid{}); wait $run",

@@ -1,5 +1,5 @@
-// Bad PBRT scenes as a user may meet them: each is told of with its place, and none takes the
-// program down, or time or memory beyond the file's.
+// Malformed PBRT scenes: each error is reported with its position, and none crashes the program or
+// takes time or memory out of proportion to the file.
 #include <array>
 #include <string>
 

@@ -1,4 +1,4 @@
-// Where results say they come from, from outside.
+// Provenance of results: version, commit, compiler and command.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/run_program.h"

@@ -1,4 +1,4 @@
-// Images that render makes, and the options that change them.
+// Images of etalon render, and the options that change them.
 #include <nlohmann/json.hpp>
 
 #include "core/image/io.h"

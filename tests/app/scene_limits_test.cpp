@@ -1,5 +1,5 @@
-// What a scene may not do where its author is a stranger: open files outside of a folder, and take
-// more memory than it is given.
+// Limits for untrusted scenes: they open no files outside a folder and use no more memory than
+// allowed.
 #include <filesystem>
 #include <string>
 
@@ -105,7 +105,7 @@ TEST_CASE("A confined scene opens the files of the folder", "[app][limits]") {
         CHECK(r.status == 0);
         CHECK(r.err.empty());
     }
-    // The scene itself is the user's choice, and so is a way to it through a link.
+    // The scene file itself is not restricted, and may be reached through a link.
     std::filesystem::create_directory_symlink("in", two.f.path("way"));
     two.f.write("in/a.pbrt", pbrt_scene("Include \"sub/own.pbrt\""));
     CHECK(two.f.etalon("info way/a.pbrt --root in").status == 0);

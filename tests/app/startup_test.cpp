@@ -1,4 +1,4 @@
-// A scene pays for what it contains: what is mapped into the process tells.
+// Libraries are loaded only for scenes that need them, as the mappings of the process show.
 #include <cstdlib>
 
 #include "core/image/io.h"
@@ -16,7 +16,7 @@ std::string libraries(const Folder& f, const std::string& arguments) {
     return r.err;
 }
 
-/// A P3F scene below a skybox of grey faces, each a file of its extension.
+/// A P3F scene with a skybox of grey faces, each with a file of another extension.
 void write_skybox_scene(const Folder& f, const std::vector<std::string>& extensions) {
     std::filesystem::create_directory(f.path("sky"));
     const char* names[] = {"right", "left", "top", "bottom", "front", "back"};

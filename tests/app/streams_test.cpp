@@ -1,4 +1,4 @@
-// What programs do when a standard stream is full, closed or no longer read.
+// Behaviour of the programs when a standard stream is full, closed or no longer read.
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 

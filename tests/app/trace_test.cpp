@@ -1,4 +1,4 @@
-// Rays in, hits out.
+// etalon trace: reads rays and writes hits.
 #include "tests/app/run_program.h"
 #include "tests/catch.h"
 

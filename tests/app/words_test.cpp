@@ -1,4 +1,4 @@
-// What the commands of etalon say when something is missing, too large or left out.
+// Messages of etalon's commands about missing, too large or ignored input.
 #include <nlohmann/json.hpp>
 
 #include "tests/app/run_program.h"
@@ -17,7 +17,7 @@ const Folder& folder() {
     return f;
 }
 
-/// Returns what a command that fails says.
+/// Returns the message of a failing command.
 std::string error_of(const std::string& arguments, int status) {
     const auto r = folder().etalon(arguments);
     INFO(arguments);

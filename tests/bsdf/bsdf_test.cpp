@@ -18,7 +18,7 @@ TEST_CASE("Scattering is the same with both directions exchanged", "[bsdf]") {
             const Vec3 a = random.direction(), b = random.direction();
             if (shows_backs(item.lobes, local(bsdf, a), local(bsdf, b))) continue;
             const double cos_a = a.dot(bsdf.ns()), cos_b = b.dot(bsdf.ns());
-            // Radiance over the square of the index is what is kept.
+            // Radiance divided by the square of the index of refraction is conserved.
             const double spread = cos_a * cos_b > 0 ? 1 : cos_a > 0 ? eta * eta : 1 / (eta * eta);
             const double there = mean(bsdf.evaluate(a, b).f), back = mean(bsdf.evaluate(b, a).f);
             CHECK(there * spread == Approx(back).epsilon(2e-3).margin(1e-5));

@@ -10,7 +10,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// Integral over a plane of f, which may be infinite at the origin and reaches about this far.
+/// Integral of f over a plane; f may be infinite at the origin and has about this extent.
 template <class Function>
 double integral_over_plane(const Function& f, double reach) {
     constexpr int steps = 20000;
@@ -64,7 +64,7 @@ TEST_CASE("Distances are drawn with the density that is said of them", "[diffusi
             INFO(name << ", channel " << c);
             std::visit(
                 [&](const auto& p) {
-                    // Bins that are as likely by the density.
+                    // Bins of equal probability.
                     const double reach = p.sample(c, 0.999);
                     double chi = 0, edge = 0;
                     std::vector<double> edges;

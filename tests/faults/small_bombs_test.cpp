@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t most_bytes_of_a_bomb = 1024;
 constexpr double most_memory = 1e9;
 
-/// Renders as a service would render a stranger's scene: limits of memory and time, and a watchdog,
-/// which should never be needed.
+/// Renders as a service would render an untrusted scene: with limits of memory and time, and a
+/// watchdog, which should never be needed.
 ProgramResult rendered(const Folder& f, const SmallBomb& bomb) {
     f.write("bomb." + bomb.format, bomb.text);
     if (!bomb.file.empty()) f.write(bomb.file, bomb.bytes);

@@ -1,4 +1,4 @@
-// Damaged files of every format: whatever the damage, a sane scene or an error, at a cost in
+// Damaged files of every format: any damage must give a valid scene or an error, at a cost in
 // proportion to the file.
 #include <algorithm>
 
@@ -13,7 +13,7 @@ using namespace etalon;
 
 namespace {
 
-/// `text` as a file that came to harm.
+/// Returns `text` as a damaged file.
 void check_survives(const WholeScene& scene, const std::string& text) {
     CAPTURE(scene.format, text);
     const LoadResult r = load_text(scene.format, text);

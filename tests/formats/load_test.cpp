@@ -1,4 +1,4 @@
-// Files, and telling formats apart.
+// Loading of files, and detection of formats.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that is gone at the end of the test.
+/// A file that is removed at the end of the test.
 struct ScratchFile {
     ScratchFile(const std::string& name, const std::string& content)
         : path((fs::temp_directory_path() / ("etalon_" + name)).string()) {

@@ -1,4 +1,4 @@
-// v, b and l, and what stands where it should not.
+// v, b and l, and misplaced words.
 #include "tests/catch.h"
 #include "tests/formats/nff_text.h"
 

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A directory that is gone at the end of the test.
+/// A directory that is removed at the end of the test.
 struct Scratch {
     explicit Scratch(const std::string& name) : path(fs::temp_directory_path() / name) {
         fs::remove_all(path);

@@ -52,14 +52,14 @@ std::string square(const std::string& encoding, bool quadrilateral = false) {
 
 const Floats square_positions{0, 0, 0.5F, 1, 0, 0.5F, 1, 1, 0.5F, 0, 1, 0.5F};
 
-/// A file of text with one triangle, but for what its header and its vertices say.
+/// Returns an ASCII file with one triangle and the given header and vertices.
 std::string ascii(const std::string& properties, const std::string& vertices,
                   const std::string& face = "3 0 1 2") {
     return "ply\nformat ascii 1.0\nelement vertex 3\n" + properties + "element face 1\n" + corners +
            "end_header\n" + vertices + face + "\n";
 }
 
-/// A mesh of everything that is read amid much that is not.
+/// A mesh with all properties that are read, among many that are not.
 struct Sample {
     Floats positions, normals, uvs;
     Indices indices;

@@ -11,7 +11,8 @@ char color(const Scene& scene, const Primitive& p) {
     return c.x == 1 ? 'r' : c.y == 1 ? 'g' : '?';
 }
 
-/// The diffuse colours of the primitives, by letters, then of those of each instance.
+/// Returns the diffuse colours, as letters, of the primitives and then of each instance's
+/// primitives.
 std::string colors(const LoadResult& r) {
     const Geometry& g = r.scene->geometry;
     std::string letters;

@@ -9,7 +9,8 @@ using namespace etalon;
 
 namespace {
 
-/// Leaves other bytes than 0 where functions called next keep what they do not set.
+/// Fills the stack with non-zero bytes, so that uninitialised variables of functions called next
+/// are detected.
 [[gnu::noinline]] void fill_stack() {
     std::array<volatile unsigned char, 1 << 16> bytes;
     for (volatile unsigned char& byte : bytes) byte = 0x3f;

@@ -30,7 +30,7 @@ std::vector<std::string> lost(const LoadResult& r) {
     return list;
 }
 
-/// Reads, writes, reads again, and wants the same scene, without a word, twice over.
+/// Reads, writes and reads again, twice, and requires the same scene without warnings.
 void check_round_trip(const LoadResult& first, const std::string& path) {
     CAPTURE(path);
     REQUIRE(first.scene);
@@ -47,7 +47,7 @@ void check_round_trip(const LoadResult& first, const std::string& path) {
           written.text);
 }
 
-/// A number as a file might have it, now and then with all its digits.
+/// Returns a number as in typical files, sometimes with all its digits.
 double some_number(Random& random) {
     const auto digits = static_cast<double>(random.index(2001)) - 1000;
     return random.index(4) == 0 ? random.uniform(-10, 10) : digits / 100;

@@ -1,4 +1,4 @@
-// Our own readers of JPEG and PNG give what OpenImageIO gives.
+// The readers of JPEG and PNG give the same pixels as OpenImageIO.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -56,7 +56,7 @@ void check_as_openimageio(const TemporaryFolder& folder, const std::string& name
     CHECK(std::visit([](const auto& values) { return values.empty(); }, header.value.pixels));
 }
 
-/// `content` cut short, or with some bytes replaced.
+/// Returns `content` truncated, or with some bytes replaced.
 std::string damaged(const std::string& content, Random& random) {
     std::string file = content;
     if (random.index(4) == 0) return file.substr(0, random.index(file.size()));
@@ -68,8 +68,9 @@ std::string damaged(const std::string& content, Random& random) {
     return file;
 }
 
-/// What both read is the same. One may refuse what the other takes: OpenImageIO accepts a JPEG with
-/// a scan that ends early, and of several warnings looks at the first only.
+/// Files that both can read give the same image. One may reject files that the other accepts:
+/// OpenImageIO accepts a JPEG with a scan that ends early, and checks only the first of several
+/// warnings.
 void check_damaged(const TemporaryFolder& folder, const std::string& name,
                    const std::string& content) {
     constexpr int count = 24;

@@ -1,4 +1,4 @@
-// EXR files other programs make: half, integer, tiles, grey, layers.
+// EXR files as written by other programs: half, integer, tiles, grey, layers.
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>

@@ -19,7 +19,7 @@ using namespace etalon::test;
 
 namespace {
 
-/// Bit for bit, so that NaNs compare too.
+/// Compares bits, so that NaNs are equal.
 bool same_pixels(const RenderedImage& rendered, const Image& image) {
     const auto* values = std::get_if<std::vector<float>>(&image.pixels);
     return values && image.channels == 3 && values->size() == 3 * rendered.pixels.size() &&

@@ -16,7 +16,7 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-/// The message must name the file, and be one line that says more.
+/// Requires a message of one line that names the file and gives a reason.
 void check_unreadable(const std::string& path) {
     const Result<Image> read = read_image(path);
     INFO(read.error);
@@ -26,7 +26,7 @@ void check_unreadable(const std::string& path) {
     CHECK(read.value.empty());
 }
 
-/// A read may succeed or fail, but what succeeds is whole.
+/// Reads a file, which may fail; an image that is read must be complete.
 void check_sane(const std::string& path) {
     const Result<Image> read = read_image(path);
     if (!read) return;

@@ -1,4 +1,4 @@
-// Files of other formats, written here byte by byte.
+// Files of other formats, given as bytes.
 #include <cstring>
 
 #include "core/image/io.h"

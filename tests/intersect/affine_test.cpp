@@ -1,4 +1,4 @@
-// Ellipsoids and closed cylinders: what the table of shapes does not ask of them.
+// Ellipsoids and closed cylinders: tests beyond the table of shapes.
 #include "core/intersect/kernels.h"
 #include "core/intersect/shapes/all_shapes.h"
 #include "tests/catch.h"
@@ -17,7 +17,7 @@ Affine any_map(Random& random) {
     return {random.in_cube(), random.in_cube(), random.in_cube(), random.in_cube()};
 }
 
-/// Ray whose origin and target are a few sizes off the shape.
+/// Returns a ray whose origin and target are a few sizes away from the shape.
 Ray any_ray(const Affine& map, Random& random) {
     const double size = map.x.length() + map.y.length() + map.z.length();
     const Vec3 origin = map.origin + random.uniform(0, 10) * size * random.direction();
@@ -127,7 +127,7 @@ TEMPLATE_TEST_CASE(
     }
     CAPTURE(uncertain_answers, hits, rays);
     REQUIRE(hits > rays / 5);
-    REQUIRE(uncertain_answers > rays / 100);  // or these rays would be too easy
+    REQUIRE(uncertain_answers > rays / 100);  // otherwise these rays are too easy
 }
 
 TEMPLATE_TEST_CASE(

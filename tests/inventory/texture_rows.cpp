@@ -1,4 +1,4 @@
-// Textures of numbers and of colours have the same classes, but for two.
+// Float and spectrum textures have the same classes, except for two.
 #include <array>
 
 #include "tests/inventory/row.h"

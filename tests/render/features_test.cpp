@@ -26,7 +26,7 @@ SurfaceMeans means_of(const TestScene& scene) {
     return surface_means(scene, *intersector, scene.settings).value();
 }
 
-/// Materials that are nothing but their albedo, and before a black background.
+/// A scene of purely diffuse materials with a black background.
 TestScene without_light(TestScene scene) {
     for (Material& m : scene.whitted().materials) m = matte(m.diffuse);
     scene.whitted().lights.clear();
@@ -34,7 +34,7 @@ TestScene without_light(TestScene scene) {
     return scene;
 }
 
-/// The same where all surfaces glow in their albedo: its image is an image of that.
+/// The same with surfaces that emit their albedo, so that the image shows the albedo.
 TestScene glowing(TestScene scene) {
     for (Material& m : scene.whitted().materials) std::swap(m.ambient, m.diffuse);
     return scene;

@@ -1,4 +1,4 @@
-// Paths through media against what is known of small scenes.
+// Compares paths through media with closed forms for small scenes.
 #include <numbers>
 
 #include "core/formats/load.h"
@@ -15,7 +15,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// A scene 8 x 8 pixels through a narrow camera at (0, 0, -5) that looks along z.
+/// A scene of 8 x 8 pixels with a narrow camera at (0, 0, -5) that looks along z.
 TestScene scene_of(const std::string& world, const std::string& options = "") {
     const std::string text =
         "LookAt 0 0 -5  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" .1\n"
@@ -141,7 +141,7 @@ TEST_CASE("A grid of one density looks as a homogeneous medium", "[media]") {
 }
 
 TEST_CASE("A medium shows light once scattered as its phase function says", "[media]") {
-    // Thin, so that little is scattered twice: along the ray the light of a distant source.
+    // Thin, so that little light is scattered twice; along the ray it is that of a distant light.
     const std::string thin =
         "MakeNamedMedium \"m\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [0 0 0] "
         "\"rgb sigma_s\" [.01 .01 .01] \"float g\" .6\n";
@@ -195,7 +195,7 @@ TEST_CASE("Directions to the beam of a spot have their density", "[media]") {
 }
 
 TEST_CASE("A spot in fog is as bright without directions to its beam", "[media]") {
-    // A sky that is all but black makes the difference.
+    // Only a nearly black sky differs.
     const Vec3 with = mean(image(foggy_spot("")));
     const Vec3 without =
         mean(image(foggy_spot("LightSource \"infinite\" \"color L\" [1e-9 1e-9 1e-9]\n")));

@@ -14,7 +14,7 @@ Camera projective(const ProjectiveCamera& camera) {
     return result;
 }
 
-/// Bends and mirrors space; its columns are neither of unit length nor perpendicular.
+/// A map that shears and mirrors space; its columns are neither of unit length nor perpendicular.
 const Affine bent{{-2, 0, 0.5}, {0.25, 1.5, 0}, {0, 0.5, 3}, {1, -2, 4}};
 
 const ProjectiveCamera bent_camera{Projection::perspective, bent, {{-1.5, -1}, {1, 0.5}}, 0.25, 5};
@@ -26,7 +26,7 @@ bool close(const Vec3& a, const Vec3& b, double tolerance = 1e-14) {
     return (a - b).length() <= tolerance * (1 + b.length());
 }
 
-/// The point of the plane z = 1 of camera space that a pixel shows.
+/// Returns the point of the plane z = 1 of camera space that a pixel shows.
 Vec3 on_window(const ProjectiveCamera& c, const Vec2& pixel) {
     const Vec2 part = pixel / Vec2(size);
     return {c.window.min.x + part.x * (c.window.max.x - c.window.min.x),

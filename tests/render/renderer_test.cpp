@@ -50,7 +50,7 @@ TEST_CASE("A scene scaled by any power of two from 2^-20 to 2^20 gives the same 
     }
 }
 
-// What is seen is the same to the bit (tests/backends); what it leads to starts from positions that
+// Camera rays hit the same to the bit (tests/backends); secondary rays start from positions that
 // are rounded to 2^-33 of the scene.
 TEST_CASE("A scene moved by 2^20 of its extents gives all but the same picture", "[render]") {
     const Vec3 far_away(0x1p20, -0x1p20, 0x1p20);
@@ -196,7 +196,7 @@ TEST_CASE("A glass plate in an even environment neither takes nor gives light", 
     scene.whitted().environment.background = Color(1.0F);
     scene.whitted().materials = {glass(1.5)};
     scene.geometry.add(Box{Vec3(-9, -9, -1), Vec3(9, 9, 1)}, 0);
-    const double lost = std::pow(0.04, 11);  // what is still in the plate after 12 rays
+    const double lost = std::pow(0.04, 11);  // light still in the plate after 12 rays
     CHECK(centre(scene, 12).x == Approx(1).margin(lost + 1e-6));
     CHECK(centre(scene, 2).x == Approx(0.04));  // reflected at the front; the rest is cut off
 }

@@ -1,4 +1,4 @@
-// Images that end by their error or by the clock.
+// Renderings that end at a target error or a time limit.
 #include <algorithm>
 #include <atomic>
 #include <mutex>
@@ -168,7 +168,7 @@ TEST_CASE("A picture is over when its time is", "[passes]") {
     RunControl control;
     control.deadline = Deadline(2000, second_per_read);
     const Rendering r = rendered(scene(), settings, control);
-    CHECK(r.samples >= 4);  // the clock is read some 500 times a pass
+    CHECK(r.samples >= 4);  // the clock is read about 500 times per pass
     CHECK(r.samples < 2000);
     CHECK_FALSE(r.complete);
 }
@@ -217,7 +217,7 @@ TEST_CASE("The last pass before a deadline is as large as there is time for", "[
     };
     CHECK(next_at(0) == 1);
     CHECK(next_at(1) == 2);
-    CHECK(next_at(4) == 4);  // five could be had
+    CHECK(next_at(4) == 4);  // the time suffices for five
     CHECK(next_at(8) == 5);  // 4 took 8 seconds of 10
     CHECK(next_at(9.5) == 0);
     const Deadline never;

@@ -1,4 +1,4 @@
-// Maps that change with time.
+// Animated transforms.
 #include "core/scene/animated_transform.h"
 
 #include "core/numerics/random.h"
@@ -61,7 +61,8 @@ TEST_CASE("AnimatedTransform: given a rotation, then it turns at constant speed"
         const AnimatedTransform motion(rotation(10, axis), rotation(10 + degrees, axis), {});
         for (double part = 0.125; part < 1; part += 0.125) {
             CAPTURE(degrees, part);
-            // Below 4 degrees the chord's middle part is passed faster, as in pbrt-v3.
+            // Below 4 degrees rotation is interpolated along the chord, which is faster in the
+            // middle, as in pbrt-v3.
             const double tolerance = degrees < 4 ? 1e-6 : 1e-14;
             CHECK(difference(motion.at_part(part), rotation(10 + part * degrees, axis)) <
                   tolerance);

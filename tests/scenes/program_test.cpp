@@ -79,7 +79,7 @@ TEST_CASE("etalon-scenes ends with 4 where it cannot write, and leaves nothing b
 }
 
 TEST_CASE("A family's text is the same on every machine", "[scenes]") {
-    // Whoever changes a family on purpose changes its line here.
+    // An intended change of a family needs a new line here.
     const auto [family, size, expected] = GENERATE(table<std::string, std::int64_t, std::uint64_t>({
         {"sphereflake", 3, 0xEC1EAF4134248EC4},
         {"tetra", 4, 0x4C3B52ECABAE6B19},

@@ -1,4 +1,4 @@
-// When the images of a skybox are read, and what becomes of bad ones.
+// Lazy reading of a skybox's images, and the treatment of damaged ones.
 #include "core/shading/environment_map.h"
 
 #include "core/image/io.h"
@@ -21,7 +21,7 @@ Color color_of(std::size_t face) {
     return Color(static_cast<float>(face) + 1);
 }
 
-/// A skybox of large faces, each of one colour.
+/// Returns a skybox of large faces, each of one colour.
 Environment skybox_in(const TemporaryFolder& folder, const std::string& extension) {
     Environment environment{background, Skybox{}};
     for (std::size_t k = 0; k < towards.size(); ++k) {

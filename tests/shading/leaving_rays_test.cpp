@@ -36,7 +36,7 @@ Ray leaving_alone(const SurfaceInteraction& at, const Vec3& direction, double bi
                      : Ray{at.surface.position + bias * at.ng, direction};
 }
 
-/// What is written of one surface's rays.
+/// The rays written for one surface.
 Ray mirrored(const LeavingRays& leaving, std::size_t i) {
     RayBuffer one;
     one.make_room(1);

@@ -1,4 +1,4 @@
-// The defaults of every parameter, written down a second time.
+// The defaults of every parameter, listed independently.
 #include <fmt/format.h>
 
 #include <map>
@@ -16,7 +16,7 @@ namespace {
 struct Expected {
     Category category;
     std::string plugin;
-    std::string defaults;  ///< name=default; nothing after the sign where there is none
+    std::string defaults;  ///< name=default; nothing after the sign if there is none
 };
 
 const std::string camera =

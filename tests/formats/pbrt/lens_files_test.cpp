@@ -1,4 +1,4 @@
-// Lens files of realistic cameras, and what is said of those that cannot be used.
+// Lens files of realistic cameras, and messages about unusable ones.
 #include "core/formats/load.h"
 #include "tests/catch.h"
 #include "tests/temporary_folder.h"
@@ -9,7 +9,7 @@ namespace {
 
 using Said = std::vector<std::string>;
 
-/// Loads scenes of a realistic camera in a folder of their own.
+/// Loads scenes with a realistic camera in a separate folder.
 class Lenses {
   public:
     void write(const std::string& text) const { test::put(folder_ / "a.dat", text); }
@@ -20,7 +20,7 @@ class Lenses {
                                folder_ / "a.pbrt");
     }
 
-    /// What is said of a scene, without the folder.
+    /// Returns the messages about a scene, without the folder.
     Said said(const LoadResult& loaded) const {
         Said list;
         for (const Diagnostic& d : loaded.diagnostics) {

@@ -6,13 +6,13 @@ using namespace etalon::pbrt;
 
 namespace {
 
-/// Parameters of the camera that has these.
+/// Returns the camera parameters that are read from this text.
 Parameters camera(const std::string& parameters) {
     return good_frame("Camera \"perspective\" " + parameters + "\nWorldBegin WorldEnd")
         .camera.parameters;
 }
 
-/// The same where one thing is said.
+/// The same with one message.
 Parameters camera_with(const std::string& parameters, const std::string& message) {
     ParsedFile file = parse_text("Camera \"perspective\" " + parameters + "\nWorldBegin WorldEnd");
     CAPTURE(parameters);

@@ -7,7 +7,7 @@ using namespace etalon::pbrt;
 
 namespace {
 
-/// Where the statements carry the point (1, 2, 3).
+/// Returns the image of the point (1, 2, 3) under the statements.
 Vec3 carried(const std::string& statements) {
     const Frame frame = good_world(statements + " Shape \"sphere\"");
     return image(start(frame, frame.shapes.at(0)), {1, 2, 3});
@@ -18,7 +18,7 @@ void check_near(const Vec3& a, const Vec3& b) {
     CHECK(max_abs(a - b) < 1e-12);
 }
 
-/// Where they carry it at both times, if one thing is said.
+/// Returns its images at both times, and requires one message.
 std::array<Vec3, 2> carried_with(const std::string& statements, const std::string& message) {
     const Frame frame = world_with(statements + " Shape \"sphere\"", message);
     const Shape& shape = frame.shapes.at(0);
