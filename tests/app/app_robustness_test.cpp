@@ -23,7 +23,7 @@ void must_survive(const Folder& f, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("Cut and damaged scenes end with a diagnostic or a picture", "[app]") {
+TEST_CASE("Truncated and damaged scenes end with a diagnostic or an image", "[app]") {
     const Folder f;
     std::uint32_t state = 1;
     for (int i = 0; i < 15; ++i)
@@ -35,7 +35,7 @@ TEST_CASE("Cut and damaged scenes end with a diagnostic or a picture", "[app]") 
     }
 }
 
-TEST_CASE("Cut and damaged scenes end with a diagnostic or a picture, many", "[long]") {
+TEST_CASE("Truncated and damaged scenes end with a diagnostic or an image, many", "[long]") {
     const Folder f;
     std::uint32_t state = 2;
     for (int i = 0; i < 100; ++i)

@@ -153,7 +153,7 @@ TEST_CASE("Signals that interrupt calls, and writes of a part, leave files as th
     static_assert(EINTR == 4);
 }
 
-TEST_CASE("A folder that vanishes while it is rendered for is told", "[app]") {
+TEST_CASE("A folder that vanishes during rendering is reported", "[app]") {
     const Folder f;
     f.shell("mkdir there");
     const auto r = interrupted(f,
@@ -166,7 +166,7 @@ TEST_CASE("A folder that vanishes while it is rendered for is told", "[app]") {
     CHECK(!f.has("there"));
 }
 
-TEST_CASE("A checkpoint of something else is refused, and says what differs", "[app]") {
+TEST_CASE("A checkpoint of another rendering is an error, which names the difference", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     f.write("other.p3f", small_scene + "s 0 2 0 0.5\n");

@@ -102,7 +102,7 @@ TEST_CASE("crosscheck lists wrong answers that trace gives again", "[app]") {
     CHECK((list[0].wrong == "hit not found" || list[0].wrong == "hit where there is none"));
 }
 
-TEST_CASE("crosscheck says for pairs of backends who was right", "[app]") {
+TEST_CASE("crosscheck reports for pairs of backends which was right", "[app]") {
     const Folder f;
     f.write("ball.p3f", lone_ball());
     const auto r = f.etalon("crosscheck ball.p3f -b bvh,embree-builtin --rays 600 --json c.json");
@@ -123,7 +123,7 @@ TEST_CASE("crosscheck says for pairs of backends who was right", "[app]") {
     CHECK(c["mcnemar"] == only_bvh);
 }
 
-TEST_CASE("crosscheck writes nothing but what is asked for to standard output", "[app]") {
+TEST_CASE("crosscheck writes only the requested output to standard output", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     CHECK(

@@ -137,7 +137,7 @@ TEST_CASE("A scene that rank 0 sends need not be where the others are", "[app][n
     }
 }
 
-TEST_CASE("When a rank is killed, what was done can be resumed", "[app][needs_mpirun]") {
+TEST_CASE("When a rank is killed, the rendering can be resumed", "[app][needs_mpirun]") {
     const Folder f;
     SKIP_UNLESS(has_mpirun(f), "mpirun is not installed");
     const std::string task = render("glass.p3f --spp 500") + "-t 1 ";
@@ -164,7 +164,7 @@ TEST_CASE("When a rank is killed, what was done can be resumed", "[app][needs_mp
     }
 }
 
-TEST_CASE("Ranks without the MPI module say that there is none, once", "[app]") {
+TEST_CASE("Ranks without the MPI module report that once", "[app]") {
     const Folder f;
     f.write("ball.p3f", small_scene);
     const std::string program = "ETALON_MODULE_PATH=. " ETALON_BINARY_DIR "/bin/etalon ";

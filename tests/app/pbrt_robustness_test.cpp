@@ -155,7 +155,7 @@ TEST_CASE("Samples that are not finite count as black, alike by every backend an
     }
 }
 
-TEST_CASE("info tells the angle of PBRT cameras", "[app]") {
+TEST_CASE("info shows the field of view of PBRT cameras", "[app]") {
     const Folder f;
     f.write("a.pbrt", scene_with(""));
     const ProgramResult r = f.etalon("info a.pbrt --json");

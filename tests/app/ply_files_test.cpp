@@ -48,7 +48,7 @@ void write_scene(const Folder& f) {
 
 }  // namespace
 
-TEST_CASE("PLY files that are read ahead give one picture and complaints in order", "[app]") {
+TEST_CASE("PLY files that are read ahead give the same image and ordered diagnostics", "[app]") {
     const Folder f;
     write_scene(f);
     std::string said;

@@ -34,7 +34,7 @@ TEST_CASE("trace, info and crosscheck know instances", "[app]") {
     CHECK(r.status == 0);
 }
 
-TEST_CASE("trace, info, convert and crosscheck know what moves", "[app]") {
+TEST_CASE("trace, info, convert and crosscheck support motion", "[app]") {
     const Folder f;
     f.write("m.pbrt",
             "LookAt 0 0 -9  0 0 0  0 1 0 Camera \"perspective\" \"float shutterclose\" 0.5\n"

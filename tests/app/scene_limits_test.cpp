@@ -87,7 +87,7 @@ TEST_CASE("Confined SCE and P3F scenes open no file outside of the folder", "[ap
     two.check_refused("a.p3f", p3f_scene("../in-side"), "1:1", "in/../in-side/right.jpg");
 }
 
-TEST_CASE("A symbolic link out of the folder is no way out", "[app][limits]") {
+TEST_CASE("A symbolic link cannot lead out of the folder", "[app][limits]") {
     const TwoFolders two;
     std::filesystem::create_symlink("../in-side/secret", two.f.path("in/link"));
     std::filesystem::create_directory_symlink("../in-side", two.f.path("in/door"));
@@ -150,7 +150,7 @@ TEST_CASE("An image that needs more than --max-memory is refused before it is be
     CHECK(r.peak_bytes < 100e6);
 }
 
-TEST_CASE("A scene that needs more than --max-memory ends in words", "[app][limits]") {
+TEST_CASE("A scene that needs more than --max-memory is an error", "[app][limits]") {
     const Folder f;
     std::string text = small_scene;
     for (int i = 0; i < 100'000; ++i) text += "s " + std::to_string(i) + " 0 0 1\n";

@@ -74,7 +74,7 @@ TEST_CASE("a module that is missing is noticed before rendering", "[app]") {
     CHECK_FALSE(f.has("b.png"));
 }
 
-TEST_CASE("a face that turns out damaged loses no picture", "[app]") {
+TEST_CASE("a damaged face does not lose the image", "[app]") {
     const Folder f;
     write_skybox_scene(f, {".png", ".png", ".png", ".png", ".png", ".png"});
     for (const char* name : {"sky/back.png", "sky/bottom.png"}) {

@@ -26,7 +26,8 @@ TEST_CASE("Scattering is the same with both directions exchanged", "[bsdf]") {
     }
 }
 
-TEST_CASE("The geometric normal says what is reflected, the shading normal the cosines", "[bsdf]") {
+TEST_CASE("The geometric normal decides reflection or transmission, the shading normal the cosines",
+          "[bsdf]") {
     const Vec3 ng(0, 0, 1), ns = normalized(Vec3(1, 0, 1));
     Bsdf bsdf(ng, ns, {0, 1, 0});
     bsdf.add(LambertReflection{Color(1)});

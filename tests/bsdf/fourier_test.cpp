@@ -8,7 +8,7 @@
 using namespace etalon;
 using namespace etalon::test;
 
-TEST_CASE("A table has the values of what it was made of", "[bsdf]") {
+TEST_CASE("A table has the values that it was made from", "[bsdf]") {
     FourierTable table = table_of(cosines_of_table(20), 20, glossy_both_sides);
     for (const double eta : {1.0, 1.5}) {
         table.eta = static_cast<float>(eta);
@@ -33,7 +33,7 @@ TEST_CASE("A table has the values of what it was made of", "[bsdf]") {
     }
 }
 
-TEST_CASE("A table's albedo is what it scatters", "[bsdf]") {
+TEST_CASE("A table's albedo is the light that it scatters", "[bsdf]") {
     const FourierTable table = table_of(cosines_of_table(20), 20, glossy_both_sides);
     const FourierScattering lobe(table);
     FourierScattering dimmed = lobe;

@@ -49,7 +49,7 @@ TEST_CASE("The test of densities finds one that is off by a fiftieth", "[bsdf]")
     CHECK(chi_square(white, {0, 0, 1}, 0.98) < 1e-4);
 }
 
-TEST_CASE("A sample says what evaluating its direction says", "[bsdf]") {
+TEST_CASE("A sample's value and pdf are those of evaluating its direction", "[bsdf]") {
     Random random(3);
     for (const LobeCase& item : lobe_cases()) {
         const Bsdf bsdf = bsdf_of(item.lobes);

@@ -95,8 +95,7 @@ void check_each(const Folder& f, const Task& task, long step) {
 
 }  // namespace
 
-TEST_CASE("A call for memory that fails ends in words, or changes nothing",
-          "[faults][needs_preload]") {
+TEST_CASE("A failing allocation is reported, or changes nothing", "[faults][needs_preload]") {
     SKIP_UNLESS(can_preload, no_preload);
     const Folder f;
     for (const Task& task : renderings) {
@@ -104,7 +103,7 @@ TEST_CASE("A call for memory that fails ends in words, or changes nothing",
     }
 }
 
-TEST_CASE("A call for memory that fails where a library must not throw ends in words",
+TEST_CASE("A failing allocation where a library must not throw is reported",
           "[faults][needs_preload]") {
     SKIP_UNLESS(can_preload, no_preload);
     const Folder parts, f;
@@ -118,14 +117,14 @@ TEST_CASE("A call for memory that fails where a library must not throw ends in w
     check_each(f, merging, Whole(f, merging, "memory").calls / (4 * runs));
 }
 
-TEST_CASE("Every call for memory that fails ends in words, or changes nothing",
+TEST_CASE("Every failing allocation is reported, or changes nothing",
           "[faults][needs_preload][long]") {
     SKIP_UNLESS(can_preload, no_preload);
     const Folder f;
     for (const Task& task : renderings) check_each(f, task, 1);
 }
 
-TEST_CASE("A thread that cannot be started ends in words, or changes nothing",
+TEST_CASE("A thread that cannot be started is reported, or changes nothing",
           "[faults][needs_preload]") {
     SKIP_UNLESS(can_preload, no_preload);
     const Folder f;

@@ -23,7 +23,7 @@ ProgramResult rendered(const Folder& f, const SmallBomb& bomb) {
 
 }  // namespace
 
-TEST_CASE("A small scene that asks for too much ends in words or in an image, soon", "[faults]") {
+TEST_CASE("A small scene that asks for too much gives an error or an image, soon", "[faults]") {
     for (const SmallBomb& bomb : small_bombs()) {
         CAPTURE(bomb.name, bomb.format);
         REQUIRE(bomb.text.size() <= most_bytes_of_a_bomb);

@@ -64,7 +64,7 @@ TEST_CASE("a scene with any byte flipped gives a scene or an error") {
     }
 }
 
-TEST_CASE("what is left of a damaged scene can be written, and is then sane") {
+TEST_CASE("the valid rest of a damaged scene can be written and read again") {
     Random random(6);
     for (const WholeScene& scene : whole_scenes()) {
         for (int i = 0; i < 50; ++i) {
@@ -94,7 +94,7 @@ TEST_CASE("a scene with many bytes of chance gives a scene or an error") {
     }
 }
 
-TEST_CASE("words of a format in any order give a scene or an error") {
+TEST_CASE("keywords of a format in any order give a scene or an error") {
     Random random(5);
     for (const WholeScene& scene : whole_scenes()) {
         for (int i = 0; i < 2000; ++i) {

@@ -135,7 +135,7 @@ TEST_CASE("a quadrilateral of a PLY file is cut as PBRT v3 cuts it") {
     }
 }
 
-TEST_CASE("what a mesh has no use for is passed over in every encoding") {
+TEST_CASE("unused properties of a mesh are skipped in every encoding") {
     for (const std::string& encoding : ply_encodings) {
         CAPTURE(encoding);
         Sample sample;
@@ -279,7 +279,7 @@ TEST_CASE("a header that is wrong is an error with its line") {
           "a.ply:7:1: error: the faces have no list 'vertex_indices'");
 }
 
-TEST_CASE("a word among the numbers of a PLY file is an error with its place") {
+TEST_CASE("a word among the numbers of a PLY file is an error with its position") {
     const Read r = read(ascii(xyz, "0 0 0 1 0 x\n0 1 0\n"));
     CHECK_FALSE(r.mesh);
     CHECK(r.messages ==

@@ -110,7 +110,7 @@ TEST_CASE("objects of all kinds with all their digits are the same when written 
     }
 }
 
-TEST_CASE("every material that P3F can say is found again") {
+TEST_CASE("every material that P3F can express is read back") {
     Random random(22);
     const auto weight = [&] { return static_cast<double>(random.index(101)) / 100; };
     for (int i = 0; i < 100000; ++i) {
@@ -169,7 +169,7 @@ TEST_CASE("a plane is found again by three points, its normal up to a power of t
     CHECK(inexact == 0);
 }
 
-TEST_CASE("what P3F cannot say is listed, each kind once") {
+TEST_CASE("features that P3F cannot express are listed, each kind once") {
     LoadResult r = load_objects("s 0 0 0 1\ns 1 0 0 1\n");
     Scene& s = *r.scene;
     CHECK(lost(r).empty());

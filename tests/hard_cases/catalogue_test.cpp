@@ -174,7 +174,7 @@ TEST_CASE("The catalogue: given any kind of shape, then it has cases of its own"
     }
 }
 
-TEST_CASE("The catalogue: given a case, then its scene and rays are what its names say") {
+TEST_CASE("The catalogue: given a case, then its scene and rays match its names") {
     for (const HardCase& c : hard_cases()) {
         CAPTURE(name_of(c));
         const CaseSetup setup = c.make(), again = c.make();

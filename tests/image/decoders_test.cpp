@@ -114,7 +114,7 @@ TEST_CASE("every 16-bit value of a PNG is the float that OpenImageIO makes of it
                          encoded_png({PNG_COLOR_TYPE_GRAY, 16, false, false, 0}, 1024, 1024));
 }
 
-TEST_CASE("a damaged JPEG or PNG is the picture that OpenImageIO reads, or an error") {
+TEST_CASE("a damaged JPEG or PNG is the image that OpenImageIO reads, or an error") {
     const TemporaryFolder folder;
     for (const JpegKind& kind : jpeg_kinds()) {
         INFO(kind.name);
@@ -127,7 +127,7 @@ TEST_CASE("a damaged JPEG or PNG is the picture that OpenImageIO reads, or an er
     }
 }
 
-TEST_CASE("JPEG and PNG are told by their first bytes") {
+TEST_CASE("JPEG and PNG are detected by their first bytes") {
     const TemporaryFolder folder;
     const std::string jpeg = encoded_jpeg(jpeg_kinds()[1], 9, 7), png = encoded_png({}, 9, 7);
     put(folder / "p.jpg", jpeg);

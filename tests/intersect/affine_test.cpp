@@ -42,7 +42,7 @@ TEST_CASE("Ellipsoid: given the unit sphere, then t is that of the sphere") {
     }
 }
 
-TEST_CASE("Ellipsoid: given a tangent and its neighbours, then only what is outside misses") {
+TEST_CASE("Ellipsoid: given a tangent and adjacent lines, then only those outside miss") {
     const Ellipsoid wide{Affine{{4, 0, 0}, {0, 0.5, 0}, {0, 0, -2}, {0, 0, 0}}};
     REQUIRE(hit(wide, {{4, 0, -8}, {0, 0, 1}}) == 8);
     REQUIRE(hit(wide, {{-8, 0.5, 0}, {1, 0, 0}}) == 8);
@@ -62,7 +62,7 @@ TEST_CASE("Closed cylinder: given rays at its faces, then the solid's ends are h
     REQUIRE(hit(can, {{-1.5, 0, 0.25}, {1, 0, 1}}) == 0.5);  // the side, and out by the top
 }
 
-TEST_CASE("Closed cylinder: given a line in a face, then it is a solid that is met") {
+TEST_CASE("Closed cylinder: given a line in a face, then it hits the solid") {
     REQUIRE(hit(can, {{-3, 0, 0}, {1, 0, 0}}) == 2);
     REQUIRE(hit(can, {{-3, 0, 1}, {1, 0, 0}}) == 2);
     REQUIRE(hit(can, {{1, 0, -3}, {0, 0, 1}}) == 3);

@@ -88,7 +88,7 @@ TEST_CASE("Cone: given a ray through an open end, then the inside is hit") {
     REQUIRE(hit(pointed, {{0.5, 0, -1}, {0, 0, 1}}, Sides::back) == 2);
 }
 
-TEST_CASE("Cone: given a line that would meet the mirror nappe first, then it does not") {
+TEST_CASE("Cone: given a line that crosses the mirror nappe first, then it hits the cone only") {
     REQUIRE(hit(pointed, {{0.5, 0, 9}, {0, 0, -1}}) == 8);
     REQUIRE(std::isnan(hit(pointed, {{0.5, 0, 9}, {0, 0, -1}}, Sides::back)));
 }
@@ -244,7 +244,7 @@ TEST_CASE("Cone: given a cone as flat as can be, then it is hit where a ring wou
     }
 }
 
-TEST_CASE("Cone: given a ray from the surface itself, then t is not zero but the way across") {
+TEST_CASE("Cone: given a ray from the surface itself, then t is not zero but the distance across") {
     for (const double reach : {0x1p-40, 1.0, 0x1p40}) {
         REQUIRE(hit(cylinder, {{1, 0, 2}, {-reach, 0, 0}}) == 2 / reach);
         REQUIRE(std::isnan(hit(cylinder, {{1, 0, 2}, {reach, 0, 0}})));
@@ -252,8 +252,9 @@ TEST_CASE("Cone: given a ray from the surface itself, then t is not zero but the
     }
 }
 
-TEMPLATE_TEST_CASE("Cone: given any ray, then exact arithmetic says what a tier is certain of", "",
-                   ConeFastPath, ConeBoundsCheck) {
+TEMPLATE_TEST_CASE(
+    "Cone: given any ray, then exact arithmetic agrees with each certain decision of the fast path",
+    "", ConeFastPath, ConeBoundsCheck) {
     Random random(20);
     int uncertain_answers = 0, hits = 0;
     const int count = 200000;

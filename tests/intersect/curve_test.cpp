@@ -48,7 +48,7 @@ Ray down(double x, double y) {
 
 }  // namespace
 
-TEST_CASE("Curve: given a straight one, then it is met within half its width") {
+TEST_CASE("Curve: given a straight one, then it is hit within half its width") {
     for (const CurveType type : types) {
         const Geometry g = one(line(type));
         CHECK_THAT(t_of(g, down(0.3, 0.099)), WithinAbs(2.5, 1e-15));
@@ -106,7 +106,7 @@ TEST_CASE("Curve: given two parallel rays, then the derivatives lead from hit to
     }
 }
 
-TEST_CASE("Curve: given a ray that leaves it, then it does not meet it within a width") {
+TEST_CASE("Curve: given a ray that leaves it, then it does not hit it within a width") {
     for (const CurveType type : types) {
         const Geometry g = one(bent(type));
         Random random(2);
@@ -126,7 +126,7 @@ TEST_CASE("Curve: given a ray that leaves it, then it does not meet it within a 
     }
 }
 
-TEST_CASE("Curve: given its parts, then together they are met where the whole is") {
+TEST_CASE("Curve: given its segments, then together they are hit where the whole is") {
     const Geometry whole = one(bent(CurveType::cylinder));
     Geometry parts;
     for (std::uint32_t i = 0; i < 8; ++i) {
@@ -174,7 +174,7 @@ bool is_inside(const Box3& box, const Vec3& p, double slack) {
 
 }  // namespace
 
-TEST_CASE("Curve: given a map that flattens it, then rays from far away meet it in its bounds") {
+TEST_CASE("Curve: given a map that flattens it, then rays from far away hit it in its bounds") {
     Random random(3);
     for (const double stretch : {4.0, 0x1p10, 0x1p20, 0x1p40}) {
         const Affine map = flattened(stretch);
@@ -195,7 +195,7 @@ TEST_CASE("Curve: given a map that flattens it, then rays from far away meet it 
     }
 }
 
-TEST_CASE("Curve: given rays of an object from 2^57 away, then it is met where they pass it") {
+TEST_CASE("Curve: given rays in object space from 2^57 away, then it is hit where they pass it") {
     // A nearly flat instance transforms ordinary rays to such rays. Each goes through (x, y, 0).
     const auto past = [](double x, double y) {
         return Ray{{x + 30, y - 14, 0x1p57}, {-30, 14, -0x1p57}};

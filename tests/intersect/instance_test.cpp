@@ -136,7 +136,7 @@ TEST_CASE("Instance: given a hit, then its point is on the image, with the image
     CHECK(hits > 300);
 }
 
-TEST_CASE("Instance: given a ray that leaves one outward, then it does not meet it again") {
+TEST_CASE("Instance: given a ray that leaves one outward, then it does not hit it again") {
     Random random(4);
     int leaving = 0, again = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -161,7 +161,7 @@ TEST_CASE("Instance: given a ray that leaves one outward, then it does not meet 
     CHECK(again == 0);
 }
 
-TEST_CASE("Instance: given a ray into a box from next to an edge, then it meets it from inside") {
+TEST_CASE("Instance: given a ray into a box from next to an edge, then it hits it from inside") {
     const Box box{{-1, -0.5, -0.75}, {0.5, 1, 0.25}};
     const auto on_edge = [&](Random& random) {
         Vec3 corner = random.index(2) == 0 ? box.min : box.max;
@@ -187,7 +187,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("Instance: given any map, then its box holds what it shows, and is tight") {
+TEST_CASE("Instance: given any map, then its box encloses the object, and is tight") {
     Random random(5);
     for (int i = 0; i < 300; ++i) {
         const Affine map = random_map(random, random.magnitude(0, 3));

@@ -82,7 +82,7 @@ bool surely_meets(const Ray& ray) {
 
 }  // namespace
 
-TEST_CASE("Rays of a chunk are in normalized space what each is alone", "[intersect]") {
+TEST_CASE("Rays of a chunk are transformed to normalized space as single rays are", "[intersect]") {
     const NormalizedSpace space(world);
     const std::vector<Ray> rays = all_kinds_of_rays(100'000);
     for_each_target([&] {

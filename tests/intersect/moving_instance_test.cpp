@@ -110,7 +110,7 @@ TEST_CASE("The box of an instance that only moves is that of its two ends") {
     CHECK(instance_bounds(early, {}).boxes.front().max.x == Approx(2).epsilon(1e-5));
 }
 
-TEST_CASE("An instance that is singular on its way has no box") {
+TEST_CASE("An instance that is singular during its motion has no box") {
     const Geometry geometry =
         moving_sphere({scaling({1, 1, 1}), scaling({1, 1, -1}), MotionTimes{}}, Vec3(0));
     CHECK(instance_bounds(geometry, {}).boxes.front().max.x == infinity);

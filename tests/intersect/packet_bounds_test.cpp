@@ -92,7 +92,7 @@ TEST_CASE("Packet bounds: none of ten million boxes that rays touch is missed", 
     CHECK(lost_boxes(10'000'000) == 0);
 }
 
-TEST_CASE("Packet bounds: what is beside or behind rays that go one way is missed") {
+TEST_CASE("Packet bounds: boxes beside or behind rays that go one way are culled") {
     RaySet set{{}, 2};
     for (int i = 0; i < 64; ++i) {
         set.rays.push_back({Vec3(0), Vec3(0.01 * (i % 8), 0.01 * (i / 8), 1)});
@@ -114,7 +114,7 @@ TEST_CASE("Packet bounds: what is beside or behind rays that go one way is misse
     });
 }
 
-TEST_CASE("Packet bounds: what is infinite is never missed") {
+TEST_CASE("Packet bounds: infinite boxes are never culled") {
     const PacketBounds bounds =
         bounds_of({{{Vec3(0), Vec3(0, 0, 1)}, {Vec3(1), Vec3(0, 1, 1)}}, 2});
     const Box3 whole(Vec3(-infinity), Vec3(infinity));

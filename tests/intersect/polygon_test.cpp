@@ -103,7 +103,8 @@ TEST_CASE("Polygon: given corners a little off the plane, then the hit is on it,
     }
 }
 
-TEST_CASE("interpolated_normal: given normals that vary linearly, then they are met everywhere") {
+TEST_CASE(
+    "interpolated_normal: given normals that vary linearly, then they are reproduced everywhere") {
     // Mean value coordinates reproduce linear functions, in concave polygons too.
     const auto field = [](const Vec3& p) {
         return Vec3(0.3 * p.x - 0.1, 0.2 * p.y + 0.1 * p.x, 1);
@@ -140,7 +141,7 @@ TEST_CASE(
     REQUIRE(p.normal == Vec3(0, 0, 1));
 }
 
-TEST_CASE("Polygon: given corners whose normal vanishes among doubles alone, then it is met") {
+TEST_CASE("Polygon: given corners whose normal vanishes in double only, then it is hit") {
     // Collinear corners, up to rounding.
     const Scene scene = polygon_scene({{1.69, -1.89, -2.36},
                                        {1.69, 8.86, 2.9},

@@ -132,7 +132,8 @@ TEST_CASE("Quadric: given a tangent to the last bit, then either side is hit, an
     }
 }
 
-TEST_CASE("Quadric: given a plane twice, then it is met once, and not again by what leaves it") {
+TEST_CASE(
+    "Quadric: given a squared plane, then it is hit once, and not again by a ray that leaves it") {
     // (x + 2y + 2z - 1)^2
     const Quadric doubled = {{0, 0, 0}, {1, 2, 2, -1, 4, 4, -2, 4, -2, 1}, {Vec3(-2), Vec3(2)}};
     const Vec3 n = Vec3(1, 2, 2) / 3.0;

@@ -85,7 +85,7 @@ TEST_CASE(
     require_no_self_hits(800);
 }
 
-TEST_CASE("spawn_origin: given very many hits, then none is met again", "[long]") {
+TEST_CASE("spawn_origin: given very many hits, then none is hit again", "[long]") {
     require_no_self_hits(80000);
 }
 

@@ -128,7 +128,7 @@ void check(const Change& c) {
 
 }  // namespace
 
-TEST_CASE("every parameter of every plugin changes the picture, or it is said why not") {
+TEST_CASE("every parameter of every plugin changes the image, or it is said why not") {
     const Studio studio;
     for (std::size_t c = 0; c < pbrt::category_count; ++c) {
         for (const PluginType& plugin : plugin_types(static_cast<Category>(c))) {

@@ -44,7 +44,7 @@ Box wall(double height) {
 
 }  // namespace
 
-TEST_CASE("An open plane is white, from either side, and what meets nothing is black", "[ao]") {
+TEST_CASE("An open plane is white, from either side, and a miss is black", "[ao]") {
     TestScene scene = floor_at(0);
     CHECK(visible(scene) == 1);
     scene.camera.eye.y = -2;

@@ -114,7 +114,7 @@ TEST_CASE("Of a smooth surface no less error is expected than there is", "[estim
     CHECK(e.expected > e.real);
 }
 
-TEST_CASE("What a pixel itself changed has no part in what its neighbours say", "[estimate]") {
+TEST_CASE("A pixel's own change does not enter the estimate from its neighbours", "[estimate]") {
     Film film({{0, 0}, {2, 2}});
     ErrorEstimate estimate(3, 3, false);
     const auto add = [&](float centre, float others) {

@@ -91,7 +91,7 @@ TEST_CASE("a PRT shell of index 1 is not seen", "[render]") {
     }
 }
 
-TEST_CASE("a thin PRT shell of glass does not turn the picture over as a ball does", "[render]") {
+TEST_CASE("a thin PRT shell of glass does not invert the image as a ball does", "[render]") {
     const std::string wall = glowing + "polygon 4 -99 -99 -40 0 -99 -40 0 99 -40 -99 99 -40\n";
     for (const double x : {-0.5, 0.5}) {
         const bool left = x < 0;
@@ -165,7 +165,7 @@ std::string pair_at(double x, double y) {
 
 }  // namespace
 
-TEST_CASE("PRT instances show what is seen of copies, converted as well", "[render]") {
+TEST_CASE("PRT instances give the same image as copies, also when converted", "[render]") {
     const TestScene instances =
         hall_of_pairs("instance pair\n" + pair_at(0, 0) + "end_instance\n", [](double x, double y) {
             return "instance_of pair " + std::to_string(x) + ' ' + std::to_string(y) + " 0\n";

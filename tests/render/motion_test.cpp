@@ -133,7 +133,7 @@ TEST_CASE("Camera rays are of all times if something moves, else of the first", 
     for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i].direction == b[i].direction);
 }
 
-TEST_CASE("Motion within an object is told to be left out", "[motion]") {
+TEST_CASE("Motion within an object is left out with a warning", "[motion]") {
     const LoadResult loaded = load_scene_text("WorldBegin ObjectBegin \"o\" " + turn +
                                                   "Shape \"sphere\" ObjectEnd "
                                                   "ObjectInstance \"o\" WorldEnd",

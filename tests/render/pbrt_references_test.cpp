@@ -234,7 +234,7 @@ double bound_for(int count) {
 
 }  // namespace
 
-TEST_CASE("pictures of PBRT scenes are those of pbrt-v3", "[needs_shared_scenes][long]") {
+TEST_CASE("images of PBRT scenes agree with pbrt-v3", "[needs_shared_scenes][long]") {
     const fs::path folder = shared_scenes_folder() / "pbrt";
     const std::vector<ForeignPicture> all = foreign_pictures(folder / "pbrt-v3.tsv");
     SKIP_UNLESS(!all.empty(), "no pictures of pbrt-v3 in " << folder);
@@ -271,7 +271,7 @@ TEST_CASE("pictures of PBRT scenes are those of pbrt-v3", "[needs_shared_scenes]
     CHECK(compared >= 25);
 }
 
-TEST_CASE("pictures of small scenes are those of pbrt-v3") {
+TEST_CASE("images of small scenes agree with pbrt-v3") {
     const fs::path folder = fs::path(ETALON_SOURCE_DIR) / "tests/render/references";
     int compared = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {

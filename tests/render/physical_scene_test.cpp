@@ -67,7 +67,7 @@ TEST_CASE("A diffuse surface that faces a light is as bright by path as by whitt
     }
 }
 
-TEST_CASE("Mirrors and glass show by path what they show by whitted", "[path]") {
+TEST_CASE("Mirrors and glass look the same with path and whitted", "[path]") {
     const std::string sky = "bclr 0.8 0.6 0.4\n";
     const std::string ball = "s 0 0 0 1\n";
     for (const std::string& material : {std::string("mat 0 0 0 0 1 0.5 1 0.7 10 0 1\n"),

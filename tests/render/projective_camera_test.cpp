@@ -56,7 +56,8 @@ TEST_CASE("A perspective camera sees its window in the plane z = 1 of its space"
     }
 }
 
-TEST_CASE("A lens lies in the plane z = 0 and its rays meet at the distance of focus", "[render]") {
+TEST_CASE("A lens lies in the plane z = 0 and its rays converge at the focal distance",
+          "[render]") {
     const CameraRays camera(projective(bent_camera), size);
     CHECK(camera.has_lens());
     const Vec2 pixel(31.5, 77.25);
@@ -144,7 +145,7 @@ TEST_CASE("A pinhole or lens camera by its own space has the same rays", "[rende
     }
 }
 
-TEST_CASE("world_to_ndc takes what any pixel sees to the pixel's place", "[render]") {
+TEST_CASE("world_to_ndc maps a point seen by any pixel to the pixel's position", "[render]") {
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
         ProjectiveCamera c = bent_camera;
         c.projection = projection;

@@ -119,7 +119,7 @@ TEST_CASE("Keeping states changes nothing", "[resumed]") {
     }
 }
 
-TEST_CASE("A state that does not fit the image is told, and leaves no image", "[resumed]") {
+TEST_CASE("A state that does not match the image is an error, and leaves no image", "[resumed]") {
     const TestScene scene = mixed_scene(70, 50);
     MemoryKeeper keeper(200);
     RunControl control;

@@ -60,7 +60,7 @@ double set_time = 0;
 
 }  // namespace
 
-TEST_CASE("A picture ends near the error asked for, with fewer samples than all pixels need",
+TEST_CASE("An image ends near the target error, with fewer samples than uniform sampling",
           "[passes]") {
     for (const double error : {3e-3, 1e-3}) {
         const Rendering r = rendered(scene(), up_to_error(scene(), error));
@@ -75,7 +75,7 @@ TEST_CASE("A picture ends near the error asked for, with fewer samples than all 
     }
 }
 
-TEST_CASE("An adaptive picture has the same mean as a uniform one", "[passes]") {
+TEST_CASE("An adaptive image has the same mean as a uniform one", "[passes]") {
     Vec3 adaptive(0), uniform(0);
     constexpr int seeds = 16;
     for (std::uint32_t seed = 0; seed < seeds; ++seed) {
@@ -90,7 +90,7 @@ TEST_CASE("An adaptive picture has the same mean as a uniform one", "[passes]") 
     }
 }
 
-TEST_CASE("An adaptive picture is the same for every backend and number of threads", "[passes]") {
+TEST_CASE("An adaptive image is the same for every backend and number of threads", "[passes]") {
     const RenderSettings settings = up_to_error(scene(), 5e-3);
     const Rendering reference = rendered(scene(), settings);
     for (const char* backend : {"grid", "embree", "embree-user"}) {
@@ -113,7 +113,7 @@ TEST_CASE("No pixel has more samples than allowed, nor a sixty-fourth of another
     CHECK(*r.expected_error > 1e-12);
 }
 
-TEST_CASE("One pixel, and one sample at most, are pictures too", "[passes]") {
+TEST_CASE("Images of one pixel, and of one sample at most, are valid", "[passes]") {
     const TestScene small = mixed_scene(1, 1);
     const Rendering r = rendered(small, up_to_error(small, 1e-4));
     CHECK(r.complete);
@@ -125,7 +125,7 @@ TEST_CASE("One pixel, and one sample at most, are pictures too", "[passes]") {
     CHECK_FALSE(unknown.expected_error.has_value());
 }
 
-TEST_CASE("Every pass of a picture is shown, whole", "[passes]") {
+TEST_CASE("Every pass of an image is shown completely", "[passes]") {
     const RenderSettings settings = samples(scene(), 6);
     std::vector<std::uint32_t> counts;
     RunControl control;
@@ -141,7 +141,7 @@ TEST_CASE("Every pass of a picture is shown, whole", "[passes]") {
     CHECK(counts == std::vector<std::uint32_t>{1, 2, 4, 6});
 }
 
-TEST_CASE("Every tile is told with its samples, from the thread that has them", "[passes]") {
+TEST_CASE("Every tile is reported with its samples, from the thread that has them", "[passes]") {
     const RenderSettings settings = samples(scene(), 4);
     std::mutex mutex;
     std::vector<Color> colors(scene().settings.resolution.x * scene().settings.resolution.y);
@@ -162,7 +162,7 @@ TEST_CASE("Every tile is told with its samples, from the thread that has them", 
     CHECK(colors == r.film.pixels());
 }
 
-TEST_CASE("A picture is over when its time is", "[passes]") {
+TEST_CASE("An image ends at its time limit", "[passes]") {
     clock_reads = 0;
     const RenderSettings settings = samples(scene(), 1 << 20);
     RunControl control;

@@ -113,7 +113,7 @@ TEST_CASE("Pixels of many samples count no more than those of few", "[film]") {
     CHECK((means[0] - expected).length() < 1e-12);
 }
 
-TEST_CASE("An image of one colour stays that whatever the filter", "[film]") {
+TEST_CASE("An image of one colour is unchanged by every filter", "[film]") {
     for (const PixelFilter& filter : filters) {
         CAPTURE(static_cast<int>(filter.kind), filter.radius);
         const Imath::Box2i window = sampled_window(image, filter);

@@ -40,7 +40,7 @@ std::string depth(int vertices) {
 
 }  // namespace
 
-TEST_CASE("A body under light from everywhere has the colour that is asked for", "[subsurface]") {
+TEST_CASE("A body under uniform light has the requested colour", "[subsurface]") {
     const float reflected = 0.02006F;  // at an interface of relative index 1.33
     const Color wanted(0.8F, 0.5F, 0.2F);
     const Color seen = mean_of(pbrt_scene(everywhere + wax + square(0, true)));

@@ -70,12 +70,12 @@ TEST_CASE("AnimatedTransform: given a rotation, then it turns at constant speed"
     }
 }
 
-TEST_CASE("AnimatedTransform: given more than half a turn, then it turns the shorter way") {
+TEST_CASE("AnimatedTransform: given more than half a turn, then it rotates the shorter way") {
     const AnimatedTransform motion(Affine{}, rotation(300, {0, 0, 1}), {});
     CHECK(difference(motion.at_part(0.5), rotation(-30, {0, 0, 1})) < 1e-14);
 }
 
-TEST_CASE("AnimatedTransform: given maps that mirror, then it mirrors on the whole way") {
+TEST_CASE("AnimatedTransform: given maps that mirror, then it mirrors at all times") {
     const Affine mirror = scaling({-1, 1, 1});
     const AnimatedTransform motion(mirror, rotation(80, {0, 0, 1}) * mirror, {});
     for (double part = 0; part <= 1; part += 0.125) {

@@ -104,7 +104,7 @@ TEST_CASE("Geometry: given corners of few and of many digits, then all are kept 
     }
 }
 
-TEST_CASE("Geometry: given another one appended, then its shapes are what they were") {
+TEST_CASE("Geometry: given another one appended, then its shapes are unchanged") {
     Geometry g = mixture();
     append(g, mixture());
     REQUIRE(g.primitives.size() == 12);
@@ -160,7 +160,7 @@ TEST_CASE("Polygon: given others appended, then each has its own corners, normal
     CHECK(g.all<Polygon>()[7].corners[0] == star[0] + Vec3(7));
 }
 
-TEST_CASE("Polygon: given that it is moved or made larger, then what is kept of it follows") {
+TEST_CASE("Polygon: given that it is moved or enlarged, then its derived data follow") {
     const Vec3 offset(0.1, third, -5);
     Scene scene;
     scene.geometry = polygons();

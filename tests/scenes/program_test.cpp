@@ -43,7 +43,7 @@ TEST_CASE("etalon-scenes writes through symbolic links, also to nothing yet", "[
           folder.shell("printf '.:\nlink\nthere\n\nthere:\nfile\nlink\n'").out);
 }
 
-TEST_CASE("etalon-scenes ends with 2 on wrong usage and says what is right", "[scenes]") {
+TEST_CASE("etalon-scenes exits with 2 on wrong usage and prints what is valid", "[scenes]") {
     const Folder folder;
     const auto unknown = generate(folder, "teapot");
     CHECK(unknown.status == 2);

@@ -42,7 +42,7 @@ void cut(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("a face is read when a ray first meets it") {
+TEST_CASE("a face is read when a ray first hits it") {
     const TemporaryFolder folder;
     const Environment environment = skybox_in(folder, ".exr");
     std::vector<std::string> problems;
@@ -56,7 +56,7 @@ TEST_CASE("a face is read when a ray first meets it") {
     CHECK(map.late_problems().size() == 1);
 }
 
-TEST_CASE("threads that meet a face at the same time see the same one") {
+TEST_CASE("threads that hit a face at the same time use the same image") {
     const TemporaryFolder folder;
     const Environment environment = skybox_in(folder, ".exr");
     for (int i = 0; i < 20; ++i) {

@@ -71,7 +71,7 @@ TEST_CASE("the files to be damaged are whole") {
     for (const std::string& scene : whole_files()) check_survives(scene);
 }
 
-TEST_CASE("a PBRT file cut anywhere gives what is whole, and says so") {
+TEST_CASE("a PBRT file truncated anywhere gives its complete statements, and a diagnostic") {
     for (const std::string& scene : whole_files()) {
         for (std::size_t size = 0; size < scene.size(); ++size) {
             const std::string text = scene.substr(0, size);

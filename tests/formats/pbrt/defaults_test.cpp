@@ -232,7 +232,7 @@ TEST_CASE("the default of one parameter may be the value of another") {
     CHECK(parameters.number("zmax") == 3);
 }
 
-TEST_CASE("a metal that says nothing is of copper, as other measurements have it too") {
+TEST_CASE("a metal without parameters is copper, in agreement with other measurements") {
     const Parameters metal(*find_plugin(Category::material, "metal"));
     for (int k = 0; k < 3; ++k) {
         CHECK(metal.color("eta")[k] == Approx(copper_eta()[k]).epsilon(0.01));

@@ -111,7 +111,7 @@ TEST_CASE("a file that ends in a statement") {
     }
 }
 
-TEST_CASE("what pbrt-v3 goes on after is not fatal") {
+TEST_CASE("errors after which pbrt-v3 continues are not fatal") {
     for (const char* text :
          {"AttributeEnd", "NamedMaterial \"x\"", "ObjectInstance \"x\"", "Camera \"perspective\"",
           "Include \"none\"", "LightSource \"x\"", "Shape \"x\"", "CoordSysTransform \"x\""}) {

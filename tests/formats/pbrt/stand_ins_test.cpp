@@ -43,7 +43,7 @@ TEST_CASE("textures are nested until one value takes more than a thousand of the
     CHECK(said_of_world(nested_textures(40)).size() == 4);  // the count is reset each time
 }
 
-TEST_CASE("an integrator that leaves out media says so where it is named") {
+TEST_CASE("an integrator that ignores media causes a warning at its statement") {
     const std::string medium = "MakeNamedMedium \"m\" \"string type\" \"homogeneous\"";
     CHECK(said_of_world(medium) == Said{});
     CHECK(said_of_world(medium + " MediumInterface \"m\"") ==
