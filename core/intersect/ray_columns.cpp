@@ -26,7 +26,7 @@ HWY_INLINE DoubleMask is_zero_or_above(Doubles least, Doubles size) {
     return hn::Or(size >= least, size == hn::Zero(DoubleTag()));
 }
 
-/// The steps of is_valid(), and those of RayQuery.
+/// Classifies rays by the conditions of is_valid() and RayQuery.
 HWY_INLINE DoubleMask common(const RayColumns& c, std::size_t i, const Vec3Lanes& size) {
     const DoubleTag tag;
     const Doubles largest = hn::Max(size.x, hn::Max(size.y, size.z));
@@ -41,7 +41,7 @@ HWY_INLINE DoubleMask common(const RayColumns& c, std::size_t i, const Vec3Lanes
                    hn::And(is_way, hn::And(in_range, not_negligible)));
 }
 
-/// dominant_axis().
+/// Stores dominant_axis() of several rays.
 HWY_INLINE void store_dominant(const Vec3Lanes& size, std::uint64_t* to) {
     const WordTag tag;
     const auto words = [](DoubleMask mask) HWY_ATTR {
@@ -69,7 +69,7 @@ namespace etalon {
 
 HWY_EXPORT(describe);
 
-/// The last ray fills what a vector has beyond it: rays alone decide a branch on all lanes.
+/// The lanes beyond the last ray repeat it, so that a branch on all lanes depends on rays only.
 RayColumns::RayColumns(std::span<const Ray> rays)
     : count(rays.size()), origins(own_origins_.span()), directions(own_directions_.span()) {
     static_assert(most % padded_doubles == 0);

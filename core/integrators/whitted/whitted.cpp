@@ -28,8 +28,8 @@ Color transmittance(const Color& absorption, double distance) {
     return {along(absorption.x), along(absorption.y), along(absorption.z)};
 }
 
-/// Gives rays, which begin at surfaces of those numbers, the traits and times of those that have
-/// seen these. `times` must outlive the stream.
+/// Gives rays, which leave the surfaces of those numbers, the traits and times of the rays that hit
+/// the surfaces. `times` must outlive the stream.
 template <class Numbers>
 void take_traits(const RayStream& seen_by, const SeenSurfaces& surfaces, const Numbers& numbers,
                  RayStream& rays, std::vector<ShutterTime>& times) {
@@ -68,8 +68,8 @@ void Whitted::radiance(const CameraSamples& samples, std::span<Color> colors,
     for (Color& color : colors) color = fitted(color);
 }
 
-/// Sets the colour that each ray of the batch brings back: what the recursion over a tree of rays
-/// gives for one of them, for all of a depth together.
+/// Sets the radiance along each ray of the batch. It is that of the usual recursion over a tree of
+/// rays, evaluated for all rays of a depth together.
 void Whitted::trace(RayTree& tree, int depth, const RayBatch& batch, std::span<Color> colors,
                     RayCounts& counts) const {
     RayTree::Level& level = tree.level(depth);
@@ -89,8 +89,8 @@ void Whitted::trace(RayTree& tree, int depth, const RayBatch& batch, std::span<C
     for (Color& color : colors) color = clamped(color);
 }
 
-/// Finds where the rays hit. Sets the colours of those that do not, and to begin with those of
-/// surfaces to what does not depend on other rays.
+/// Intersects the rays with the scene. Sets the colours of rays that miss, and starts those of
+/// surfaces with the ambient term, which needs no other ray.
 void Whitted::find_surfaces(RayTree::Level& level, const RayBatch& batch,
                             std::span<Color> colors) const {
     level.hits.resize(batch.rays.size());
@@ -107,7 +107,7 @@ void Whitted::find_surfaces(RayTree::Level& level, const RayBatch& batch,
     }
 }
 
-/// Finds the light's point k for each surface.
+/// Finds point number k of the light for each surface.
 void Whitted::find_light_points(std::size_t light, int k, RayTree::Level& level,
                                 const RayBatch& batch) const {
     const LightSamples& samples = lights_[light];
@@ -128,7 +128,7 @@ void Whitted::find_light_points(std::size_t light, int k, RayTree::Level& level,
     for (const Vec2& uv : points.make()) level.light_points.set(j++, samples.position(uv));
 }
 
-/// Calls add(j, reflected) for each surface j whose shadow ray is not blocked, with the light that
+/// Calls add(j, reflected) for each surface j whose shadow ray is not occluded, with the light that
 /// it reflects from a white light.
 template <class Add>
 void Whitted::reflect_light(RayTree::Level& level, const Add& add) const {
@@ -174,7 +174,7 @@ void Whitted::add_light(std::size_t light, int k, RayTree::Level& level, const R
     reflect_light(level, add);
 }
 
-/// Adds what the lights send along each ray, by surfaces that scatter or shine.
+/// Adds the direct light of surfaces with a diffuse or specular term.
 void Whitted::add_direct(RayTree::Level& level, const RayBatch& batch, RayCounts& counts) const {
     const std::size_t count = level.surfaces.size();
     level.lit.assign(count, Color(0.0F));
@@ -197,7 +197,7 @@ void Whitted::add_direct(RayTree::Level& level, const RayBatch& batch, RayCounts
     }
 }
 
-/// Adds what mirrors and glass let come back.
+/// Adds the radiance that rays mirrored and refracted by the surfaces bring back.
 void Whitted::add_secondary(RayTree& tree, int depth, const RayBatch& batch,
                             RayCounts& counts) const {
     RayTree::Level& level = tree.level(depth);
