@@ -58,6 +58,12 @@ TEST_CASE("a process that no MPI launcher started loads no MPI", "[app]") {
     CHECK_THAT(loaded, !ContainsSubstring("libmpi") && !ContainsSubstring("etalon_mpi"));
 }
 
+TEST_CASE("no program waits for Highway's library to measure a clock", "[app]") {
+    const Folder f;
+    f.write("ball.p3f", small_scene);
+    CHECK_THAT(libraries(f, "render ball.p3f -o a.exr"), !ContainsSubstring("libhwy"));
+}
+
 TEST_CASE("a module that is missing is noticed before rendering", "[app]") {
     const Folder f;
     write_skybox_scene(f, {".jpg", ".hdr", ".png", ".png", ".png", ".exr"});
