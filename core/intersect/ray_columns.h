@@ -33,6 +33,8 @@ struct RayColumns {
     /// zeros or within 2^-500 of the largest, which is of usual size (see RescaledRay).
     Column<std::uint64_t> common;
     Column<std::uint64_t> dominants;  ///< dominant axes of the directions
+    bool are_alike =
+        false;  ///< all are common rays of one dominant axis, as nearly all neighbours are
 
   private:
     Vec3Columns<most> own_origins_, own_directions_;

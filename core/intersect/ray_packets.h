@@ -11,16 +11,6 @@ namespace etalon {
 
 namespace detail {
 
-/// Whether all rays are common ones of the same dominant axis, as nearly all neighbours are.
-inline bool are_alike(const RayColumns& rays) {
-    std::uint64_t common = ~std::uint64_t{0}, differences = 0;
-    for (std::size_t i = 0; i < rays.count; ++i) {
-        common &= rays.common[i];
-        differences |= rays.dominants[i] ^ rays.dominants[0];
-    }
-    return common != 0 && differences == 0;
-}
-
 /// Adds the rays, of which the first has that number, to the packets of their dominant axes, but
 /// for those of extreme directions, for which it calls alone(number), and those that can hit
 /// nothing.
@@ -52,7 +42,7 @@ void for_each_packet(const Rays& rays, const Visit& visit, const Alone& alone) {
     for (std::size_t first = 0; first < rays.size(); first += RayColumns::most) {
         const Rays chunk = rays.subspan(first, std::min(RayColumns::most, rays.size() - first));
         const RayColumns columns(chunk);
-        if (detail::are_alike(columns)) {
+        if (columns.are_alike) {
             RayPacket& packet = packets[columns.dominants[0]];
             packet.set(first, chunk, columns);
             visit(packet);

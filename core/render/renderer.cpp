@@ -129,10 +129,9 @@ class Renderer {
     /// are some seconds' samples if no one can see, or depends on, the image between passes.
     std::uint64_t least_of_pass() const {
         constexpr std::uint64_t some_seconds = 1 << 22;
-        const bool is_watched = errors_ || control_.dealer != nullptr ||
-                                control_.deadline.is_limited() ||
-                                is_observed(&RenderObserver::after_tile) ||
-                                is_observed(&RenderObserver::after_pass);
+        const bool is_watched =
+            errors_ || control_.dealer != nullptr || control_.deadline.is_limited() ||
+            is_observed(&RenderObserver::after_tile) || is_observed(&RenderObserver::after_pass);
         return is_watched ? 0 : some_seconds;
     }
 

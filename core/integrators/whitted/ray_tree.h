@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/integrators/whitted/padded_color.h"
 #include "core/integrators/whitted/secondary_rays.h"
 #include "core/sampling/dimensions.h"
 #include "core/sampling/sample_source.h"
@@ -33,10 +34,10 @@ class RayTree {
         Vec3Buffer light_points;  ///< one for each surface
         ShadowRays shadow;
         std::vector<ShutterTime> shadow_times;
-        std::vector<std::uint8_t> blocked;  ///< whether these rays are
-        PaddedColumn<float> highlights;     ///< at the surfaces that these rays leave
-        std::vector<Color> reflected;       ///< part of a white light that surfaces send back
-        std::vector<Color> lit;             ///< what all lights give
+        std::vector<std::uint8_t> blocked;   ///< whether these rays are
+        PaddedColumn<float> highlights;      ///< at the surfaces that these rays leave
+        std::vector<PaddedColor> reflected;  ///< part of a white light that surfaces send back
+        std::vector<PaddedColor> lit;        ///< what all lights give
     };
 
     /// The level of that depth, 1 for camera rays. Levels stay where they are.
