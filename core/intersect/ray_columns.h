@@ -34,6 +34,8 @@ struct RayColumns {
     /// are.
     Column<std::uint64_t> common;
     Column<std::uint64_t> dominants;  ///< dominant axes of the directions
+    bool are_alike =
+        false;  ///< all are common rays of one dominant axis, as nearly all neighbours are
 
   private:
     Vec3Columns<most> own_origins_, own_directions_;

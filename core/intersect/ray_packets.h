@@ -11,17 +11,6 @@ namespace etalon {
 
 namespace detail {
 
-/// Returns whether all rays are common and have the same dominant axis, as nearly all adjacent rays
-/// do.
-inline bool are_alike(const RayColumns& rays) {
-    std::uint64_t common = ~std::uint64_t{0}, differences = 0;
-    for (std::size_t i = 0; i < rays.count; ++i) {
-        common &= rays.common[i];
-        differences |= rays.dominants[i] ^ rays.dominants[0];
-    }
-    return common != 0 && differences == 0;
-}
-
 /// Adds the rays, numbered from `first` on, to the packets of their dominant axes. For rays of
 /// extreme directions it calls alone(number) instead. Rays that cannot hit anything are left out.
 template <class Rays, class Alone>
@@ -52,7 +41,7 @@ void for_each_packet(const Rays& rays, const Visit& visit, const Alone& alone) {
     for (std::size_t first = 0; first < rays.size(); first += RayColumns::most) {
         const Rays chunk = rays.subspan(first, std::min(RayColumns::most, rays.size() - first));
         const RayColumns columns(chunk);
-        if (detail::are_alike(columns)) {
+        if (columns.are_alike) {
             RayPacket& packet = packets[columns.dominants[0]];
             packet.set(first, chunk, columns);
             visit(packet);

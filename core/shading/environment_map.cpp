@@ -74,6 +74,17 @@ Color EnvironmentMap::radiance(const Vec3& direction) const {
     return environment_.skybox->nearest ? nearest_texel(face, p) : bilinear(face, p);
 }
 
+void EnvironmentMap::set_radiance(const Vec3Span& directions, std::span<const Hit> hits,
+                                  std::span<Color> colors) const {
+    if (!has_skybox_) {
+        std::ranges::fill(colors, environment_.background);
+        return;
+    }
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        if (hits[i].primitive == no_index) colors[i] = radiance(directions[i]);
+    }
+}
+
 std::vector<std::string> EnvironmentMap::late_problems() const {
     std::vector<std::string> problems;
     for (const LazyImage& face : faces_) {

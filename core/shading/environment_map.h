@@ -1,10 +1,13 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/image/lazy_image.h"
+#include "core/intersect/ray.h"
+#include "core/numerics/vec_columns.h"
 #include "core/scene/environment.h"
 
 namespace etalon {
@@ -18,6 +21,11 @@ class EnvironmentMap {
     EnvironmentMap(const Environment& environment, std::vector<std::string>& problems);
 
     Color radiance(const Vec3& direction) const;
+
+    /// Sets the colours of the rays that have not hit anything; others too, where that is less
+    /// work.
+    void set_radiance(const Vec3Span& directions, std::span<const Hit> hits,
+                      std::span<Color> colors) const;
 
     /// Returns why faces met so far have the background's colour: their files are damaged after the
     /// header.

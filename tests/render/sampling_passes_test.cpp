@@ -225,3 +225,29 @@ TEST_CASE("The last pass before a deadline is as large as there is time for", "[
     for (const std::uint32_t goal : {1U, 2U, 4U, 5U}) CHECK(all.next(film)->all == goal);
     CHECK_FALSE(all.next(film).has_value());
 }
+
+TEST_CASE("Passes of few samples are made larger, but for the first", "[passes]") {
+    const Film film({{0, 0}, {0, 0}});
+    const Deadline never;
+    const auto goals = [&](std::uint32_t samples, std::size_t pixels, SampleRates rates = {}) {
+        UniformPasses passes(samples, pixels, never, std::move(rates), 1000);
+        std::vector<std::uint32_t> goals;
+        while (const std::optional<SamplingGoal> goal = passes.next(film)) {
+            goals.push_back(goal->all);
+        }
+        return goals;
+    };
+    CHECK(goals(64, 1000) == std::vector<std::uint32_t>{1, 2, 4, 8, 16, 32, 64});
+    CHECK(goals(64, 200) == std::vector<std::uint32_t>{1, 6, 12, 24, 48, 64});
+    CHECK(goals(64, 10) == std::vector<std::uint32_t>{1, 64});
+    CHECK(goals(1, 10) == std::vector<std::uint32_t>{1});
+    CHECK(goals(64, 100, SampleRates(100, 2)) == std::vector<std::uint32_t>{1, 6, 12, 24, 48, 64});
+}
+
+TEST_CASE("Pixels do not depend on how many passes there are", "[passes]") {
+    const RenderSettings settings = samples(scene(), 7);
+    RunControl watched;
+    watched.observers = {{.after_pass = [](const RenderedPass&) {}}};
+    CHECK(rendered(scene(), settings, {}).film.pixels() ==
+          rendered(scene(), settings, watched).film.pixels());
+}

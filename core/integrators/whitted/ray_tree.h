@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/integrators/whitted/padded_color.h"
 #include "core/integrators/whitted/secondary_rays.h"
 #include "core/sampling/dimensions.h"
 #include "core/sampling/sample_source.h"
@@ -35,8 +36,9 @@ class RayTree {
         std::vector<ShutterTime> shadow_times;
         std::vector<std::uint8_t> blocked;  ///< 1 where the shadow ray is occluded
         PaddedColumn<float> highlights;     ///< at the origin of each shadow ray
-        std::vector<Color> reflected;  ///< light reflected from a white light, for each surface
-        std::vector<Color> lit;        ///< light reflected from all lights, for each surface
+        std::vector<PaddedColor>
+            reflected;                 ///< light reflected from a white light, for each surface
+        std::vector<PaddedColor> lit;  ///< light reflected from all lights, for each surface
     };
 
     /// Returns the level of a depth, 1 for camera rays. References to levels stay valid.
