@@ -17,7 +17,7 @@ struct FineBoxes {
 
     Vec3 centre;              ///< of the scene
     double scale;             ///< of its normalized space
-    std::vector<Box3> boxes;  ///< one for each instance
+    LargeVector<Box3> boxes;  ///< one for each instance
 };
 
 /// An Embree scene of instances that are so small, and so near each other, that the padding of

@@ -29,7 +29,7 @@ class PlainBoxes {
     bool is_bounded(std::uint32_t item) const { return etalon::is_bounded(box(item), limit_); }
 
   private:
-    std::vector<Box3> boxes_of_instances() const {
+    LargeVector<Box3> boxes_of_instances() const {
         Box3 others;
         for (std::uint32_t id = 0; id < geometry_.primitives.size(); ++id) {
             if (is_bounded(id)) others.extendBy(whole_bounds(geometry_, id));
@@ -39,7 +39,7 @@ class PlainBoxes {
 
     const Geometry& geometry_;
     double limit_ = FurthestItems::no_limit;
-    std::vector<Box3> instances_;
+    LargeVector<Box3> instances_;
 };
 
 /// Returns what SceneBounds::of does, except for the bounded primitives: Embree asks for these by

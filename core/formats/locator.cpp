@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace etalon {
@@ -32,7 +33,29 @@ std::size_t line_feeds(std::string_view text) {
 
 }  // namespace
 
+/// Looks for one line feed after the other, of which there are few between two statements.
+void Locator::advance(std::size_t offset) {
+    const char* const text = text_.data();
+    while (const void* const found = std::memchr(text + offset_, '\n', offset - offset_)) {
+        offset_ = line_start_ =
+            static_cast<std::size_t>(static_cast<const char*>(found) - text) + 1;
+        ++line_;
+    }
+    offset_ = offset;
+}
+
 TextPosition Locator::locate(std::size_t offset) {
+    constexpr std::size_t few = 512;
+    if (offset >= offset_ && offset - offset_ < few) {
+        advance(offset);
+    } else {
+        jump(offset);
+    }
+    return {saturated(line_), saturated(offset - line_start_ + 1)};
+}
+
+/// Counts all line feeds in between.
+void Locator::jump(std::size_t offset) {
     const bool forward = offset >= offset_;
     const std::size_t low = forward ? offset_ : offset;
     const std::string_view between = text_.substr(low, (forward ? offset : offset_) - low);
@@ -41,7 +64,6 @@ TextPosition Locator::locate(std::size_t offset) {
         line_start_ = text_.substr(0, offset).rfind('\n') + 1;  // npos + 1 is 0: the first line
     }
     offset_ = offset;
-    return {saturated(line_), saturated(offset - line_start_ + 1)};
 }
 
 }  // namespace etalon

@@ -20,6 +20,9 @@ class Locator {
     TextPosition locate(std::size_t offset);
 
   private:
+    void advance(std::size_t offset);
+    void jump(std::size_t offset);
+
     std::string_view text_;
     std::size_t offset_ = 0;      // the last queried place,
     std::size_t line_start_ = 0;  // where its line starts

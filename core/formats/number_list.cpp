@@ -50,13 +50,26 @@ HWY_INLINE ScannedNumber scan(const char* first, const char* last, std::int32_t&
     return scanned;
 }
 
+/// Reads a single digit without looking at what else a number may be: most matrices have many.
+HWY_INLINE ScannedNumber scan_element(const char* first, const char* last, double& value) {
+    if (last - first > 1 && first[1] == ' ' && *first >= '0' && *first <= '9') {
+        value = *first - '0';
+        return {first + 1, NumberStatus::ok};
+    }
+    return scan(first, last, value);
+}
+template <class T>
+HWY_INLINE ScannedNumber scan_element(const char* first, const char* last, T& value) {
+    return scan(first, last, value);
+}
+
 template <class T>
 HWY_INLINE std::size_t read_list(const char*& p, const char* last, T* values, std::size_t most) {
     const char* next = p;
     std::size_t count = 0;
     skip_blanks(next, last);
     for (; count < most && next != last; ++count) {
-        const ScannedNumber scanned = scan(next, last, values[count]);
+        const ScannedNumber scanned = scan_element(next, last, values[count]);
         if (scanned.status != NumberStatus::ok) break;
         if (scanned.end != last && !ends_number(*scanned.end)) break;
         next = scanned.end;

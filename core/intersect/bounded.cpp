@@ -1,6 +1,7 @@
 #include "core/intersect/bounded.h"
 
 #include <numeric>
+#include <span>
 
 #include "core/intersect/instance_bounds.h"
 #include "core/intersect/kernels.h"
@@ -80,7 +81,7 @@ void bound(const Geometry& geometry, const NormalizedSpace& space, double limit,
 }
 
 void bound_instances(const Geometry& geometry, const NormalizedSpace& space, double limit,
-                     double pad, const std::vector<Box3>& boxes, BoundedPrimitive* out) {
+                     double pad, std::span<const Box3> boxes, BoundedPrimitive* out) {
     auto id = static_cast<std::uint32_t>(geometry.primitives.size());
     for (const Box3& box : boxes) {
         if (is_bounded(box, limit)) *out++ = {space.box(box, pad), id, instance_kind};

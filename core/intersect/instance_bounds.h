@@ -1,15 +1,14 @@
 #pragma once
 
-#include <vector>
-
 #include "core/intersect/normalized_space.h"
 #include "core/intersect/outliers.h"
+#include "core/parallel/large_pages.h"
 #include "core/scene/geometry.h"
 
 namespace etalon {
 
 struct InstanceBounds {
-    std::vector<Box3> boxes;  ///< boxes in world space, one for each instance
+    LargeVector<Box3> boxes;  ///< boxes in world space, one for each instance
     double spread = 1;        ///< largest component of spread() of all bounded instances
 };
 

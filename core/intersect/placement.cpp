@@ -32,9 +32,9 @@ void InstanceAt::move(const Geometry& geometry, ShutterTime time) {
     instance_ = &*moved_;
 }
 
-Vec3 spread(const Instance& instance) {
+Vec3 spread(const Instance& instance, const Affine& to_world) {
     const Vec3 once = times_magnitudes(instance.rows, Vec3(1));
-    const auto [x, y, z, origin] = instance.to_world();
+    const auto& [x, y, z, origin] = to_world;
     return once.x * abs(x) + once.y * abs(y) + once.z * abs(z);
 }
 

@@ -54,8 +54,8 @@ inline Ray to_object(const Instance& instance, const Ray& ray) {
 
 /// Returns a bound on |A^-1| |A| v for each axis, where A is the instance's matrix and v has three
 /// components 1: the factor by which a relative error of a point in object space grows in world
-/// space.
-Vec3 spread(const Instance& instance);
+/// space. `to_world` is that of the instance.
+Vec3 spread(const Instance& instance, const Affine& to_world);
 
 /// Transforms a point of the object's surface to world space. Its error bound is so large that a
 /// ray which leaves it still starts off the object's surface after all roundings of its transform

@@ -1,20 +1,28 @@
 #include "core/scene/instance.h"
 
 #include "core/numerics/double_double.h"
+#include "core/numerics/instruction_sets.h"
 #include "core/numerics/rounding.h"
 
-namespace etalon {
-namespace {
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/scene/instance.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
-TwoTerm minor(double a, double b, double c, double d) {
+// Compiled for each instruction set, as the fused multiply-add of most is one instruction, but a
+// call where it may be missing.
+HWY_BEFORE_NAMESPACE();
+namespace etalon::HWY_NAMESPACE {
+
+HWY_INLINE TwoTerm minor(double a, double b, double c, double d) {
     return two_product(a, d) + -two_product(b, c);
 }
 
-Vec3TwoTerm fine_cross(const Vec3& a, const Vec3& b) {
+HWY_INLINE Vec3TwoTerm fine_cross(const Vec3& a, const Vec3& b) {
     return {minor(a.y, a.z, b.y, b.z), minor(a.z, a.x, b.z, b.x), minor(a.x, a.y, b.x, b.y)};
 }
 
-double quotient(const TwoTerm& a, const TwoTerm& b) {
+HWY_INLINE double quotient(const TwoTerm& a, const TwoTerm& b) {
     const double value = a.value / b.value;
     const TwoTerm rest = a + -(TwoTerm{value, 0} * b);
     return value + rest.value / b.value;
@@ -39,10 +47,16 @@ std::array<Vec3, 3> inverse_rows(const Vec3& x, const Vec3& y, const Vec3& z) {
     return rows;
 }
 
-}  // namespace
+}  // namespace etalon::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace etalon {
+
+HWY_EXPORT(inverse_rows);
 
 Instance::Instance(const Affine& to_world, std::uint32_t object_number)
-    : rows(inverse_rows(to_world.x, to_world.y, to_world.z)),
+    : rows(HWY_DYNAMIC_DISPATCH(inverse_rows)(to_world.x, to_world.y, to_world.z)),
       origin(to_world.origin),
       object(object_number) {
     if (!exists()) rows.fill(Vec3(nan_value));  // so that no ray in the object's space is valid
@@ -63,3 +77,4 @@ bool Instance::exists() const {
 }
 
 }  // namespace etalon
+#endif

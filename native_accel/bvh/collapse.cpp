@@ -7,7 +7,7 @@
 namespace etalon {
 
 Collapse::Collapse(const std::vector<BvhNode>& nodes)
-    : nodes_(nodes), plans_(std::make_unique_for_overwrite<Plan[]>(nodes.size())) {
+    : nodes_(nodes), plans_(std::make_unique_for_overwrite<Plan[]>(nodes.size() / 2)) {
     plan_all(root());
 }
 
@@ -21,23 +21,23 @@ std::array<Branch, 2> Collapse::halves(const Branch& branch) const {
 /// Children come after their parents.
 void Collapse::plan_all(const Branch& branch) {
     constexpr std::size_t serial_up_to = 1024;
+    if (branch.is_leaf()) return;
     if (branch.size() > serial_up_to) {
         const auto [left, right] = halves(branch);
         parallel_invoke([&, one = left] { plan_all(one); }, [&, one = right] { plan_all(one); });
     } else {
         for (std::size_t i = branch.end; i-- > branch.end - branch.size();) {
-            plans_[i] = plan(nodes_[i]);
+            const BvhNode& node = nodes_[i];
+            if (!node.is_leaf()) plan_of(node) = plan(node);
         }
     }
-    plans_[branch.node - nodes_.data()] = plan(*branch.node);
+    plan_of(*branch.node) = plan(*branch.node);
 }
 
-Collapse::Plan Collapse::plan(const BvhNode& node) const {
-    Plan plan;
-    plan.cost.fill(0);
-    plan.first.fill(0);
-    if (node.is_leaf()) return plan;
-    const Plan &left = plans_[node.first], &right = plans_[node.first + 1];
+Collapse::Plan Collapse::plan(const BvhNode& inner) const {
+    Plan plan{};
+    const Plan &left = plan_or_none(nodes_[inner.first]),
+               &right = plan_or_none(nodes_[inner.first + 1]);
     std::array<float, node_width + 1> cost;
     for (std::size_t count = 2; count <= node_width; ++count) {
         cost[count] = std::numeric_limits<float>::infinity();
@@ -50,7 +50,7 @@ Collapse::Plan Collapse::plan(const BvhNode& node) const {
             plan.first[count] = static_cast<std::uint8_t>(first);
         }
     }
-    plan.cost[1] = half_area(node.box) + cost[node_width];
+    plan.cost[1] = half_area(inner.box) + cost[node_width];
     for (std::size_t count = 2; count < node_width; ++count) {
         const bool pays = cost[count] < plan.cost[count - 1];
         plan.cost[count] = pays ? cost[count] : plan.cost[count - 1];
@@ -60,7 +60,7 @@ Collapse::Plan Collapse::plan(const BvhNode& node) const {
 }
 
 Branches Collapse::children(const Branch& branch) const {
-    const std::size_t first = plan_of(branch).first[node_width];
+    const std::size_t first = plan_of(*branch.node).first[node_width];
     const auto [left, right] = halves(branch);
     Branches list;
     gather(left, first, list);
@@ -69,7 +69,7 @@ Branches Collapse::children(const Branch& branch) const {
 }
 
 void Collapse::gather(const Branch& branch, std::size_t count, Branches& list) const {
-    const Plan& plan = plan_of(branch);
+    const Plan& plan = plan_or_none(*branch.node);
     while (count > 1 && plan.first[count] == 0) --count;
     if (count == 1) return list.push_back(branch);
     const auto [left, right] = halves(branch);

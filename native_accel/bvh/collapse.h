@@ -44,7 +44,7 @@ class Collapse {
     Branch root() const { return {nodes_.data(), nodes_.size()}; }
 
     /// Returns half the surface area of all inner nodes that remain.
-    float surface() const { return plans_[0].cost[1]; }
+    float surface() const { return plan_or_none(nodes_.front()).cost[1]; }
 
     /// Returns the descendants that become the children of an inner node.
     Branches children(const Branch& branch) const;
@@ -57,14 +57,19 @@ class Collapse {
         std::array<std::uint8_t, node_width + 1> first;
     };
 
+    static constexpr Plan no_plan{};  ///< of a leaf
+
     std::array<Branch, 2> halves(const Branch& branch) const;
     void plan_all(const Branch& branch);
-    Plan plan(const BvhNode& node) const;
+    Plan plan(const BvhNode& inner) const;
     void gather(const Branch& branch, std::size_t count, Branches& list) const;
-    const Plan& plan_of(const Branch& branch) const { return plans_[branch.node - nodes_.data()]; }
+    Plan& plan_of(const BvhNode& inner) const { return plans_[inner.first / 2]; }
+    const Plan& plan_or_none(const BvhNode& node) const {
+        return node.is_leaf() ? no_plan : plan_of(node);
+    }
 
     const std::vector<BvhNode>& nodes_;
-    std::unique_ptr<Plan[]> plans_;
+    std::unique_ptr<Plan[]> plans_;  ///< one for each pair of children
 };
 
 }  // namespace etalon

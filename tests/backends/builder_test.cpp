@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/accel/tree/binning.h"
+#include "core/accel/tree/split.h"
 #include "core/numerics/random.h"
 #include "core/parallel/parallel.h"
 #include "tests/catch.h"
@@ -239,4 +240,32 @@ TEST_CASE("Given boxes about one centre, the small ones are kept from the large 
             smallest = std::min(smallest, node.box.size().x);
     }
     CHECK(smallest < 1e-4F * tree.nodes[0].box.size().x);
+}
+
+TEST_CASE("Given few primitives, sorting them finds the split that counting their bins does") {
+    const LeafWeights weights(default_leaf_costs(), triangle);
+    for (const Cast cast : {scattered, of_all_kinds, in_pairs}) {
+        for (std::size_t seed = 0; seed < 200; ++seed) {
+            Primitives all = cast(100 + seed);
+            const std::span few = std::span(all).last(2 + seed % (few_primitives - 1));
+            Bounds centres;
+            for (const BoundedPrimitive& p : few) centres.extend(twice_centre(Bounds::of(p)));
+            const Binning binning(centres, 16 + static_cast<int>(few.size() / 4));
+            Bins bins;
+            bins.count(binning, few, weights);
+            const Split counted = cheapest_split(bins, weights);
+            const Split sorted = cheapest_split(few, binning, weights);
+            CAPTURE(seed);
+            REQUIRE(sorted.axis == counted.axis);
+            REQUIRE(sorted.bin == counted.bin);
+            REQUIRE(sorted.cost == counted.cost);
+            if (sorted.axis < 0) continue;
+            const SplitSides from_bins = sides(bins, counted),
+                             from_boxes = sides(few, binning, weights, sorted);
+            REQUIRE(from_boxes.left.count == from_bins.left.count);
+            REQUIRE(from_boxes.right.weight == from_bins.right.weight);
+            REQUIRE(from_boxes.left.bounds.box() == from_bins.left.bounds.box());
+            REQUIRE(from_boxes.right.bounds.box() == from_bins.right.bounds.box());
+        }
+    }
 }

@@ -86,6 +86,20 @@ TEST_CASE("places are found in any order") {
     check_place(locator, 7, 4, 1);
 }
 
+TEST_CASE("places near each other and far from each other are found") {
+    std::string text;
+    for (int line = 1; line <= 300; ++line)
+        text += std::string(static_cast<std::size_t>(line % 9), 'x') + "\n";
+    Locator locator(text);
+    for (const std::size_t offset : {0, 10, 11, 500, 1400, 1401, 3, 511, 1023, 1024, 1, 0}) {
+        const std::string_view before = std::string_view(text).substr(0, offset);
+        const auto start = static_cast<int>(before.rfind('\n') + 1);
+        check_place(locator, offset,
+                    static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1,
+                    static_cast<int>(offset) - start + 1);
+    }
+}
+
 TEST_CASE("a word in a message is printable and short") {
     CHECK(in_quotes("abc") == "'abc'");
     CHECK(in_quotes(std::string("a\0\xFF", 3)) == "'a\\x00\\xff'");

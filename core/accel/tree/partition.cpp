@@ -17,7 +17,7 @@ HWY_INLINE void store(const Bounds& b, BoundedPrimitive& p) {
 }
 
 SplitSets partition(std::span<BoundedPrimitive> primitives, const Binning& binning,
-                    const Bins& bins, const Split& split) {
+                    const Split& split, const SplitSides& sides) {
     const auto plane = static_cast<float>(split.bin);
     SideCentres centres;
     // What goes left is before `middle`; what goes right is between `middle` and i.
@@ -30,9 +30,8 @@ SplitSets partition(std::span<BoundedPrimitive> primitives, const Binning& binni
         middle += is_left;
         centres.extend(twice_centre(b), is_left);
     }
-    const auto [left, right] = sides(bins, split);
-    return {{primitives.first(middle), left.bounds, centres.left},
-            {primitives.subspan(middle), right.bounds, centres.right}};
+    return {{primitives.first(middle), sides.left.bounds, centres.left},
+            {primitives.subspan(middle), sides.right.bounds, centres.right}};
 }
 
 SideCentres scatter(std::span<const BoundedPrimitive> primitives, const Binning& binning,
@@ -60,17 +59,13 @@ HWY_EXPORT(partition);
 HWY_EXPORT(scatter);
 
 SplitSets partition(std::span<BoundedPrimitive> primitives, const Binning& binning,
-                    const Bins& bins, const Split& split) {
-    return HWY_DYNAMIC_DISPATCH(partition)(primitives, binning, bins, split);
+                    const Split& split, const SplitSides& sides) {
+    return HWY_DYNAMIC_DISPATCH(partition)(primitives, binning, split, sides);
 }
 
 SideCentres scatter(std::span<const BoundedPrimitive> primitives, const Binning& binning,
                     const Split& split, BoundedPrimitive* left, BoundedPrimitive* right) {
     return HWY_DYNAMIC_DISPATCH(scatter)(primitives, binning, split, left, right);
-}
-
-SideBins sides(const Bins& bins, const Split& split) {
-    return {bins.sum(split.axis, 0, split.bin), bins.sum(split.axis, split.bin, bins.size())};
 }
 
 std::size_t smaller_half(std::span<BoundedPrimitive> primitives) {

@@ -6,15 +6,9 @@
 
 namespace etalon {
 
-/// Sums of the bins on both sides of a split.
-struct SideBins {
-    Bin left, right;
-};
-SideBins sides(const Bins& bins, const Split& split);
-
-/// Reorders the primitives that `bins` counted, without data-dependent branches.
+/// Reorders primitives by a split with the given sides, without data-dependent branches.
 SplitSets partition(std::span<BoundedPrimitive> primitives, const Binning& binning,
-                    const Bins& bins, const Split& split);
+                    const Split& split, const SplitSides& sides);
 
 /// Bounds of the centres on both sides of a split.
 struct SideCentres {

@@ -39,14 +39,28 @@ std::optional<SplitSets> Splitter::split(const PrimitiveSet& set, int depth) {
         return divide_at(set.primitives, smaller_half(set.primitives));
     }
     const Binning binning(set.centres, bins_for(set.size(), config_));
-    bins_.count(binning, set.primitives, weights_);
-    const Split split = cheapest_split(bins_, weights_);
+    const Split split = cheapest(set, binning);
+    if (split.axis < 0 && !is_small) {
+        return divide_at(set.primitives, smaller_half(set.primitives));
+    }
     if (is_small && !pays(split, set)) {
         if (may_end) return std::nullopt;
         return divide_by_kind(set.primitives);
     }
-    if (split.axis < 0) return divide_at(set.primitives, smaller_half(set.primitives));
-    return partition(set.primitives, binning, bins_, split);
+    return partition(set.primitives, binning, split, sides_of(set, binning, split));
+}
+
+/// Counts the bins only of sets that are not small.
+Split Splitter::cheapest(const PrimitiveSet& set, const Binning& binning) {
+    if (set.size() <= few_primitives) return cheapest_split(set.primitives, binning, weights_);
+    bins_.count(binning, set.primitives, weights_);
+    return cheapest_split(bins_, weights_);
+}
+
+SplitSides Splitter::sides_of(const PrimitiveSet& set, const Binning& binning,
+                              const Split& split) const {
+    return set.size() <= few_primitives ? sides(set.primitives, binning, weights_, split)
+                                        : sides(bins_, split);
 }
 
 /// Returns whether a set is tested at once, so that dividing it would gain next to nothing.
@@ -56,7 +70,8 @@ bool Splitter::fills_one_test(const PrimitiveSet& set) const {
 
 bool Splitter::pays(const Split& split, const PrimitiveSet& set) const {
     const float area = set.bounds.half_area();
-    const std::uint64_t weight = bins_.sum(0, 0, bins_.size()).weight;
+    std::uint64_t weight = 0;
+    for (const BoundedPrimitive& p : set.primitives) weight += weights_.weight(p.kind);
     return area + split.cost < area * weights_.cost(weight);
 }
 

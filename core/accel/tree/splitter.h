@@ -19,6 +19,8 @@ class Splitter {
 
   private:
     bool fills_one_test(const PrimitiveSet& set) const;
+    Split cheapest(const PrimitiveSet& set, const Binning& binning);
+    SplitSides sides_of(const PrimitiveSet& set, const Binning& binning, const Split& split) const;
     bool pays(const Split& split, const PrimitiveSet& set) const;
 
     const BvhConfig& config_;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,8 @@ struct CameraTransform {
     Matrix4 to_world, from_world;  ///< inverse of each other
 };
 
+/// Lists of which a scene may have millions are deques: a vector that doubles is written about
+/// twice.
 struct Frame {
     Plugin camera, sampler, film, filter, integrator, accelerator;  ///< defaults if absent
     std::array<CameraTransform, 2> camera_transforms{};             ///< at the start and end time
@@ -84,7 +87,7 @@ struct Frame {
     std::array<double, 2> transform_times = {0, 1};
 
     /// Transforms of the world block, each finite but not always invertible; 0 is the identity.
-    std::vector<Matrix4> transforms = {Matrix4{}};
+    std::deque<Matrix4> transforms = {Matrix4{}};
     std::vector<Texture> textures{};
     std::vector<Material> materials{};  ///< no two are equal
     std::vector<Light> lights{};
@@ -92,7 +95,7 @@ struct Frame {
     std::vector<Medium> media{};
     std::vector<Shape> shapes{};
     std::vector<Object> objects{};
-    std::vector<Instance> instances{};
+    std::deque<Instance> instances{};
     bool has_media = false;  ///< whether a MediumInterface statement was read
 
     /// Makes a frame of default options and an empty world.

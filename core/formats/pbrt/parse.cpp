@@ -10,9 +10,35 @@
 namespace etalon::pbrt {
 namespace {
 
-// Directives that are frequent in large scenes come first.
 constexpr std::array directive_tables = {shape_directives, block_directives,  transform_directives,
                                          look_directives,  medium_directives, option_directives};
+
+/// The directives by their first letter, as a scene may have millions of them.
+class DirectivesByInitial {
+  public:
+    DirectivesByInitial() {
+        for (const auto& table : directive_tables) {
+            for (const Directive& directive : table()) of(directive.word).push_back(&directive);
+        }
+    }
+
+    const Directive* find(std::string_view word) const {
+        for (const Directive* directive : of(word)) {
+            if (directive->word == word) return directive;
+        }
+        return nullptr;
+    }
+
+  private:
+    using Directives = std::vector<const Directive*>;
+
+    const Directives& of(std::string_view word) const {
+        return all_[word.empty() ? 0 : static_cast<unsigned char>(word.front())];
+    }
+    Directives& of(std::string_view word) { return all_[static_cast<unsigned char>(word.front())]; }
+
+    std::array<Directives, 256> all_;
+};
 
 std::vector<std::string_view> directive_words() {
     std::vector<std::string_view> words;
@@ -94,12 +120,8 @@ bool is_directive(std::string_view word) {
 }
 
 const Directive* find_directive(std::string_view word) {
-    for (const auto& table : directive_tables) {
-        const std::span<const Directive> directives = table();
-        const auto found = std::ranges::find(directives, word, &Directive::word);
-        if (found != directives.end()) return &*found;
-    }
-    return nullptr;
+    static const DirectivesByInitial directives;
+    return directives.find(word);
 }
 
 ParsedFile parse(std::string_view text, const std::string& path, const ParseOptions& options) {

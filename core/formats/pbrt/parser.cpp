@@ -26,7 +26,7 @@ std::string explain(Category category, const std::string& name) {
     return near.empty() ? fmt::format("; there are: {}", fmt::join(names, " ")) : near;
 }
 
-std::uint32_t add_transform(const Matrix4& matrix, std::vector<Matrix4>& transforms) {
+std::uint32_t add_transform(const Matrix4& matrix, std::deque<Matrix4>& transforms) {
     if (matrix == Matrix4{}) return 0;
     transforms.push_back(matrix);
     return static_cast<std::uint32_t>(transforms.size() - 1);

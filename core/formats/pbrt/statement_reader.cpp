@@ -32,8 +32,8 @@ bool StatementReader::take(TokenKind kind, std::string_view expected) {
 }
 
 std::string StatementReader::string(std::string_view what) {
-    if (!take(TokenKind::string, fmt::format("{} in quotes", what))) return {};
-    return std::string(tokens_.next().text);
+    if (ok_ && tokens_.peek().kind != TokenKind::string) reject(fmt::format("{} in quotes", what));
+    return ok_ ? std::string(tokens_.next().text) : std::string();
 }
 
 std::optional<std::string> StatementReader::optional_string() {

@@ -31,21 +31,13 @@ std::uint32_t TokenStream::number_of(const std::string& path) {
     return entry->second;
 }
 
-const Token& TokenStream::peek() {
-    if (has_token_) return token_;
+void TokenStream::read() {
     token_ = sources_.back().lexer.next();
     while (token_.kind == TokenKind::end && sources_.size() > 1) {
         sources_.pop_back();
         token_ = sources_.back().lexer.next();
     }
     has_token_ = true;
-    return token_;
-}
-
-Token TokenStream::next() {
-    peek();
-    has_token_ = false;
-    return token_;
 }
 
 Place TokenStream::place() {

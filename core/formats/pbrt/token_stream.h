@@ -25,8 +25,15 @@ class TokenStream {
     TokenStream(std::string_view text, const std::string& path, const std::string& root, Log& log);
 
     /// Returns the next token; its text is valid until the stream moves past it.
-    const Token& peek();
-    Token next();
+    const Token& peek() {
+        if (!has_token_) read();
+        return token_;
+    }
+    Token next() {
+        peek();
+        has_token_ = false;
+        return token_;
+    }
 
     /// Returns the place of the next token.
     Place place();
@@ -51,6 +58,9 @@ class TokenStream {
     std::optional<std::string> resolve(const std::string& name, Place where) const;
 
   private:
+    /// Reads the next token, of this source or of those around it.
+    void read();
+
     struct Source {
         std::string path;
         std::uint32_t file;
