@@ -91,7 +91,7 @@ TEST_CASE("PBRT is written as PBRT with all its contents", "[app]") {
 TEST_CASE("every shape of PBRT gives the same image when it is written again", "[app]") {
     const Folder f;
     const fs::path source = ETALON_SOURCE_DIR;
-    for (const fs::path folder : {source / "scenes/pbrt", source / "tests/render/references"}) {
+    for (const fs::path& folder : {source / "scenes/pbrt", source / "tests/render/references"}) {
         for (const auto& entry : fs::directory_iterator(folder)) {
             if (entry.path().extension() != ".pbrt") continue;
             CAPTURE(entry.path());

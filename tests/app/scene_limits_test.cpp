@@ -147,7 +147,7 @@ TEST_CASE("An image that needs more than --max-memory is refused before it is be
     CHECK(r.status == 3);
     CHECK_THAT(r.err, ContainsSubstring("9000 x 9000 pixels need"));
     CHECK_THAT(r.err, ContainsSubstring("--max-memory"));
-    CHECK(r.peak_bytes < 100e6);
+    CHECK(r.peak_bytes < 100'000'000);
 }
 
 TEST_CASE("A scene that needs more than --max-memory is an error", "[app][limits]") {

@@ -123,9 +123,9 @@ TEST_CASE("Oracle: given a root where the ray begins, then it is not taken for t
     // The line leaves the flat box at its origin, at a distance below the resolution of quad
     // precision.
     Scene scene;
-    const Vec3 centre(-6.86, -1e20, 1e20), half(1, 0, 0);
+    const Vec3 centre(-6.86, -1e20, 1e20), reach(1, 0, 0);
     scene.geometry.add(
-        Quadric{centre, {0, 2, 1, -2, 2, 2, -2, -1, 0, 0}, {centre - half, centre + half}}, 0);
+        Quadric{centre, {0, 2, 1, -2, 2, 2, -2, -1, 0, 0}, {centre - reach, centre + reach}}, 0);
     const OracleAnswer answer = Oracle(scene.geometry).closest({centre, {-1e5, 0, -1e20}});
     REQUIRE(answer.kind != OracleAnswer::hit);
 }

@@ -231,11 +231,11 @@ TEST_CASE("Passes of few samples are made larger, but for the first", "[passes]"
     const Deadline never;
     const auto goals = [&](std::uint32_t samples, std::size_t pixels, SampleRates rates = {}) {
         UniformPasses passes(samples, pixels, never, std::move(rates), 1000);
-        std::vector<std::uint32_t> goals;
+        std::vector<std::uint32_t> list;
         while (const std::optional<SamplingGoal> goal = passes.next(film)) {
-            goals.push_back(goal->all);
+            list.push_back(goal->all);
         }
-        return goals;
+        return list;
     };
     CHECK(goals(64, 1000) == std::vector<std::uint32_t>{1, 2, 4, 8, 16, 32, 64});
     CHECK(goals(64, 200) == std::vector<std::uint32_t>{1, 6, 12, 24, 48, 64});
